@@ -1,4 +1,4 @@
-"""Rolling line contacts by boundary elements: onset of rolling, elastic layer, skew, rolling back and forth.
+"""Rolling line contacts by boundary elements: onset of rolling, asperities, skew, rolling back and forth.
 
 Run it: ``python examples/rolling_contact.py [picture.png]``. Lengths are over the half-width a, creepages over that of
 gross slip, forces over friction.
@@ -13,17 +13,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from asperity.bem import ElasticPair, FreeHalfSpace, steady_rolling, transient_rolling
-from asperity.contact.creep_layer import (
-    pressure_layer_creepage_factor,
-    small_slip_creepage_factor,
-    uniform_layer_creepage_factor,
-)
+from asperity.bem.rough_rolling import rough_pressure, rough_rolling
+from asperity.contact.creep_layer import layer_creepage_factor
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_length, rolling_in_shift
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.show.style import STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "rolling_contact.png"
 POISSON_RATIO = 0.3
+STIFFNESS_RATIO = 2.0 * (1.0 - POISSON_RATIO) / (2.0 - POISSON_RATIO)  # of asperities, tangential over normal
 SLIP_RATIOS = (0.25, 0.5, 0.8)
 COLORS = ("#9ecae1", "#3182bd", "#08306b")
 
@@ -138,19 +136,25 @@ def draw_lag(axes: Axes, histories: dict) -> None:
     axes.legend()
 
 
+def rough_factors(layer_ratio: float, slip_ratios: tuple[float, ...]) -> list[float]:
+    """Creepages of rough bodies over Carter's under growing forces."""
+    contact, state, factors = rough_pressure(layer_ratio=layer_ratio, strips=200), None, []
+    for q in slip_ratios:
+        state = rough_rolling(contact, stiffness_ratio=STIFFNESS_RATIO, slip_ratio=q, start=state)
+        factors.append(state.creepage / carter(q))
+    return factors
+
+
 def draw_layer(axes: Axes) -> None:
-    q = np.linspace(0.02, 0.97, 200)
-    for color, chi in zip(COLORS, (0.1, 0.3, 1.0), strict=True):
-        share = float(small_slip_creepage_factor(layer_ratio=chi)) - 1.0
-        uniform = np.asarray(uniform_layer_creepage_factor(layer_ratio=chi, slip_ratio=q))
-        pressure = np.asarray(pressure_layer_creepage_factor(layer_ratio=chi, slip_ratio=q))
-        axes.plot(q, (uniform - 1.0) / share, color=color, label=rf"$\chi$ = {chi}")
-        axes.plot(q, (pressure - 1.0) / share, color=color, linestyle=":")
-    axes.axhline(1.0, color="k", linewidth=0.8)
-    axes.set_ylim(0.7, 1.7)
-    axes.set_title("Elastic layer (dotted: stiffer with pressure)")
+    q, points = np.linspace(0.02, 0.98, 200), (0.1, 0.3, 0.5, 0.7, 0.85, 0.95)
+    for color, s in zip(COLORS, (0.05, 0.1, 0.2), strict=True):
+        factor = layer_creepage_factor(layer_ratio=s, slip_ratio=q, stiffness_ratio=STIFFNESS_RATIO)
+        axes.plot(q, np.asarray(factor), color=color, label=f"$s$ = {s}")
+        axes.plot(points, rough_factors(s, points), "o", color=color, markersize=4)
+    axes.set_ylim(1.0, 1.6)
+    axes.set_title("Asperities (points: boundary elements)")
     axes.set_xlabel("slip ratio $q = Q/\\mu N$")
-    axes.set_ylabel(r"$(\xi/\xi_C - 1)\,/\,\frac{\pi}{2}\chi$")
+    axes.set_ylabel(r"creepage $\xi/\xi_C$")
     axes.legend()
 
 

@@ -52,7 +52,7 @@ def test_ends_on_the_drift_line_of_steady_rolling(joint, onset):
 
 @pytest.fixture(scope="module")
 def shifts():
-    """Shift of a contact with a layer over rolled distance since the start, both over the half-width, by its forces."""
+    """Shift of a smooth contact over rolled distance since the start, both over the half-width, by its forces."""
     from asperity.bem import ElasticPair, FreeHalfSpace, transient_rolling
 
     pair = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.0)
@@ -60,14 +60,14 @@ def shifts():
     edge = np.linspace(-1.0, 1.0, CELLS + 1)
     pressure = np.pad(np.diff(0.5 * (edge * np.sqrt(1.0 - edge**2) + np.arcsin(edge))) / PIXEL, 1)
 
-    def run(slip_ratio, layer_ratio, steps):
+    def run(slip_ratio, steps):
         found = transient_rolling(
             strip,
             pressure,
             friction_coefficient=1.0,
             axis=0,
             rolled_pixels=np.r_[0, steps],
-            layer_compliance=layer_ratio,  # E c/(2a), E = 2, a = 1
+            layer_compliance=0.0,
             tangential_force=np.full(STEPS + 1, slip_ratio * pressure.sum() * PIXEL),
         )
         shift = np.asarray(found.shear.displacement)
@@ -90,7 +90,7 @@ def work_over_torque(joint, shifts, steps):
     for k, radius in enumerate(radii):
         normal, tangential = float(found.normal[k]), float(found.tangential[k])
         width = np.sqrt(4.0 * normal * radius / (np.pi * 5e-3 * modulus))
-        shift = shifts(tangential / (0.12 * normal), float(found.layer_ratio[k]), steps)
+        shift = float(found.layer_creepage_factor[k]) * shifts(tangential / (0.12 * normal), steps)
         distance = np.abs(np.r_[0, np.cumsum(steps)]) * PIXEL * width
         work += 3.0 * tangential * 0.12 * width**2 / radius * np.interp(rolled, distance, shift)
     return rolled, work / float(joint.output_torque)

@@ -131,9 +131,9 @@ def rolling_in_shift(*, rolled_distance: Real, half_width: Real, slip_ratio: Rea
     -----
     Rolling starts at half the steady creepage, whatever the force. The force is applied to the contact at rest
     (Cattaneo and Mindlin) and then kept constant. Within :math:`0.022\,\xi_C a` of boundary elements for q from 0.02 to
-    0.95. Not valid for :math:`|q| \ge 1`, where the contact slips. With an elastic layer of ratio chi and its own
-    steady creepage: within 0.04 of creepage times half-width for chi up to 0.2 and q from 0.3, within 0.09 for q = 0.1,
-    and within 0.16 for chi up to 1.
+    0.95. Not valid for :math:`|q| \ge 1`, where the contact slips. With an even elastic layer of
+    :math:`\chi = E c/(2a)` and its own steady creepage: within 0.04 of creepage times half-width for chi up to 0.2 and
+    q from 0.3, within 0.09 for q = 0.1, and within 0.16 for chi up to 1.
 
     References
     ----------

@@ -84,9 +84,9 @@ def swing_drift_share(*, stroke: Real, half_width: Real, slip_ratio: Real) -> Re
     Notes
     -----
     After many strokes under a constant force. Linear between the entries of a table, and beyond it with the same
-    distance lost in every reversal. Within 0.03 of boundary elements for q up to 0.9. An elastic layer of ratio 0.2
-    changes it by up to 0.04 for q from 0.3, and raises it by up to 0.13 for q = 0.05. Beyond q = 0.95 the row of 0.95
-    is used.
+    distance lost in every reversal. Within 0.03 of boundary elements for q up to 0.9. An even elastic layer of
+    E c/(2a) = 0.2 changes it by up to 0.04 for q from 0.3, and raises it by up to 0.13 for q = 0.05. Beyond q = 0.95
+    the row of 0.95 is used.
 
     References
     ----------

@@ -68,13 +68,13 @@ def contacts_in_series(*, drive: PlanarDrive, rolling: RollingResult, half_width
     ----------
     Equations (B1), (B10) and (M3) of :doc:`/equations`.
     """
-    resisted = jnp.where(rolling.speed_loss < 0.0, -1.0, 1.0)
-    sense = driving_sense(drive)
-    creepage = resisted * sense * rolling.creepage
-    speed, rolled = creeping_speeds(drive=drive, creepage=creepage)
-    work = jnp.abs(rolling.tangential * rolling.creepage) * rolled
     out = drive.members.index(drive.output)
-    ideal, _ = creeping_speeds(drive=drive, creepage=jnp.zeros_like(creepage))
+    ideal, _ = creeping_speeds(drive=drive, creepage=jnp.zeros_like(rolling.creepage))
+    forwards = driving_sense(drive) * rolling.creepage
+    ahead, _ = creeping_speeds(drive=drive, creepage=forwards)
+    resisted = jnp.where(jnp.abs(ahead[out]) > jnp.abs(ideal[out]), -1.0, 1.0)
+    speed, rolled = creeping_speeds(drive=drive, creepage=resisted * forwards)
+    work = jnp.abs(rolling.tangential * rolling.creepage) * rolled
     loss = 1.0 - speed[out] / ideal[out]
     turned = jnp.abs(speed[out])
     return ContactsInSeries(

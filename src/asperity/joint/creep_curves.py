@@ -10,13 +10,12 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.contact.creep_layer import SLIP_RATIO_RANGE
 from asperity.drive.rolling_state import creepages
 from asperity.joint.planar.description import PlanarJoint, planar_contacts
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.laws import creep_law
 
-_POINTS = 60
+_POINTS, _LARGEST_SHARE = 60, 0.98
 
 
 class CreepCurves(NamedTuple):
@@ -54,7 +53,7 @@ def creep_curves(joint: PlanarJoint, result: PlanarResult) -> CreepCurves:
 
 def _tractions() -> Array:
     """Shares of the friction limit."""
-    return jnp.linspace(0.0, SLIP_RATIO_RANGE[1], _POINTS)
+    return jnp.linspace(0.0, _LARGEST_SHARE, _POINTS)
 
 
 def _curves(joint: PlanarJoint, normal: Array) -> tuple[Array, Array]:

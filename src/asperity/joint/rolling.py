@@ -11,6 +11,8 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact.creep_layer import peak_pressure_factor, width_factor
+from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.rolling_fatigue import life_at_reliability
 from asperity.contact.skew import axial_force, stick_fraction
 from asperity.drive.planar.state import PlanarState
@@ -43,8 +45,11 @@ class RollingResult(eqx.Module):
     stick_fraction : Array
         Share of the contact width that sticks under tangential and axial traction, shape (5, ...) [-].
     layer_ratio, layer_creepage_factor : Array
-        Compliance of the asperities over that of the bodies, and by how much it raises the creepage, shape (5, ...)
-        [-].
+        Yield of the asperities over that of the bodies, and by how much the asperities change the creepage, shape
+        (5, ...) [-].
+    rough_half_width, rough_peak_pressure : Array
+        Half-width of the ellipse whose root mean square the load's places have, and peak pressure, both with the
+        asperities and in the middle of crowned contacts, shape (5, ...) [m] and [Pa]; life and shakedown take Hertz's.
     skew_creepage_factor : Array
         By how much skew raises the creepage, shape (5, ...) [-]; 1 without skew.
     capacity_loss : Array
@@ -99,6 +104,8 @@ class RollingResult(eqx.Module):
     stick_fraction: Real
     layer_ratio: Array
     layer_creepage_factor: Array
+    rough_half_width: Array
+    rough_peak_pressure: Array
     skew_creepage_factor: Array
     capacity_loss: Array
     axial_force: Array
@@ -242,6 +249,15 @@ def turning_result(
         stick_fraction=stuck,
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
+        rough_half_width=strips.largest_half_width * width_factor(layer_ratio=creep.layer_ratio),
+        rough_peak_pressure=jnp.asarray(
+            peak_pressure(
+                normal_force=strips.largest_load,
+                contact_length=pairs.contact_length,
+                half_width=strips.largest_half_width,
+            )
+            * peak_pressure_factor(layer_ratio=creep.layer_ratio)
+        ),
         skew_creepage_factor=creep.skew_factor,
         capacity_loss=lost,
         axial_force=axial,

@@ -140,6 +140,8 @@ def _contact(found: RollingResult, k: int) -> Document:
         "stick_fraction": np.asarray(found.stick_fraction)[k],
         "layer_ratio": found.layer_ratio[k],
         "layer_creepage_factor": found.layer_creepage_factor[k],
+        "rough_half_width_m": found.rough_half_width[k],
+        "rough_peak_pressure_Pa": found.rough_peak_pressure[k],
         "crown_creepage_factor": None
         if found.crown_creepage_factor is None
         else found.crown_creepage_factor[k],

@@ -54,8 +54,10 @@ def examined_windup(
     if largest == 0.0:
         hint = "" if largest_torque is not None else "; state another one with --torque"
         raise InputError(f"a wind-up needs a torque that is not zero{hint}")
+    speed = abs(float(joint.input_speed))
     forward, reverse = (  # refuses rollers that do not fit and a torque beyond the capacity of its direction
-        solve_planar(dataclasses.replace(joint, output_torque=torque)) for torque in (largest, -largest)
+        solve_planar(dataclasses.replace(joint, output_torque=way * largest, input_speed=way * speed))
+        for way in (1.0, -1.0)  # it turns with its torque, as the friction of its bearings has it
     )
     curve = windup(joint, largest_torque=largest, level=level, stage_shares=stage_shares)
     return curve, (forward, reverse)

@@ -281,8 +281,10 @@ def rolling_assumptions(rolling: PlanarRolling | None) -> list[str]:
         One sentence each.
     """
     told = [
-        "rolling: steady, the asperities as an elastic layer of even stiffness; the churning of the oil is not counted",
-        "life: rolling-contact fatigue of through-hardened bearing steel, no factors for film, cleanliness or traction",
+        "rolling: steady, the asperities yield in both directions, by u_0 = N/K_n for e times the pressure: the local "
+        "form of the contact law is not published; the churning of the oil is not counted",
+        "life: rolling-contact fatigue of through-hardened bearing steel, no factors for film, cleanliness or "
+        "traction; as for shakedown, under the pressure of smooth bodies, which is higher than that of rough ones",
     ]
     if rolling is None or rolling.skew is None:
         told.append("no rolling.skew: the axes of the rollers are parallel, there is no axial force")

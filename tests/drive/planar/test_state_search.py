@@ -67,7 +67,7 @@ def standing(pair):
         def at(torque):
             return loaded_state(
                 drive=pair, laws=laws, rest=rest, load=DriveLoad(torque), rolls=jnp.asarray(False)
-            )[1]
+            )
 
         return jax.vmap(at)(torques)
 
@@ -152,7 +152,7 @@ def test_the_wedge_drive_balances_with_a_roller_that_slides(drives):
         return rest, jax.vmap(
             lambda torque: loaded_state(
                 drive=drive, laws=laws, rest=rest, load=DriveLoad(torque), rolls=jnp.asarray(False)
-            )[1]
+            )
         )(torques)
 
     torques = np.array([8.0, 11.0, 12.5, -12.5, 14.0])

@@ -141,9 +141,10 @@ def test_creep_of_skewed_contacts_by_hand(planar_joint):
     modulus = YOUNG / (2.0 * (1.0 - POISSON**2))
     for k, (angle, radius) in enumerate(((0.5e-3, 20e-3 / 3.0), (-0.8e-3, 100e-3 / 3.0))):
         width = math.sqrt(4.0 * normal[k] * radius / (math.pi * LENGTH * modulus))
-        smooth, asperities = friction * width / radius, float(found.layer_factor[k]) - 1.0
-        # across, the bodies are softer, and the asperities add as much as along
-        most = smooth * np.array([1.0 + asperities, 1.0 / (1.0 - POISSON) + asperities])
+        smooth, asperities = friction * width / radius, float(found.layer_factor[k])
+        # across, the bodies are softer; of the asperities only the sideways part counts as along
+        most = smooth * np.array([asperities, asperities * float(found.lateral_ratio[k])])
+        assert 1.0 < float(found.lateral_ratio[k]) < 1.0 / (1.0 - POISSON)
 
         def along(x, angle=angle, most=most):
             vector = np.array([x, angle]) / most

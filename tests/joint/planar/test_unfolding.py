@@ -13,7 +13,7 @@ def test_it_has_the_same_parts(planar_joint, name, central):
     joint = jax.tree.map(np.asarray, planar_joint(name))
     count, contacts = round(float(joint.drive.sectors)), len(joint.contact_names)
     each = np.arange(count * contacts, dtype=float).reshape(count, contacts)
-    sizes = SectorSizes(1e-6 * each, 1.0 + each, 5e7, np.ones((2, contacts)))
+    sizes = SectorSizes(1e-6 * each, 1.0 + each, 5e7)
     whole = unfolded_joint(joint, sizes, sectors=count, floating=("sun",))
     bodies = len(joint.drive.bodies)
     assert len(whole.shapes) == len(whole.materials) == central + count * (bodies - central)

@@ -14,6 +14,8 @@ from asperity.drive.mechanism import Bearings, Mechanism, leading_sense, rest_st
 from asperity.joint.contacts import closure_springs
 from asperity.joint.planar.description import body_masses, planar_contacts
 from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint.windup_document import examined_windup, windup_onsets
 from asperity.zou2025.published import NO_FRICTION
 
 pytestmark = pytest.mark.slow
@@ -134,4 +136,36 @@ def test_an_interference_makes_the_preload_that_makes_it(listed):
         )
     assert float(fitted.assembly.stiffness.output) == pytest.approx(
         float(stated.assembly.stiffness.output), rel=1e-9
+    )
+
+
+def test_a_torque_and_a_rotation_the_other_way_round_are_the_mirror_image(listed):
+    """Of a drive whose two sides are alike, bearing friction included; the capacities too."""
+    joint = dataclasses.replace(
+        listed(), bearings=BEARINGS, pin_transverse_stiffness=3e7, closure_springs=None
+    )
+    one = solve_planar(joint)
+    other = solve_planar(
+        dataclasses.replace(joint, output_torque=-joint.output_torque, input_speed=-joint.input_speed)
+    )
+    swapped = np.array([0, 2, 1, 4, 3])
+    for state in ("forces", "rolling"):
+        mine, image = getattr(one.result, state), getattr(other.result, state)
+        np.testing.assert_allclose(image.normal[swapped], mine.normal, rtol=1e-10)
+        np.testing.assert_allclose(-image.tangential[swapped], mine.tangential, rtol=1e-10)
+    assert float(other.result.forces.input_torque) == pytest.approx(-float(one.result.forces.input_torque))
+    assert float(other.result.rolling.speed_loss) == pytest.approx(float(one.result.rolling.speed_loss))
+    assert float(other.result.rolling.power.loss) == pytest.approx(float(one.result.rolling.power.loss))
+    for name in ("capacity", "rolling_capacity", "first_slip"):
+        mine, image = getattr(one, name), getattr(other, f"reverse_{name}")
+        assert float(image.output_torque) == pytest.approx(float(mine.output_torque), rel=1e-9)
+
+
+def test_the_wind_up_of_a_drive_with_alike_sides_is_alike_both_ways(listed):
+    joint = dataclasses.replace(listed(), bearings=BEARINGS)
+    curve, solutions = examined_windup(joint, largest_torque=None, level="assembly")
+    forward, reverse = windup_onsets(joint, curve, solutions, creep_share=0.05)
+    assert float(reverse.static_angle) == pytest.approx(float(forward.static_angle), rel=1e-6)
+    np.testing.assert_allclose(
+        reverse.contacts.share[np.array([0, 2, 1, 4, 3])], forward.contacts.share, rtol=1e-6
     )

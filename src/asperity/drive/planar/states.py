@@ -41,6 +41,9 @@ from asperity.drive.planar.state_equations import (
 from asperity.drive.planar.state_search import assembled_guess, known_state, solved, started_from, state_of
 from asperity.types import Real
 
+#: How often a rolling state is found, each time with the creep law around the forces of the state before.
+CREEP_PASSES = 3
+
 
 class DriveStates(NamedTuple):
     """The states of one drive.
@@ -174,7 +177,7 @@ def drive_states(
     load : DriveLoad
         Torque, forces on the bodies, and pins.
     creep_of : callable or None, optional
-        Creep law of contacts under the normal and tangential forces of the standing drive; None for that of the laws.
+        Creep law of contacts around normal and tangential forces; None for that of the laws.
 
     Returns
     -------
@@ -184,7 +187,8 @@ def drive_states(
     Notes
     -----
     While the drive stands, the slip of each contact is that of one loading from rest, the asperities with their
-    stiffness at the normal force of the assembled state. One program finds all three states.
+    stiffness at the normal force of the assembled state. The creep law is taken around the forces of the standing
+    drive, and again around those of the rolling one. One program finds all states.
 
     References
     ----------
@@ -194,8 +198,9 @@ def drive_states(
         rest = state_at_rest(
             drive=drive, laws=laws, pattern=pattern, preload=preload, interference=interference, load=load
         )
-        kinds = jnp.array([STANDING, ROLLING])
-        return DriveStates(rest, *_last_two(_loaded(drive, laws, rest, load, kinds, creep_of)))
+        kinds = jnp.array([STANDING] + [ROLLING] * CREEP_PASSES)
+        states = _loaded(drive, laws, rest, load, kinds, creep_of)
+        return DriveStates(rest, _nth(states, 0), _nth(states, -1))
     machine = machine_of(drive, laws, pattern, supports=load.supports)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     start = _Carry(
@@ -205,9 +210,9 @@ def drive_states(
         no_displacement(drive),
         no_force(drive),
     )
-    kinds = jnp.array([ASSEMBLED, STANDING, ROLLING])
+    kinds = jnp.array([ASSEMBLED, STANDING] + [ROLLING] * CREEP_PASSES)
     states = _states(machine, load, start, kinds, creep_of, by_force=interference is None)
-    return DriveStates(*(jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(3)))
+    return DriveStates(*(_nth(states, place) for place in (0, 1, -1)))
 
 
 def loaded_state(
@@ -218,8 +223,7 @@ def loaded_state(
     load: DriveLoad,
     rolls: Array,
     creep_of: CreepOf | None = None,
-    passes: int | None = None,
-) -> tuple[PlanarState, PlanarState]:
+) -> PlanarState:
     """A drive under a torque, standing or rolling, from its assembled state.
 
     Parameters
@@ -235,29 +239,30 @@ def loaded_state(
     rolls : Array
         Whether it rolls.
     creep_of : callable or None, optional
-        Creep law of contacts under the normal and tangential forces of the standing drive; None for that of the laws.
-    passes : int or None, optional
-        How often the state is found, each time with the creep law under its own forces in place of those of the
-        standing drive, which then may slip; None for the latter.
+        Creep law of contacts around normal and tangential forces; None for that of the laws.
 
     Returns
     -------
-    tuple of PlanarState
-        The state under whose forces the creep law is taken, and the state. Near and beyond gross slip the laws are
-        continued as lines, and ``residual`` is infinite.
+    PlanarState
+        Near and beyond gross slip the laws are continued as lines, and ``residual`` is infinite.
+
+    Notes
+    -----
+    The creep law is taken around the forces of the assembled drive, and again around those of the rolling one, which
+    does not need that the standing drive carries the torque.
 
     References
     ----------
     Equation (M3) of :doc:`/equations`.
     """
     kind = jnp.where(rolls, ROLLING, STANDING)
-    kinds = jnp.stack([jnp.asarray(STANDING), kind]) if passes is None else jnp.full(passes, kind)
-    return _last_two(_loaded(drive, laws, rest, load, kinds, creep_of))
+    kinds = jnp.full(CREEP_PASSES, kind)
+    return _nth(_loaded(drive, laws, rest, load, kinds, creep_of), -1)
 
 
-def _last_two(states: PlanarState) -> tuple[PlanarState, PlanarState]:
-    before, last = (jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in (-2, -1))
-    return before, last
+def _nth(states: PlanarState, place: int) -> PlanarState:
+    state: PlanarState = jax.tree.map(lambda leaf: leaf[place], states)
+    return state
 
 
 def standing_state(
@@ -285,9 +290,7 @@ def standing_state(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    states = _loaded(drive, laws, rest, load, jnp.array([STANDING]), None)
-    standing: PlanarState = jax.tree.map(lambda leaf: leaf[0], states)
-    return standing
+    return _nth(_loaded(drive, laws, rest, load, jnp.array([STANDING]), None), 0)
 
 
 def loaded_states(
@@ -306,7 +309,7 @@ def loaded_states(
     load : DriveLoad
         Torque, forces on the bodies, and pins.
     creep_of : callable
-        Creep law of contacts under the normal and tangential forces of the standing drive.
+        Creep law of contacts around normal and tangential forces.
 
     Returns
     -------
@@ -317,7 +320,9 @@ def loaded_states(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    return _last_two(_loaded(drive, laws, rest, load, jnp.array([STANDING, ROLLING]), creep_of))
+    kinds = jnp.array([STANDING] + [ROLLING] * CREEP_PASSES)
+    states = _loaded(drive, laws, rest, load, kinds, creep_of)
+    return _nth(states, 0), _nth(states, -1)
 
 
 def _loaded(

@@ -62,11 +62,6 @@ class BranchedPlanarJoint:
         result = solution.result
         self.interference, self.own_preload = float(result.interference), float(result.preload)
         self._equal = np.asarray(result.rest.normal)
-        stands, turns = (
-            np.array([forces.normal, forces.tangential]) for forces in (result.forces, result.rolling)
-        )
-        compared = np.isfinite(turns) & (turns != 0.0)
-        self._standing_over_rolling = np.where(compared, stands / np.where(compared, turns, 1.0), 1.0)
         self._base = np.asarray(compile_fast(reference_force, numbers)(numbers))
 
     def branches(self, sizes: SectorDeviations, *, slip: bool = True) -> UnequalBranches:
@@ -163,7 +158,7 @@ class BranchedPlanarJoint:
         force = np.tile(self._base, (self.count, 1))
         support = 0.0 if math.isinf(sizes.sun_support_stiffness) else sizes.sun_support_stiffness
         for _ in range(_ROUNDS):
-            given = SectorSizes(*map(jnp.asarray, (sizes.added, force, support, self._standing_over_rolling)))
+            given = SectorSizes(*map(jnp.asarray, (sizes.added, force, support)))
             rest = self._run(assembled_sectors, floating, given)
             if not rest.residual < STATE_TOLERANCE:
                 raise NoSolutionError(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
 from typing import NamedTuple
 
 import jax
@@ -27,7 +26,7 @@ from asperity.joint.planar.description import (
 from asperity.joint.planar.laws import creep_law, drive_load
 from asperity.joint.planar.loading_cam import Pressed, pressed_at
 from asperity.joint.planar.motion import in_motion
-from asperity.joint.rolling_creep import ContactCreep, capacity_loss
+from asperity.joint.rolling_creep import capacity_loss
 from asperity.types import Real
 
 _LIFTED = 1e-12
@@ -170,8 +169,6 @@ def limiting_torques(
     direction: Array,
     rolls: Array,
     at_first: Array,
-    creep_of: Callable[[Array, Array], ContactCreep] | None = None,
-    passes: int | None = None,
 ) -> TorqueCapacity:
     """Largest output torques that keep every limit: slip, lift-off, widths of strips and walls, a solution.
 
@@ -187,10 +184,6 @@ def limiting_torques(
         +1 for positive torques, −1 for negative ones, shape (searches,) [-].
     rolls, at_first : Array
         Whether the joint rolls, and whether the first slip already is a limit while it stands, shape (searches,).
-    creep_of : callable or None, optional
-        Creep law of the contacts from forces; None for that of their forces in the standing joint.
-    passes : int or None, optional
-        As of :func:`asperity.drive.planar.states.loaded_state`.
 
     Returns
     -------
@@ -213,12 +206,11 @@ def limiting_torques(
     friction = contacts.pairs.friction_coefficient
     unloaded = drive_load(joint, masses, 0.0)
     pressed = pressed_at(joint, contacts, Pressed(laws, rest))
-    creep_at = creep_of or (lambda normal, tangential: creep_law(joint, contacts, normal, tangential))
 
-    def friction_left(before: PlanarState, state: PlanarState) -> Array:
+    def friction_left(state: PlanarState) -> Array:
         """Friction that skew leaves to the joint that turns."""
         lost = capacity_loss(
-            creep=creep_at(before.normal, before.tangential),
+            creep=creep_law(joint, contacts, state.normal, state.tangential),
             friction_coefficient=friction,
             width_over_radius=contacts.pairs.half_width(state.normal) / contacts.pairs.effective_radius,
         )
@@ -227,19 +219,18 @@ def limiting_torques(
     def excesses_of(torque: Array, rolls: Array, at_first: Array) -> Array:
         load = dataclasses.replace(unloaded, output_torque=torque)
         laws, rest = pressed(torque)
-        before, state = loaded_state(
+        state = loaded_state(
             drive=drive,
             laws=laws,
             rest=rest,
             load=load,
             rolls=rolls,
-            creep_of=lambda normal, tangential: creep_at(normal, tangential).law,
-            passes=passes,
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
         )
         touching = state.normal > _LIFTED * rest.normal
         available = friction
         if joint.rolling.skew is not None:
-            available = jnp.where(rolls, friction_left(before, state), friction)
+            available = jnp.where(rolls, friction_left(state), friction)
         slip = slip_ratio(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=available
         )

@@ -248,13 +248,7 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
     slides = standing.slides != 0.0
     stiffness = loaded_stiffness(joint, contacts, standing.normal, standing.tangential, standing.slides)
     loaded = stiffness.contacts
-    creep = creep_law(
-        joint,
-        contacts,
-        states.standing.normal,
-        states.standing.tangential,
-        stiffness=loaded.rough.normal_stiffness,
-    )
+    creep = creep_law(joint, contacts, states.rolling.normal, states.rolling.tangential)
     inside = np.array([contact.internal for contact in drive.contacts])
     ideal = drive.sense * speeds(drive)  # in the sense of the input
     diagnostics = diagnose(

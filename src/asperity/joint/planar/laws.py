@@ -14,7 +14,6 @@ from asperity.drive.planar.equal_springs import rest_forces
 from asperity.drive.planar.layout import CARRIER, speeds
 from asperity.drive.planar.state import ContactLaws, DriveLoad
 from asperity.drive.planar.supports import Supports, carrier_supports
-from asperity.drive.rolling_state import CreepLaw
 from asperity.joint.contacts import (
     JointContacts,
     bulk_springs,
@@ -156,7 +155,7 @@ def creep_law(
     *,
     stiffness: Array | None = None,
 ) -> ContactCreep:
-    """Creep of the contacts of a drive with the factors of asperities and skew under its standing forces.
+    """Creep of the contacts of a drive with the factors of asperities and skew around given forces.
 
     Parameters
     ----------
@@ -178,10 +177,6 @@ def creep_law(
     ----------
     Equations (B1) and (B3) of :doc:`/equations`.
     """
-    if stiffness is None:
-        stiffness = rough_joint_contacts(
-            contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
-        ).normal_stiffness
     found = contact_creep(
         contacts=contacts,
         skew=joint.rolling.skew,
@@ -189,9 +184,8 @@ def creep_law(
         tangential_force=tangential_force,
         asperity_normal_stiffness=stiffness,
     )
-    scale = jnp.asarray(found.law.gross_slip_scale)
-    friction = jnp.broadcast_to(found.law.friction_coefficient, scale.shape)
-    return found._replace(law=CreepLaw(friction, scale))
+    friction = jnp.broadcast_to(found.law.friction_coefficient, normal_force.shape)
+    return found._replace(law=dataclasses.replace(found.law, friction_coefficient=friction))
 
 
 def ring_springs(joint: PlanarJoint) -> Array | None:

@@ -230,8 +230,8 @@ def over_torque_program(
             return under.rolling.speed_loss, under
 
         _, slope, under = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
-        state, rolls = under.standing, under.rolling
-        creep = creep_law(joint, contacts, state.normal, state.tangential)
+        rolls = under.rolling
+        creep = creep_law(joint, contacts, rolls.normal, rolls.tangential)
         shown = dataclasses.replace(
             rolls, tangential=sense * rolls.tangential, creepage=sense * rolls.creepage
         )

@@ -98,7 +98,7 @@ def branch_rims(sectors: int, joint: PlanarJoint, working: Array, rest: Array) -
     Equations (I4) and (L3) of :doc:`/equations`.
     """
     even = jnp.ones((sectors, len(joint.drive.contacts)))
-    sizes = SectorSizes(0.0 * even, even, 0.0, even[:2])
+    sizes = SectorSizes(0.0 * even, even, 0.0)
     whole = unfolded_joint(joint, sizes, sectors=sectors, floating=())
     width = jax.vmap(planar_contacts(joint).largest_half_width, in_axes=1)(working[0]).ravel()
     states = tuple(tuple(each.T.ravel() for each in state) for state in (working, rest))

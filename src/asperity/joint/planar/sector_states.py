@@ -31,11 +31,7 @@ from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.joint.planar.turning import driving_sense, turning
 from asperity.joint.planar.unfolding import SectorSizes, unfolded_joint
 from asperity.joint.rolling import RollingResult
-from asperity.joint.rolling_creep import ContactCreep
 from asperity.joint.rolling_power import RollingLosses, losses_of
-
-#: How often the creep law and the forces of the rolling joint are found from each other.
-CREEP_PASSES = 6
 
 _FIRST_STEP = 0.1  # of the torque that the friction of one contact can carry
 
@@ -118,12 +114,6 @@ def sector_states(
         Everything about its sectors. The standing state is that of the largest torque up to the joint's own that it
         carries.
 
-    Notes
-    -----
-    The asperities' factor of the creep is taken at the forces of each contact in rolling, times those of equal sectors
-    while they stand over those while they turn: so it is that of the joint with equal sectors where they are equal. The
-    standing sectors, of which one may slip, do not count.
-
     References
     ----------
     Equations (I4) and (M3) of :doc:`/equations`.
@@ -132,19 +122,13 @@ def sector_states(
     contacts, masses = planar_contacts(whole), body_masses(whole)
     laws, sense = contact_laws(whole, contacts), driving_sense(whole.drive)
     load = drive_load(whole, masses, whole.output_torque)
-    normal_ratio, tangential_ratio = jnp.tile(sizes.standing_over_rolling, (1, sectors))
-
-    def creep_of(normal: Array, tangential: Array) -> ContactCreep:
-        return creep_law(whole, contacts, normal_ratio * normal, tangential_ratio * tangential)
-
-    _, rolling = loaded_state(
+    rolling = loaded_state(
         drive=whole.drive,
         laws=laws,
         rest=rest,
         load=load,
         rolls=jnp.asarray(True),
-        creep_of=lambda normal, tangential: creep_of(normal, tangential).law,
-        passes=CREEP_PASSES,
+        creep_of=lambda normal, tangential: creep_law(whole, contacts, normal, tangential).law,
     )
     most = jnp.stack([jnp.abs(jnp.asarray(whole.output_torque)), jnp.asarray(jnp.inf)])
     both, reached = jax.vmap(lambda torque: _followed(whole, laws, rest, load, contacts, torque))(most)
@@ -184,8 +168,6 @@ def sector_states(
             direction=jnp.repeat(jnp.where(jnp.asarray(whole.output_torque) < 0.0, -1.0, 1.0), 2),
             rolls=jnp.array([False, True]),
             at_first=jnp.array([True, False]),
-            creep_of=creep_of,
-            passes=CREEP_PASSES,
         ),
         most_torque=reached[1],
     )
@@ -271,10 +253,7 @@ def _turned(joint: PlanarJoint, sizes: SectorSizes, rolling: PlanarState, sector
             pin_force=mine(rolling.pin_force),
             speed=speeds_of(sector),
         )
-        normal_ratio, tangential_ratio = sizes.standing_over_rolling
-        creep = creep_law(
-            plain, contacts, normal_ratio * state.normal, tangential_ratio * mine(rolling.tangential)
-        )
+        creep = creep_law(plain, contacts, state.normal, mine(rolling.tangential))
         return turning(plain, contacts, creep, state)
 
     return jax.vmap(one)(jnp.arange(sectors))

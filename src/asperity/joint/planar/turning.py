@@ -76,14 +76,14 @@ def rolling_at(
         there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
         masses, sense = body_masses(joint), driving_sense(joint.drive)
         laws, rest = pressed(torque)
-        standing, rolling = loaded_states(
+        _, rolling = loaded_states(
             drive=joint.drive,
             laws=laws,
             rest=rest,
             load=drive_load(there, masses, torque),
             creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
         )
-        creep = creep_law(joint, contacts, standing.normal, standing.tangential)
+        creep = creep_law(joint, contacts, rolling.normal, rolling.tangential)
         seen = dataclasses.replace(
             rolling, tangential=sense * rolling.tangential, creepage=sense * rolling.creepage
         )
@@ -104,7 +104,7 @@ def turning(
     contacts : JointContacts
         Its contacts.
     creep : ContactCreep
-        Their creep under the forces of the standing drive.
+        Their creep around the forces of the rolling drive.
     state : PlanarState
         The rolling state, its tangential forces and creepages with the sense of the drive.
 

@@ -33,15 +33,11 @@ class SectorSizes(eqx.Module):
         Normal forces without torque around which the laws of the contacts are taken, shape (sectors, contacts) [N].
     support_stiffness : Real
         Radial stiffness of the bearings of the floating bodies on the axis [N/m].
-    standing_over_rolling : Array
-        Normal and tangential force of each contact in the joint that stands over those in the one that turns, of equal
-        sectors, shape (2, contacts) [-]: the asperities' factor of the creep is taken at the former.
     """
 
     added: Array
     reference_force: Array
     support_stiffness: Real
-    standing_over_rolling: Array
 
 
 def unfolded_joint(

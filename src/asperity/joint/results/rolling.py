@@ -76,10 +76,11 @@ ROWS = (
     ),
     _each(
         "layer_ratio",
-        "tangential compliance of the asperities over that of the bodies",
+        "yield of the asperities over that of the bodies",
         _NUMBER,
         "1",
         "result.rolling.layer_ratio",
+        note="u_0 R/a^2 with u_0 = N/K_n of the contact law; in the middle of crowned contacts",
     ),
     _each(
         "layer_creepage_factor",
@@ -87,6 +88,22 @@ ROWS = (
         _NUMBER,
         "1",
         "result.rolling.layer_creepage_factor",
+    ),
+    _each(
+        "rough_half_width",
+        "half-width of the contact with asperities in rolling",
+        Dimension.LENGTH,
+        "mm",
+        "result.rolling.rough_half_width",
+        note="of the ellipse whose root mean square the load's places have",
+    ),
+    _each(
+        "rough_peak_pressure",
+        "peak pressure of the contact with asperities in rolling",
+        Dimension.PRESSURE,
+        "MPa",
+        "result.rolling.rough_peak_pressure",
+        note="nominal; life and shakedown take the higher one of smooth bodies, as the standards do",
     ),
     _each(
         "crown_creepage_factor",
