@@ -28,10 +28,10 @@ def test_values_are_those_of_the_command(solution, printed, zou_file):
     assert solution["wedge_angle"].value == pytest.approx(
         math.degrees(math.acos((35.0**2 + 18.5**2 - 17.5**2) / (2.0 * 35.0 * 18.5)))
     )
-    for contact, entry in document["contacts"].items():
+    for contact, entry in document["standing"]["contacts"].items():
         assert solution["hertz_pressure"][contact].si == entry["hertz_pressure_Pa"]
         assert solution[f"hertz_pressure_{contact}"].value == pytest.approx(1e-6 * entry["hertz_pressure_Pa"])
-        assert solution["normal_force"][contact].si == document["forces"]["normal_N"][contact]
+        assert solution["normal_force"][contact].si == document["standing"]["forces"]["normal_N"][contact]
 
 
 @pytest.mark.slow

@@ -16,12 +16,17 @@ def document(call, joint_file):
 
 def test_the_document_has_every_key_in_si(document):
     assert set(document["geometry"]) >= {"alpha_rad", "theta_rad", "wedge_angle_rad", "speed_ratio"}
-    forces = document["forces"]
-    assert list(forces["normal_N"]) == list(forces["tangential_N"]) == list(document["contacts"]) == CONTACTS
+    forces = document["standing"]["forces"]
+    assert (
+        list(forces["normal_N"])
+        == list(forces["tangential_N"])
+        == list(document["standing"]["contacts"])
+        == CONTACTS
+    )
     assert set(forces["pin_N"]) == {"left_loading_roller", "right_loading_roller"}
     assert set(forces["body_mass_kg"]) == {"sun", "planet", *forces["pin_N"], "ring"}
     assert set(forces) >= {"input_torque_Nm", "output_speed_rad_per_s"}
-    for contact in document["contacts"].values():
+    for contact in document["standing"]["contacts"].values():
         assert set(contact) >= {
             "largest_area_m2",
             "critical_area_m2",
@@ -47,7 +52,7 @@ def test_the_document_has_every_key_in_si(document):
 
 def test_the_numbers_of_the_issue(document):
     """T_sp = 46.30 N, about 4.3e6 N·m/rad at 5 N·m; angles, ratio and masses by hand from the radii."""
-    assert document["forces"]["tangential_N"]["sp"] == pytest.approx(46.30, abs=0.005)
+    assert document["standing"]["forces"]["tangential_N"]["sp"] == pytest.approx(46.30, abs=0.005)
     published = document["torsional_stiffness"]["published"]
     assert published["output_Nm_per_rad"] == pytest.approx(4.3e6, rel=0.02)
     assert published["output_Nm_per_rad"] == pytest.approx(81.0 * published["input_Nm_per_rad"], rel=1e-12)
@@ -58,11 +63,11 @@ def test_the_numbers_of_the_issue(document):
     assert document["geometry"]["theta_rad"] == pytest.approx(0.472689, abs=1e-6)  # 27.0831 deg
     assert document["geometry"]["wedge_angle_rad"] == pytest.approx(0.229654, abs=1e-6)  # 13.1582 deg
     assert document["geometry"]["speed_ratio"] == pytest.approx(-9.0, rel=1e-15)
-    assert document["forces"]["output_speed_rad_per_s"] == pytest.approx(-69.81317, rel=1e-6)
-    assert document["forces"]["body_mass_kg"]["planet"] == pytest.approx(
+    assert document["standing"]["forces"]["output_speed_rad_per_s"] == pytest.approx(-69.81317, rel=1e-6)
+    assert document["standing"]["forces"]["body_mass_kg"]["planet"] == pytest.approx(
         7850 * 3.14159265 * 13.5e-3**2 * 5e-3, rel=1e-8
     )
-    assert document["forces"]["input_torque_Nm"] == pytest.approx(5.0 / 9.0, rel=1e-12)
+    assert document["standing"]["forces"]["input_torque_Nm"] == pytest.approx(5.0 / 9.0, rel=1e-12)
     shares = document["stiffness_budget"]
     total = sum(sum(share.values()) if isinstance(share, dict) else share for share in shares.values())
     assert total == pytest.approx(1.0, rel=1e-9)

@@ -155,7 +155,7 @@ def test_a_held_cam_has_its_own_stiffness(document, shown):
 
 
 def test_crowned_contacts_have_a_table_of_their_own(document, shown):
-    for contact in document["contacts"].values():
+    for contact in document["standing"]["contacts"].values():
         contact |= {"loaded_length_share": 0.75, "peak_line_load_ratio": 1.4, "end_line_load_ratio": 0.0}
     rows = [line.split() for line in shown(document)]
     assert ["sp", "75", "1.4", "0"] in rows

@@ -50,7 +50,7 @@ def test_document_and_picture(call, joint_file, tmp_path):
             "damage_share": pytest.approx(1.0),
             "life_hours": pytest.approx(found["life_hours"], rel=1e-9),
             "shakedown_ratio": pytest.approx(
-                max(each["shakedown_ratio"] for each in found["contacts"].values())
+                max(each["shakedown_ratio"] for each in found["rolling"]["contacts"].values())
             ),
         }
     }

@@ -126,7 +126,7 @@ def test_what_skew_takes_from_the_friction(document):
     contact = document["rolling"]["contacts"]["sp"]
     contact |= {"capacity_loss": 0.75, "axial_force_N": 40.0, "film_thickness_m": 0.25e-6, "film_ratio": 1.2}
     document["rolling"]["axial_thrust_N"] = {"sun": -120.0}
-    document["contacts"]["sp"]["shakedown_ratio"] = 1.01
+    document["standing"]["contacts"]["sp"]["shakedown_ratio"] = 1.01
     shown = lines(document)
     # 0.12 (1 - 0.75) = 0.03 is less than the traction
     assert row(shown, "sp 0.54 ")[:2] == ["0.05", "0.03"]
@@ -140,7 +140,7 @@ def test_a_duty_and_the_reverse_direction(document):
     document["input"]["duty"] = {"1": {"output_torque": -5.0, "sun_speed": 100.0 * math.pi, "share": 0.25}}
     document["rolling"]["duty"] = {"1": {"damage_share": 1.0, "life_hours": 500.0}}
     document["rolling"] |= {"duty_life_hours": 2000.0, "duty_life_output_turns": 8e7}
-    document["forces"]["output_torque_Nm"] = -5.0
+    document["standing"]["forces"]["output_torque_Nm"] = -5.0
     shown = lines(document)
     assert row(shown, "1 -5 N·m") == ["3000", "rpm", "25", "%", "100", "%", "500"]
     assert row(shown, "the drive under its duty")[0] == "2000"

@@ -57,11 +57,11 @@ def papers():
 
 def of_equal_branches(document):
     """All numbers that only equal branches have."""
-    found = [document["torsional_stiffness"], document["contacts"], document["life_hours"]]
+    found = [document["torsional_stiffness"], document["standing"]["contacts"], document["life_hours"]]
     found[0] = {
         name: each for name, each in found[0].items() if name != "assembly"
     }  # of all branches together
-    found += [document["forces"]["normal_N"], document["forces"]["pin_N"]]
+    found += [document["standing"]["forces"]["normal_N"], document["standing"]["forces"]["pin_N"]]
     while any(isinstance(each, dict) for each in found):
         found = [inner for each in found for inner in (each.values() if isinstance(each, dict) else [each])]
     return found
@@ -89,7 +89,7 @@ def judge(document, torque, equal):
 
 def same_sums(document, stronger):
     """Torque at the input, drift and losses of branches that are alike, by the chain of equal ones."""
-    assert document["forces"]["input_torque_Nm"] == pytest.approx(10.5 / 6.0, rel=1e-9)
+    assert document["standing"]["forces"]["input_torque_Nm"] == pytest.approx(10.5 / 6.0, rel=1e-9)
     for key, value in document["branches"]["turning"].items():
         wanted = stronger["rolling"][key]
         for cause, each in wanted.items() if isinstance(wanted, dict) else [("", wanted)]:

@@ -129,7 +129,7 @@ def test_a_joint_with_another_drive(zou_file):
     text = zou_file.with_name("multiroller.toml").read_text(encoding="utf-8")
     found = joint_answer(JointRequest("m.toml", text, {"load.output_torque": "-8 N*m"}))
     json.dumps(found, allow_nan=False)
-    assert found["document"]["forces"]["output_torque_Nm"] == -8.0
+    assert found["document"]["standing"]["forces"]["output_torque_Nm"] == -8.0
     curves = found["curves"]
     assert curves["torque_Nm"][-1] == pytest.approx(
         -found["document"]["torque_capacity"]["reverse"]["output_torque_Nm"]
@@ -160,7 +160,9 @@ def test_a_joint_with_another_drive(zou_file):
     assert margins["torque_safety"]["actual"] == pytest.approx(-curves["torque_Nm"][-1] / 8.0)
     assert margins["clearance"]["unit"] == "mm"
     assert "_" not in margins["clearance"]["place"]
-    assert set(found["document"]["contacts"]) == {each["contact"] for each in found["drawing"]["forces"]}
+    assert set(found["document"]["standing"]["contacts"]) == {
+        each["contact"] for each in found["drawing"]["forces"]
+    }
 
 
 @pytest.mark.slow

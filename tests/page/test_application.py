@@ -109,7 +109,7 @@ def test_forces_drawn_on_the_planet_balance(solve):
     assert sums == pytest.approx([0.0, 0.0, 0.0], abs=1e-6)
     for force in answer["drawing"]["forces"]:
         size = math.hypot(*force["normal_N"])
-        assert size == pytest.approx(answer["document"]["forces"]["normal_N"][force["contact"]])
+        assert size == pytest.approx(answer["document"]["standing"]["forces"]["normal_N"][force["contact"]])
 
 
 def test_torques_of_the_ring_forces_are_the_reaction_of_the_ring(solve):
@@ -120,7 +120,7 @@ def test_torques_of_the_ring_forces_are_the_reaction_of_the_ring(solve):
         if force["contact"] in ("wro", "wlo"):
             x, y = force["tangential_N"]
             moment += force["x_m"] * y - force["y_m"] * x
-    forces = answer["document"]["forces"]
+    forces = answer["document"]["standing"]["forces"]
     assert 3.0 * moment == pytest.approx(forces["input_torque_Nm"] + forces["output_torque_Nm"])
 
 

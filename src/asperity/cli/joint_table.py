@@ -131,7 +131,7 @@ def _show_drift(target: Console, document: Document) -> None:
 
 
 def _show_contacts(target: Console, document: Document) -> None:
-    contacts, forces = document["contacts"], document["forces"]
+    contacts, forces = document["standing"]["contacts"], document["standing"]["forces"]
     slip = {
         entry["contact"]: entry["value"] for entry in document["diagnostics"] if entry["name"] == "slip_ratio"
     }
@@ -201,7 +201,7 @@ def _show_crowns(target: Console, contacts: Document) -> None:
 
 
 def _show_drive(target: Console, document: Document) -> None:
-    forces, capacity = document["forces"], document["torque_capacity"]
+    forces, capacity = document["standing"]["forces"], document["torque_capacity"]
     ends = (
         in_unit(torque, "N*m")
         for torque in (
@@ -234,7 +234,7 @@ def _first_slip(document: Document, name: str) -> str:
 
 def _own_rows(document: Document) -> tuple[Rows, Rows]:
     """Rows of a drive before and after those of its torques."""
-    geometry, forces = document["geometry"], document["forces"]
+    geometry, forces = document["geometry"], document["standing"]["forces"]
     speed = in_unit(forces["output_speed_rad_per_s"], "rpm")
     members = "{} in, {} out, {} grounded".format(
         *(geometry[role].replace("_", " ") for role in ("input", "output", "grounded"))

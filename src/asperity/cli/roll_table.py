@@ -115,7 +115,7 @@ def _show_contacts(target: Console, document: Document) -> None:
             scaled(contact["creepage"], 1e3),
             number(traction),
             number(limit),
-            scaled(document["contacts"][name]["hertz_pressure_Pa"], 1e-6),
+            scaled(document["standing"]["contacts"][name]["hertz_pressure_Pa"], 1e-6),
             number(yields.get(name), 3),
             number(contact["shakedown_ratio"], 3),
         )
@@ -199,7 +199,7 @@ def _show_life(target: Console, document: Document) -> None:
     for entry in document["diagnostics"]:
         if entry["name"].startswith("required_"):
             _print_required(target, entry)
-    beyond = [n for n, c in document["contacts"].items() if (c["shakedown_ratio"] or 0.0) > 1.0]
+    beyond = [n for n, c in document["standing"]["contacts"].items() if (c["shakedown_ratio"] or 0.0) > 1.0]
     if beyond:
         text = (
             "  not to be relied on: the life assumes elastic tracks, and the shakedown limit is exceeded at "

@@ -14,7 +14,6 @@ from asperity.joint.limit_check import LimitCheck
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.results import GROUPS, RESULTS, SEVERITIES
-from asperity.joint.rolling_document import contact_results
 from asperity.units import format_quantity
 
 Document = dict[str, Any]
@@ -103,7 +102,7 @@ def _note_document(note: Note) -> Document:
 
 
 def contact_documents(solved: SolvedJoint) -> Document:
-    """Every result of the contacts but their forces, with its unit behind its name; and what the rolling adds.
+    """Every result of the contacts of a joint that stands but their forces, with its unit behind its name.
 
     Parameters
     ----------
@@ -120,11 +119,8 @@ def contact_documents(solved: SolvedJoint) -> Document:
     }
     return {
         contact: {
-            **{
-                name: np.broadcast_to(values, (len(solved.result.contact_names),))[index]
-                for name, values in columns.items()
-            },
-            **contact_results(solved.result.rolling, index),
+            name: np.broadcast_to(values, (len(solved.result.contact_names),))[index]
+            for name, values in columns.items()
         }
         for index, contact in enumerate(solved.result.contact_names)
     }

@@ -78,7 +78,7 @@ def position_rows(document: Document) -> list[PositionRow]:
 
 def _comes_back(document: Document) -> PositionRow:
     """The torque over the stiffness there, unless a branch that slips leaves the rest of the stiffness to others."""
-    torque = document["forces"]["output_torque_Nm"]
+    torque = document["standing"]["forces"]["output_torque_Nm"]
     spring = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     standing = document.get("branches", {}).get("standing") or {"slip_ratio": []}
     label = "torque over stiffness"
@@ -103,7 +103,7 @@ def _beyond(document: Document) -> str:
         ends = "at least: what is computed ends there"
     else:
         ends = "beyond, a contact slips"
-    reverse = document["forces"]["output_torque_Nm"] < 0.0
+    reverse = document["standing"]["forces"]["output_torque_Nm"] < 0.0
     found = _finite((capacity["reverse"] if reverse else capacity)["output_torque_Nm"])
     standing = "not limited by friction" if found is None else format_quantity(found, "N*m")
     return f"{ends}; standing: {standing}"

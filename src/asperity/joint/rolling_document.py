@@ -104,33 +104,13 @@ def losses(found: RollingResult) -> Document:
     return {**by_contact, "bearings": power.bearings, "total": power.loss}
 
 
-def contact_results(found: RollingResult, index: int) -> Document:
-    """What the rolling adds to the results of one contact.
-
-    Parameters
-    ----------
-    found : RollingResult
-        The joint that turns.
-    index : int
-        Which contact.
-
-    Returns
-    -------
-    dict
-        Its creepage, traction coefficient, shakedown ratio and life.
-    """
-    return {
-        "creepage": found.creepage[index],
-        "traction_coefficient": found.traction_coefficient[index],
-        "shakedown_ratio": found.shakedown_ratio[index],
-        "life_hours": found.life_hours.contact[index],
-    }
-
-
 def _contact(found: RollingResult, k: int) -> Document:
     power = found.power
     return {
-        **contact_results(found, k),
+        "creepage": found.creepage[k],
+        "traction_coefficient": found.traction_coefficient[k],
+        "shakedown_ratio": found.shakedown_ratio[k],
+        "life_hours": found.life_hours.contact[k],
         "slip_ratio": found.slip_ratio[k],
         "flash_temperature_K": found.flash_temperature[k],
         "film_thickness_m": found.film_thickness[k],

@@ -170,7 +170,7 @@ def contacts(document: Document) -> Iterator[Block]:
     Block
         Tables.
     """
-    forces = document["forces"]
+    forces = document["standing"]["forces"]
     slip = {
         each["contact"]: each["value"] for each in document["diagnostics"] if each["name"] == "slip_ratio"
     }
@@ -195,11 +195,11 @@ def contacts(document: Document) -> Iterator[Block]:
                 number(each["hertz_pressure_Pa"], 1e-6),
                 number(each["real_contact_area_m2"], 1e6),
             )
-            for name, each in document["contacts"].items()
+            for name, each in document["standing"]["contacts"].items()
         ],
     )
-    if any(each.get("loaded_length_share") is not None for each in document["contacts"].values()):
-        yield _crowns(document["contacts"])
+    if any(each.get("loaded_length_share") is not None for each in document["standing"]["contacts"].values()):
+        yield _crowns(document["standing"]["contacts"])
     kinds = ("asperity_tangential", "bulk_tangential", "asperity_normal", "bulk_normal")
     yield Table(
         "Contact stiffness, N/µm",
@@ -212,7 +212,7 @@ def contacts(document: Document) -> Iterator[Block]:
         ),
         [
             (name, *(number(each[f"{kind}_stiffness_N_per_m"], 1e-6) for kind in kinds))
-            for name, each in document["contacts"].items()
+            for name, each in document["standing"]["contacts"].items()
         ],
     )
 
@@ -239,7 +239,7 @@ def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:
     return [
         (
             f"torque at the {end}, without losses in rolling",
-            quantity(document["forces"]["input_torque_Nm"], "N*m"),
+            quantity(document["standing"]["forces"]["input_torque_Nm"], "N*m"),
         ),
         (
             f"torque at the {end} in rolling, all losses counted",
@@ -261,7 +261,7 @@ def planar_drive(document: Document) -> Iterator[Block]:
     Block
         A table.
     """
-    geometry, forces = document["geometry"], document["forces"]
+    geometry, forces = document["geometry"], document["standing"]["forces"]
 
     def words(name: str) -> str:
         return name.replace("_", " ")

@@ -91,7 +91,7 @@ def averages(document: Document) -> Table:
         rows.append(
             (
                 "all"
-                if len(entry["contacts"]) == len(document["contacts"])
+                if len(entry["contacts"]) == len(document["standing"]["contacts"])
                 else ", ".join(entry["contacts"]),
                 number(entry["fractal_dimension"]),
                 number(entry["fractal_roughness_m"], 1e3),

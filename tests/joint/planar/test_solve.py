@@ -23,17 +23,17 @@ def test_forces_of_the_planetary_by_hand(planetary):
     each = torque / (COUNT * ORBIT) / 2.0
     np.testing.assert_allclose(result.forces.tangential, [each, each], rtol=1e-12)
     # the planet pushes its pin in the sense in which the sun turns
-    assert document["forces"]["pin_N"]["planet"] == pytest.approx(
+    assert document["standing"]["forces"]["pin_N"]["planet"] == pytest.approx(
         {"radial": 0.0, "tangential": 2.0 * each}, rel=1e-12, abs=1e-9
     )
-    assert document["forces"]["input_torque_Nm"] == pytest.approx(torque / 6.0, rel=1e-12)
+    assert document["standing"]["forces"]["input_torque_Nm"] == pytest.approx(torque / 6.0, rel=1e-12)
     # at rest the planet is pressed alike from both sides; turning, the ring holds it on its orbit
     np.testing.assert_allclose(*result.rest.normal, rtol=1e-12)
     mass = 7810.0 * math.pi * 20e-3**2 * 10e-3
     speed = 1500.0 * 2.0 * math.pi / 60.0 / 6.0
     sun, ring = result.forces.normal
-    assert document["forces"]["body_mass_kg"]["planet"] == pytest.approx(mass, rel=5e-3)
-    planet = document["forces"]["body_mass_kg"]["planet"]
+    assert document["standing"]["forces"]["body_mass_kg"]["planet"] == pytest.approx(mass, rel=5e-3)
+    planet = document["standing"]["forces"]["body_mass_kg"]["planet"]
     assert ring - sun == pytest.approx(planet * speed**2 * ORBIT, rel=1e-9)
     assert float(solution.result.forces.balance_residual) < 1e-9
 
@@ -99,7 +99,9 @@ def test_the_tables_name_contacts_members_and_bodies(planetary, tmp_path):
 
     document = planetary[2]
     losses = sum(loss or 0.0 for cause, loss in document["losses_W"].items() if cause != "total")
-    power_out = 10.0 * document["forces"]["output_speed_rad_per_s"] * (1.0 - document["speed_loss"])
+    power_out = (
+        10.0 * document["standing"]["forces"]["output_speed_rad_per_s"] * (1.0 - document["speed_loss"])
+    )
     power_in = power_out + losses
     for show, words in (
         (
@@ -165,9 +167,9 @@ def test_hollow_planets_are_softer(planar_case):
         for bore in ('"26 mm"', '"8 mm"')
     )
     assert hollow["preload"]["force_N"] < 0.7 * thick["preload"]["force_N"]
-    assert hollow["forces"]["body_mass_kg"]["planet"] / thick["forces"]["body_mass_kg"][
-        "planet"
-    ] == pytest.approx((40.0**2 - 26.0**2) / (40.0**2 - 8.0**2), rel=1e-9)
+    assert hollow["standing"]["forces"]["body_mass_kg"]["planet"] / thick["standing"]["forces"][
+        "body_mass_kg"
+    ]["planet"] == pytest.approx((40.0**2 - 26.0**2) / (40.0**2 - 8.0**2), rel=1e-9)
     stiffness = [each["torsional_stiffness"]["assembly"]["output_Nm_per_rad"] for each in (hollow, thick)]
     assert stiffness[0] < stiffness[1]
 
@@ -181,7 +183,7 @@ def test_the_multiroller_by_hand(planar_case):
     ratio = (16.0 / 10.0) * (18.0 / 10.0) * (ring / 9.4)
     assert abs(document["geometry"]["speed_ratio"]) == pytest.approx(ratio, rel=1e-12)
     assert ratio == pytest.approx(15.0, rel=0.01)
-    forces = document["forces"]
+    forces = document["standing"]["forces"]
     assert forces["input_torque_Nm"] == pytest.approx(10.0 / ratio, rel=1e-9)
     tangential = forces["tangential_N"]
     assert tangential["sr"] == pytest.approx(10.0 / (4.0 * ring * 1e-3), rel=1e-9)
@@ -199,7 +201,7 @@ def test_stepped_planets_by_hand(planar_case):
     document = solve_case(planar_case("stepped_planet")).document
     ratio = (1.0 + 50.0 / 10.0) / (1.0 - 50.0 * 18.0 / (48.0 * 20.0))
     assert document["geometry"]["speed_ratio"] == pytest.approx(ratio, rel=1e-12)
-    forces = document["forces"]
+    forces = document["standing"]["forces"]
     tangential, sun, ring = forces["tangential_N"], 10.0 / ratio / (3.0 * 10e-3), 10.0 / (3.0 * 48e-3)
     assert abs(tangential["sp"]) == pytest.approx(sun, rel=1e-9)
     assert abs(tangential["pr2"]) == pytest.approx(ring, rel=1e-9)
@@ -225,11 +227,11 @@ def test_the_papers_drive_as_a_list_of_rollers(planar_case):
     document = solve_case(planar_case("planar")).document
     theta, beta = math.radians(27.083145), math.radians(13.158247)
     side = 500.0 / math.cos(theta)
-    rest = document["forces"]["normal_without_torque_N"]
+    rest = document["standing"]["forces"]["normal_without_torque_N"]
     by_hand = [1000.0, side, side, side * math.cos(beta), side * math.cos(beta)]
     np.testing.assert_allclose(list(rest.values()), by_hand, rtol=1e-6)
     assert document["geometry"]["speed_ratio"] == pytest.approx(-9.0, rel=1e-9)
-    assert document["forces"]["input_torque_Nm"] == pytest.approx(5.0 / 9.0, rel=1e-9)
+    assert document["standing"]["forces"]["input_torque_Nm"] == pytest.approx(5.0 / 9.0, rel=1e-9)
     assert document["rolling"]["residual"] < 1e-9
 
 

@@ -21,7 +21,7 @@ def in_series(*stiffness):
 def test_stiffness_of_the_planetary_by_hand(planetary):
     """Slips T/k of sun and ring contact turn the carrier by their sum over twice the orbit."""
     _, _, document = planetary
-    contacts, levels = document["contacts"], document["torsional_stiffness"]
+    contacts, levels = document["standing"]["contacts"], document["torsional_stiffness"]
 
     def output(*names):
         springs = [

@@ -116,7 +116,9 @@ def test_a_housing_between_none_and_a_rigid_one(case):
 def test_a_ring_of_a_hundred_metres_is_as_stiff_free_as_held(paper_joint):
     """Whatever holds a rim that is far away."""
     free, held = (
-        solve_planar(paper_joint(ring_wall_thickness=100.0, ring_support=support)).result.assembly.stiffness.output
+        solve_planar(
+            paper_joint(ring_wall_thickness=100.0, ring_support=support)
+        ).result.assembly.stiffness.output
         for support in ("free", "rigid_housing")
     )
     assert float(free) == pytest.approx(float(held), rel=1e-9)

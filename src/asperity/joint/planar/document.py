@@ -98,25 +98,27 @@ def planar_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple
                     force_per_torque=None if joint.cam is None else joint.cam.force_per_torque,
                 ),
             },
-            "forces": {
-                "normal_without_torque_N": dict(zip(names, np.asarray(result.rest.normal), strict=True)),
-                "normal_N": dict(zip(names, np.asarray(result.forces.normal), strict=True)),
-                "tangential_N": dict(zip(names, np.asarray(result.forces.tangential), strict=True)),
-                "pin_N": {
-                    name: {"radial": radial, "tangential": tangential}
-                    for name, radial, tangential in zip(
-                        pinned, *pin_components(drive=drive, force=result.forces.pins), strict=True
-                    )
+            "standing": {
+                "forces": {
+                    "normal_without_torque_N": dict(zip(names, np.asarray(result.rest.normal), strict=True)),
+                    "normal_N": dict(zip(names, np.asarray(result.forces.normal), strict=True)),
+                    "tangential_N": dict(zip(names, np.asarray(result.forces.tangential), strict=True)),
+                    "pin_N": {
+                        name: {"radial": radial, "tangential": tangential}
+                        for name, radial, tangential in zip(
+                            pinned, *pin_components(drive=drive, force=result.forces.pins), strict=True
+                        )
+                    },
+                    "input_torque_Nm": result.forces.input_torque,
+                    "output_torque_Nm": result.forces.output_torque,
+                    "body_mass_kg": dict(zip(result.body_names, np.asarray(result.masses), strict=True)),
+                    "output_speed_rad_per_s": result.output_speed,
+                    "balance_residual": result.forces.balance_residual,
+                    "closure_residual": result.forces.closure_residual,
                 },
-                "input_torque_Nm": result.forces.input_torque,
-                "output_torque_Nm": result.forces.output_torque,
-                "body_mass_kg": dict(zip(result.body_names, np.asarray(result.masses), strict=True)),
-                "output_speed_rad_per_s": result.output_speed,
-                "balance_residual": result.forces.balance_residual,
-                "closure_residual": result.forces.closure_residual,
+                "contacts": contact_documents(solved),
             },
             "torque_capacity": planar_capacity_document(solution, solution),
-            "contacts": contact_documents(solved),
             "surfaces": surface_averages(joint, inputs.get("surface", {})),
             "bearings": bearing_entries(solved),
             "rims": _rims(solved),

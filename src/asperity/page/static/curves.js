@@ -12,7 +12,7 @@ export const standing = (found) => found.rolling.unknown_because[0] || "";
 /** Every curve of an answer as a picture. */
 export function curves(answer, baseline) {
   const { curves: sampled, windup, document: found } = answer;
-  const torque = found.forces.output_torque_Nm;
+  const torque = found.standing.forces.output_torque_Nm;
   const ghosts = (kind, factor = 1) =>
     baseline
       ? [{ name: "baseline", kind: "one", ghost: true, x: baseline.curves.torque_Nm, y: baseline.curves[kind].map((value) => scaled(value, factor)) }]

@@ -229,7 +229,7 @@ function branch(drawing, document_, inner, shown, wall, largest) {
 }
 
 function forcesDescribed(document_) {
-  const { normal_N: normal, tangential_N: tangential } = document_.forces;
+  const { normal_N: normal, tangential_N: tangential } = document_.standing.forces;
   const each = Object.keys(normal).map((name) => `${name} ${number(normal[name])} N and ${number(tangential[name])} N`);
   return `One branch with its forces, normal and tangential: ${each.join("; ")}.`;
 }
@@ -245,7 +245,7 @@ function scaleBar(x, y, inner, font) {
 function described(drawing, document_, wall) {
   const size = (body) => number(1e3 * drawing.rollers.find((roller) => roller.body === body).radius_m);
   const planets = drawing.rollers.filter((roller) => roller.body === "planet").length;
-  const normal = Object.entries(document_.forces.normal_N).map(([name, force]) => `${name} ${number(force)} N`);
+  const normal = Object.entries(document_.standing.forces.normal_N).map(([name, force]) => `${name} ${number(force)} N`);
   return (
     `Drive to scale: sun radius ${size("sun")} mm, ${planets} planets of ${size("planet")} mm, loading rollers of ` +
     `${size("right loading roller")} mm in a ring of ${number(1e3 * drawing.ring.inner_radius_m)} mm, wall ` +

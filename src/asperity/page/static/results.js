@@ -64,7 +64,7 @@ function card(name, value, unit, detail, difference) {
 }
 
 /** The capacity in the direction of the torque. */
-const capacityOf = (found) => (found.forces.output_torque_Nm < 0 ? found.torque_capacity.reverse : found.torque_capacity);
+const capacityOf = (found) => (found.standing.forces.output_torque_Nm < 0 ? found.torque_capacity.reverse : found.torque_capacity);
 
 /** Torque at which the joint first slips, and what does: the first of unlike branches, if it has such. */
 function firstSlip(found) {
@@ -103,7 +103,7 @@ function cards(found, before) {
       "Torque capacity",
       number(capacity),
       "N·m",
-      `${slips}; load ${number(found.forces.output_torque_Nm)} N·m`,
+      `${slips}; load ${number(found.standing.forces.output_torque_Nm)} N·m`,
       change(capacity, before && firstSlip(before)[0]),
     ),
     card(
@@ -267,11 +267,11 @@ function contacts(found) {
   return table(
     "Contacts",
     headings,
-    Object.entries(found.contacts).map(([name, each]) => {
+    Object.entries(found.standing.contacts).map(([name, each]) => {
       return [
         name,
-        number(found.forces.normal_N[name]),
-        number(found.forces.tangential_N[name]),
+        number(found.standing.forces.normal_N[name]),
+        number(found.standing.forces.tangential_N[name]),
         number(ratio[name], 3),
         number(scaled(each.hertz_pressure_Pa, 1e-6)),
         number(scaled(each.hertz_half_width_m, 2e6)),
@@ -286,7 +286,7 @@ function contacts(found) {
 /** Which Ra of two like bodies the D and G of the surfaces mean. */
 function roughness(found) {
   const micro = (value) => number(scaled(value, 1e6), 3);
-  const all = Object.keys(found.contacts).length;
+  const all = Object.keys(found.standing.contacts).length;
   const rows = found.surfaces.map((each) => [
     each.contacts.length === all ? "all contacts" : each.contacts.join(", "),
     number(each.fractal_dimension),
