@@ -115,7 +115,7 @@ def _show_contacts(target: Console, document: Document) -> None:
             scaled(contact["creepage"], 1e3),
             number(traction),
             number(limit),
-            scaled(document["standing"]["contacts"][name]["hertz_pressure_Pa"], 1e-6),
+            scaled(contact["hertz_pressure_Pa"], 1e-6),
             number(yields.get(name), 3),
             number(contact["shakedown_ratio"], 3),
         )
@@ -199,12 +199,8 @@ def _show_life(target: Console, document: Document) -> None:
     for entry in document["diagnostics"]:
         if entry["name"].startswith("required_"):
             _print_required(target, entry)
-    beyond = [n for n, c in document["standing"]["contacts"].items() if (c["shakedown_ratio"] or 0.0) > 1.0]
-    if beyond:
-        text = (
-            "  not to be relied on: the life assumes elastic tracks, and the shakedown limit is exceeded at "
-        )
-        print_wrapped(target, text + ", ".join(beyond), indent=2)
+    if rolling["no_life_because"]:
+        print_wrapped(target, f"  {rolling['no_life_because']}", indent=2)
     if loads:
         duty = table(
             target,

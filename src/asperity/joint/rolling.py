@@ -47,6 +47,8 @@ class RollingResult(eqx.Module):
     layer_ratio, layer_creepage_factor : Array
         Yield of the asperities over that of the bodies, and by how much the asperities change the creepage, shape
         (5, ...) [-].
+    hertz_pressure : Array
+        Peak pressure of smooth bodies, where a crowned contact carries most, shape (contacts,) [Pa].
     rough_half_width, rough_peak_pressure : Array
         Half-width of the ellipse whose root mean square the load's places have, and peak pressure, both with the
         asperities and in the middle of crowned contacts, shape (5, ...) [m] and [Pa]; life and shakedown take Hertz's.
@@ -104,6 +106,7 @@ class RollingResult(eqx.Module):
     stick_fraction: Real
     layer_ratio: Array
     layer_creepage_factor: Array
+    hertz_pressure: Array
     rough_half_width: Array
     rough_peak_pressure: Array
     skew_creepage_factor: Array
@@ -189,6 +192,8 @@ def turning_result(
     friction = pairs.friction_coefficient
     traction = state.tangential / normal
     strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)
+    # above the shakedown limit the surface flows at every passage, and no law of elastic fatigue holds
+    tracks = jnp.where(strips.shakedown_ratio < 1.0, strips.tracks, jnp.nan)
     speeds = jax.tree.map(lambda speed: speed * input_speed, unit_speeds)
     width = strips.even_half_width / pairs.effective_radius
     lateral = lateral_slip_ratio(
@@ -205,7 +210,7 @@ def turning_result(
     )
     lives = drive_lives(
         bodies=bodies,
-        tracks=life_at_reliability(life=strips.tracks, reliability=conditions.reliability) / per_turn,
+        tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / per_turn,
         planet_count=branches,
     )
     turns_an_hour = 3600.0 * speeds.output / (2.0 * jnp.pi)
@@ -234,6 +239,13 @@ def turning_result(
                 longitudinal_slip_ratio=strips.middle_traction / friction, lateral_slip_ratio=lateral
             )
         )
+    pressure = jnp.asarray(
+        peak_pressure(
+            normal_force=strips.largest_load,
+            contact_length=pairs.contact_length,
+            half_width=strips.largest_half_width,
+        )
+    )
     film, film_over_roughness = oil_film(
         conditions=conditions,
         pairs=pairs,
@@ -249,15 +261,9 @@ def turning_result(
         stick_fraction=stuck,
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
+        hertz_pressure=pressure,
         rough_half_width=strips.largest_half_width * width_factor(layer_ratio=creep.layer_ratio),
-        rough_peak_pressure=jnp.asarray(
-            peak_pressure(
-                normal_force=strips.largest_load,
-                contact_length=pairs.contact_length,
-                half_width=strips.largest_half_width,
-            )
-            * peak_pressure_factor(layer_ratio=creep.layer_ratio)
-        ),
+        rough_peak_pressure=pressure * peak_pressure_factor(layer_ratio=creep.layer_ratio),
         skew_creepage_factor=creep.skew_factor,
         capacity_loss=lost,
         axial_force=axial,
@@ -277,7 +283,7 @@ def turning_result(
         film_ratio=film_over_roughness,
         shakedown_ratio=strips.shakedown_ratio,
         output_speed=speeds.output,
-        cycles=strips.tracks,
+        cycles=tracks,
         cycles_per_turn=per_turn,
         life_turns=lives,
         life_hours=_where(

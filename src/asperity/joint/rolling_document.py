@@ -61,6 +61,7 @@ def rolling_document(
         "losses_W": losses(found),
         "axial_thrust_N": dict(zip(result.body_names, np.asarray(found.axial_thrust), strict=True)),
         "reliability": np.asarray(joint.rolling.reliability),
+        "no_life_because": no_life_because(result),
         "life_hours": found.life_hours.drive,
         "life_output_turns": found.life_turns.drive,
         "body_life_hours": _by_body(result.body_names, found.life_hours),
@@ -109,6 +110,7 @@ def _contact(found: RollingResult, k: int) -> Document:
     return {
         "creepage": found.creepage[k],
         "traction_coefficient": found.traction_coefficient[k],
+        "hertz_pressure_Pa": found.hertz_pressure[k],
         "shakedown_ratio": found.shakedown_ratio[k],
         "life_hours": found.life_hours.contact[k],
         "slip_ratio": found.slip_ratio[k],
@@ -181,6 +183,29 @@ def unknown_because(joint: PlanarJoint, result: PlanarResult, *, unlike: bool = 
         who = "equal branches do" if unlike else "the joint does"
         reasons.append(f"no life under the duty: {who} not roll under one of its loads")
     return reasons
+
+
+def no_life_because(result: PlanarResult) -> str | None:
+    """Why a joint that rolls has no fatigue life; None where it has one, or does not roll.
+
+    Parameters
+    ----------
+    result : PlanarResult
+        Its result.
+
+    Returns
+    -------
+    str or None
+        One sentence, with the contacts.
+    """
+    ratio = np.asarray(result.rolling.shakedown_ratio)
+    beyond = [name for name, each in zip(result.contact_names, ratio, strict=True) if each >= 1.0]
+    if not beyond:
+        return None
+    return (
+        f"no fatigue life: at {', '.join(beyond)} the Hertz pressure is above the shakedown limit, so that the surface "
+        "flows at every passage, and the law of fatigue holds for elastic tracks only"
+    )
 
 
 def absent_in_rolling(joint: PlanarJoint, result: PlanarResult) -> list[str]:

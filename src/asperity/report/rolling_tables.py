@@ -79,7 +79,7 @@ def _contacts(document: Document) -> Table:
             name,
             number(each["creepage"], 1e3),
             number(each["traction_coefficient"]),
-            number(document["standing"]["contacts"][name]["shakedown_ratio"]),
+            number(each["shakedown_ratio"]),
             number(each["life_output_turns"]),
         )
         for name, each in document["rolling"]["contacts"].items()
@@ -113,13 +113,6 @@ def _life(document: Document) -> Iterator[Block]:
     yield Table(
         f"Fatigue life that {share} % of the drives reach", ("life of", "hours", "output turns"), rows
     )
-    beyond = [
-        name
-        for name, each in document["standing"]["contacts"].items()
-        if (each["shakedown_ratio"] or 0.0) > 1.0
-    ]
-    if beyond:
-        yield Paragraph(
-            "The life is not to be relied on: it assumes elastic tracks, and the shakedown limit is exceeded at "
-            f"{', '.join(beyond)}."
-        )
+    if found["no_life_because"]:
+        reason = found["no_life_because"]
+        yield Paragraph(f"{reason[0].upper()}{reason[1:]}.")

@@ -277,7 +277,7 @@ function contacts(found) {
         number(scaled(each.hertz_half_width_m, 2e6)),
         number(scaled(each.asperity_tangential_stiffness_N_per_m, 1e-6)),
         number(scaled(each.bulk_tangential_stiffness_N_per_m, 1e-6)),
-        number(scaled(each.creepage, 100), 3),
+        number(scaled(found.rolling.contacts[name].creepage, 100), 3),
       ];
     }),
   );
