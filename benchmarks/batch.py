@@ -1,22 +1,19 @@
-"""Speed of the whole chain for many joints: rate, unavoidable cost, memory, gradient, distance to the script.
+"""Speed of the published model for many joints: rate, unavoidable cost, memory, gradient, distance to the script.
 
     python benchmarks/batch.py [--points 1e7] [--chunk 8192] [--repeats 15]
 
-One evaluation is one complete joint: forces, the five contacts' tangential stiffnesses, K_T as published and
-whether the balance closed. Every figure is the best of several repeats, measured in this one run, because wall times
-on a shared machine only ever err upwards. Points are generated chunk by chunk from a seed and reduced chunk by chunk
-(mean, smallest, largest K_T), which is how any number of them fits into memory.
+One evaluation is one joint by equations (1) to (30): forces, the five contacts' tangential stiffnesses, K_T and
+whether the balance closed. The general chain: ``planar_batch.py``. Every figure is the best of several repeats,
+measured in this one run, because wall times on a shared machine only ever err upwards. Points are generated chunk by
+chunk from a seed and reduced chunk by chunk (mean, smallest, largest K_T), which is how any number of them fits into memory.
 """
 
 import argparse
-import dataclasses
-import functools
-import multiprocessing
 import os
 import resource
 import time
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 
 # one XLA thread per Python thread: the chunks, not the loops inside them, are what runs side by side
 os.environ["XLA_FLAGS"] = os.environ.get("XLA_FLAGS", "") + " --xla_cpu_multi_thread_eigen=false"
@@ -27,15 +24,10 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.contact.fractal import Surface
-from asperity.drive.assembly import IDEAL_STRUCTURE
 from asperity.drive.geometry import DriveGeometry
-from asperity.drive.mechanism import Bearings
-from asperity.joint.evaluation import Bodies, Joint, evaluate
-from asperity.joint.interference import joint_preload
-from asperity.joint.play import NO_PLAY
 from asperity.materials import Material
 from asperity.precision import use_double_precision
-from asperity.study.batch import ASSEMBLY_BATCH
+from asperity.zou2025.published import PublishedJoint, published_joint
 
 NAMES = (
     "output_torque",
@@ -58,73 +50,31 @@ EXPS = 3 + 1 + 1 + 1 + 3 + 5 * 4
 GRADIENT_BATCH = 4096
 
 
-def joint_of(points: jax.Array) -> Joint:
+def joint_of(points: jax.Array) -> PublishedJoint:
     torque, dimension, log_roughness, length, friction, preload = points
-    steel = Material(206e9, 0.3, 7850.0, 450e6, 1260e6)
-    return Joint(
+    return PublishedJoint(
         geometry=DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0),
-        bodies=Bodies(steel, steel, steel, steel),
-        surfaces=(Surface(dimension, jnp.exp(log_roughness), 1.5, "majumdar_bhushan_1991"),),
-        contact_lengths=(length,),
-        friction_coefficients=(friction,),
-        planet_length=length,
-        loading_roller_length=length,
+        material=Material(206e9, 0.3, 7850.0, 450e6, 1260e6),
+        surface=Surface(dimension, jnp.exp(log_roughness), 1.5, "majumdar_bhushan_1991"),
+        contact_length=length,
+        friction_coefficient=friction,
         ring_wall_thickness=10e-3,
-        bearings=Bearings(0.0, 0.0, 0.0, 0.0, 0.0),
         preload=preload,
         output_torque=torque,
         sun_speed=6000 * np.pi / 30,
-        structure=IDEAL_STRUCTURE,
-        play=NO_PLAY,
-        closure="elastic",
-        closure_springs="bulk",
-        contact_factor_model="printed",
     )
 
 
 def complete(points: jax.Array) -> dict[str, jax.Array]:
-    found = evaluate(joint_of(points))
+    found = published_joint(joint_of(points))
     return {
         "normal": found.forces.normal,
         "tangential": found.forces.tangential,
-        "contact_stiffness": found.contacts.tangential_stiffness,
-        "sun": found.published.sun,
-        "output": found.published.output,
+        "contact_stiffness": found.tangential_stiffness,
+        "sun": found.stiffness.sun,
+        "output": found.stiffness.output,
         "solved": found.solved,
     }
-
-
-def with_rolling(points: jax.Array) -> tuple[dict[str, jax.Array], list[jax.Array]]:
-    """The published joint and what a designer of a joint that turns looks at."""
-    rolling = evaluate(joint_of(points)).rolling
-    main = [rolling.drift_per_output_turn, rolling.power.efficiency, rolling.life_hours.drive]
-    return complete(points), [*main, rolling.shakedown_ratio, rolling.creepage]
-
-
-def whole(points: jax.Array, *, rolling: bool) -> list[jax.Array]:
-    """Every result of a joint: all three levels, bodies, budget, diagnostics; with or without rolling."""
-    fields = vars(evaluate(joint_of(points)))
-    return jax.tree.leaves({name: value for name, value in fields.items() if rolling or name != "rolling"})
-
-
-def assembled(points: jax.Array) -> jax.Array:
-    """Assembled stiffness with exact bodies; an interference of 8 to 20 um makes the preload."""
-    joint = joint_of(points)
-    interference = 1e-6 * points[NAMES.index("preload")] / 100.0
-    whole_joint = dataclasses.replace(joint, preload=joint_preload(joint, interference))
-    return evaluate(whole_joint).assembly.stiffness.output
-
-
-def assembled_rate(chunk: int, repeats: int) -> float:
-    """Joints a second of one process, over several repeats."""
-    use_double_precision()
-    batch = jnp.asarray(random_points(chunk, seed=0))
-    program = compiled(assembled, batch)
-    program(batch)
-    started = time.perf_counter()
-    for _ in range(repeats):
-        program(batch)
-    return repeats * chunk / (time.perf_counter() - started)
 
 
 def unavoidable(points: jax.Array) -> jax.Array:
@@ -231,38 +181,15 @@ def main() -> None:
     share = f"{LOGS} logs and {EXPS} exps: {floor / single:.0%} of a joint on one thread"
     print(f"exp and log alone            {floor * 1e9:8.0f} ns for {share}")
 
-    parts = {
-        "published, and rolling": with_rolling,
-        "all results at rest": functools.partial(whole, rolling=False),
-        "all results": functools.partial(whole, rolling=True),
-    }
-    taken = {}
-    smaller = jnp.asarray(random_points(ASSEMBLY_BATCH, seed=0))
-    for name, function in parts.items():
-        points_at_once = batches[0] if function is with_rolling else smaller
-        program = compiled(function, points_at_once)
-        seconds_each = best(given.repeats, lambda p=program, x=points_at_once: p(x)) / points_at_once.shape[1]
-        taken[name] = seconds_each
-        times = f"{taken[name] / single:.2f} times the published joint, {points_at_once.shape[1]} at once"
-        print(f"{name:28s} {taken[name] * 1e9:8.0f} ns each on one thread, {times}")
-    # in processes: two batches of LAPACK in the threads of one process can wait for each other for ever
-    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
-        rates = list(pool.map(assembled_rate, [ASSEMBLY_BATCH] * 2, [given.repeats * 10] * 2))
-    print(
-        f"assembled, exact bodies, by interference: {sum(rates):.3g} a second, two processes of one thread each, "
-        f"{ASSEMBLY_BATCH} at once"
-    )
-    ratio = taken["all results"] / taken["all results at rest"]
-    print(f"all results / those at rest  {ratio:8.2f}")
-
     gradient = compiled(
-        lambda x: jax.value_and_grad(lambda x: jnp.sum(evaluate(joint_of(x)).published.output))(x), batches[0]
+        lambda x: jax.value_and_grad(lambda x: jnp.sum(published_joint(joint_of(x)).stiffness.output))(x),
+        batches[0],
     )
     # inputs and slopes of more joints at once do not fit into the processor's cache
     columns, value_of = all_inputs(batches[0][:, :GRADIENT_BATCH])
     value_of_all = compiled(value_of, columns)
     gradient_of_all = compiled(jax.value_and_grad(lambda x: jnp.sum(value_of(x))), columns)
-    value = compiled(lambda x: evaluate(joint_of(x)).published.output, batches[0])
+    value = compiled(lambda x: published_joint(joint_of(x)).stiffness.output, batches[0])
     plain = best(given.repeats, lambda: value(batches[0]))
     few = best(given.repeats, lambda: gradient(batches[0]))
     plain_of_all = best(given.repeats, lambda: value_of_all(columns))
@@ -304,7 +231,7 @@ def all_inputs(points: jax.Array) -> tuple[list[jax.Array], Callable[[list[jax.A
     def value(columns: list[jax.Array]) -> jax.Array:
         rest = iter(columns)
         whole = [next(rest) if keep else leaf for keep, leaf in zip(finite, leaves, strict=True)]
-        return evaluate(jax.tree.unflatten(tree, whole)).published.output
+        return published_joint(jax.tree.unflatten(tree, whole)).stiffness.output
 
     columns = [
         jnp.full(points.shape[1:], leaf, float) for leaf, keep in zip(leaves, finite, strict=True) if keep

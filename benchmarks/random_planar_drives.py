@@ -1,7 +1,7 @@
 """Do the solvers of planar drives always find the state, or say that they did not? Random drives of every type.
 
-    python benchmarks/random_planar_drives.py [--drives 1e5] [--types planetary,multiroller,stepped_planet,planar]
-        [--seed 2026]
+    python benchmarks/random_planar_drives.py [--drives 1e5] [--seed 2026]
+        [--types zou2025,planetary,multiroller,stepped_planet,planar]
 
 Sizes, walls, interference, friction, surfaces, speed and torque of the shipped files are drawn over wide ranges, drives
 that cannot exist included. Counted are the statuses; of the drives that exist, the worst residual of the equations, of
@@ -15,6 +15,7 @@ import collections
 import math
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import jax
@@ -29,7 +30,6 @@ from asperity.joint.planar.laws import drive_load
 from asperity.joint.planar.status import planar_status
 from asperity.joint.planar.turning import driving_sense
 from asperity.joint.status import NO_ROOM, STATUS_NAMES
-from asperity.joint_file import build
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.planar_build import planar_joint_from_values
 from asperity.joint_file.planar_types import PLANAR_CASES
@@ -176,9 +176,9 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=2026, help="of the drives: other ones in another run")
     given = parser.parse_args()
     use_double_precision()
-    folder = build.__file__.rpartition("/")[0]
+    folder = Path(__file__).parents[1] / "examples"
     for name in given.types.split(","):
-        values = with_tracks(si_values(read_case(f"{folder}/{name}.toml")))
+        values = with_tracks(si_values(read_case(folder / f"{name}.toml")))
         base = numbers_of(values)
         rng, program = np.random.default_rng(given.seed), program_of(values, tuple(base))
         rooms, numbers = rooms_of(values, tuple(base)), tuple(base.values())

@@ -13,10 +13,10 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from asperity.joint_file.wedge_model import Case
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.section import EachContact, Section, meaning
+from asperity.joint_file.section import Section, meaning
+from asperity.joint_file.wedge_model import Case
 
 PAGE = Path(__file__).with_name("joint_file.md")
 MOVES = Path(__file__).with_name("joint_file_moves.json")
@@ -37,6 +37,8 @@ with bearings, springs, skew and oil, and for the crown radii with crowns of 500
 than one part in a million for one per cent are left out. *All seven* are published and assembled stiffness, torque
 capacity, pressure, drift, efficiency and life. The range only catches typing errors where physics sets no bound. The
 results themselves are on the page [](results.md).
+
+`[bodies]` names the material of `sun`, `planet`, `loading_roller` and `ring`.
 """
 
 #: Results that the page names, with the words for them.
@@ -123,33 +125,37 @@ def _allowed(field: FieldInfo) -> tuple[str, str]:
     return "", ", ".join(f"`{choice}`" for choice in choices)
 
 
+#: Sections of the page that are not where the model has them: those of the drive itself come first.
+FIRST = ("drive", "load", "temperature", "bearings", "pin_bearing", "sun_bearing", "carrier_bearing")
+
+
 def _sections() -> Iterator[tuple[str, type[Section], str]]:
-    """Header in the file, model and description of every section."""
-    for name, field in Case.model_fields.items():
-        if name == "type":
-            continue
-        models = [p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section)]
-        model = next(m for m in models if not issubclass(m, EachContact))
+    """Header in the file, model and description of every section; that of the bodies has no keys of its own."""
+    for name in (*FIRST, *(name for name in Case.model_fields if name not in (*FIRST, "type", "bodies"))):
+        field = Case.model_fields[name]
+        model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         header = {"duty": "[[duty]]", "branch": "[[branch]]", "materials": "[materials.NAME]"}.get(
             name, f"[{name}]"
         )
         yield header, model, meaning(Case, name)
 
 
+#: The other types of drives.
+OTHER_CASES = {kind: case for kind, case in PLANAR_CASES.items() if case is not Case}
+
 OTHERS = """\
 # Other drives
 
-`type` stands first in the file. These drives have the sections above with the keys below; their sections
-`[temperature]`, `[pin_bearing]`, `[lubrication]`, `[[duty]]`, `[dynamics]`, `[play]` and `[materials.NAME]` are the
-same, and `[input_bearing]` and `[output_bearing]` have the keys of `[sun_bearing]`. Sections and keys that are not
-listed below are only for the paper's drive. `[bodies]` names the material of each body. What differs between contacts
-is a table with the names of the drive's contacts. The types are described on the page [](drives.md).
+`type` stands first in the file. These drives have the sections above but for those with the keys below, and
+`[input_bearing]` and `[output_bearing]` have the keys of `[sun_bearing]`. `[bodies]` names the material of each body.
+What differs between contacts is a table with the names of the drive's contacts. The types are described on the page
+[](drives.md).
 """
 
 
 def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
     """Sections of the other types of drives: their own [drive] each, and what they have in common."""
-    for kind, case in PLANAR_CASES.items():
+    for kind, case in OTHER_CASES.items():
         drive = case.model_fields["drive"].annotation
         assert isinstance(drive, type)
         assert issubclass(drive, Section)
@@ -158,12 +164,12 @@ def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
         field = PLANAR_CASES["planar"].model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         yield f'[[{name}]] of type = "planar"', model, meaning(PLANAR_CASES["planar"], name)
-    for kind, case in PLANAR_CASES.items():
+    for kind, case in OTHER_CASES.items():
         field = case.model_fields["branch"]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         yield f'[[branch]] of type = "{kind}"', model, meaning(case, "branch")
-    common = next(iter(PLANAR_CASES.values()))
-    for name in ("load", "bearings", "compliance", "rolling", "model"):
+    common = next(iter(OTHER_CASES.values()))
+    for name in ("bearings", "model"):
         field = common.model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         yield f"[{name}] of other drives", model, meaning(common, name)

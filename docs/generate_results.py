@@ -7,7 +7,6 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from asperity.drive.geometry import CLEARANCE_CONDITIONS
 from asperity.joint.results import GROUPS, RESULTS, Limit, Result
 from asperity.joint.results.table import RENAMED
 from asperity.units import format_quantity
@@ -25,11 +24,11 @@ warnings of `asperity joint`. `--results` also takes the name of a group, `stiff
 and `all`, which is everything but the group `stresses`.
 
 Tables show the unit given here; datasets and JSON documents are in SI units. A result *of contacts* has one number for
-each of `sp`, `pwr`, `pwl`, `wro`, `wlo`; its single numbers are called `slip_ratio_sp` and so on. Results that need
+each contact of the drive, in the paper's `sp`, `pwr`, `pwl`, `wro`, `wlo`; its single numbers are called `slip_ratio_sp`
+and so on. Likewise those *of bodies*, *of bearings*, *of pins*, which have the names of their rollers, and *of
+clearances*, which name two bodies without a contact, `clearance_planet_to_ring`. Results that need
 the *balance* are nan where the force balance does not close, those that need *operation* also where a contact slips;
-all are nan where the rollers do not fit. Stresses and safeties of rims are called after their body
-in the drive of Zou et al. (`ring_yield_safety`); in every other type of drive they are results of bodies
-(`rim_yield_safety`, of `ring`).
+all are nan where the rollers do not fit.
 
 In a design file, `stiffness`, `stiffness_per_mass` and `stiffness_per_volume` stand for the results of the level that
 the file states. Results without derivatives can be neither objectives nor limits, and have no sensitivities.
@@ -55,13 +54,6 @@ def _groups() -> Iterator[str]:
             unit = "-" if result.display_unit == "1" else result.display_unit
             yield f"| `{name}` | {_describe(result)} | {rows} | {unit} | {result.needs} |"
         yield ""
-
-
-def _clearances() -> Iterator[str]:
-    yield "## The clearances\n"
-    yield "| clearance | condition |\n|---|---|"
-    yield from (f"| `{name}` | {condition} |" for name, condition in CLEARANCE_CONDITIONS.items())
-    yield ""
 
 
 def _bounds(limit: Limit, unit: str) -> str:
@@ -98,7 +90,7 @@ def _renamed() -> Iterator[str]:
 
 def page() -> str:
     """The page as it must be."""
-    return "\n".join([HEAD, *_groups(), *_clearances(), *_limits(), *_renamed()]) + "\n"
+    return "\n".join([HEAD, *_groups(), *_limits(), *_renamed()]) + "\n"
 
 
 def main() -> int:

@@ -1,5 +1,6 @@
 """The preset: what the tables print, and Table 1 case c by independent quadrature (model reference, four digits)."""
 
+import dataclasses
 import math
 from pathlib import Path
 
@@ -126,6 +127,16 @@ def test_grid_has_the_order_of_its_arguments() -> None:
 def test_a_column_that_table_1_does_not_have_is_refused() -> None:
     with pytest.raises(TypeError, match=r"no column \['viscosity'\]"):
         preset.table_1_contact(viscosity=1.0)
+
+
+def test_one_number_may_be_the_batch() -> None:
+    joint = preset.table_2_joint(preset.operating_grid())
+    joint = jax.tree.map(float, joint)
+    torques = np.array([1.0, 5.0])
+    many = jax.jit(published_joint)(dataclasses.replace(joint, output_torque=torques))
+    alone = jax.jit(published_joint)(joint)
+    np.testing.assert_allclose(many.forces.normal[:, 1], alone.forces.normal, rtol=1e-12)
+    assert float(many.stiffness.output[1]) == pytest.approx(float(alone.stiffness.output), rel=1e-12)
 
 
 @pytest.mark.slow

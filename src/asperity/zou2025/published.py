@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 from jax import Array
 
@@ -93,6 +94,14 @@ class PublishedResult(eqx.Module):
     solved: Array
 
 
+def _with_one_rank(joint: PublishedJoint) -> PublishedJoint:
+    """The same joint, every number with the rank of the batch: contact and batch axes never meet in broadcasting."""
+    rank = max(jnp.ndim(leaf) for leaf in jax.tree.leaves(joint))
+    return jax.tree.map(
+        lambda leaf: jnp.reshape(leaf, (1,) * (rank - jnp.ndim(leaf)) + jnp.shape(leaf)), joint
+    )
+
+
 def published_joint(joint: PublishedJoint) -> PublishedResult:
     r"""Forces and torsional stiffness of the published model; pure.
 
@@ -110,6 +119,7 @@ def published_joint(joint: PublishedJoint) -> PublishedResult:
     ----------
     Zou et al. 2025, equations (1)–(30); the closure (A3) of :doc:`/equations`.
     """
+    joint = _with_one_rank(joint)
     geometry, material = joint.geometry, joint.material
     sides = triangle(geometry)
     radius_1, radius_2, sign = contact_radii(geometry)

@@ -36,6 +36,7 @@ from asperity.drive.planar.state_equations import (
     turning_members,
 )
 from asperity.drive.planar.supports import carrier_supports
+from asperity.drive.planar.unfolding import unfolded
 
 GEOMETRY = DriveGeometry(
     sun_radius=4e-3,
@@ -50,6 +51,9 @@ PAPERS = Closure(equal_coefficients=EQUAL_COEFFICIENTS, constant_pins=SPRING_LOA
 DRIVES = {
     "wedge": wedge_drive(GEOMETRY, planet_count=3.0),
     "published closures": wedge_drive(GEOMETRY, planet_count=3.0, closure=PAPERS),
+    "unfolded": unfolded(
+        wedge_drive(GEOMETRY, planet_count=3.0, closure=PAPERS), sectors=3, floating=("sun",)
+    ),
     "planetary": planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=3.0),
     "multiroller": two_row_multiroller(
         sun_radius=8e-3, first_row_radii=(20e-3, 8e-3), second_row_radii=(20e-3, 8e-3), roller_count=4.0

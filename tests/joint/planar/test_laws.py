@@ -116,7 +116,10 @@ def test_unlike_forces_do_the_work_of_the_interference(monkeypatch, coupled):
 
     monkeypatch.setattr("asperity.joint.planar.laws._approach", approach)
     joint = SimpleNamespace(
-        materials=(SimpleNamespace(youngs_modulus=YOUNG),), interference=40e-6, working_pattern=pattern
+        materials=(SimpleNamespace(youngs_modulus=YOUNG),),
+        interference=40e-6,
+        working_pattern=pattern,
+        ring_bending_stiffness=None,
     )
     contacts = SimpleNamespace(pairs=SimpleNamespace(contact_length=np.full(4, LENGTH)), crown_curvature=None)
 
