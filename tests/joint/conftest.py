@@ -22,7 +22,8 @@ def solved_paper(paper_joint):
 
 @pytest.fixture(scope="session")
 def wedged(planar_case):
-    """A joint whose left ring contact unloads with the torque."""
+    """A joint whose left ring contact unloads with the torque, its loading rollers as in the paper's closure."""
     from asperity.joint_file.planar_build import planar_joint_from_case
 
-    return planar_joint_from_case(planar_case("tutorial_joint"))
+    split = {"[model]\n": '[model]\ntraction_split = "equal_coefficients"\n'}
+    return planar_joint_from_case(planar_case("tutorial_joint", replaced=split))
