@@ -16,7 +16,10 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
             ("sweep", "--over", "load.output_torque=1 N*m:2 N*m:2", "--results", "wedge_angle"),
             "no result 'wedge_angle': only one with wedges between planets and ring has it",
         ),
-        (("sensitivity", "--result", "self_locking_ratio"), "no result 'self_locking_ratio': only one with wedges"),
+        (
+            ("sensitivity", "--result", "self_locking_ratio"),
+            "no result 'self_locking_ratio': only one with wedges",
+        ),
     ],
 )
 def test_what_the_drive_has_not_is_refused_by_name(call, arguments, said):

@@ -3,8 +3,8 @@
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.wedge_model import Case
 from asperity.joint_file.planar_types import PLANAR_CASES
+from asperity.joint_file.wedge_model import Case
 from asperity.page.joint_request import JointRequest
 from asperity.page.list_changes import EACH, lists_of, places_of_lists, stated_lists, without_lists
 
