@@ -77,7 +77,8 @@ def _limits() -> Iterator[str]:
     yield "## Limits of the joint and of its model\n"
     yield (
         "`asperity joint` warns where one of these is crossed, the most serious first: *function* (the joint does\n"
-        "not work), *damage*, *accuracy* (the numbers cannot be trusted), *model* (the published contact law is\n"
+        "not work), *damage*, *accuracy* (the numbers cannot be trusted), "
+        "*state* (it works, with a consequence), *model* (the published contact law is\n"
         "outside its range, as for most joints).\n"
     )
     yield "| result | allowed | severity | where it is crossed | what to do |\n|---|---|---|---|---|"

@@ -24,8 +24,10 @@ from asperity.contact.hertz_line import (
     ring_secant_compliance,
     roller_secant_compliance,
 )
-from asperity.drive.assembly import IDEAL_STRUCTURE, assembly_stiffness
-from asperity.drive.geometry import DriveGeometry, angles, triangle
+from asperity.drive.geometry import DriveGeometry
+from asperity.drive.planar.drives import wedge_drive
+from asperity.drive.planar.stiffness import planar_stiffness
+from asperity.drive.planar.wedge import wedge_angles
 from asperity.materials import contact_modulus
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.show.style import ACCENT, MARK, MUTED, STYLE
@@ -33,6 +35,7 @@ from asperity.show.style import ACCENT, MARK, MUTED, STYLE
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "ring_wall.png"
 YOUNG, POISSON, LENGTH, PLANETS = 206e9, 0.3, 5e-3, 3
 GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, float(PLANETS), 0.0, 0.0)
+DRIVE = wedge_drive(GEOMETRY, planet_count=PLANETS)
 #: Support of the rim by a housing, radial and tangential, per area: of the order of 20 mm of aluminium [N/m^3].
 HOUSING = 5e11
 #: Walls whose stiffness is printed [mm].
@@ -41,8 +44,8 @@ PRINTED = np.array([4.0, 6.0, 10.0, 15.0, 20.0, 30.0, 60.0])
 
 def directions() -> tuple[float, float, float]:
     """Polar angle of a loading roller, direction from the planet to it, and their difference [rad]."""
-    found = angles(triangle(GEOMETRY))
-    return float(found.polar), float(found.direction), float(found.wedge)
+    polar, direction, wedge = map(float, wedge_angles(DRIVE))
+    return polar, direction, wedge
 
 
 def rest_forces(preload: float) -> np.ndarray:
@@ -130,23 +133,22 @@ def springs(widths: np.ndarray, wall: float) -> np.ndarray:
 
 
 @jax.jit
-def _assembled(diagonal: jax.Array, coupling: jax.Array) -> jax.Array:
-    assembly = assembly_stiffness(
-        geometry=GEOMETRY,
-        sides=triangle(GEOMETRY),
-        normal_stiffness=1.0 / diagonal[:5],
-        tangential_stiffness=1.0 / diagonal[5:],
-        structure=IDEAL_STRUCTURE,
-        coupling=coupling,
-    )
-    return jnp.asarray(assembly.stiffness.output)
+def _assembled(matrices: jax.Array) -> jax.Array:
+    def output(matrix: jax.Array) -> jax.Array:
+        diagonal = jnp.diag(matrix)
+        return planar_stiffness(
+            drive=DRIVE,
+            normal_compliance=diagonal[:5],
+            tangential_compliance=diagonal[5:],
+            coupling=matrix - jnp.diag(diagonal),
+        ).output
+
+    return jax.vmap(output, in_axes=-1)(matrices)
 
 
 def assembled_stiffness(matrices: np.ndarray) -> np.ndarray:
-    """Stiffness at the output of joints with these matrices, shape (10, 10, ...) [N·m/rad]."""
-    diagonal = np.einsum("iik->ik", matrices)
-    coupling = matrices - np.eye(10)[..., None] * diagonal
-    return np.asarray(_assembled(jnp.asarray(diagonal), jnp.asarray(coupling)))
+    """Stiffness at the output of joints with these matrices, shape (10, 10, joints) [N·m/rad]."""
+    return np.asarray(_assembled(jnp.asarray(matrices)))
 
 
 def draw(walls: np.ndarray, curves: dict[str, np.ndarray]) -> Figure:

@@ -4,21 +4,24 @@ Run it: ``python examples/stiffness_levels.py``.
 """
 
 import dataclasses
+from pathlib import Path
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
-from asperity.joint.evaluation import JointResult
-from asperity.joint.solve import solve
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import read_case
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.zou2025.preset import operating_grid, table_2_joint
+
+FILE = Path(__file__).with_name("zou2025.toml")
 
 
-def main() -> JointResult:
+def main() -> PlanarResult:
     use_double_precision()
     use_compilation_cache()
-    joint = dataclasses.replace(table_2_joint(operating_grid()), output_torque=1e-6, sun_speed=0.0)
-    result = solve(joint).result
+    joint = planar_joint_from_case(read_case(FILE))
+    result = solve_planar(dataclasses.replace(joint, output_torque=1e-6, input_speed=0.0)).result
     levels = {
         "published (25): asperities alone": result.published,
         "(25) with the bodies in series": result.series_with_bulk,
@@ -31,7 +34,7 @@ def main() -> JointResult:
     asperities = np.asarray(result.interfaces.asperity_share_tangential * result.assembly.tangential_share)
     print(f"planet float {float(np.sum(result.assembly.normal_share)):.1%} of the compliance")
     print(f"tangential springs {float(np.sum(result.assembly.tangential_share)):.1%}, of it asperities:")
-    for name, share in zip(CONTACT_NAMES, asperities, strict=True):
+    for name, share in zip(result.contact_names, asperities, strict=True):
         print(f"  {name}: {share:.2%} of the joint's compliance")
     return result
 

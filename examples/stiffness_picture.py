@@ -10,26 +10,29 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from asperity.compilation import compile_fast
-from asperity.joint.evaluation import evaluate
+from asperity.joint_file.reader import read_case
+from asperity.joint_file.si_tables import si_values
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.show.drive_drawing import draw_drive
 from asperity.show.style import ACCENT, MARK, MUTED, STYLE
+from asperity.study.batch import evaluate_points
 from asperity.zou2025.preset import DIMENSION_RANGE, operating_grid, table_2_joint
 
+FILE = Path(__file__).with_name("zou2025.toml")
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "readme.png"
 
 
 def stiffness_levels(dimension: np.ndarray) -> dict[str, np.ndarray]:
     """Output stiffness of the paper's joint at 5 N·m by level of the model [N·m/rad]."""
-    joint = table_2_joint(operating_grid(fractal_dimension=dimension))
-    result = compile_fast(evaluate, joint)(joint)
-    assert bool(np.all(result.solved))
-    return {
-        "as published: asperities alone": np.asarray(result.published.output),
-        "with the elastic bodies in series": np.asarray(result.series_with_bulk.output),
-        "assembled, the planets floating": np.asarray(result.assembly.stiffness.output),
+    names = {
+        "as published: asperities alone": "published_stiffness_output",
+        "with the elastic bodies in series": "series_with_bulk_stiffness_output",
+        "assembled, the planets floating": "assembly_stiffness_output",
     }
+    points = {"surface.fractal_dimension": dimension}
+    _, found = evaluate_points(si_values(read_case(FILE)), points, tuple(names.values()))
+    assert not any(np.any(np.isnan(values)) for values in found.values())
+    return {words: found[name] for words, name in names.items()}
 
 
 def draw(dimension: np.ndarray, levels: dict[str, np.ndarray]) -> Figure:

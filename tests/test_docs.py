@@ -199,3 +199,38 @@ def test_readme_table_is_what_its_command_gives():
     for label, name in names.items():
         computed = [levels[name]["output_Nm_per_rad"], levels[name]["output_Nm_per_arcmin"]]
         assert rows[label] == pytest.approx(computed, rel=5e-3)
+
+
+def test_readme_installs_for_the_pages_what_their_modules_import():
+    """Sphinx imports every module: what one imports at its head must be in the extras that README names."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    installed = re.search(r"'\.\[([\w,]+)\]' && python -m sphinx", readme)[1].split(",")
+    offered = {
+        re.match(r"[\w-]+", package)[0].lower().replace("-", "_"): extra
+        for extra, packages in project["optional-dependencies"].items()
+        if extra in ("surface", "study", "bayes", "page", "report")
+        for package in packages
+    }
+    needed = {}
+    for module in sorted((ROOT / "src" / "asperity").rglob("*.py")):
+        for name in re.findall(
+            r"^(?:import|from) (\w+)", module.read_text(encoding="utf-8"), flags=re.MULTILINE
+        ):
+            if name.lower() in offered:
+                needed[offered[name.lower()]] = module.name
+    assert needed  # the page imports its server
+    assert set(needed) <= set(installed), needed
+
+
+def test_readme_names_examples_for_the_commands_that_need_more_than_any_joint():
+    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.si_tables import numeric_keys
+
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    dynamics, spread = (
+        ROOT / re.search(rf"asperity {command} (examples/\w+\.toml)", readme)[1]
+        for command in ("dynamics", "uncertainty")
+    )
+    assert read_case(dynamics).dynamics is not None
+    assert any(entry.tolerance > 0.0 for entry in numeric_keys(read_case(spread)).values())

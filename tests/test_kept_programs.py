@@ -1,4 +1,7 @@
+import hashlib
+import json
 import os
+import pickle
 import subprocess
 import sys
 import threading
@@ -138,15 +141,94 @@ def test_a_damaged_file_is_as_good_as_none(cache, damage):
     assert kept(request, FAST) is None
 
 
-def test_what_another_user_keeps_can_be_read(cache, monkeypatch):
+class _Planted:
+    """A pickle of it runs code."""
+
+    def __reduce__(self):
+        return exec, ("import pathlib; pathlib.Path(__import__('os').environ['PLANTED']).touch()",)
+
+
+@pytest.mark.parametrize("kind", ["folder", "file", "link", "owner"])
+def test_what_others_can_have_written_is_not_read(cache, monkeypatch, kind):
     request = _request({"x": np.arange(3.0)})
     keep(request, FAST, *_compiled(request))
-
-    def refused(path):
-        raise PermissionError
-
-    monkeypatch.setattr(kept_programs.os, "utime", refused)
+    (file,) = _programs(cache)
     assert kept(request, FAST) is not None
+    if kind == "folder":
+        cache.chmod(0o777)
+    elif kind == "file":
+        file.chmod(0o666)
+    elif kind == "link":
+        file.symlink_to(file.rename(cache / "planted"))
+    else:
+        monkeypatch.setattr(os, "geteuid", lambda: os.getuid() + 1)
+    assert kept(request, FAST) is None
+
+
+def _content(kind, head, machine_code):
+    known = json.loads(head)
+    return {
+        "pickle": lambda: pickle.dumps(_Planted()),
+        "pickled tuple": lambda: pickle.dumps(([((3,), np.dtype(float))], [0], machine_code, False)),
+        "empty": lambda: b"",
+        "number": lambda: b"5\n" + machine_code,
+        "deep": lambda: b"[" * 100_000 + b"\n" + machine_code,
+        "no entries": lambda: b"{}\n" + machine_code,
+        "other class": lambda: json.dumps(known | {"results": ["module", "os", "environ", []]}).encode(),
+        "other shapes": lambda: json.dumps(known | {"kinds": [["x", 3]]}).encode(),
+        "fewer shapes": lambda: json.dumps(known | {"kinds": []}).encode(),
+        "other program": lambda: json.dumps(known | {"file": "another"}).encode() + b"\n" + machine_code,
+    }[kind]()
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        "pickle",
+        "pickled tuple",
+        "empty",
+        "number",
+        "deep",
+        "no entries",
+        "other class",
+        "other shapes",
+        "fewer shapes",
+        "other program",
+    ],
+)
+def test_other_content_with_its_own_digest_is_as_good_as_none(cache, monkeypatch, kind):
+    monkeypatch.setenv("PLANTED", str(cache / "planted"))
+    request = _request({"x": np.arange(3.0)})
+    keep(request, FAST, *_compiled(request))
+    (file,) = _programs(cache)
+    head, _, machine_code = file.read_bytes()[32:].partition(b"\n")
+    content = _content(kind, head, machine_code)
+    file.write_bytes(hashlib.sha256(content).digest() + content)
+    assert kept(request, FAST) is None
+    assert not (cache / "planted").exists()
+
+
+def test_machine_code_of_another_program_is_not_called(cache):
+    requests = [_request({"x": np.arange(size)}) for size in (3.0, 4.0)]
+    stored = []
+    for each in requests:
+        keep(each, FAST, *_compiled(each))
+        (file,) = set(_programs(cache)) - {known for known, _ in stored}
+        stored.append((file, file.read_bytes()[32:].partition(b"\n")))
+    (file, (head, _, _)), (_, (_, _, other)) = stored
+    content = head + b"\n" + other
+    file.write_bytes(hashlib.sha256(content).digest() + content)
+    with pytest.raises(ValueError, match="another program"):
+        kept(requests[0], FAST).load()
+
+
+def test_a_pipe_in_the_place_of_a_file_is_not_waited_for(cache):
+    request = _request({"x": np.arange(3.0)})
+    keep(request, FAST, *_compiled(request))
+    (file,) = _programs(cache)
+    file.unlink()
+    os.mkfifo(file)
+    assert kept(request, FAST) is None
 
 
 def test_programs_that_nobody_uses_are_removed_after_three_months(cache):

@@ -6,6 +6,9 @@ what a program depends on: the function, what it is asked for, the source of thi
 A program that JAX has read from its own cache cannot be stored again: its code is missing, which shows when it is
 called. Programs of this module therefore stay out of that cache: they have names of their own, and JAX stores nothing
 while they are compiled.
+
+A program is code that runs, and JAX reads it as a pickle. Nothing of a file is looked at, therefore, unless this user
+alone can have written it (:mod:`asperity.own_folder`); the digest tells damage, not intent.
 """
 
 from __future__ import annotations
@@ -14,8 +17,8 @@ import contextlib
 import dataclasses
 import functools
 import hashlib
+import json
 import os
-import pickle
 import platform
 import sys
 import threading
@@ -28,6 +31,9 @@ import equinox
 import jax
 import jaxlib
 import numpy as np
+
+from asperity.module_outline import of_outline, outline
+from asperity.own_folder import read_own, write_own
 
 _PACKAGE = __name__.partition(".")[0]
 _PREFIX = "asperity-"
@@ -126,7 +132,10 @@ class KeptProgram:
             _load_lapack()
         arguments = jax.tree.structure((([0] * self.argument_count,), {}))
         results = jax.tree.structure([0] * len(jax.tree.leaves(self.results)))
-        return serialize_executable.deserialize_and_load(self.machine_code, arguments, results)
+        found = serialize_executable.deserialize_and_load(self.machine_code, arguments, results)
+        if _kinds(jax.tree.leaves(found.out_info)) != _kinds(jax.tree.leaves(self.results)):
+            raise ValueError("the machine code is that of another program")
+        return found
 
 
 @functools.cache
@@ -154,19 +163,24 @@ def kept(request: Request, choices: Choices) -> KeptProgram | None:
     if file is None:
         return None
     try:
-        stored = file.read_bytes()
+        stored = read_own(file)
     except OSError:
         return None
-    with contextlib.suppress(OSError):  # of another user
-        os.utime(file)  # it is in use
     digest, content = stored[:_DIGEST_SIZE], stored[_DIGEST_SIZE:]
     if hashlib.sha256(content).digest() != digest:  # damaged: a result must never depend on the cache
         return None
-    # a pickle, as trustworthy as the machine code that JAX keeps in the same folder of the user
-    shapes, skeleton, machine_code, needs_lapack = pickle.loads(content)
-    results = [jax.ShapeDtypeStruct(*shape) for shape in shapes]
-    found = jax.tree.unflatten(jax.tree.structure(skeleton), results)
-    return KeptProgram(found, machine_code, len(request.kinds), needs_lapack)
+    head, _, machine_code = content.partition(b"\n")
+    try:
+        known = json.loads(head)
+        if known["file"] != file.name:
+            return None
+        results = [
+            jax.ShapeDtypeStruct(tuple(map(int, shape)), np.dtype(kind)) for shape, kind in known["kinds"]
+        ]
+        found = jax.tree.unflatten(jax.tree.structure(of_outline(known["results"])), results)
+        return KeptProgram(found, machine_code, len(request.kinds), bool(known["needs_lapack"]))
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError):  # not written by this module
+        return None
 
 
 def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> None:
@@ -197,17 +211,32 @@ def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> Non
     except (ValueError, NotImplementedError, jax.errors.JaxRuntimeError):
         return
     leaves, structure = jax.tree.flatten(results)
-    skeleton = jax.tree.unflatten(structure, [0] * len(leaves))
-    shapes = [(leaf.shape, leaf.dtype) for leaf in leaves]
-    needs_lapack = "scipy.linalg" in sys.modules  # which JAX imports when it lowers a program that does
-    content = pickle.dumps((shapes, skeleton, machine_code, needs_lapack))
+    try:
+        stated = outline(results)
+        again: Any = jax.tree.structure(of_outline(stated))
+        if again != structure:
+            return
+    except ValueError:
+        return
+    known = {
+        "file": file.name,
+        "results": stated,
+        "kinds": _kinds(leaves),
+        "needs_lapack": "scipy.linalg" in sys.modules,  # which JAX imports when it lowers a program that does
+    }
+    content = json.dumps(known).encode() + b"\n" + machine_code
     part = file.with_name(f"{file.name}.{os.getpid()}.{threading.get_ident()}.part")
     try:
-        part.write_bytes(hashlib.sha256(content).digest() + content)
+        write_own(part, hashlib.sha256(content).digest() + content)
         part.replace(file)
         _remove_unused(file.parent)
     except OSError:  # a full or read-only disk only costs time at the next start
         part.unlink(missing_ok=True)
+
+
+def _kinds(leaves: list[Any]) -> list[tuple[list[int], str]]:
+    """Shape and type of each, as JSON states them."""
+    return [(list(leaf.shape), str(leaf.dtype)) for leaf in leaves]
 
 
 def _file(request: Request, choices: Choices) -> Path | None:

@@ -5,7 +5,10 @@ and the examples call :func:`use_double_precision`; a library user calls it once
 :func:`require_double_precision` and raise an error otherwise, instead of switching it on without notice.
 """
 
-from asperity.errors import PrecisionError
+import functools
+import logging
+
+from asperity.errors import PrecisionError, printable
 
 
 def use_double_precision() -> None:
@@ -36,7 +39,8 @@ def use_compilation_cache() -> None:
     """Keep compiled programs in the user's cache directory, so that later runs start in a fraction of the time.
 
     Set ``ASPERITY_CACHE_DIR`` to choose another folder, or to an empty string to switch the cache off.
-    If the folder cannot be written, the cache stays off; results never depend on it.
+    If the folder cannot be written, the cache stays off; results never depend on it. It also stays off, and a note says
+    so, if others can write to the folder: a compiled program is code that runs.
     """
     import os
     from pathlib import Path
@@ -44,16 +48,32 @@ def use_compilation_cache() -> None:
     import jax
     import platformdirs
 
+    from asperity.own_folder import NotOwnError, foreign_files, own_folder
+
     folder = os.environ.get("ASPERITY_CACHE_DIR")
     if folder == "":
         return
-    cache = Path(folder) if folder else Path(platformdirs.user_cache_dir("asperity", appauthor=False)) / "jax"
     try:
-        cache.mkdir(parents=True, exist_ok=True)
-    except OSError:
+        path = Path(
+            folder or Path(platformdirs.user_cache_dir("asperity", appauthor=False)) / "jax"
+        ).expanduser()
+        cache = own_folder(path)
+        foreign = foreign_files(cache, "-cache")
+        if foreign:
+            raise NotOwnError(f"{cache / foreign[0]} may be by another user; empty the folder")
+    except NotOwnError as error:
+        _note(f"compiled programs are not kept: {error}")
+        return
+    except (OSError, RuntimeError, ValueError):  # no place, no home, or no valid name
         return
     # programs that are kept need not say where in the source each of their operations stands: a quarter of their size
     jax.config.update("jax_traceback_in_locations_limit", 0)
     jax.config.update("jax_compilation_cache_dir", str(cache))
     jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
     jax.config.update("jax_persistent_cache_min_entry_size_bytes", -1)
+
+
+@functools.cache
+def _note(text: str) -> None:
+    """Say something once; a program that uses this package may direct it elsewhere."""
+    logging.getLogger(__name__).warning("asperity: note: %s", printable(text))

@@ -73,7 +73,7 @@ def test_wrong_changes_are_refused(joint, changes, says):
 def test_unknown_numbers_and_files_are_refused(joint, tmp_path):
     with pytest.raises(InputError, match=r"no number 'load.torque'"):
         joint["load.torque"]
-    with pytest.raises(InputError, match=r"does not state 'bearings.sun_torque'; it states drive.planets"):
+    with pytest.raises(InputError, match=r"does not state 'bearings.sun_torque'; it states load.preload"):
         joint["bearings.sun_torque"]
     with pytest.raises(InputError, match=r"there is no such file; 'asperity init' writes an example"):
         asperity.load(tmp_path / "none.toml")

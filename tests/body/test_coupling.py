@@ -8,9 +8,7 @@ import pytest
 
 from asperity.body.compliance import compliance_matrix
 from asperity.body.coupling import coupled_compliance, machine_kernel
-from asperity.drive.assembly import branch_assembly
-from asperity.drive.geometry import triangle
-from asperity.drive.planar_assembly import elongation_matrix
+from asperity.drive.planar.layout import incidence
 
 WALLS = np.array([60e-3, 30e-3, 20e-3, 15e-3, 10e-3, 6e-3, 4e-3])
 
@@ -156,17 +154,19 @@ def test_rigid_motion_left_out_does_not_matter(joint):
 
 def test_elongations_of_the_assembly_are_those_of_the_bodies(joint):
     """A disc approaches where it moves towards the contact: outward and counter-clockwise are positive in B as well."""
-    geometry = joint.GEOMETRY
-    motions = np.asarray(elongation_matrix(branch_assembly(geometry=geometry, sides=triangle(geometry))))
-    column = 1  # the sun only turns
-    for member in joint.bodies(None)[1:]:
+    matrices = incidence(joint.DRIVE)
+    radii = (joint.GEOMETRY.planet_radius, *[joint.GEOMETRY.loading_roller_radius] * 2)
+    # the sun, the first member, only turns
+    for number, (member, radius) in enumerate(zip(joint.bodies(None)[1:], radii, strict=True)):
         angle, pick = member.contact_angles[:, 0], np.array(member.contacts)
-        own = motions[:, column : column + 3]
-        assert own[pick] == pytest.approx(np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1), abs=1e-12)
-        assert own[pick + 5] == pytest.approx(
-            np.stack([-np.sin(angle), np.cos(angle), 1 + 0 * angle], 1), abs=1e-12
+        moved = slice(2 * number, 2 * number + 2)
+        assert matrices.approach[pick, moved] == pytest.approx(
+            np.stack([np.cos(angle), np.sin(angle)], 1), abs=1e-12
         )
-        column += 3
+        assert matrices.sliding[pick, moved] == pytest.approx(
+            np.stack([-np.sin(angle), np.cos(angle)], 1), abs=1e-12
+        )
+        assert matrices.turning[pick, 1 + number] == pytest.approx(np.full(pick.size, radius), rel=1e-12)
 
 
 def test_one_kernel_serves_every_load(joint):

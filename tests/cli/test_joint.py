@@ -1,9 +1,7 @@
 """``asperity joint``: the document, the tables, the refusals."""
 
-import dataclasses
 import json
 
-import numpy as np
 import pytest
 
 CONTACTS = ["sp", "pwr", "pwl", "wro", "wlo"]
@@ -37,7 +35,7 @@ def test_the_document_has_every_key_in_si(document):
         stiffness = document["torsional_stiffness"][level]
         assert set(stiffness) == {"input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin"}
     for entry in document["diagnostics"]:
-        words = {"label", "severity", "meaning", "remedy"}
+        words = {"label", "severity", "state", "meaning", "remedy"}
         assert (
             set(entry)
             == {"name", "contact", "value", "limit", "ok", "infinite", "unit", "shown", "limit_shown"} | words
@@ -164,7 +162,6 @@ def test_a_file_that_is_not_there(call):
 
 
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
-    from asperity.joint.planar import solve as solving
 
     real = solving.result_and_capacity
 

@@ -14,8 +14,8 @@ from asperity.export.mjcf import mjcf_file
 from asperity.export.modelica import modelica_file
 from asperity.export.table import csv_file
 from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.play import Play
-from asperity.joint.solve import solve
 
 ARCMINUTE = np.pi / 180.0 / 60.0
 
@@ -104,16 +104,14 @@ def test_reduction(content):
 def test_numbers_are_those_of_the_joint_solved_alone(paper_joint):
     joint = paper_joint(output_torque=4.0)
     made = export_content(joint, inertias=None, source="joint.toml", largest_torque=None, level="assembly")
-    alone = solve(joint).result
+    alone = solve_planar(joint).result
     assert made.largest_torque == 4.0
     assert made.stiffness == pytest.approx(float(alone.assembly.stiffness.output), rel=1e-9)
     assert made.drift == pytest.approx(float(alone.rolling.drift_per_output_turn), rel=1e-9)
 
 
 def test_texts_name_the_members_of_the_drive(content):
-    joint = SimpleNamespace(
-        ends=("driving ring", "cage"), play=content.joint.play, geometry=content.joint.geometry
-    )
+    joint = SimpleNamespace(ends=("driving ring", "cage"), play=content.joint.play, drive=content.joint.drive)
     other = dataclasses.replace(content, joint=joint)
     assert "Stiffness at 5 N*m, driving ring locked" in "\n".join(heading(other, what="Table"))
     assert "angle of the motor at the driving ring" in fmu_parts(other).description
@@ -140,5 +138,5 @@ def test_friction_is_the_power_that_is_not_creep_over_the_speed(content):
     solution = SimpleNamespace(result=SimpleNamespace(rolling=SimpleNamespace(power=power)))
     speed = abs(float(content.joint.sun_speed))
     assert _moving_parts(content.joint, None, solution).friction == pytest.approx(3.0 / speed)
-    still = dataclasses.replace(content.joint, sun_speed=0.0)
+    still = dataclasses.replace(content.joint, input_speed=0.0)
     assert np.isnan(_moving_parts(still, None, solution).friction)

@@ -7,18 +7,26 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from asperity.joint import all_limits as module
 from asperity.joint.all_limits import further_checks
+from asperity.joint.results import RESULTS
 from asperity.joint.rolling_conditions import DutyPoint
 
 DUTY = (DutyPoint(5.0, 50.0 * math.pi, 0.5), DutyPoint(20.0, 100.0 * math.pi, 0.3), DutyPoint(-4.0, 0.0, 0.2))
 
-RIGID = {"ring_support": "rigid_housing", "planet_bore": None, "loading_roller_bore": None}
+
+@pytest.fixture(autouse=True)
+def rows(monkeypatch):
+    """Of all results the safeties of the rims."""
+    known = {
+        name: dataclasses.replace(RESULTS[name], present=lambda solved: solved.bent)
+        for name in ("rim_yield_safety", "rim_fatigue_safety")
+    }
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: known)
 
 
 def solved(pressures, *, slips=None, duty=DUTY, branches=None, standing=(30.0, 3.0)):
-    joint = SimpleNamespace(
-        rolling=SimpleNamespace(duty=duty), ends=("sun", "carrier"), sun_speed=1.0, **RIGID
-    )
+    joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty), ends=("sun", "carrier"), sun_speed=1.0)
     slips = [0.5 * each for each in pressures] if slips is None else slips
     rolling = SimpleNamespace(duty_shakedown_ratios=np.array(pressures), duty_slip_ratios=np.array(slips))
     forward, back = (SimpleNamespace(output_torque=each) for each in standing)
@@ -26,6 +34,8 @@ def solved(pressures, *, slips=None, duty=DUTY, branches=None, standing=(30.0, 3
         joint=joint,
         result=SimpleNamespace(rolling=rolling),
         branches=branches,
+        bent=(False, False),
+        row_names=lambda axis: ("planet", "ring"),
         required_life=None,
         capacity=forward,
         reverse_capacity=back,
@@ -85,22 +95,26 @@ def test_the_worst_load_for_a_rim_is_named():
     """The second load is not carried: what the ring would bear under it says nothing."""
 
     def rims(yield_safety, fatigue_safety):
-        return SimpleNamespace(ring=SimpleNamespace(yield_safety=yield_safety, fatigue_safety=fatigue_safety))
+        return SimpleNamespace(
+            yield_safety=np.array([math.nan, yield_safety]),
+            fatigue_safety=np.array([math.nan, fatigue_safety]),
+        )
 
     joint = solved([0.5, math.nan, 0.4], standing=(30.0, 4.5))
-    tires = SimpleNamespace(ring=SimpleNamespace(fatigue_strength=300e6))
-    vars(joint.joint).update(ring_support="free", bodies=tires)
+    joint.bent = (False, True)
     joint.rims = rims(9.0, 9.0)
     joint.duty_rims = (rims(3.0, 0.9), rims(0.1, 0.1), rims(2.0, 1.8))
     found = {each.result.name: each for each in further_checks(joint)}
     assert set(found) == {
         "duty_loads_not_carried",
         "duty_shakedown_ratio",
-        "duty_ring_yield_safety",
-        "duty_ring_fatigue_safety",
+        "duty_rim_yield_safety",
+        "duty_rim_fatigue_safety",
     }
-    of_yield, of_fatigue = found["duty_ring_yield_safety"], found["duty_ring_fatigue_safety"]
-    assert (of_yield.value, of_yield.contact, of_yield.ok) == (2.0, "load 3", True)
-    assert (of_fatigue.value, of_fatigue.contact, of_fatigue.ok) == (0.9, "load 1", False)
-    assert of_fatigue.result.label == "safety of the ring against fatigue, worst load of the duty"
-    assert joint.rims.ring.yield_safety == 9.0  # that of its own torque stays
+    of_yield, of_fatigue = found["duty_rim_yield_safety"], found["duty_rim_fatigue_safety"]
+    assert (of_yield.value, of_yield.contact, of_yield.ok) == (2.0, "ring, load 3", True)
+    assert (of_fatigue.value, of_fatigue.contact, of_fatigue.ok) == (0.9, "ring, load 1", False)
+    assert (
+        of_fatigue.result.label == "safety of a ring or hollow roller against fatigue, worst load of the duty"
+    )
+    assert joint.rims.yield_safety[1] == 9.0  # that of its own torque stays

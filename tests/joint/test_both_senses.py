@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.both_senses import both_senses
-from asperity.joint.solve import solve
+from asperity.joint.planar.solve import solve_planar
 
 TORQUES = np.array([-6.0, -5.0, 0.0, 3.0, 5.0])
 
@@ -25,7 +25,7 @@ def found(joint):
 def test_points_are_joints_solved_alone(joint, found):
     for index in (1, 4):
         torque = TORQUES[index]
-        alone = solve(
+        alone = solve_planar(
             dataclasses.replace(joint, output_torque=np.asarray(torque))
         ).result  # the sun turns forwards
         assert found.published[index] == pytest.approx(float(alone.published.output), rel=1e-10)

@@ -9,11 +9,9 @@ import pytest
 from asperity.drive.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.branch_bearings import branch_bearing_lives, with_duty
-from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_conditions import DutyPoint
-from asperity.joint.solve import solve
-from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.solved_document import solved_case
 
 PIN = RatedBearing(1500.0, 1200.0, 2.0, 0.0, "roller")
 HELD = RatedBearing(5000.0, 3000.0, 1.0, 400.0, "ball")
@@ -21,9 +19,8 @@ HOUR = 3600.0
 
 
 @pytest.fixture(scope="module")
-def rated(case):
-    joint = joint_from_case(case)
-    return dataclasses.replace(joint, pin_bearing=PIN, sun_bearing=HELD, carrier_bearing=HELD)
+def rated(paper_joint):
+    return dataclasses.replace(paper_joint(), pin_bearing=PIN, input_bearing=HELD, output_bearing=HELD)
 
 
 @pytest.fixture
@@ -109,18 +106,14 @@ def of_file(joint_text):
         for load in loads:
             text += f'[[duty]]\nshare = 0.5\noutput_torque = "{load} N*m"\nsun_speed = "6000 rpm"\n\n'
         text += "".join(f'[[branch]]\nplanet_deviation = "{size} um"\n\n' for size in sizes)
-        case = parse_case(text, source="x")
-        joint = joint_from_case(case)
-        return joint, unequal_branches(case, joint)
+        return solved_case(parse_case(text, source="x"))
 
     return found
 
 
 @pytest.mark.long
 def test_equal_branches_are_the_joint_without_them(of_file):
-    joint, branches = of_file([0.0] * 3)
-    expected = SolvedJoint(joint, solve(joint).result).bearings
-    found = branch_bearing_lives(joint, branches)
+    expected, found = of_file([]).bearings, of_file([0.0] * 3).bearings
     for name in ("load", "life", "static_safety", "load_ratio"):
         np.testing.assert_allclose(getattr(found, name), getattr(expected, name), rtol=2e-6)
 
@@ -128,15 +121,13 @@ def test_equal_branches_are_the_joint_without_them(of_file):
 @pytest.mark.slow
 def test_the_force_of_the_branches_shortens_the_life_of_the_bearings_of_the_sun(of_file):
     """One planet 1 um too large, one too small: hundreds of newtons, as in the table of loads."""
-    joint, branches = of_file([1.0, 0.0, -1.0], (5.0, 13.9))
-    equal, _ = of_file([0.0] * 3)
-    found = branch_bearing_lives(joint, branches)
-    before = SolvedJoint(equal, solve(equal).result).bearings
-    load = 400.0 + math.hypot(*branches.rolling.sun_force)
+    solved = of_file([1.0, 0.0, -1.0], (5.0, 13.9))
+    found, before = solved.bearings, of_file([]).bearings
+    load = 400.0 + math.hypot(*solved.branches.rolling.sun_force)
     assert load > 600.0
     assert float(found.load[2]) == pytest.approx(load)
     assert float(before.life[2]) / float(found.life[2]) == pytest.approx((load / 400.0) ** 3)
     # 13.9 N*m is more than these branches pass
-    assert branches.duty[0] is not None
-    assert branches.duty[1] is None
+    assert solved.branches.duty[0] is not None
+    assert solved.branches.duty[1] is None
     assert np.all(np.isnan(np.asarray(found.duty_life)))

@@ -9,11 +9,10 @@ import pytest
 from asperity.joint.contacts import (
     bulk_springs,
     closure_springs,
-    joint_contacts,
     loaded_contacts,
     rough_joint_contacts,
 )
-from asperity.joint.description import Bodies
+from asperity.joint.planar.description import planar_contacts
 from asperity.materials import Material
 
 LENGTH, WALL, NU = 5e-3, 10e-3, 0.3
@@ -33,11 +32,12 @@ NORMAL = np.array([1000.0, 650.0, 460.0, 640.0, 450.0])
 @pytest.fixture(scope="module")
 def joint(paper_joint):
     made = paper_joint(ring_wall_thickness=WALL)
-    bodies = {
-        name: dataclasses.replace(getattr(made.bodies, name), youngs_modulus=np.asarray(modulus))
-        for name, modulus in MODULI.items()
-    }
-    return dataclasses.replace(made, bodies=dataclasses.replace(made.bodies, **bodies))
+    names = ("sun", "planet", "loading_roller", "loading_roller", "ring")
+    materials = tuple(
+        dataclasses.replace(material, youngs_modulus=np.asarray(MODULI[name]))
+        for name, material in zip(names, made.materials, strict=True)
+    )
+    return dataclasses.replace(made, materials=materials)
 
 
 def approach(force):
@@ -64,7 +64,7 @@ def found(joint):
 
     @eqx.filter_jit
     def said(joint, normal, lifted):
-        contacts = joint_contacts(joint)
+        contacts = planar_contacts(joint)
         loaded = loaded_contacts(
             contacts=contacts,
             normal_force=lifted,
@@ -89,7 +89,7 @@ def found(joint):
 
 def test_pairs_of_materials_by_hand(paper_joint):
     """1/E = sum (1 - nu^2)/E_i and 1/G* = sum (2 - nu)/G_i, model.md section 3; hardness of the softer body."""
-    sun, planet, roller, ring = bodies = [
+    sun, planet, roller, ring = [
         Material(modulus, ratio, 7800.0, strength, 3.0 * strength)
         for modulus, ratio, strength in (
             (200e9, 0.30, 4e8),
@@ -98,7 +98,8 @@ def test_pairs_of_materials_by_hand(paper_joint):
             (100e9, 0.34, 2e8),
         )
     ]
-    contacts = joint_contacts(dataclasses.replace(paper_joint(), bodies=Bodies(*bodies)))
+    materials = (sun, planet, roller, roller, ring)
+    contacts = planar_contacts(dataclasses.replace(paper_joint(), materials=materials))
     assert contacts.driving.youngs_modulus.tolist() == [200e9, 210e9, 210e9, 300e9, 300e9]
     assert contacts.driven.youngs_modulus.tolist() == [210e9, 300e9, 300e9, 100e9, 100e9]
     moduli = contacts.pairs.moduli

@@ -9,14 +9,9 @@ MODULUS = 206e9 / (2 * 0.91)
 RADII = [(4e-3, 13.5e-3, 1), (13.5e-3, 5e-3, 1), (13.5e-3, 5e-3, 1), (5e-3, 40e-3, -1), (5e-3, 40e-3, -1)]
 
 
-@pytest.fixture(scope="module")
-def paper(paper_joint, evaluated_together):
-    return evaluated_together(paper_joint())
-
-
-@pytest.fixture(scope="module")
-def lifted(paper_joint, evaluated_together):
-    return evaluated_together(paper_joint(output_torque=80.0))
+@pytest.fixture
+def paper(solved_paper):
+    return solved_paper[1].result
 
 
 def half_widths(normal):
@@ -51,12 +46,11 @@ def test_real_area_and_largest_spot_exceed_the_strip(paper):
     )
 
 
-def test_slip_and_self_locking(paper):
+def test_slip(paper):
     forces, found = paper.forces, paper.diagnostics
     np.testing.assert_allclose(
         found.slip_ratio, np.abs(forces.tangential) / (0.12 * forces.normal), rtol=1e-12
     )
-    assert float(found.self_locking_ratio) == pytest.approx(0.1153 / 0.12, rel=1e-3)
 
 
 def test_plastic_share_and_distance_from_lift_off(paper):
@@ -70,12 +64,3 @@ def test_plastic_share_and_distance_from_lift_off(paper):
         [1000.0, side, side, side * math.cos(math.radians(13.1582)), side * math.cos(math.radians(13.1582))]
     )
     np.testing.assert_allclose(found.normal_force_over_preload, paper.forces.normal / rest, rtol=1e-5)
-
-
-def test_a_lifted_contact_is_reported_not_hidden(lifted):
-    found = lifted.diagnostics
-    assert float(lifted.forces.normal[2]) == 0.0
-    assert float(found.normal_force_over_preload[2]) == 0.0
-    assert float(found.critical_over_largest_spot[2]) == math.inf
-    assert float(found.hertz_half_width[2]) == float(found.hertz_pressure[2]) == 0.0
-    assert float(found.slip_ratio[1]) > 1.0

@@ -6,10 +6,17 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.rolling_speeds import WEDGE_DRIVE
+from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.duty import duty_life
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 
+#: The paper's drive.
+WEDGE_DRIVE = BodiesOfContacts(
+    names=("sun", "planet", "right", "left", "ring"),
+    shared=(True, False, False, False, True),
+    driving=(0, 1, 1, 2, 3),
+    driven=(1, 2, 3, 4, 4),
+)
 SLOPE = 10.0 / 9.0
 CYCLES = 1e9  # that a track lives at a torque of 1 N·m; the life falls with the cube of the torque
 

@@ -9,8 +9,8 @@ import pytest
 
 from asperity.errors import AsperityError
 from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS
-from asperity.joint.dynamics import Inertias, _planar_dynamics, dynamics
-from asperity.joint.solve import solve
+from asperity.joint.dynamics import Inertias, _over_torque, dynamics
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.planar_build import planar_joint_from_case
 
 COUPLED = Inertias(2e-6, 0.05, 0.02)
@@ -34,7 +34,7 @@ def test_inertias_by_hand(found):
 
 @pytest.mark.slow
 def test_stiffness_and_frequency_are_those_of_the_solved_joint(paper_joint, found):
-    k = float(solve(paper_joint()).result.assembly.stiffness.output)
+    k = float(solve_planar(paper_joint()).result.assembly.stiffness.output)
     assert float(found.at_torque.stiffness) == pytest.approx(k, rel=1e-9)
     at = found.at_torque
     assert float(at.locked_frequency) == pytest.approx(
@@ -48,7 +48,7 @@ def test_stiffness_and_frequency_are_those_of_the_solved_joint(paper_joint, foun
 def test_creep_damping_is_the_slope_of_the_lost_speed(paper_joint, found):
     torques = np.array([4.999, 5.001])
     lost = [
-        float(solve(paper_joint(output_torque=t)).result.rolling.speed_loss) * 6000 * math.pi / 30 / 9
+        float(solve_planar(paper_joint(output_torque=t)).result.rolling.speed_loss) * 6000 * math.pi / 30 / 9
         for t in torques
     ]
     by_difference = np.diff(torques)[0] / (lost[1] - lost[0])
@@ -69,7 +69,7 @@ def test_a_joint_that_stands_has_no_creep(paper_joint):
 def test_over_torque_up_to_nearly_the_capacity(paper_joint, found):
     over = found.over_torque
     assert over.output_torque[0] == 0.0
-    capacity = float(solve(paper_joint()).capacity.output_torque)
+    capacity = float(solve_planar(paper_joint()).capacity.output_torque)
     assert over.output_torque[-1] == pytest.approx(0.98 * capacity, rel=1e-9)
     assert np.all(np.diff(over.locked_frequency) < 0.0)
     reverse = dynamics(dataclasses.replace(paper_joint(), output_torque=np.asarray(-5.0)), COUPLED)
@@ -96,8 +96,8 @@ def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
         name: SimpleNamespace(output_torque=value, limit=LIMIT_KINDS.index(kind))
         for name, value in limits.items()
     }
-    solution = SimpleNamespace(result=solve(paper_joint()).result, **known)
-    monkeypatch.setattr("asperity.joint.dynamics.solve_any", lambda joint: solution)
+    solution = SimpleNamespace(result=solve_planar(paper_joint()).result, **known)
+    monkeypatch.setattr("asperity.joint.dynamics.solve_planar", lambda joint: solution)
     found = dynamics(paper_joint(output_torque=torque), COUPLED)
     assert float(found.over_torque.output_torque[-1]) == pytest.approx(largest, rel=1e-12)
     assert float(found.at_torque.output_torque) == torque
@@ -112,10 +112,8 @@ def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monke
         lost_speed_slope=np.array([2e-3, 0.0, 2e-3]),
     )
     monkeypatch.setattr("asperity.joint.dynamics.over_torque", lambda *_, **__: made_up)
-    monkeypatch.setattr("asperity.joint.dynamics.body_inertias", lambda _: (1e-6, 0.01))
-    found = _planar_dynamics(
-        planar_joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0])
-    )
+    monkeypatch.setattr("asperity.joint.dynamics.planar_inertias", lambda _: (1e-6, 0.01))
+    found = _over_torque(planar_joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0]))
     lost = 2e-3 * 1500.0 * math.pi / 30.0 / 6.0
     np.testing.assert_allclose(found.creep_damping, [1.0 / lost, math.inf, 1.0 / lost], rtol=1e-12)
     np.testing.assert_allclose(found.stiffness, [9000.0, 8000.0, math.nan], rtol=1e-12)

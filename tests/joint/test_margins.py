@@ -24,6 +24,7 @@ def limit(severity, **bounds):
     return Limit(severity, "kept", "crossed", "remedy", **bounds)
 
 
+CLEARANCES = ("planet_to_planet", "left_to_right")
 STANDS = SimpleNamespace(sun_speed=0.0, rolling=SimpleNamespace(duty=()))
 ROWS = (
     row("model", "a", axis="contact", limit=limit("model", highest=1.0)),
@@ -48,8 +49,8 @@ def found(monkeypatch):
         notes=(),
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
         b=2.0,
-        gaps=np.arange(8.0) - 1.0,
-        row_names=lambda axis: CONTACT_NAMES,
+        gaps=np.arange(2.0) - 1.0,
+        row_names=lambda axis: CLEARANCES if axis == "clearance" else CONTACT_NAMES,
     )
     return {each.result.name: each for each in margins(solved)}
 
@@ -59,7 +60,7 @@ def test_the_worst_place_of_each_requirement(found):
     assert places == {
         "slip": ("pwr", 1.5, True),
         "load": ("pwl", 0.2, True),
-        "clearance": ("roller_in_ring", -1.0, False),
+        "clearance": ("planet_to_planet", -1.0, False),
         "torque_safety": ("", 2.0, True),
         "range": ("", 2.0, True),  # the bounds are included
         "band": ("pwl", 0.2, False),  # farther below than any is above

@@ -7,9 +7,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from asperity.joint import required_life as module
 from asperity.joint.all_limits import further_checks
 from asperity.joint.margins import margins
 from asperity.joint.required_life import life_checks
+from asperity.joint.results import RESULTS
 from asperity.joint.rolling_conditions import DutyPoint
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import solved_case
@@ -19,15 +21,24 @@ BEARINGS = '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_ra
 LOADS = (("10 N*m", "1500 rpm", 0.3), ("6 N*m", "3000 rpm", 0.5), ("8 N*m", "0 rpm", 0.2))
 
 
-def solved(*, life=math.nan, under_duty=math.nan, duty=(), branches=None, required=3600.0 * 500.0):
-    rolling = SimpleNamespace(life_hours=SimpleNamespace(drive=life), duty_life_hours=under_duty)
+@pytest.fixture
+def rows(monkeypatch):
+    """Of all results those of bearings."""
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: RESULTS)
+
+
+def solved(*, life=math.nan, under_duty=math.nan, duty=(), branches=None, required=3600.0 * 500.0, films=()):
+    rolling = SimpleNamespace(
+        life_hours=SimpleNamespace(drive=life), duty_life_hours=under_duty, film_ratio=np.array(films)
+    )
     joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty))
     return SimpleNamespace(
         joint=joint,
         result=SimpleNamespace(rolling=rolling),
         branches=branches,
         required_life=required,
-        has_bearings=(False,) * 8,
+        has_bearings=(False,) * 4,
+        row_names=lambda axis: ("right", "left", "sun", "carrier"),
     )
 
 
@@ -35,10 +46,12 @@ def rolling(unequal_branches, *hours):
     return dataclasses.replace(unequal_branches().standing, limits={"life_hours": np.array(hours)})
 
 
+@pytest.mark.usefixtures("rows")
 def test_nothing_is_judged_where_nothing_is_required():
     assert life_checks(solved(life=10.0, required=None)) == ()
 
 
+@pytest.mark.usefixtures("rows")
 @pytest.mark.parametrize(("hours", "ok"), [(499.0, False), (500.0, True), (501.0, True)])
 def test_a_life_is_compared_with_what_is_required(hours, ok):
     (check,) = life_checks(solved(life=hours, under_duty=7.0))
@@ -51,6 +64,22 @@ def test_a_life_is_compared_with_what_is_required(hours, ok):
     assert check.result.label == "fatigue life of the drive under its duty"
 
 
+@pytest.mark.usefixtures("rows")
+@pytest.mark.parametrize(
+    ("films", "beside"),
+    [
+        ((math.nan, 0.16, 4.0), ", without a factor for the film (boundary lubrication, lambda 0.16)"),
+        ((1.2, 4.0), ", without a factor for the film (mixed lubrication, lambda 1.2)"),
+        ((3.5, 4.0), ""),
+        ((math.nan,), ""),
+    ],
+)
+def test_a_life_says_beside_its_verdict_what_the_film_leaves_of_it(films, beside):
+    (check,) = life_checks(solved(life=600.0, films=films))
+    assert check.ok
+    assert check.result.label == f"fatigue life of the drive{beside}"
+
+
 def test_a_joint_that_stands_or_slips_has_no_life_to_compare():
     (check,) = life_checks(solved())
     assert not check.ok
@@ -59,12 +88,14 @@ def test_a_joint_that_stands_or_slips_has_no_life_to_compare():
     assert check.rule.severity == "damage"
 
 
+@pytest.mark.usefixtures("rows")
 def test_a_duty_that_the_joint_does_not_carry_is_the_reason_why_its_life_is_unknown():
     (check,) = life_checks(solved(life=600.0, duty=DUTY))
     assert not check.ok
     assert check.meaning.endswith("the joint does not carry every load of its [[duty]]")
 
 
+@pytest.mark.usefixtures("rows")
 def test_unequal_branches_live_as_long_as_the_worst_of_them(unequal_branches):
     own = dataclasses.replace(unequal_branches(), rolling=rolling(unequal_branches, 400.0, 900.0, math.nan))
     (check,) = life_checks(solved(life=2000.0, branches=own))
@@ -74,6 +105,7 @@ def test_unequal_branches_live_as_long_as_the_worst_of_them(unequal_branches):
     assert math.isnan(check.value)
 
 
+@pytest.mark.usefixtures("rows")
 def test_damage_of_unequal_branches_adds_up_under_a_duty(unequal_branches):
     """Half the time 400 h, a quarter of it 100 h, else standing: 1/(0.5/400 + 0.25/100) = 800/3 h."""
     first, second = (

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from asperity.contact.carter import creepage
-from asperity.drive.rolling_speeds import BODY_NAMES
-from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 
 TURN = 2.0 * math.pi
+BODIES = ("sun", "planet", "right_loading_roller", "left_loading_roller", "ring")
 SMOOTH = {
     "fractal_dimension": 1.9,
     "fractal_roughness": 1e-16,
@@ -21,9 +22,9 @@ SMOOTH = {
 
 
 @pytest.fixture(scope="module")
-def rolled(paper_joint, evaluated_together):
+def rolled(paper_joint):
     def result(conditions=PLAIN_ROLLING, **changes):
-        return evaluated_together(dataclasses.replace(paper_joint(**changes), rolling=conditions)).rolling
+        return solve_planar(dataclasses.replace(paper_joint(**changes), rolling=conditions)).result.rolling
 
     return result
 
@@ -34,7 +35,7 @@ def traced(paper_joint):
 
     def result(conditions, **changes):
         joint = dataclasses.replace(paper_joint(), rolling=conditions)
-        return evaluate(dataclasses.replace(jax.tree.map(jnp.asarray, joint), **changes)).rolling
+        return evaluate_planar(dataclasses.replace(jax.tree.map(jnp.asarray, joint), **changes)).rolling
 
     return result
 
@@ -47,7 +48,7 @@ def conditions(*, skew=(0.0,) * 5, duty=(), reliability=0.9):
 def test_smooth_bodies_fall_behind_by_35_arcminutes(rolled):
     """Carter's creep in both branches, computed independently: 0.589 degrees an output turn at 5 N·m."""
     found = rolled(ring_wall_thickness=60e-3, sun_speed=0.0, **SMOOTH)
-    assert float(jnp.max(found.layer_ratio)) < 2e-3
+    assert float(np.max(found.layer_ratio)) < 2e-3
     assert math.degrees(float(found.drift_per_output_turn)) == pytest.approx(0.589, rel=3e-3)
     assert float(found.speed_loss) == pytest.approx(1.63529e-3, rel=3e-3)
 
@@ -71,9 +72,6 @@ def test_creep_of_every_contact_is_carters_times_its_factor(rolled):
     np.testing.assert_allclose(
         found.creepage[1] + found.creepage[3], found.creepage[2] + found.creepage[4], rtol=2e-3
     )
-    assert float(
-        found.creepage_share[0] + found.creepage_share[1] + found.creepage_share[3]
-    ) == pytest.approx(1)
     np.testing.assert_allclose(found.stick_fraction, np.sqrt(1 - tangential / (0.12 * normal)), rtol=1e-12)
 
 
@@ -112,6 +110,7 @@ def balance(found, torque, sun_speed, sun_torque, roller_torque, carrier_torque)
     return lost, power_in - torque * carrier, power_in
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("torque", [0.7, 5.0, -3.0])
 def test_creep_and_bearings_are_what_is_missing_at_the_output(rolled, torque):
     friction = {"sun_torque": 0.01, "loading_roller_torque": 0.003, "carrier_torque": 0.02}
@@ -119,17 +118,9 @@ def test_creep_and_bearings_are_what_is_missing_at_the_output(rolled, torque):
     speed = 600 * math.pi / 3 * 1.0
     lost, missing, power_in = balance(found, torque, speed, 0.01, 0.003, 0.02)
     power = found.power
-    ours = float(jnp.sum(power.creep) + power.bearings)
+    ours = float(np.sum(power.creep) + power.bearings)
     assert ours == pytest.approx(lost, rel=1e-9)
-    # equation (5) leaves out that the bearings of the loading rollers brake the carrier that holds them
-    braking = (
-        2.0
-        * 0.5
-        * 5e-3
-        * 3.0
-        * float(found.tangential[1] - found.tangential[3] + found.tangential[2] - found.tangential[4])
-    )
-    assert ours == pytest.approx(missing + braking * float(found.output_speed), rel=1e-9)
+    assert ours == pytest.approx(missing, rel=1e-9)
     assert float(power.loss) == pytest.approx(ours, rel=1e-13)
     if torque > 0.0:
         output = torque * float(found.output_speed)
@@ -153,7 +144,7 @@ def test_turning_back_under_the_same_torque_goes_on_drifting(rolled):
     # seen in the direction of each rotation; turning back reverses it, so that both drifts have the sign of the torque
     total = float(there.drift_per_output_turn) - float(back.drift_per_output_turn)
     assert total == pytest.approx(2.0 * float(there.drift_per_output_turn), rel=5e-3)
-    np.testing.assert_allclose(back.creepage, -there.creepage[jnp.array([0, 2, 1, 4, 3])], rtol=1e-10)
+    np.testing.assert_allclose(back.creepage, -there.creepage[[0, 2, 1, 4, 3]], rtol=1e-10)
 
 
 @pytest.mark.slow
@@ -170,7 +161,7 @@ def test_hysteresis_and_oil_of_the_check_case(rolled):
     assert float(found.power.oil[0]) == pytest.approx(oil, rel=3e-3)
     for part in ("hysteresis", "oil"):
         assert np.all(np.isnan(getattr(rolled().power, part)))
-    causes = [float(jnp.sum(getattr(found.power, part))) for part in ("creep", "skew", "hysteresis", "oil")]
+    causes = [float(np.sum(getattr(found.power, part))) for part in ("creep", "skew", "hysteresis", "oil")]
     assert float(found.power.loss) == pytest.approx(sum(causes) + float(found.power.bearings), rel=1e-12)
     assert float(found.power.efficiency) == pytest.approx(float(found.power.output / found.power.input))
 
@@ -186,7 +177,7 @@ def test_skew_of_the_sun_contact(rolled):
     np.testing.assert_allclose(found.skew_creepage_factor[1:], 1.0, rtol=1e-14)
     assert 0.0 < float(found.capacity_loss[0]) < 0.1
     assert float(found.speed_loss) > float(straight.speed_loss)
-    thrust = dict(zip(BODY_NAMES, np.asarray(found.axial_thrust), strict=True))
+    thrust = dict(zip(BODIES, np.asarray(found.axial_thrust), strict=True))
     assert thrust["sun"] == pytest.approx(-3.0 * float(found.axial_force[0]))
     assert thrust["planet"] == pytest.approx(float(found.axial_force[0]))
     assert float(found.power.skew[0]) == pytest.approx(
@@ -208,6 +199,7 @@ def test_thrusts_balance(rolled):
     assert np.sum(times * np.asarray(found.axial_thrust)) == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_no_skew_is_skew_zero(rolled):
     plain, zero = rolled(), rolled(conditions(skew=(0.0,) * 5))
     np.testing.assert_allclose(zero.creepage, plain.creepage, rtol=1e-9)
@@ -343,10 +335,10 @@ def test_at_rest_only_what_needs_no_time_is_there(rolled):
     assert all(np.isnan(float(value)) for value in absent)
 
 
-@pytest.mark.parametrize("changes", [{"output_torque": 30.0}, {"fractal_dimension": 1.1}])
-def test_nothing_is_said_of_a_contact_that_slips_or_has_no_stiffness(rolled, changes):
-    found = rolled(**changes)
-    assert all(np.all(np.isnan(leaf)) for leaf in jax.tree.leaves(found))
+@pytest.mark.slow
+def test_nothing_is_said_of_a_contact_that_slips_or_has_no_stiffness(paper_joint, evaluated_together):
+    joint = paper_joint(output_torque=np.array([30.0, 5.0]), fractal_dimension=np.array([1.4, 1.1]))
+    assert all(np.all(np.isnan(leaf)) for leaf in jax.tree.leaves(evaluated_together(joint).rolling))
 
 
 @pytest.mark.long
@@ -356,7 +348,7 @@ def test_gradients_are_finite_and_right(traced, speed):
 
     @jax.jit
     def numbers(torque):
-        found = traced(given, output_torque=torque, sun_speed=speed)
+        found = traced(given, output_torque=torque, input_speed=speed)
         timed = found.power.efficiency if speed else found.drift_per_output_turn
         return jnp.stack([found.speed_loss, jnp.log(found.life_turns.drive), found.axial_force[0], timed])
 
@@ -364,20 +356,6 @@ def test_gradients_are_finite_and_right(traced, speed):
     expected = (numbers(4.0 + 1e-4) - numbers(4.0 - 1e-4)) / 2e-4
     np.testing.assert_allclose(slopes(4.0), expected, rtol=2e-5)
     assert np.all(np.isfinite(slopes(0.0)))
-
-
-@pytest.mark.slow
-def test_a_batch_is_its_members(rolled):
-    torque, preload = jnp.array([0.0, 2.0, 5.0]), jnp.array([800.0, 1000.0, 1500.0])
-    given = conditions(
-        skew=(5e-4, 1e-4, 0.0, 0.0, 2e-4),
-        duty=tuple(DutyPoint(torque, 50.0, 0.5) for torque in (2.0, 1.0, 0.0)),
-    )
-    many = rolled(given, output_torque=torque, preload=preload)
-    for i in range(3):
-        one = rolled(given, output_torque=torque[i], preload=preload[i])
-        for a, b in zip(jax.tree.leaves(many), jax.tree.leaves(one), strict=True):
-            np.testing.assert_allclose(a[..., i], b, rtol=1e-9, atol=1e-15)
 
 
 def test_conditions_are_pytrees_without_leaves_where_nothing_is_given():

@@ -1,6 +1,5 @@
 """Creep of the contacts: Carter's limit, the layer's compliance by hand, and skew."""
 
-import dataclasses
 import math
 
 import jax.numpy as jnp
@@ -11,9 +10,8 @@ from scipy.optimize import brentq
 from asperity.contact import carter
 from asperity.contact.creep_layer import uniform_layer_creepage_factor
 from asperity.contact.skew import skewed_slip_ratios
-from asperity.joint.contacts import joint_contacts
 from asperity.joint.crowned_contacts import rough_slices
-from asperity.joint.description import Crowns
+from asperity.joint.planar.description import planar_contacts
 from asperity.joint.rolling_creep import capacity_loss, contact_creep, lateral_slip_ratio
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 600.0, 500.0])
@@ -26,9 +24,9 @@ CARTER = FRICTION * WIDTH / RADIUS  # creepage at gross slip
 @pytest.fixture(scope="module")
 def creep(paper_joint):
     def of(stiffness, skew=None, slip_ratio=0.4, crown=None):
-        crowns = None if crown is None else Crowns(sun=0.0, planet=crown, loading_roller=0.0, ring=0.0)
+        crowned = {} if crown is None else {"drive__planet_crown_radius": 1.0 / crown}
         return contact_creep(
-            contacts=joint_contacts(dataclasses.replace(paper_joint(), crowns=crowns)),
+            contacts=planar_contacts(paper_joint(**crowned)),
             skew=skew,
             normal_force=jnp.asarray(NORMAL),
             tangential_force=jnp.asarray(slip_ratio * FRICTION * NORMAL),
@@ -127,10 +125,8 @@ def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
     """Smooth: where Carter's slices carry 0.4 of friction, by bisection. Rough: the even contacts as before."""
     q, crown = 0.4, 2.0
     found = creep(1.0, crown=crown)  # the asperities of every slice are those of its load
-    joint = dataclasses.replace(
-        paper_joint(), crowns=Crowns(sun=0.0, planet=crown, loading_roller=0.0, ring=0.0)
-    )
-    contacts = joint_contacts(joint)
+    joint = paper_joint(drive__planet_crown_radius=1.0 / crown)
+    contacts = planar_contacts(joint)
     lines = contacts.loads_along(jnp.asarray(NORMAL))
     load = np.asarray(lines.line_load * lines.length_share) * LENGTH
     limit = FRICTION * np.asarray(lines.half_width) / RADIUS

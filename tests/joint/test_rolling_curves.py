@@ -6,28 +6,25 @@ import math
 import numpy as np
 import pytest
 
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.rolling_curves import rolling_curves
-from asperity.joint.rolling_refusal import rolling_capacity_of
-from asperity.joint.solve import solve
 
 FRICTION = 0.12
 
 
 @pytest.fixture(scope="module")
 def joint(paper_joint):
-    return dataclasses.replace(
-        paper_joint(fractal_dimension=1.9, fractal_roughness=1e-16), sun_speed=200.0, output_torque=5.0
-    )
+    return paper_joint(fractal_dimension=1.9, fractal_roughness=1e-16, sun_speed=200.0)
 
 
 @pytest.fixture(scope="module")
 def solution(joint):
-    return solve(joint)
+    return solve_planar(joint)
 
 
 @pytest.fixture(scope="module")
 def curves(joint, solution):
-    capacity = rolling_capacity_of(joint, solution, direction=1.0)
+    capacity = float(solution.rolling_capacity.output_torque)
     return rolling_curves(joint=joint, result=solution.result, torque_capacity=capacity)
 
 
@@ -63,20 +60,20 @@ def test_curves_over_torque_and_the_map_are_the_joint_at_that_load(curves, joint
     place = 20
     torque, speed = float(curves.map_torque[place]), float(curves.map_speed[3])
     assert torque == curves.torque[place + 1]
-    own = solve(dataclasses.replace(joint, output_torque=torque)).result.rolling
+    own = solve_planar(dataclasses.replace(joint, output_torque=torque)).result.rolling
     assert curves.drift_per_output_turn[place + 1] == pytest.approx(
         float(own.drift_per_output_turn), rel=1e-9
     )
     assert curves.life_turns[place + 1] == pytest.approx(float(own.life_turns.drive), rel=1e-9)
     assert curves.life_hours[place + 1] == pytest.approx(float(own.life_hours.drive), rel=1e-9)
-    there = solve(dataclasses.replace(joint, output_torque=torque, sun_speed=speed)).result.rolling
+    there = solve_planar(dataclasses.replace(joint, output_torque=torque, input_speed=speed)).result.rolling
     assert curves.efficiency[3, place] == pytest.approx(float(there.power.efficiency), rel=1e-9)
 
 
 @pytest.mark.slow
 def test_a_standing_sun_has_no_map_and_no_hours(joint):
-    standing = dataclasses.replace(joint, sun_speed=0.0)
-    found = rolling_curves(joint=standing, result=solve(standing).result, torque_capacity=math.inf)
+    standing = dataclasses.replace(joint, input_speed=0.0)
+    found = rolling_curves(joint=standing, result=solve_planar(standing).result, torque_capacity=math.inf)
     assert found.map_speed.size == found.efficiency.size == 0
     assert np.all(np.isnan(found.life_hours))
     assert np.all(np.isfinite(found.life_turns[:20]))

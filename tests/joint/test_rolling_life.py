@@ -7,9 +7,16 @@ import numpy as np
 import pytest
 
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
-from asperity.drive.rolling_speeds import WEDGE_DRIVE, BodiesOfContacts
+from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.rolling_life import cycle_rates, drive_lives, failure_shares, track_lives
 
+#: The paper's drive.
+WEDGE_DRIVE = BodiesOfContacts(
+    names=("sun", "planet", "right", "left", "ring"),
+    shared=(True, False, False, False, True),
+    driving=(0, 1, 1, 2, 3),
+    driven=(1, 2, 3, 4, 4),
+)
 SLOPE = 10.0 / 9.0  # Lundberg and Palmgren 1947, line contact
 TRACKS = np.array([[3.0, 5.0, 7.0, 11.0, 13.0], [17.0, 19.0, 23.0, 29.0, 31.0]])
 #: The bodies of a drive of two planets with their tracks: (side, contact) of the first branch and of the second.

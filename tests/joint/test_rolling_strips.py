@@ -1,6 +1,5 @@
 """Strips of contacts that roll, under even loads: widths by Hertz, shakedown by Johnson."""
 
-import dataclasses
 import math
 
 import jax.numpy as jnp
@@ -8,8 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
-from asperity.joint.contacts import joint_contacts
-from asperity.joint.description import Crowns
+from asperity.joint.planar.description import planar_contacts
 from asperity.joint.rolling_strips import rolling_strips
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 600.0, 500.0])
@@ -20,7 +18,7 @@ LENGTH, MODULUS, YIELD = 5e-3, 206e9 / (2.0 * 0.91), 450e6
 @pytest.fixture(scope="module")
 def strips(paper_joint):
     return lambda traction: rolling_strips(
-        contacts=joint_contacts(paper_joint()),
+        contacts=planar_contacts(paper_joint()),
         normal_force=jnp.asarray(NORMAL),
         traction=jnp.asarray(traction),
     )
@@ -55,11 +53,9 @@ def test_lives_fall_with_the_load(strips):
 @pytest.fixture(scope="module")
 def crowned(paper_joint):
     """Planets with a crown of 0.3 m; the contacts of the ring stay even."""
-    joint = dataclasses.replace(
-        paper_joint(), crowns=Crowns(sun=0.0, planet=1.0 / 0.3, loading_roller=0.0, ring=0.0)
-    )
+    joint = paper_joint(drive__planet_crown_radius=0.3)
     return lambda traction: rolling_strips(
-        contacts=joint_contacts(joint), normal_force=jnp.asarray(NORMAL), traction=jnp.asarray(traction)
+        contacts=planar_contacts(joint), normal_force=jnp.asarray(NORMAL), traction=jnp.asarray(traction)
     )
 
 

@@ -6,8 +6,12 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint.branch_results import BranchCapacity, BranchState
-from asperity.joint.branch_sizes import BranchSizes
+from asperity.joint.branch_sizes import SectorDeviations
 from asperity.joint.size_errors import size_error_curves
+
+
+def deviations(planet):
+    return SectorDeviations({"planet": np.array(planet)}, np.zeros((3, 1)), np.ones(1), 0.0)
 
 
 class ThreeBranches:
@@ -17,7 +21,7 @@ class ThreeBranches:
 
     def branches(self, sizes, *, slip):
         assert not slip
-        preload = 1000.0 + 1e9 * sizes.planet
+        preload = 1000.0 + 1e9 * sizes.deviations["planet"]
         weakest = 3e-3 * preload.min()
         state = BranchState(
             preload, 6.0 * preload / preload.sum(), np.zeros(3), np.zeros(2), np.array([3.0, 4.0])
@@ -34,7 +38,7 @@ class ThreeBranches:
 
 
 def test_only_the_first_planet_changes():
-    sizes = BranchSizes(np.array([0.0, 100e-9, 200e-9]), np.zeros(3), np.zeros(3), 0.0)
+    sizes = deviations([0.0, 100e-9, 200e-9])
     deviation = np.array([-500e-9, 0.0, 500e-9])
     found = size_error_curves(ThreeBranches(), sizes, deviation)
     np.testing.assert_array_equal(found.deviation, deviation)
@@ -53,13 +57,13 @@ class LoosePlanets(ThreeBranches):
     """The same, refused where a planet is loose."""
 
     def branches(self, sizes, *, slip):
-        if sizes.planet.min() < -200e-9:
+        if sizes.deviations["planet"].min() < -200e-9:
             raise InputError("loose")
         return super().branches(sizes, slip=slip)
 
 
 def test_a_refused_joint_leaves_a_gap():
-    sizes = BranchSizes(np.zeros(3), np.zeros(3), np.zeros(3), 0.0)
+    sizes = deviations([0.0, 0.0, 0.0])
     found = size_error_curves(LoosePlanets(), sizes, np.array([-500e-9, 0.0]))
     for curve in (found.first_slip, found.all_slip, found.sun_force, found.standing_share[:, 0]):
         np.testing.assert_array_equal(np.isnan(curve), [True, False])

@@ -2,82 +2,59 @@
 
 import math
 
+import jax
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from asperity.errors import AsperityError, InputError
-from asperity.joint.solve import solve
+from asperity.errors import AsperityError, InputError, PrecisionError
+from asperity.joint.planar.solve import solve_planar
 
 
 def refusal(joint) -> str:
     with pytest.raises(InputError) as refused:
-        solve(joint)
+        solve_planar(joint)
     return str(refused.value)
 
 
-def test_the_paper_s_joint(paper_joint):
-    """Guide values of the issue; T_sp by hand: 5 N·m / 9 / (3 * 4 mm)."""
-    result = solve(paper_joint()).result
-    assert float(result.forces.tangential[0]) == pytest.approx(5.0 / 9.0 / 0.012, rel=1e-12)
+def test_the_papers_joint(solved_paper, paper_joint):
+    """T_sp by hand: 5 N·m/9/(3 * 4 mm); 5.0e6 N·m/rad at the output for a small torque, about 4.3e6 at 5 N·m."""
+    result = solved_paper[1].result
+    assert float(result.forces.tangential[0]) == pytest.approx(5.0 / 9.0 / 0.012, rel=1e-9)
     assert float(result.published.output) == pytest.approx(4.3e6, rel=0.02)
-    assert float(solve(paper_joint(output_torque=1e-6)).result.published.output) == pytest.approx(
-        5.0e6, rel=0.02
-    )
+    small = solve_planar(paper_joint(output_torque=1e-6)).result
+    assert float(small.published.output) == pytest.approx(5.0e6, rel=0.02)
     assert isinstance(result.forces.normal, np.ndarray)
+    # the carrier turns against the sun, 1 + 40/4 - 2 times as slowly
+    assert float(result.speed_ratio) == pytest.approx(-9.0)
+    assert float(result.output_speed) == pytest.approx(-6000.0 * math.pi / 30.0 / 9.0)
 
 
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"ring_radius": 30e-3}, "the planet must not touch the ring (R_s + 2 R_p < R_o); the gap is -1 mm"),
-        (
-            {"ring_radius": 60e-3},
-            "must reach from the planet to the ring (R_s + 2 R_p + 2 R_w > R_o); the gap is -19 mm",
-        ),
-        (
-            {"loading_roller_radius": 50e-3},
-            "the loading roller must be smaller than the ring; the gap is -10 mm",
-        ),
-        ({"planet_count": 5.0}, "neighbouring planets must not overlap; the gap is -6.428 mm"),
+        ({"ring_radius": 30e-3}, "planet and ring overlap by 1 mm"),
+        ({"ring_radius": 60e-3}, "there is no place for right_loading_roller"),
+        ({"loading_roller_radius": 50e-3}, "there is no place for right_loading_roller"),
+        ({"planet_count": 5.0}, r"neighbours of planet overlap by 6\.42752 mm"),
         # OW sin(alpha) against R_w, both from the radii by hand
-        ({"ring_radius": 40.9e-3}, "the two loading rollers of one planet must not overlap"),
-        ({"preload": 1e8}, "too wide for a radius or wall"),
-        ({"pin_friction_coefficient": 2.0, "pin_diameter": 8e-3}, "the pins lock"),
+        ({"ring_radius": 40.9e-3}, "right_loading_roller and left_loading_roller overlap"),
+        ({"preload": 1e8}, "with a preload of 1e8 N no state was found"),
+        # the wedge angle is 13.158 degrees
+        ({"right_push_angle": -1.4}, "wro would have to pull"),
+        ({"left_push_angle": -1.4}, "wlo would have to pull"),
         (
             {"pin_diameter": 20e-3},
-            "the pin diameter 20 mm must be below the diameter of the loading roller, 10 mm",
+            "the pin diameter 20 mm must be below the diameter of right_loading_roller, 10 mm",
         ),
-        ({"output_torque": -30.0}, "the output torque -30 N·m is beyond the torque capacity -13.17 N·m"),
-        ({"planet_count": 8.0}, "neighbouring planets must not overlap"),
-        ({"planet_count": 2.5}, "planet_count = 2.5 is not allowed; it must be a whole number"),
-        ({"fractal_dimension": 2.3}, "surfaces[0].fractal_dimension = 2.3 (SI units) is not allowed"),
-        ({"fractal_dimension": 1.0}, "it must be above 1 and below 2"),
-        (
-            {"friction_coefficient": 0.0},
-            "friction_coefficients[0] = 0 (SI units) is not allowed; it must be above 0",
-        ),
-        ({"output_torque": np.inf}, "output_torque = inf N·m is not allowed; it must be finite"),
-        (
-            {"contact_factor_model": "Printed"},
-            "contact_factor_model = 'Printed': there is no such variant; choose ",
-        ),
-        ({"closure": "Elastic"}, "choose elastic or constant_pin_force"),
-        ({"asperity_base": "round"}, "choose majumdar_bhushan_1991 or circular_spot"),
-        ({"preload": np.full(3, 1000.0)}, "has the shape (3,): solve takes one joint"),
-        # the wedge angle is 13.158 degrees
-        (
-            {"right_push_angle": -1.4},
-            "right_push_angle -80.21 deg pulls the right loading roller off the ring",
-        ),
-        ({"left_push_angle": -1.4}, "the angle must be above -76.84 deg, the wedge angle less 90 deg"),
-        ({"output_torque": 30.0}, "the output torque 30 N·m is beyond the torque capacity"),
-        ({"output_torque": 0.0, "loading_roller_torque": 100.0}, "which is 0 N·m"),
+        ({"pin_friction_coefficient": 2.0, "pin_diameter": 8e-3}, "the pins lock"),
+        ({"output_torque": -30.0}, "the output torque -30 N·m is beyond the torque capacity -13.1"),
     ],
 )
 def test_what_cannot_exist_is_refused_with_its_numbers(paper_joint, changes, said):
-    assert said in refusal(paper_joint(**changes))
+    with pytest.raises(AsperityError, match=said):
+        solve_planar(paper_joint(**changes))
 
 
 def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
@@ -86,18 +63,25 @@ def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
     capacity = float(message.split("torque capacity ")[1].split(" ")[0])
     assert "contact sp slips" in message
     assert capacity / 9.0 / 0.012 == pytest.approx(0.12 * 1000.0, rel=0.03)  # N_sp stays near the preload
-    solve(paper_joint(output_torque=capacity * 0.999))
+    solve_planar(paper_joint(output_torque=capacity * 0.999))
     refusal(paper_joint(output_torque=capacity * 1.001))
 
 
 def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_joint):
-    capacities = [solve(paper_joint(output_torque=torque)).capacity for torque in (0.0, 5.0, 13.0)]
+    capacities = [solve_planar(paper_joint(output_torque=torque)).capacity for torque in (0.0, 5.0, 13.0)]
     assert {int(found.limiting_contact) for found in capacities} == {0}
     torques = [float(found.output_torque) for found in capacities]
-    assert torques == pytest.approx([torques[0]] * 3, rel=1e-12)
+    assert torques == pytest.approx([torques[0]] * 3, rel=1e-9)
 
 
-@settings(max_examples=60, deadline=None)
+def test_single_precision_is_refused(paper_joint):
+    joint = paper_joint()
+    with jax.enable_x64(False), pytest.raises(PrecisionError, match="use_double_precision"):
+        solve_planar(joint)
+
+
+@pytest.mark.slow
+@settings(max_examples=40, deadline=None)
 @given(data=st.data())
 def test_any_joint_is_refused_or_has_a_finite_balanced_result(paper_joint, data):
     ranges = {
@@ -114,10 +98,8 @@ def test_any_joint_is_refused_or_has_a_finite_balanced_result(paper_joint, data)
         "fractal_dimension": (1.001, 1.999),
         "fractal_roughness": (1e-30, 1e-3),
         "contact_length": (1e-6, 100.0),
-        "hardness": (1e3, 1e12),
         "density": (1.0, 1e5),
         "ring_wall_thickness": (1e-6, 100.0),
-        "pin_friction_coefficient": (0.0, 1.0),
         "left_push_angle": (-1.0, 1.0),
     }
     names = data.draw(st.lists(st.sampled_from(sorted(ranges)), min_size=1, max_size=4, unique=True))
@@ -129,26 +111,22 @@ def test_any_joint_is_refused_or_has_a_finite_balanced_result(paper_joint, data)
         else:
             changes[name] = data.draw(st.floats(low, high))
     try:
-        result = solve(paper_joint(**changes)).result
+        result = solve_planar(paper_joint(**changes)).result
     except AsperityError as error:
         assert error.exit_code in (2, 3)  # noqa: PT017
         return
-    for numbers in (
-        result.forces.normal,
-        result.forces.tangential,
-        result.forces.pin_left,
-    ):
+    for numbers in (result.forces.normal, result.forces.tangential, result.forces.pins):
         assert np.all(np.isfinite(numbers)), changes
     assert np.all(result.forces.normal >= 0.0)
     assert not float(result.published.output) < 0.0
 
 
-def test_the_levels_of_stiffness_have_no_value_where_every_spot_is_plastic(paper_joint):
+def test_the_levels_of_stiffness_have_no_value_where_every_spot_is_plastic(solved_paper, paper_joint):
     """D = 1.2: the law says 0, boundary elements 13 to 780 N/um of a square millimetre (docs/validity.md)."""
-    result = solve(paper_joint(fractal_dimension=1.2)).result
+    result = solve_planar(paper_joint(fractal_dimension=1.2)).result
     assert not bool(result.contact_law_holds)
     for level in (result.published, result.series_with_bulk, result.assembly.stiffness):
         assert math.isnan(float(level.output))
         assert math.isnan(float(level.sun))
     assert np.isfinite(result.forces.normal).all()
-    assert bool(solve(paper_joint()).result.contact_law_holds)
+    assert bool(solved_paper[1].result.contact_law_holds)

@@ -9,7 +9,7 @@ import pytest
 from asperity.drive.bearing_life import RatedBearing
 from asperity.joint.bearing_lives import BearingLives
 from asperity.joint.rim_safety import BodyRims
-from asperity.joint.strength_document import bearing_entries, rim_entries
+from asperity.joint.strength_document import bearing_entries, rim_entry
 
 
 def bearing(*, life, duty_life, load=10.0, duty=("a load",)):
@@ -50,19 +50,15 @@ def test_what_is_absent_has_a_reason(numbers, said):
     assert all(words in text for words, text in zip(said, entry["absent_because"], strict=True))
 
 
-def test_only_bodies_that_bend_have_entries():
+def test_both_rims_of_a_body_that_bends():
     rims = BodyRims(
         *(np.array([1.0, 2.0]) * factor for factor in (1, 2, 3, 4)), np.float64(5.0), np.float64(np.nan)
     )
-    joint = SimpleNamespace(ring_support="free", planet_bore=None, loading_roller_bore=None)
-    entries = rim_entries(SimpleNamespace(joint=joint, rims=SimpleNamespace(ring=rims)))
-    assert entries == {
-        "ring": {
-            "stress_Pa": {"inner": 1.0, "outer": 2.0},
-            "stress_at_rest_Pa": {"inner": 2.0, "outer": 4.0},
-            "mean_Pa": {"inner": 3.0, "outer": 6.0},
-            "amplitude_Pa": {"inner": 4.0, "outer": 8.0},
-            "yield_safety": 5.0,
-            "fatigue_safety": None,
-        }
+    assert rim_entry(rims) == {
+        "stress_Pa": {"inner": 1.0, "outer": 2.0},
+        "stress_at_rest_Pa": {"inner": 2.0, "outer": 4.0},
+        "mean_Pa": {"inner": 3.0, "outer": 6.0},
+        "amplitude_Pa": {"inner": 4.0, "outer": 8.0},
+        "yield_safety": 5.0,
+        "fatigue_safety": None,
     }

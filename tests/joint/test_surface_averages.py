@@ -5,7 +5,6 @@ import dataclasses
 import pytest
 
 from asperity.joint.surface_averages import surface_averages
-from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import si_values
@@ -13,7 +12,7 @@ from asperity.surface.roughness_average import corresponding_average
 
 
 def test_alike_surfaces_are_one_entry(case):
-    joint, stated = joint_from_case(case), si_values(case)["surface"]
+    joint, stated = planar_joint_from_case(case), si_values(case)["surface"]
     (found,) = surface_averages(joint, stated)
     assert found["contacts"] == ["sp", "pwr", "pwl", "wro", "wlo"]
     expected = corresponding_average(fractal_dimension=1.4, fractal_roughness=1e-11, cut_off=None)
@@ -35,7 +34,9 @@ def test_the_contacts_are_those_of_the_drive(zou_file):
 
 
 def test_the_cut_off_of_a_stated_ra_is_kept(case):
-    (found,) = surface_averages(joint_from_case(case), {"roughness_average": 0.2e-6})
+    (found,) = surface_averages(planar_joint_from_case(case), {"roughness_average": 0.2e-6})
     assert found["cut_off_m"] == 0.8e-3
-    (found,) = surface_averages(joint_from_case(case), {"roughness_average": 0.2e-6, "cut_off": 2.5e-3})
+    (found,) = surface_averages(
+        planar_joint_from_case(case), {"roughness_average": 0.2e-6, "cut_off": 2.5e-3}
+    )
     assert found["cut_off_m"] == pytest.approx(2.5e-3)

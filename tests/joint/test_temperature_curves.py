@@ -3,17 +3,15 @@
 import dataclasses
 from types import SimpleNamespace
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.errors import InputError
 from asperity.joint import temperature_curves as module
 from asperity.joint.description import Fit
-from asperity.joint.interference import joint_preload
-from asperity.joint.solve import solve
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.temperature_curves import temperature_curves
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 
 
@@ -22,53 +20,8 @@ def test_a_force_has_no_curve(paper_joint):
         temperature_curves(paper_joint())
 
 
-@pytest.mark.parametrize(
-    ("assembly", "working", "first", "last"), [(20.0, 60.0, 0.0, 80.0), (90.0, 20.0, -15.0, 125.0)]
-)
-def test_the_axis_and_the_interference_by_hand(monkeypatch, paper_joint, assembly, working, first, last):
-    """20 K on either side, or half of what is between; 13 um when assembled and 0.2 um less for each kelvin more."""
-    asked = []
-    monkeypatch.setattr(module, "joint_preload", lambda joint, length: asked.append(length) or 1e8 * length)
-    monkeypatch.setattr(
-        module, "compile_fast", lambda *_: lambda points: (30.0 * points.preload, 0.013 * points.preload)
-    )
-    fit = Fit(13e-6, -2e-7, assembly, working)
-    found = temperature_curves(dataclasses.replace(paper_joint(), fit=fit))
-    temperature = np.linspace(first, last, 41)
-    np.testing.assert_allclose(found.temperature, temperature, atol=1e-12)
-    length = 13e-6 - 2e-7 * (temperature - assembly)
-    np.testing.assert_allclose(asked[0], length, atol=1e-18)
-    np.testing.assert_allclose(found.preload, 1e8 * length, atol=1e-9)
-    np.testing.assert_allclose(found.stiffness, np.where(length > 0.0, 3e9 * length, np.nan), atol=1e-7)
-    np.testing.assert_allclose(
-        found.torque_capacity, np.where(length > 0.0, 1.3e6 * length, np.nan), atol=1e-9
-    )
-
-
-@pytest.mark.parametrize("sense", [1.0, -1.0])
-def test_the_papers_drive_has_stiffness_where_no_contact_slips(monkeypatch, paper_joint, sense):
-    preload = jnp.array([800.0, 600.0, 400.0, jnp.nan])
-    solution = SimpleNamespace(
-        solved=jnp.array([True, True, False, True]),
-        diagnostics=SimpleNamespace(slip_ratio=jnp.array([[0.5, 1.0, 0.5, 0.5], [0.9, 0.5, 0.5, 0.5]])),
-        assembly=SimpleNamespace(stiffness=SimpleNamespace(output=jnp.full(4, 3e4))),
-    )
-    monkeypatch.setattr(module, "evaluate", lambda joint: solution)
-    monkeypatch.setattr(
-        module,
-        "torque_capacity",
-        lambda joint, direction: SimpleNamespace(
-            output_torque=0.01 * joint.preload * (1.0 + 0.1 * direction)
-        ),
-    )
-    joint = dataclasses.replace(paper_joint(output_torque=5.0 * sense), preload=preload)
-    stiffness, capacity = module._over_preload(joint)
-    np.testing.assert_array_equal(stiffness, [3e4, np.nan, np.nan, 3e4])
-    np.testing.assert_allclose(capacity, np.array([8.0, 6.0, 4.0, np.nan]) * (1.0 + 0.1 * sense))
-
-
 @pytest.mark.parametrize(("torque", "limit"), [(5.0, 5.5), (-5.0, 6.5)])
-def test_other_drives_have_stiffness_below_their_capacity(monkeypatch, torque, limit):
+def test_there_is_stiffness_below_their_capacity(monkeypatch, torque, limit):
     """Capacity falls by 0.1 N·m a kelvin from 7 and 8 N·m at 25 °C; a contact opens above 55 °C."""
 
     def solved(joint, temperature):
@@ -81,7 +34,6 @@ def test_other_drives_have_stiffness_below_their_capacity(monkeypatch, torque, l
         limits = np.array([7.0, 8.0]) - 0.1 * away
         return result, SimpleNamespace(standing=SimpleNamespace(output_torque=limits))
 
-    monkeypatch.setattr(module, "PlanarJoint", SimpleNamespace)
     monkeypatch.setattr(module, "solved_at", solved)
     found = temperature_curves(SimpleNamespace(fit=Fit(0.0, 0.0, 20.0, 40.0), output_torque=torque))
     temperature = np.asarray(found.temperature)
@@ -101,21 +53,20 @@ def test_the_curve_goes_through_the_solved_joint(joint_text):
         'bodies = "exact"', 'bodies = "springs"'
     )
     text = text.replace("[model]", '[temperature]\nassembly = "20 °C"\nworking = "32 °C"\n\n[model]')
-    joint = joint_from_case(parse_case(text, source="x"))
+    joint = planar_joint_from_case(parse_case(text, source="x"))
     curves = temperature_curves(joint)
-    solution = solve(joint)
+    solution = solve_planar(joint)
 
     def at_work(values):
         return float(np.interp(32.0, np.asarray(curves.temperature), np.asarray(values)))
 
-    assert at_work(curves.preload) == pytest.approx(float(joint.preload), rel=2e-3)
+    assert at_work(curves.preload) == pytest.approx(float(solution.result.preload), rel=2e-3)
     assert at_work(curves.torque_capacity) == pytest.approx(float(solution.capacity.output_torque), rel=2e-3)
     stiffness = float(solution.result.assembly.stiffness.output)
     assert at_work(curves.stiffness) == pytest.approx(stiffness, rel=2e-3)
-    middle = np.asarray(joint_preload(joint, joint.fit.interference))
-    assert float(
-        np.interp(20.0, np.asarray(curves.temperature), np.asarray(curves.preload))
-    ) == pytest.approx(float(middle), rel=2e-3)
+    cool = dataclasses.replace(joint.fit, working_temperature=joint.fit.assembly_temperature)
+    middle = float(solve_planar(dataclasses.replace(joint, fit=cool)).result.preload)
+    assert np.interp(20.0, curves.temperature, curves.preload) == pytest.approx(middle, rel=2e-3)
     loose = np.asarray(curves.preload) == 0.0
     assert np.any(loose)
     assert np.all(np.isnan(np.asarray(curves.torque_capacity)[loose]))

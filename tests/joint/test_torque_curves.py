@@ -6,18 +6,19 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.joint.solve import solve
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.torque_curves import torque_curves
 from asperity.joint_file.planar_build import planar_joint_from_case
 
 
+@pytest.mark.slow
 def test_points_are_joints_solved_alone(paper_joint):
     joint = paper_joint()
-    capacity = float(solve(joint).capacity.output_torque)
+    capacity = float(solve_planar(joint).capacity.output_torque)
     found = torque_curves(joint=joint, torque_capacity=capacity)
     assert found.torque[-1] == capacity
     for index in (10, 30):
-        alone = solve(dataclasses.replace(joint, output_torque=np.asarray(found.torque)[index])).result
+        alone = solve_planar(dataclasses.replace(joint, output_torque=np.asarray(found.torque)[index])).result
         assert found.published[index] == pytest.approx(float(alone.published.output), rel=1e-10)
         assert found.series_with_bulk[index] == pytest.approx(float(alone.series_with_bulk.output), rel=1e-10)
         assert found.assembly[index] == pytest.approx(float(alone.assembly.stiffness.output), rel=1e-10)
@@ -35,6 +36,7 @@ def test_points_are_joints_solved_alone(paper_joint):
         assert found.slip_ratio[index] == pytest.approx(slip, rel=1e-10)
 
 
+@pytest.mark.slow
 def test_ends_of_the_axis(paper_joint):
     backwards = torque_curves(joint=paper_joint(output_torque=-2.0), torque_capacity=10.0)
     assert backwards.torque[0] == 0.0
@@ -45,12 +47,14 @@ def test_ends_of_the_axis(paper_joint):
     assert without.torque[-1] == 1.0
 
 
+@pytest.mark.slow
 def test_no_stiffness_where_a_contact_slips(paper_joint):
     beyond = torque_curves(joint=paper_joint(), torque_capacity=20.0)  # slips at 13 N·m
-    slips = np.asarray(beyond.slip_ratio) >= 1.0
-    assert slips.any()
-    assert np.isnan(np.asarray(beyond.assembly)[slips]).all()
-    assert np.isfinite(np.asarray(beyond.assembly)[~slips]).all()
+    slips = np.isnan(beyond.slip_ratio)
+    assert beyond.torque[slips].min() == pytest.approx(
+        13.2, abs=0.2
+    )  # 27 R_s mu N, and a little for the wedge
+    np.testing.assert_array_equal(np.isnan(beyond.assembly), slips)
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])

@@ -7,12 +7,11 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint.solve import solve
 from asperity.joint.windup import is_symmetric, windup, windup_of
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.show.windup_figure import windup_figure
-from asperity.zou2025.preset import operating_grid, table_2_joint
 
 STAGES = (1.0 / 3.0, 2.0 / 3.0)
 K0, LIMIT, LARGEST = 2.0e4, 10.0, 8.0
@@ -90,8 +89,10 @@ def test_a_linear_spring_loses_nothing():
 
 
 @pytest.fixture(scope="module")
-def joint_curve():
-    return windup(table_2_joint(operating_grid()), largest_torque=12.0, level="assembly", stage_shares=STAGES)
+def joint_curve(paper_joint):
+    return windup(
+        paper_joint(ring_wall_thickness=60e-3), largest_torque=12.0, level="assembly", stage_shares=STAGES
+    )
 
 
 @pytest.mark.slow
@@ -106,9 +107,14 @@ def test_the_joint_agrees_with_a_trapezoidal_integration_of_its_own_stiffness(jo
 
 
 @pytest.mark.slow
-def test_past_the_capacity_is_refused_with_the_torque():
+def test_past_the_capacity_is_refused_with_the_torque(paper_joint):
     with pytest.raises(InputError, match=r"14 N·m is beyond the torque capacity: contact sp slips at 1[34]"):
-        windup(table_2_joint(operating_grid()), largest_torque=14.0, level="published", stage_shares=STAGES)
+        windup(
+            paper_joint(ring_wall_thickness=60e-3),
+            largest_torque=14.0,
+            level="published",
+            stage_shares=STAGES,
+        )
 
 
 @pytest.mark.parametrize("stages", [(0.5, 0.4), (0.0, 0.5), (0.5, 1.0)])
@@ -183,8 +189,9 @@ def test_play_is_part_of_every_curve(width):
     assert float(curve.stiffness[inside]) == pytest.approx(1.0 / (1.0 / K0 + slope), rel=1e-9)
 
 
-def test_without_slip_the_joint_has_no_loop():
-    joint = table_2_joint(operating_grid(friction_coefficient=np.array(1e6)))
+@pytest.mark.slow
+def test_without_slip_the_joint_has_no_loop(paper_joint):
+    joint = paper_joint(friction_coefficient=1e6)
     for level in ("published", "assembly"):
         curve = windup(joint, largest_torque=12.0, level=level, stage_shares=STAGES)
         assert abs(float(curve.hysteresis)) < 1e-7 * float(curve.angle[-1])
@@ -230,7 +237,7 @@ def test_stiffness_of_both_directions_is_that_of_the_solver(paper_joint):
     )
     at = {torque: int(np.argmin(np.abs(np.asarray(curve.torque) - torque))) for torque in (-8.0, 8.0)}
     for torque, index in at.items():
-        solved = solve(paper_joint(closure="constant_pin_force", output_torque=torque)).result
+        solved = solve_planar(paper_joint(closure="constant_pin_force", output_torque=torque)).result
         assert float(curve.stiffness[index]) == pytest.approx(
             float(solved.assembly.stiffness.output), rel=1e-9
         )

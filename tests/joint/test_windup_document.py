@@ -9,7 +9,7 @@ import pytest
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint import windup_document as module
-from asperity.joint.solve import Solution
+from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.windup_document import (
     examined_windup,
     rolling_columns,
@@ -24,8 +24,12 @@ CAPACITIES = {"forward": {"output_torque_Nm": 13.0}, "reverse": {"output_torque_
 @pytest.fixture
 def document(monkeypatch):
     """12 N·m turn the output by 1.2 mrad; backwards the first stage is half as stiff."""
-    monkeypatch.setattr(module, "capacity_document", lambda capacity, contacts: CAPACITIES[capacity])
-    monkeypatch.setattr(module, "why_unknown", lambda joint, solution: [f"no {solution.result.name}"])
+    monkeypatch.setattr(
+        module,
+        "planar_capacity_document",
+        lambda one, other: CAPACITIES[one.capacity] | {"reverse": CAPACITIES[other.reverse_capacity]},
+    )
+    monkeypatch.setattr(module, "unknown_because", lambda joint, result: [f"no {result.name}"])
     torque = np.linspace(-12.0, 12.0, 5)
     curve = SimpleNamespace(
         torque=torque, angle=1e-4 * torque, hysteresis=2e-5, lost_motion=3e-5, dissipated_energy=4e-3,
@@ -42,11 +46,11 @@ def document(monkeypatch):
         contacts=contacts, creep_share=0.1, static_angle=1e-3, steady_angle=0.05, missing_angle=2e-4,
         still_angle=3e-3, width_angle=1e-2 * np.arange(1.0, 6.0),
     )  # fmt: skip
-    solutions = tuple(object.__new__(Solution) for _ in range(2))
+    solutions = tuple(object.__new__(PlanarSolution) for _ in range(2))
     for solution, name in zip(solutions, ("one", "other"), strict=True):
         result = SimpleNamespace(name=name, contact_names=CONTACT_NAMES)
         vars(solution).update(capacity="forward", reverse_capacity="reverse", result=result)
-    joint = SimpleNamespace(contact_names=CONTACT_NAMES)
+    joint = SimpleNamespace(contact_names=CONTACT_NAMES, unlike=None)
     return windup_document(joint, curve, solutions, (onset, None), level="assembly")
 
 

@@ -171,3 +171,14 @@ def test_a_ring_bends_in_one_way(name, support, springs, told):
     own = 'ring_support = "free"' if name == "planetary" else 'ring_support = "rigid_housing"'
     with pytest.raises(InputError, match=told):
         read(name, (own, f'ring_support = "{support}"'), ("[model]", f"[compliance]\n{springs}\n\n[model]"))
+
+
+def test_lengths_and_pins_reach_the_joint():
+    keys = '[bearings]\npin_length = "16 mm"\npin_support = "one_end"\npin_diameter = "6 mm"\n\n[model]'
+    length = ('contact_length = "10 mm"', 'contact_length = "10 mm"\nplanet_length = "14 mm"')
+    joint = planar_joint_from_case(read("planetary", ("[model]", keys), length))
+    assert (joint.pin.free_length, joint.pin.support, joint.pin.diameter) == (0.016, "one_end", 0.006)
+    assert joint.shapes[1].length == pytest.approx(14e-3)
+    listed = planar_joint_from_case(read("planar", ('place = "free"', 'place = "free"\nlength = "7 mm"')))
+    assert [shape.length for shape in listed.shapes] == [None, pytest.approx(7e-3), None, None, None]
+    assert listed.pin is None

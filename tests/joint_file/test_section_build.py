@@ -77,7 +77,7 @@ def test_rolling_oil_and_duty_of_a_file():
     assert found.skew == pytest.approx((5e-4, 0.0, 0.0, -1e-3, 0.0))
     assert found.viscosity == pytest.approx(0.0305)
     assert found.pressure_viscosity_coefficient == pytest.approx(29e-9)
-    assert found.roughness == pytest.approx(0.25e-6)
+    assert found.roughness == pytest.approx((0.25e-6,))
     assert (found.hysteresis_loss_factor, found.reliability) == (0.01, 0.95)
     assert [point.output_torque for point in found.duty] == [5.0, -1.0]
     assert [point.share for point in found.duty] == [0.25, 0.75]

@@ -4,7 +4,7 @@ import types
 import pytest
 
 from asperity.drive.geometry import CONTACT_NAMES
-from asperity.joint.results import SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.show.compliance_figure import compliance_figure, compliance_shares
 
 SHARES = {

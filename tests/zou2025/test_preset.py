@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 
 from asperity.contact.fractal import FractalContact
-from asperity.drive.geometry import angles, triangle
-from asperity.joint_file.build import joint_from_case
+from asperity.drive.geometry import triangle
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.zou2025 import preset
 from asperity.zou2025.curves import Curves
+from asperity.zou2025.published import published_joint
 
 # K_t in N/mm: R1/R2 = 10/20 mm, B = 5 mm, F_n = 1000 N, T = 0, G = 1e-8 mm, printed contact factor
 REFERENCE = {
@@ -103,7 +105,8 @@ def test_guide_values_of_the_forces_at_full_torque(curves: Curves) -> None:
 
 def test_geometry_of_table_2() -> None:
     geometry = preset.table_2_joint(preset.operating_grid()).geometry
-    assert math.degrees(float(angles(triangle(geometry)).wedge)) == pytest.approx(13.1582, abs=1e-4)
+    wedge = math.asin(float(triangle(geometry).sin_wedge))
+    assert math.degrees(wedge) == pytest.approx(13.1582, abs=1e-4)
 
 
 def test_hardness_is_tabors() -> None:
@@ -125,10 +128,18 @@ def test_a_column_that_table_1_does_not_have_is_refused() -> None:
         preset.table_1_contact(viscosity=1.0)
 
 
-def test_the_joint_is_the_one_of_the_example_file() -> None:
+@pytest.mark.slow
+def test_the_published_model_is_a_level_of_the_example_files_joint() -> None:
+    """Equations (1)-(30) by the paper's own reduction, and by the balance of every body in the general chain."""
     example = Path(__file__).parents[2] / "examples" / "zou2025.toml"
-    from_file = joint_from_case(read_case(example))
-    from_preset = preset.table_2_joint(preset.operating_grid())
-    assert jax.tree.structure(from_file) == jax.tree.structure(from_preset)
-    for one, other in zip(jax.tree.leaves(from_file), jax.tree.leaves(from_preset), strict=True):
-        np.testing.assert_allclose(np.asarray(one, dtype=float), np.asarray(other, dtype=float), rtol=1e-14)
+    chain = solve_planar(planar_joint_from_case(read_case(example))).result
+    published = jax.jit(published_joint)(preset.table_2_joint(preset.operating_grid()))
+    assert bool(published.solved)
+    for name in ("normal", "tangential"):
+        np.testing.assert_allclose(getattr(published.forces, name), getattr(chain.forces, name), rtol=1e-9)
+    np.testing.assert_allclose(
+        published.contact_torsional_stiffness, chain.contact_torsional_stiffness, rtol=1e-9
+    )
+    for end in ("sun", "output"):
+        one, other = (float(getattr(level, end)) for level in (published.stiffness, chain.published))
+        assert one == pytest.approx(other, rel=1e-9)

@@ -11,7 +11,8 @@ import numpy as np
 from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
-from asperity.joint.results import LEVELS, Result, SolvedJoint, known_result, name_at_level
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import LEVELS, Result, known_result, name_at_level
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import si_values
 from asperity.joint_file.solved_document import document_of, solved_case
@@ -237,7 +238,13 @@ def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
     )
     worst = unknown[0] if unknown else max(checks, key=lambda each: abs(each["value"] - each["limit"]))
     contacts = ", ".join(each["contact"].replace("_", " ") for each in checks if each["contact"])
-    return worst["label"], worst["shown"], worst["limit_shown"], contacts, worst["severity"]
+    return (
+        worst["label"],
+        worst["shown"],
+        worst.get("state") or worst["limit_shown"],
+        contacts,
+        worst["severity"],
+    )
 
 
 def _titled(each: NamedQuantity) -> str:

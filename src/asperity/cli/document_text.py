@@ -98,11 +98,11 @@ def show_assumptions(target: Console, document: Document) -> None:
 
 def show_warnings(target: Console, document: Document) -> None:
     """Every crossed limit, the most serious first, with what to do; limits of the model alone make one line."""
-    crossed: dict[str, list[Document]] = {}
+    crossed: dict[tuple[str, str], list[Document]] = {}
     contacts = max(Counter(e["name"] for e in document["diagnostics"] if e["contact"]).values(), default=0)
     for entry in document["diagnostics"]:
         if not entry["ok"]:
-            crossed.setdefault(entry["name"], []).append(entry)
+            crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
     if not crossed:
         target.print("\nNo warnings: every limit of the model is kept", style="bold")
         return
@@ -111,11 +111,8 @@ def show_warnings(target: Console, document: Document) -> None:
     for entries in crossed.values():
         if entries[0]["severity"] != "model":
             first = entries[0]
-            _print_warning(
-                target,
-                f"{first['label']} {_values(entries, contacts)} (limit {first['limit_shown']})",
-                entries,
-            )
+            beside = first.get("state") or f"limit {first['limit_shown']}"
+            _print_warning(target, f"{first['label']} {_values(entries, contacts)} ({beside})", entries)
     if model:
         parts = [f"{entries[0]['label']} {_largest(entries)}" for entries in model]
         _print_warning(target, f"contact law outside its range: {', '.join(parts)}", model[0], meaning=False)

@@ -7,6 +7,8 @@ import click
 #: Types of drives, the paper's first; each has an example of its name.
 TYPES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
 
+_OF_THE_PAPER = "# the paper's closure"  # lines of its example that a designer's file must not inherit
+
 
 @click.command()
 @click.argument("file", type=click.Path(), default="joint.toml")
@@ -28,7 +30,8 @@ def init(file: str, kind: str, force: bool) -> None:
     from asperity.errors import InputError
     from asperity.writing import write_text
 
-    text = files("asperity.joint_file").joinpath(f"{kind}.toml").read_text(encoding="utf-8")
+    example = files("asperity.joint_file").joinpath(f"{kind}.toml").read_text(encoding="utf-8")
+    text = "".join(line for line in example.splitlines(keepends=True) if _OF_THE_PAPER not in line)
     if file == "-":
         prepare_output()
         click.echo(text, nl=False)

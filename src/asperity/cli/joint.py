@@ -12,7 +12,7 @@ from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
     from asperity.joint.planar.description import PlanarJoint
-    from asperity.joint.results import SolvedJoint
+    from asperity.joint.planar.solved import SolvedJoint
     from asperity.joint.size_errors import SizeErrorCurves
     from asperity.joint_file.planar_model import PlanarCase
     from asperity.surface.measurement import SurfaceMeasurement

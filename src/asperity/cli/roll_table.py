@@ -14,6 +14,7 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
+from asperity.joint.contact_notes import film_band
 from asperity.joint.document import input_member
 from asperity.joint.position_rows import position_rows
 
@@ -137,10 +138,15 @@ def _show_surfaces(target: Console, rolling: Document) -> None:
         "flash temperature\nK",
         "smallest oil film\nµm",
         "film over roughness\nlambda",
+        "lubrication",
     )
     for name, contact in contacts.items():
         rise, film, ratio = (contact[key] for key in keys)
-        shown.add_row(name, number(rise, 3), "-" if film is None else number(1e6 * film, 3), number(ratio, 3))
+        thick, band = (
+            "-" if film is None else number(1e6 * film, 3),
+            "-" if ratio is None else film_band(ratio),
+        )
+        shown.add_row(name, number(rise, 3), thick, number(ratio, 3), band)
     target.print(shown)
 
 

@@ -150,7 +150,7 @@ def _show(found: xarray.Dataset) -> None:
     from asperity.cli.study_output import show_status
     from asperity.cli.terminal import console, table
     from asperity.joint.results import display_unit
-    from asperity.units import format_quantity, from_si
+    from asperity.units import from_si
 
     show_status(found)
     target, named = console(), []
@@ -165,10 +165,19 @@ def _show(found: xarray.Dataset) -> None:
         low, _, high = one["quantiles"].values
         numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
         unit = display_unit(name)
-        cells = (format_quantity(from_si(float(number), unit), "1", 5) for number in numbers)
+        cells = (_cell(from_si(float(number), unit)) for number in numbers)
         rows.add_row(name.replace("_", " "), unit.replace("*", "·"), *cells)
     if rows.rows:
         target.print(rows)
+    for share in dict.fromkeys(float(each) for each in found["failed"].values if each > 0.0):
+        lost = ", ".join(
+            name.replace("_", " ")
+            for name in found["result"].values[found["failed"].values == share].tolist()
+        )
+        click.echo(
+            f"{100.0 * share:.3g} % of the drives fail and have no {lost}: the quantiles count them as the worst, mean "
+            "and standard deviation leave them out"
+        )
     for line in named:
         click.echo(line)
     first = found.isel(result=0)
@@ -186,6 +195,15 @@ def _show(found: xarray.Dataset) -> None:
             f"{float(one['total_order']):.3f} ± {float(one['total_order_half_width']):.3f}",
         )
     target.print(shares)
+
+
+def _cell(number: float) -> str:
+    """A number; that of a drive that fails is infinitely bad."""
+    from asperity.units import format_quantity
+
+    if np.isnan(number):
+        return "-"
+    return format_quantity(number, "1", 5) if np.isfinite(number) else "fails"
 
 
 def _shares(found: xarray.Dataset, name: str) -> str:

@@ -11,8 +11,9 @@ import numpy as np
 from asperity.joint.branch_limits import branch_checks
 from asperity.joint.branch_results import BranchState
 from asperity.joint.limit_check import LimitCheck, checked_limits
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.required_life import life_checks
-from asperity.joint.results import RESULTS, Limit, Result, SolvedJoint
+from asperity.joint.results import RESULTS, Limit, Result
 from asperity.joint.results.drive_table import results_of_joint
 from asperity.joint.rolling_conditions import DutyPoint
 from asperity.unit_table import Dimension

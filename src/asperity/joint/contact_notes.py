@@ -21,8 +21,8 @@ FRICTION_LIMIT = 0.3
 SLENDERNESS_LIMIT = 3.0
 #: Width over loaded length of a crowned contact above which its slices err by more than 2 % in the peak pressure [-].
 WIDTH_OVER_LENGTH_LIMIT = 0.25
-#: Oil film over roughness above which the film carries a part of the load [-].
-FILM_RATIO_LIMIT = 1.0
+#: Oil film over roughness above which the film carries a part of the load, and all of it [-]; Tallian 1967.
+MIXED_FILM, FULL_FILM = 1.0, 3.0
 #: The paper's pairs of rollers, Tables 1 and 2: effective radius and contact length [m].
 PAPER_EFFECTIVE_RADII = (3.0e-3, 8.4e-3)
 PAPER_CONTACT_LENGTHS = (5e-3, 30e-3)
@@ -42,7 +42,7 @@ class Note:
         The value and the limit it is compared with [SI].
     ok : bool
         Whether the value is on the good side of its limit.
-    severity : {"function", "damage", "accuracy", "model"}
+    severity : {"function", "damage", "accuracy", "state", "model"}
         How serious it is if it is not.
     meaning : str
         What that means.
@@ -52,6 +52,8 @@ class Note:
         What value and limit measure.
     display_unit : str
         Their unit for people.
+    state : str
+        In which state the contact is, in a few words, where that has a consequence.
     """
 
     name: str
@@ -65,6 +67,19 @@ class Note:
     remedy: str | None
     dimension: Dimension = Dimension.DIMENSIONLESS
     display_unit: str = "1"
+    state: str = ""
+
+
+def film_band(ratio: float) -> str:
+    """Who carries the load at an oil film over roughness: the asperities, both, or the film; empty for nan.
+
+    References
+    ----------
+    T. E. Tallian, ASLE Trans. 10 (1967) 418.
+    """
+    if math.isnan(ratio):
+        return ""
+    return "boundary" if ratio < MIXED_FILM else "mixed" if ratio < FULL_FILM else "full"
 
 
 def contact_notes(
@@ -122,23 +137,7 @@ def contact_notes(
         ),
     ]
     if math.isfinite(film_ratio):
-        notes.append(
-            _note(
-                "film_ratio",
-                "oil film over roughness lambda",
-                name,
-                film_ratio,
-                FILM_RATIO_LIMIT,
-                (
-                    "the asperities carry the load, as the contact law assumes",
-                    "the oil film carries a part of the load, and all of it from about 3: friction, creep, drift, "
-                    "torque capacity and stiffness are then those of the oil, but they are computed for surfaces "
-                    "that touch",
-                ),
-                "use the friction coefficient measured with this oil at this film, or choose a thinner oil or a "
-                "lower speed",
-            )
-        )
+        notes.append(_film(name, film_ratio))
     if contact_factor_model != "unity":
         notes.append(_size(contact_factor_model, name, effective_radius, contact_length))
     return notes
@@ -204,6 +203,37 @@ def _note(
     ok = value <= limit
     meaning = words[0] if ok else words[1]
     return Note(name, label, contact, value, limit, ok, "accuracy", meaning, None if ok else remedy)
+
+
+def _film(contact: str, ratio: float) -> Note:
+    """The lubrication of a contact: a state with a consequence, never a limit that is kept."""
+    band = film_band(ratio)
+    oil = "friction, creep, drift, torque capacity and stiffness are computed for surfaces that touch, not for the oil"
+    meaning = {
+        "boundary": "boundary lubrication: the asperities carry the load, as the contact law assumes, and wear; a life "
+        "without a factor for the film is too long",
+        "mixed": f"mixed lubrication: the oil film carries a part of the load; {oil}; a life without a factor for the "
+        "film is too long",
+        "full": f"full lubrication: the oil film carries the load; {oil}",
+    }[band]
+    remedy = (
+        "lower the life by a factor for the film, or choose a thicker oil, smoother surfaces or a higher speed"
+        if band == "boundary"
+        else "use the friction coefficient measured with this oil at this film, or choose a thinner oil or a lower "
+        "speed"
+    )
+    return Note(
+        "film_ratio",
+        "oil film over roughness lambda",
+        contact,
+        ratio,
+        FULL_FILM if band == "full" else MIXED_FILM,
+        False,
+        "state" if band == "boundary" else "accuracy",
+        meaning,
+        remedy,
+        state=f"{band} lubrication",
+    )
 
 
 def _size(model: str, contact: str, radius: float, length: float) -> Note:

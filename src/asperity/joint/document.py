@@ -12,7 +12,8 @@ from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.joint.contact_notes import Note
 from asperity.joint.limit_check import LimitCheck
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import GROUPS, RESULTS, SEVERITIES
 from asperity.joint.rolling_document import contact_results
 from asperity.units import format_quantity
 
@@ -88,6 +89,7 @@ def _limit_document(entry: LimitCheck) -> Document:
         "limit": entry.limit,
         "ok": entry.ok,
         "severity": entry.rule.severity,
+        "state": "" if entry.ok else entry.rule.state,
         "meaning": entry.meaning,
         "remedy": None if entry.ok else entry.rule.remedy,
         "unit": entry.result.si_unit,

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from asperity.joint.results import SEVERITIES, Limit, Result, SolvedJoint
+from asperity.joint.held_by_pins import with_pins
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import SEVERITIES, Limit, Result
 from asperity.joint.results.drive_table import results_of_joint
 
 
@@ -65,7 +67,7 @@ def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
         One for each judged result of the joint and each of its rows; where only its own branches carry the torque, not
         for those that are not known.
     """
-    judged = [row for row in results_of_joint(solved).values() if row.limit is not None]
+    judged = [with_pins(row, solved) for row in results_of_joint(solved).values() if row.limit is not None]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(
         LimitCheck(row, name or None, value)

@@ -9,8 +9,10 @@ import numpy as np
 
 from asperity.joint.all_limits import further_checks
 from asperity.joint.contact_notes import Note
+from asperity.joint.held_by_pins import with_pins
 from asperity.joint.limit_check import LimitCheck
-from asperity.joint.results import SEVERITIES, Limit, Result, Severity, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import SEVERITIES, Limit, Result, Severity
 from asperity.joint.results.drive_table import results_of_joint
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
@@ -33,7 +35,7 @@ class Margin:
         The value must lie between these [SI].
     passes : bool
         Whether it does; never where the value is nan.
-    severity : {"function", "damage", "accuracy", "model"}
+    severity : {"function", "damage", "accuracy", "state", "model"}
         How serious it is if it does not.
     """
 
@@ -44,6 +46,11 @@ class Margin:
     highest: float
     passes: bool
     severity: Severity
+
+    @property
+    def state(self) -> str:
+        """The state of the joint where it is no failure that the limit is crossed; otherwise empty."""
+        return "" if self.passes or self.result.limit is None else self.result.limit.state
 
     @property
     def utilisation(self) -> float:
@@ -69,7 +76,8 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
         One for each judged result that the joint has and for each name of its notes, where it is met worst; and those
         of unequal branches and of a duty.
     """
-    judged = [row for row in results_of_joint(solved).values() if row.limit or row.name in _MUST_EXCEED]
+    table = results_of_joint(solved).values()
+    judged = [with_pins(row, solved) for row in table if row.limit or row.name in _MUST_EXCEED]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
     if solved.no_equal_state:
         found = [
@@ -93,12 +101,23 @@ def _worst_note(notes: list[Note]) -> Margin:
     """The note that is farthest beyond its limit, or else nearest to it."""
     note = max(
         notes,
-        key=lambda each: (not each.ok, each.value - each.limit if each.ok else abs(each.value - each.limit)),
+        key=lambda each: (
+            not each.ok,
+            -SEVERITIES.index(each.severity),
+            each.value - each.limit if each.ok else abs(each.value - each.limit),
+        ),
     )
     below = note.value < note.limit and not note.ok
     lowest, highest = (note.limit, math.inf) if below else (-math.inf, note.limit)
     rule = Limit(
-        note.severity, note.meaning, note.meaning, note.remedy or "", lowest, highest, inclusive=True
+        note.severity,
+        note.meaning,
+        note.meaning,
+        note.remedy or "",
+        lowest,
+        highest,
+        inclusive=True,
+        state=note.state,
     )
     row = Result(note.name, note.label, note.dimension, note.display_unit, note.name, limit=rule)
     return Margin(row, note.contact or "", note.value, lowest, highest, note.ok, note.severity)

@@ -10,6 +10,7 @@ import numpy as np
 
 from asperity.contact.fractal import Surface
 from asperity.errors import InputError
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.surface.equivalent import equivalent_surface
 from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, read_measurement

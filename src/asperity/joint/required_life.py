@@ -9,8 +9,10 @@ import numpy as np
 
 from asperity.joint.branch_limits import shortest_life
 from asperity.joint.branch_results import UnequalBranches
+from asperity.joint.contact_notes import film_band
 from asperity.joint.limit_check import LimitCheck
-from asperity.joint.results import RESULTS, Limit, Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import RESULTS, Limit, Result
 from asperity.joint.results.drive_table import results_of_joint
 
 _HOUR = 3600.0
@@ -56,6 +58,7 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
         f"{less} make rollers larger or contacts longer",
         unknown,
     )
+    of_drive = dataclasses.replace(of_drive, label=f"{of_drive.label}{_without_film_factor(solved)}")
     if own is not None:
         of_drive = dataclasses.replace(
             of_drive, label=f"{of_drive.label}, as if every branch were loaded like the worst"
@@ -68,6 +71,16 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
         if not math.isnan(value)
     )
     return LimitCheck(of_drive, None, life), *bearings
+
+
+def _without_film_factor(solved: SolvedJoint) -> str:
+    """What the life of the drive leaves out where the oil film does not carry the load, to stand beside the verdict."""
+    ratios = np.asarray(solved.result.rolling.film_ratio, dtype=float)
+    known = ratios[np.isfinite(ratios)]
+    if not known.size or film_band(float(known.min())) == "full":
+        return ""
+    least = float(known.min())
+    return f", without a factor for the film ({film_band(least)} lubrication, lambda {least:.2g})"
 
 
 def _equal_life(solved: SolvedJoint) -> float:

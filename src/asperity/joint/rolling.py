@@ -52,7 +52,8 @@ class RollingResult(eqx.Module):
     axial_force : Array
         Axial force of one contact on its driven body, shape (5, ...) [N].
     axial_thrust : Array
-        Sum of the axial forces on each body of a sector, on a body on the axis those of all sectors, shape (bodies, ...) [N].
+        Sum of the axial forces on each body of a sector, on a body on the axis those of all sectors, shape
+        (bodies, ...) [N].
     speed_loss : Array
         Share of the output speed that creep takes [-].
     drift_per_output_turn : Array

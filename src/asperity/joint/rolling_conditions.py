@@ -43,9 +43,9 @@ class RollingConditions(eqx.Module):
         Survival for which lives are stated [-].
     duty : tuple of DutyPoint
         Loads and their shares of the time, which add up to 1; empty for none.
-    roughness : Real or None
-        Root mean square of the heights of both surfaces of a contact together [m]; None if the ratio of the film to it
-        is left out.
+    roughness : tuple of Real or None
+        Root mean square of the heights of both surfaces of a contact together, one for all contacts, or one each [m];
+        None if the ratio of the film to it is left out.
     """
 
     skew: tuple[Real, ...] | None
@@ -54,7 +54,7 @@ class RollingConditions(eqx.Module):
     pressure_viscosity_coefficient: Real | None
     reliability: Real
     duty: tuple[DutyPoint, ...]
-    roughness: Real | None = None
+    roughness: tuple[Real, ...] | None = None
 
 
 #: Parallel axes, no hysteresis, no oil, 90 % survival, no duty: a joint whose description says nothing about rolling.

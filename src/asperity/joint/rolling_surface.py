@@ -123,4 +123,6 @@ def oil_film(
     thickness = jnp.where(turns, thickness, jnp.nan)
     if conditions.roughness is None:
         return thickness, absent
-    return thickness, jnp.asarray(film_ratio(film_thickness=thickness, roughness=conditions.roughness))
+    roughness = jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, conditions.roughness)))
+    roughness = roughness.reshape(*roughness.shape, *(1,) * (thickness.ndim - roughness.ndim))
+    return thickness, jnp.asarray(film_ratio(film_thickness=thickness, roughness=roughness))

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.results import SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.rim_safety import RIM_NAMES, BodyRims
 
 Document = dict[str, Any]

@@ -15,9 +15,9 @@ from asperity.drive.planar.existence import neighbours
 from asperity.drive.planar.wedge import wedges
 from asperity.joint.planar.description import bearing_names, pin_names
 from asperity.joint.planar.evaluation import evaluated_with_laws
-from asperity.joint.planar.solved import SolvedPlanarJoint
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.planar.status import planar_status
-from asperity.joint.results import Result, SolvedJoint, result_values
+from asperity.joint.results import Result, result_values
 from asperity.joint.results.drive_table import results_of_drive
 from asperity.joint_file import planar_build
 from asperity.joint_file.part_names import bodies_of, contacts_of, with_tracks
@@ -82,7 +82,9 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
     no_result: Any = None
 
     def ask(*each: Array) -> None:
-        there.extend(present(SolvedJoint(planar_joint_from_values(with_numbers(values, each)), no_result)))
+        there.extend(
+            present(SolvedJoint(planar_joint_from_values(with_numbers(values, each)), no_result, None))
+        )
 
     jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)))
     return tuple(int(row) for row, present in enumerate(there) if present)
@@ -144,7 +146,7 @@ def _each_planar(
     def one(*each: Array) -> tuple[Array, dict[str, Array]]:
         joint = planar_joint_from_values(with_numbers(values, each))
         found, laws = evaluated_with_laws(joint)
-        return planar_status(joint, found), result_values(results, SolvedPlanarJoint(joint, found, laws))
+        return planar_status(joint, found), result_values(results, SolvedJoint(joint, found, laws))
 
     if not any(leaf.ndim for leaf in leaves):
         status, named = one(*leaves)

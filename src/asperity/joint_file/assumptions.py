@@ -15,6 +15,8 @@ from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.planar_model import PlanarCase, PlanarRolling
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import leaves
+from asperity.joint_file.section_build import film_roughness
+from asperity.joint_file.si_tables import si_values
 from asperity.joint_file.temperature_section import without_expansion
 from asperity.library import read_finishes
 from asperity.units import format_quantity
@@ -49,7 +51,7 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
         One sentence each.
     """
     kind = case.type
-    drive: Any = case.drive  # type: ignore[attr-defined]
+    drive: Any = case.drive
     told: list[str] = []
     joint = planar_joint_from_case(case)
     if case.bearings is None:
@@ -89,6 +91,12 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
         told.append(
             "model.traction_split: equal traction coefficients at both loading rollers of a planet, as the paper's "
             f"closure has it, {_EQUAL_COEFFICIENTS}"
+        )
+    if joint.closure_springs is not None:
+        told.append(
+            f"model.closure_springs = '{joint.closure_springs}': forces under load are those of one spring for each "
+            "contact between rigid pins, as in the paper's closure; rings that bend and pins that give way do not move "
+            "them, and without the key they do"
         )
     if kind in _STEPPED:
         told.append(
@@ -160,6 +168,7 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
     told += lubrication_assumptions(
         case.lubrication,
         materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},
+        by_average=film_roughness(si_values(case)) is not None,
     )
     told += [
         fatigue_unknown(body.name, case.bodies[material_key(body.name)])
@@ -285,7 +294,7 @@ def rolling_assumptions(rolling: PlanarRolling | None) -> list[str]:
 
 
 def lubrication_assumptions(
-    lubrication: Lubrication | None, *, materials: Mapping[str, MaterialEntry]
+    lubrication: Lubrication | None, *, materials: Mapping[str, MaterialEntry], by_average: bool
 ) -> list[str]:
     """What is left out of oil and heat.
 
@@ -295,6 +304,8 @@ def lubrication_assumptions(
         The oil.
     materials : mapping
         Materials of the bodies by name.
+    by_average : bool
+        Whether the surfaces of all contacts are stated by their Ra.
 
     Returns
     -------
@@ -307,7 +318,12 @@ def lubrication_assumptions(
     elif lubrication.pressure_coefficient is None:
         told.append("no lubrication.pressure_coefficient: no thickness of the oil film")
     elif lubrication.roughness is None:
-        told.append("no lubrication.roughness: no ratio lambda of the oil film to it")
+        told.append(
+            "no lubrication.roughness: that of normally distributed heights, Rq = sqrt(pi/2) Ra = 1.2533 Ra of both "
+            "surfaces together"
+            if by_average
+            else "no lubrication.roughness, and no Ra of every surface: no ratio lambda of the oil film to it"
+        )
     for name, material in materials.items():
         keys = ("thermal_conductivity", "specific_heat_capacity")
         absent = [key for key in keys if getattr(material, key) is None]

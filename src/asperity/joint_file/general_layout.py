@@ -10,7 +10,7 @@ from typing import Any
 from asperity.arrays import namespace
 from asperity.drive.planar.closure import closed
 from asperity.drive.planar.layout import CARRIER, Body, Closure, Contact, PlanarDrive
-from asperity.joint.planar.body_shape import SOLID, BodyShape, ring_shape
+from asperity.joint.planar.body_shape import BodyShape, ring_shape
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.part_names import track_of
@@ -176,4 +176,5 @@ def _centre(roller: Values) -> Any:
 def _shape(roller: Values, housing: Any) -> BodyShape:
     if "wall_thickness" in roller:
         return ring_shape(roller["wall_thickness"], roller.get("ring_support"), housing)
-    return BodyShape("hollow", roller["bore_diameter"]) if "bore_diameter" in roller else SOLID
+    bore = roller.get("bore_diameter")
+    return BodyShape("solid" if bore is None else "hollow", bore, length=roller.get("length"))

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from asperity.joint_file import limits
 from asperity.joint_file.branch_sections import Deviation
-from asperity.joint_file.model import CrownRadius, Length, PushAngle
+from asperity.joint_file.model import BodyLength, CrownRadius, Length, PushAngle
 from asperity.joint_file.planar_drive_sections import Bore, PartLengths, PartName, RingSupport, Wall
 from asperity.joint_file.planar_model import AxisCase
 from asperity.joint_file.quantity_key import Quantity
@@ -56,6 +56,9 @@ class RollerEntry(Section):
     [compliance]. A rigid housing if absent."""
     bore_diameter: Bore | None = None
     """Diameter of the bore of a hollow roller; solid if absent."""
+    length: BodyLength | None = None
+    """Length of a roller, for its mass and its pin; if absent, that of its contact lines, those of the tracks of a
+    stepped roller side by side."""
 
 
 class ContactEntry(Section):

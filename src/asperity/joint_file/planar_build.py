@@ -13,6 +13,7 @@ from jax import Array
 
 from asperity.drive.loading_cam import LoadingCam
 from asperity.drive.mechanism import Bearings
+from asperity.drive.pin_beam import PinBeam
 from asperity.drive.planar.expansion import interference_of_sizes
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.branch_sizes import SectorDeviations
@@ -106,6 +107,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         ring_bending_stiffness=springs.get("ring_bending_stiffness"),
         rolling=rolling_conditions(values),
         bearings=_bearings(values.get("bearings")),
+        pin=_pin(values.get("bearings", {})),
         play=play_of(values),
         pin_bearing=rated_bearing(values.get("pin_bearing")),
         input_bearing=rated_bearing(values.get("input_bearing", values.get("sun_bearing"))),
@@ -138,16 +140,31 @@ def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:
     return tuple(sum((1.0 / radius for radius in pair if radius is not None), 0.0) for pair in radii)
 
 
+#: Keys of [bearings] in a file with the wedge drive that others call by the place of the bearing.
+_BEARINGS = {
+    "sun_torque": "input_torque",
+    "loading_roller_torque": "roller_torque",
+    "carrier_torque": "output_torque",
+}
+
+
 def _bearings(entry: Values | None) -> Bearings | None:
     if entry is None:
         return None
+    stated: dict[str, Any] = {_BEARINGS.get(key, key): value for key, value in entry.items()}
     return Bearings(
-        sun_torque=entry.get("input_torque", entry.get("sun_torque", 0.0)),
-        loading_roller_torque=entry.get("roller_torque", entry.get("loading_roller_torque", 0.0)),
-        carrier_torque=entry.get("output_torque", entry.get("carrier_torque", 0.0)),
+        sun_torque=stated.get("input_torque", 0.0),
+        loading_roller_torque=stated.get("roller_torque", 0.0),
+        carrier_torque=stated.get("output_torque", 0.0),
         pin_friction_coefficient=entry.get("pin_friction_coefficient", 0.0),
         pin_diameter=entry.get("pin_diameter", 0.0),
     )
+
+
+def _pin(entry: Values) -> PinBeam | None:
+    if "pin_length" not in entry:
+        return None
+    return PinBeam(entry["pin_length"], entry.get("pin_support", "both_ends"), entry.get("pin_diameter", 0.0))
 
 
 def thermal_change_of(values: Values) -> float:
@@ -164,7 +181,7 @@ def thermal_change_of(values: Values) -> float:
         Interference [m].
     """
     load = {name: value for name, value in values["load"].items() if name != "preload"}
-    fit = any_joint_from_values(values | {"load": load | {"interference": 1e-5}}).fit
+    fit = planar_joint_from_values(values | {"load": load | {"interference": 1e-5}}).fit
     assert fit is not None
     return float(fit.thermal_change)
 

@@ -9,6 +9,7 @@ from pydantic import Discriminator, StringConstraints, Tag
 from asperity.joint_file import limits
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import (
+    BodyLength,
     ContactLength,
     CrownRadius,
     Friction,
@@ -76,6 +77,8 @@ class PlanetaryDrive(Section):
     ring_housing_stiffness of [compliance]. A rigid housing if absent."""
     planet_bore_diameter: Bore | None = None
     """Diameter of the bore of hollow planets; solid if absent."""
+    planet_length: BodyLength | None = None
+    """Length of a planet, for its mass and its pin; if absent, the longest contact line on it."""
     sun_crown_radius: CrownRadius | None = None
     """Radius of the sun's crown along its axis, highest in the middle of the contact line; a cylinder if absent."""
     planet_crown_radius: CrownRadius | None = None

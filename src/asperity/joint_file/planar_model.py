@@ -78,13 +78,22 @@ class PlanarBearings(Section):
     """Friction coefficient mu_b of these bearings: friction force over the force of the pin, at pin_diameter, which it
     needs."""
     pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER] | None = None
-    """Diameter d at which the friction coefficient acts."""
+    """Diameter d of the pins, at which the friction coefficient acts."""
+    pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
+    """Free length of a pin, with its roller in the middle: between its two supports, or from its only support to its
+    end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""
+    pin_support: Literal["both_ends", "one_end"] | None = None
+    """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
 
     @model_validator(mode="after")
     def _coefficient_at_a_diameter(self) -> Self:
-        if (self.pin_friction_coefficient is None) != (self.pin_diameter is None):
+        alone = self.pin_friction_coefficient is None and self.pin_length is None
+        if (self.pin_diameter is None and self.pin_friction_coefficient is not None) or (
+            self.pin_diameter is not None and alone
+        ):
             raise InputError(
-                "pin_friction_coefficient and pin_diameter belong together: give both or neither"
+                "pin_friction_coefficient and pin_diameter belong together: give both or neither; or pin_diameter with "
+                "pin_length, for the bending stress of the pins"
             )
         return self
 
@@ -199,7 +208,7 @@ class PlanarCase(WholeFile):
 
     @model_validator(mode="after")
     def _exact_where_needed(self) -> Self:
-        drive: Any = self.drive  # type: ignore[attr-defined]
+        drive: Any = self.drive
         if self.model.bodies == "springs":
             exact = [
                 f"roller {roller.name}"
@@ -243,7 +252,7 @@ class PlanarCase(WholeFile):
 
     def ring_supports(self) -> tuple[str | None, ...]:
         """What the file says that holds the outer rim of each ring; None where it says nothing."""
-        return (self.drive.ring_support,)  # type: ignore[attr-defined]
+        return (self.drive.ring_support,)
 
     @model_validator(mode="after")
     def _whole_duty(self) -> Self:
@@ -267,7 +276,7 @@ class PlanarCase(WholeFile):
         if branches is not None:
             refuse_branches(
                 len(branches),
-                count=round(getattr(self.drive, self.branches_are[0]).value),  # type: ignore[attr-defined]
+                count=round(getattr(self.drive, self.branches_are[0]).value),
                 what=self.branches_are[1],
                 by_interference=self.load.interference is not None,
                 cam=self.load.cam_force_per_torque is not None,
@@ -276,7 +285,7 @@ class PlanarCase(WholeFile):
 
     def without_housing(self) -> str:
         """What the file says where no housing holds a ring; empty where one does."""
-        drive: Any = self.drive  # type: ignore[attr-defined]
+        drive: Any = self.drive
         return 'drive.ring_support = "free"' if drive.ring_support == "free" else ""
 
     @model_validator(mode="after")

@@ -42,7 +42,7 @@ def misnamed_parts(case: PlanarCase) -> list[str]:
         One sentence for each unknown or missing entry.
     """
     kind = case.type
-    drive: Any = case.drive  # type: ignore[attr-defined]
+    drive: Any = case.drive
     found: list[str] = []
     if isinstance(case, GeneralCase):
         contacts = tuple(contact.name for contact in case.contact)
@@ -99,10 +99,7 @@ def _wedge(values: Values) -> Layout:
             constant_pins=SPRING_LOADED_PINS if model["closure"] == "constant_pin_force" else (),
         ),
     )
-    planet, roller = (
-        _roller(drive.get(f"{name}_bore_diameter"), drive.get(f"{name}_length"))
-        for name in ("planet", "loading_roller")
-    )
+    planet, roller = (_roller(drive, name) for name in ("planet", "loading_roller"))
     return made, (SOLID, planet, roller, roller, _ring(values)), (0.0, 0.0, 0.0, 1.0, 1.0)
 
 
@@ -113,8 +110,9 @@ _WEDGE_SIZES = (
 )
 
 
-def _roller(bore: Any, length: Any = None) -> BodyShape:
-    return BodyShape("solid" if bore is None else "hollow", bore, length=length)
+def _roller(drive: Values, name: str) -> BodyShape:
+    bore = drive.get(f"{name}_bore_diameter")
+    return BodyShape("solid" if bore is None else "hollow", bore, length=drive.get(f"{name}_length"))
 
 
 def _planetary(values: Values) -> Layout:
@@ -126,7 +124,7 @@ def _planetary(values: Values) -> Layout:
     )
     if drive.get("output") == "ring":
         made = dataclasses.replace(made, output="ring", grounded=CARRIER)
-    planet = _roller(drive.get("planet_bore_diameter"))
+    planet = _roller(drive, "planet")
     return made, (SOLID, planet, _ring(values)), (0.0, 1.0)
 
 

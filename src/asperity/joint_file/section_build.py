@@ -12,6 +12,7 @@ from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingC
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import Values, si_values
+from asperity.surface.roughness_average import RMS_OVER_RA, pair_average
 
 
 def play_of(values: Values) -> Play:
@@ -105,9 +106,44 @@ def rolling_conditions(values: Values) -> RollingConditions:
         hysteresis_loss_factor=rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
         viscosity=oil.get("viscosity", plain.viscosity),
         pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
-        roughness=oil.get("roughness", plain.roughness),
+        roughness=film_roughness(values),
         reliability=rolling.get("reliability", plain.reliability),
         duty=tuple(DutyPoint(**load) for load in values.get("duty", {}).values()),
+    )
+
+
+def film_roughness(values: Values) -> tuple[Any, ...] | None:
+    r"""Roughness of both surfaces of a contact to which the oil film is compared: that of the file, or from their Ra.
+
+    .. math:: \sigma = \sqrt{\pi/2}\,\sqrt{R_{a1}^2 + R_{a2}^2}
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    tuple or None
+        Root mean square of the heights of both together, one for all contacts or one each [m]; None where the file
+        gives no oil film to compare, or neither the roughness nor the Ra of every surface.
+
+    References
+    ----------
+    Normally distributed heights: :data:`asperity.surface.roughness_average.RMS_OVER_RA`.
+    """
+    oil = values.get("lubrication", {})
+    if "roughness" in oil:
+        return (oil["roughness"],)
+    if "pressure_coefficient" not in oil:
+        return None
+    surfaces = entries(values["surface"], contacts_of(values))
+    if not all("roughness_average" in entry for entry in surfaces):
+        return None
+    averages = [(entry["roughness_average"], entry.get("partner_roughness_average")) for entry in surfaces]
+    return tuple(
+        RMS_OVER_RA * pair_average(first=first, second=first if second is None else second)
+        for first, second in averages
     )
 
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from asperity.joint.equal_branches import solve_equal_branches, without_state
 from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.solve import solve_planar
-from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
+from asperity.joint.planar.solved import SolvedJoint, solved_planar_joint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
 from asperity.joint_file.si_tables import AnyCase, si_values
@@ -24,7 +24,7 @@ class SolvedCase(NamedTuple):
         All of it as plain data in SI units: :func:`asperity.joint.planar.document.planar_document`.
     """
 
-    solved: SolvedPlanarJoint
+    solved: SolvedJoint
     document: dict[str, Any]
 
 
@@ -52,7 +52,7 @@ def solve_case(case: AnyCase) -> SolvedCase:
     return SolvedCase(solved, document_of(case, solved))
 
 
-def document_of(case: AnyCase, solved: SolvedPlanarJoint) -> dict[str, Any]:
+def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
     """The document of a joint file that is solved already.
 
     Parameters
@@ -70,7 +70,7 @@ def document_of(case: AnyCase, solved: SolvedPlanarJoint) -> dict[str, Any]:
     return planar_document(solved, inputs=si_values(case), assumptions=assumptions(case))
 
 
-def solved_case(case: AnyCase) -> SolvedPlanarJoint:
+def solved_case(case: AnyCase) -> SolvedJoint:
     """Solve a joint file, with equal branches and with its own.
 
     Parameters
@@ -97,7 +97,7 @@ def solved_case(case: AnyCase) -> SolvedPlanarJoint:
     return solved
 
 
-def _solved(case: AnyCase) -> SolvedPlanarJoint:
+def _solved(case: AnyCase) -> SolvedJoint:
     joint = planar_joint_from_case(case)
     if case.branch is None:
         return solved_planar_joint(joint, solve_planar(joint))

@@ -89,8 +89,6 @@ class WedgeModelChoice(PlanarModelChoice):
     carrier_balance: Literal["complete", "printed"] | None = None
     """Moment of the carrier: with the friction torques of the loading rollers' bearings, complete, or without them as
     equation (5) is printed; complete if absent."""
-    closure_springs: Literal["bulk", "bulk_and_asperities"]
-    """Normal springs of the elastic closure: the bodies alone, or with their asperities."""
 
 
 class Case(PlanarCase):

@@ -11,7 +11,7 @@ import numpy as np
 from asperity.errors import AsperityError
 from asperity.joint.creep_curves import creep_curves
 from asperity.joint.margins import Margin, margins
-from asperity.joint.results import SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.torque_curves import torque_curves
 from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
@@ -98,6 +98,7 @@ def _margin(each: Margin) -> Answer:
         "used": used if math.isfinite(used) else None,
         "ok": each.passes,
         "severity": each.severity,
+        "state": each.state,
     }
 
 

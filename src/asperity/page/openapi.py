@@ -310,6 +310,7 @@ def _margin_schema() -> Schema:
             "used": {"type": ["number", "null"], "description": "Share of the limit that is used."},
             "ok": {"type": "boolean"},
             "severity": {"enum": list(SEVERITIES)},
+            "state": {"type": "string", "description": "State of the joint where that is no failure."},
         },
     }
 

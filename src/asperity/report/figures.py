@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from asperity.joint.margins import margins
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.results import SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.rolling_curves import rolling_curves
 from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import Windup

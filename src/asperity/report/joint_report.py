@@ -15,7 +15,7 @@ from asperity.errors import AsperityError
 from asperity.joint.margins import margins
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.loads_document import planar_loads_document
-from asperity.joint.results import SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import Windup
 from asperity.joint.windup_document import (

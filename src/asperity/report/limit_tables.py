@@ -16,6 +16,7 @@ _WARNINGS_ABOUT = {
     "function": "the joint does not work as it should",
     "damage": "the joint is damaged",
     "accuracy": "the numbers cannot be trusted",
+    "state": "a state of the joint, with a consequence",
     "model": "outside the range of the contact law",
 }
 
@@ -103,9 +104,9 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
     """
     yield Paragraph(
         "Each requirement at the contact or clearance where it is met worst. First stand those that are not met, the "
-        "most serious first, then those that are not known, then all others, those that use most of their limit first. "
-        "A requirement of the model that is not met says that the published contact law is outside its range, not that "
-        "the joint fails."
+        "most serious first, then those that are not known, then states of the joint that have a consequence, then all "
+        "others, those that use most of their limit first. A requirement of the model that is not met says that the "
+        "published contact law is outside its range, not that the joint fails."
     )
     rows = []
     for each in sorted(found, key=_rank):
@@ -119,9 +120,9 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
                 each.result.label,
                 each.severity,
                 each.place.replace("_", " "),
-                " and ".join(bounds),
+                "–" if each.state else " and ".join(bounds),
                 quantity(each.actual, unit),
-                "pass" if each.passes else "unknown" if math.isnan(each.actual) else "FAIL",
+                each.state or ("pass" if each.passes else "unknown" if math.isnan(each.actual) else "FAIL"),
             )
         )
     head = ("requirement", "concerns", "where", "required", "actual", "result")
@@ -129,10 +130,12 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
 
 
 def _rank(margin: Margin) -> tuple[int, float]:
-    """What is not met, then what is not known, both in their order; then the others by the share of their limit."""
+    """What is not met, then what is not known, then states; then the others by the share of their limit."""
+    if margin.state:
+        return 2, 0.0
     if not margin.passes:
         return int(math.isnan(margin.actual)), 0.0
-    return 2, math.inf if math.isnan(margin.utilisation) else -margin.utilisation
+    return 3, math.inf if math.isnan(margin.utilisation) else -margin.utilisation
 
 
 def warnings(document: Document) -> Iterator[Block]:
@@ -148,10 +151,10 @@ def warnings(document: Document) -> Iterator[Block]:
     Block
         A table, or a sentence if there is no warning.
     """
-    crossed: dict[str, list[Document]] = {}
+    crossed: dict[tuple[str, str], list[Document]] = {}
     for entry in document["diagnostics"]:
         if not entry["ok"]:
-            crossed.setdefault(entry["name"], []).append(entry)
+            crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
     if not crossed:
         yield Paragraph("No warnings: every limit of the model is kept.")
         return
@@ -163,7 +166,7 @@ def warnings(document: Document) -> Iterator[Block]:
         )
         meanings = "; ".join(dict.fromkeys(each["meaning"] for each in entries))
         items.append(
-            f"{first['label']}: {values} (limit {first['limit_shown']}; "
+            f"{first['label']}: {values} ({first.get('state') or 'limit ' + first['limit_shown']}; "
             f"{_WARNINGS_ABOUT[first['severity']]}). "
             f"Meaning: {meanings}. What to do: {first['remedy']}."
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -136,7 +137,12 @@ def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
 
     yield Heading("Tolerances")
     solved, samples = int((spread["status"] == 0).sum()), int(spread.sizes["sample"])
-    lost = "" if solved == samples else f" {samples - solved} of them have no solution and are left out."
+    lost = (
+        ""
+        if solved == samples
+        else f" {100.0 * (1.0 - solved / samples):.3g} % of them fail: the quantiles count "
+    )
+    lost += "" if solved == samples else "them as the worst, mean and standard deviation leave them out."
     yield Paragraph(
         f"{samples} joints drawn from the tolerances of the joint file, seed {spread.attrs['seed']}.{lost} The shares "
         "of the variance are Sobol indices: first order for a tolerance alone, total with all its interactions."
@@ -145,10 +151,9 @@ def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
     for name in STUDIED:
         one, unit = spread.sel(result=name), RESULTS[name].display_unit
         low, _, high = one["quantiles"].values
-        numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
-        rows.append(
-            (_titled(spread, name), *(number(from_si(float(each), unit)) for each in numbers)),
-        )
+        numbers = [from_si(float(one[each]), unit) for each in ("nominal", "mean", "standard_deviation")]
+        ends = ["fails" if math.isinf(each) else number(from_si(float(each), unit)) for each in (low, high)]
+        rows.append((_titled(spread, name), *map(number, numbers), *ends))
     yield Table(
         "95 % of the drawn joints",
         ("result", "as stated", "mean", "standard\ndeviation", "2.5 %", "97.5 %"),

@@ -9,7 +9,8 @@ import numpy as np
 
 from asperity.joint.document import NO_SHARE, WHOLE_BODIES
 from asperity.joint.margins import margins
-from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import LEVELS, RESULTS
 from asperity.joint.temperature_curves import temperature_curves
 from asperity.show.branch_figure import draw_size_errors
 from asperity.show.margins_figure import draw_margins, margins_height

@@ -37,6 +37,7 @@ def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
         for each in found
         if each.severity in _SERIOUS
         and each.result.group != "residuals"
+        and not each.state
         and math.isfinite(each.utilisation)
         and each.utilisation > 0.0
     ]

@@ -39,7 +39,7 @@ def test_a_planetary_by_hand(drives):
 
 
 def test_a_wedge_drive_by_hand(drives):
-    """Large creepages of unequal size, equal in series on both sides of the planet; the first body is the faster one."""
+    """Large creepages, equal in series on both sides of the planet; the first body of each contact is faster."""
     drive = drives["wedge"]
     creep = np.array([0.20, 0.12, 0.04, 0.06, 0.0])
     creep[4] = 2 * np.tanh(sum(np.arctanh(creep[[1, 3]] / 2)) - np.arctanh(creep[2] / 2))

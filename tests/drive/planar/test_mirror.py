@@ -5,8 +5,14 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.drive.planar.drives import two_row_multiroller
-from asperity.drive.planar.layout import Body, Contact, PlanarDrive
+from asperity.drive.geometry import DriveGeometry
+from asperity.drive.planar.drives import (
+    EQUAL_COEFFICIENTS,
+    SPRING_LOADED_PINS,
+    two_row_multiroller,
+    wedge_drive,
+)
+from asperity.drive.planar.layout import Body, Closure, Contact, PlanarDrive
 from asperity.drive.planar.mirror import MirrorImage, mirror_image
 from asperity.joint.planar.over_torque import standing_over_torque
 from asperity.joint_file.planar_build import planar_joint_from_case
@@ -41,6 +47,17 @@ def test_rollers_midway_between_others_are_mirrored_into_themselves():
 def test_rollers_at_any_other_angle_have_no_image_in_the_line_through_one_of_them():
     assert mirror_image(pair(np.pi / 4.0)) is None
     assert mirror_image(pair(np.pi / 3.0, push=0.1)) is None
+
+
+def test_an_assumption_on_one_side_only_has_no_image():
+    """A spring at the right pin of the paper's drive; equal coefficients of both sides are their own image."""
+    geometry = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
+    paper = wedge_drive(geometry, planet_count=3.0)
+    image = mirror_image(paper)
+    assert image == MirrorImage((0, 1, 3, 2, 4), (0, 2, 1, 4, 3))
+    assert mirror_image(dataclasses.replace(paper, closure=Closure(EQUAL_COEFFICIENTS))) == image
+    assert mirror_image(dataclasses.replace(paper, closure=Closure((), SPRING_LOADED_PINS))) is None
+    assert mirror_image(dataclasses.replace(paper, closure=Closure((("pwr", "wro"),)))) is None
 
 
 def test_rows_that_lie_between_others_exchange_their_contacts():

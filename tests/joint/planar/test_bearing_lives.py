@@ -1,24 +1,20 @@
-"""Lives of the bearings of planar drives: by hand from the printed loads, Miner's sum, the paper's drive as a list."""
+"""Lives of the bearings of planar drives: by hand from the printed loads, and Miner's sum."""
 
 import dataclasses
 import math
 
-import jax
 import numpy as np
 import pytest
 
 from asperity.compilation import call_compiled
 from asperity.drive.bearing_life import RatedBearing
-from asperity.joint.bearing_lives import bearing_lives
 from asperity.joint.planar.bearing_lives import planar_bearing_lives
 from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.loads_document import planar_loads_document
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.rolling_conditions import DutyPoint
-from asperity.joint.solve import solve
 from asperity.joint.strength_document import bearing_entries
-from asperity.joint_file.build import joint_from_case
 
 PIN = RatedBearing(1500.0, 1200.0, 2.0, 0.0, "roller")
 HELD = RatedBearing(5000.0, 3000.0, 1.0, 400.0, "ball")
@@ -84,18 +80,3 @@ def test_the_loads_of_the_duty_are_those_of_joints_of_their_own(rated):
     assert found.duty_life[[0, 2]] == pytest.approx(1.0 / damage[[0, 2]], rel=1e-9)
     assert found.static_safety[0] == pytest.approx(1200.0 / largest[0], rel=1e-9)
     assert found.load_ratio[0] == pytest.approx(largest[0] / 1500.0, rel=1e-9)
-
-
-@pytest.mark.long
-def test_the_papers_drive_as_a_list_agrees_with_its_own_chain(case, as_planar):
-    """Its own chain shares the traction by equal creep of both sides, which moves the pins' forces by 0.03 %."""
-    own = jax.tree.map(np.float64, joint_from_case(case))
-    listed = as_planar(own)
-    own = dataclasses.replace(own, pin_bearing=PIN, sun_bearing=HELD, carrier_bearing=HELD)
-    listed = dataclasses.replace(listed, pin_bearing=PIN, input_bearing=HELD, output_bearing=HELD)
-    assert listed.bearing_names == own.bearing_names
-    expected = bearing_lives(own, solve(own).result)
-    found = planar_bearing_lives(listed, solve_planar(listed).result)
-    np.testing.assert_allclose(found.load, expected.load, rtol=1e-3)
-    np.testing.assert_allclose(found.life, expected.life, rtol=4e-3)
-    np.testing.assert_allclose(found.static_safety, expected.static_safety, rtol=1e-3)

@@ -48,7 +48,10 @@ def test_free_frequency_is_that_of_all_bodies_on_the_springs_of_all_contacts(pla
     springs = [
         (np.hstack([matrices.approach, nothing]), np.asarray(result.interfaces.normal)),
         (np.hstack([matrices.sliding, matrices.turning]), np.asarray(result.interfaces.tangential)),
-        (np.hstack([matrices.pins, np.zeros((len(drive.pinned), len(members)))]), np.full(len(drive.pinned), 1e12)),
+        (
+            np.hstack([matrices.pins, np.zeros((len(drive.pinned), len(members)))]),
+            np.full(len(drive.pinned), 1e12),
+        ),
     ]
     stiffness = sectors * sum(rows.T @ np.diag(values) @ rows for rows, values in springs)
     mass = np.zeros_like(stiffness)
@@ -56,7 +59,9 @@ def test_free_frequency_is_that_of_all_bodies_on_the_springs_of_all_contacts(pla
     for number, (body, each) in enumerate(zip(drive.bodies, body_masses(joint), strict=True)):
         copies = 1.0 if body.place == "axis" else sectors
         for part, radius, bore in cylinders(joint, number):
-            mass[(place[body.name],) * 2] += copies * 0.5 * float(part) * (float(radius) ** 2 + float(bore) ** 2 / 4)
+            mass[(place[body.name],) * 2] += (
+                copies * 0.5 * float(part) * (float(radius) ** 2 + float(bore) ** 2 / 4)
+            )
         if body.place != "axis":
             mass[(place["carrier"],) * 2] += copies * float(each) * float(np.sum(drive.centres[number] ** 2))
             at = 2 * drive.floating.index(number)

@@ -8,8 +8,6 @@ import pytest
 from asperity.drive.loading_cam import LoadingCam
 from asperity.errors import InputError
 from asperity.joint.capacity import LIMIT_KINDS, capacity_document
-from asperity.joint.either_kind import under_torque
-from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.branches import BranchedPlanarJoint
 from asperity.joint.planar.over_torque import over_torque
 from asperity.joint.planar.solve import solve_planar
@@ -26,6 +24,10 @@ STATES = ("normal", "tangential")
 
 def with_cam(joint, force_per_torque=CAM):
     return dataclasses.replace(joint, cam=LoadingCam(force_per_torque, joint.pattern))
+
+
+def under_torque(joint, torque):
+    return dataclasses.replace(joint, output_torque=torque)
 
 
 def by_force(joint, preload):
@@ -218,20 +220,6 @@ def test_a_wall_ends_what_is_computed_and_is_said_to(planar_joint):
         InputError, match=r"presses with 1900 N; the joint is computed up to 10.. N, at 4\.6.* N·m"
     ):
         solve_planar(under_torque(by_wall[1e-3], 10.0))
-
-
-@pytest.mark.slow
-def test_the_papers_drive_with_a_cam_as_by_its_own_chain(paper_joint, as_planar):
-    torque, least = 5.0, 200.0
-    own = paper_joint(output_torque=torque, preload=least)
-    expected = evaluate(dataclasses.replace(own, cam_force_per_torque=CAM))
-    found = solve_planar(with_cam(as_planar(own))).result
-    assert float(found.preload) == least + CAM * torque
-    np.testing.assert_allclose(found.forces.normal, expected.forces.normal, rtol=5e-3)
-    assert float(found.cam_angle) == pytest.approx(float(expected.cam_angle), rel=1e-2)
-    assert float(found.assembly.stiffness.output) == pytest.approx(
-        float(expected.assembly.stiffness.output), rel=1e-2
-    )
 
 
 def test_unlike_branches_are_refused(plain):

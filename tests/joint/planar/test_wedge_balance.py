@@ -1,4 +1,4 @@
-"""The paper's drive as any other drive satisfies the paper's equations (1) to (5) and their closure (A3)."""
+"""The paper's drive, listed as bodies and contacts, satisfies the paper's equations (1) to (5) and their closure."""
 
 import dataclasses
 
@@ -11,15 +11,14 @@ from asperity.drive.branch import branch_forces, carrier_residual
 from asperity.drive.force_balance import closure_misfit, loaded_branch
 from asperity.drive.geometry import DriveGeometry, carrier_speed, triangle
 from asperity.drive.mechanism import Bearings, Mechanism, leading_sense, rest_state
-from asperity.drive.planar.layout import Closure
 from asperity.joint.contacts import closure_springs
 from asperity.joint.planar.description import body_masses, planar_contacts
 from asperity.joint.planar.evaluation import evaluate_planar
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.zou2025.published import NO_FRICTION
 
 pytestmark = pytest.mark.slow
 
-
+GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 BEARINGS = Bearings(
     sun_torque=0.004,
     loading_roller_torque=0.003,
@@ -34,48 +33,52 @@ def solved(joint):
     return jax.tree.map(np.asarray, compile_fast(evaluate_planar, numbers)(numbers))
 
 
-GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
-FRICTIONLESS = Bearings(0.0, 0.0, 0.0, 0.0, 4e-3)
-
-
-@pytest.fixture(scope="module")
-def joint(case):
-    """The paper's joint, the forces of its loading rollers by the springs of their contacts."""
-    found = planar_joint_from_case(case)
-    return dataclasses.replace(found, drive=dataclasses.replace(found.drive, closure=Closure()))
-
-
-def balanced(joint, normal, tangential):
-    """Forces by the published equations from two sums of a state and its split, and what they leave over [N]."""
+def mechanism(joint):
+    """The paper's statics of the joint; the friction of its bearings opposes the rotation."""
     sides = triangle(GEOMETRY)
     rest = rest_state(geometry=GEOMETRY, sides=sides, preload=joint.preload)
-    friction = FRICTIONLESS if joint.bearings is None else joint.bearings
-    sense = leading_sense(rotation=joint.input_speed, output_torque=joint.output_torque)
-    opposed = {name: sense * value for name, value in vars(friction).items() if name != "pin_diameter"}
-    masses = body_masses(joint)
-    mechanism = Mechanism(
+    own = NO_FRICTION if joint.bearings is None else joint.bearings
+    against = leading_sense(rotation=joint.input_speed, output_torque=joint.output_torque)
+    masses = dict(zip((body.name for body in joint.drive.bodies), body_masses(joint), strict=True))
+    return Mechanism(
         geometry=GEOMETRY,
         sides=sides,
         rest=rest,
-        bearings=dataclasses.replace(friction, **opposed),
+        bearings=Bearings(
+            against * own.sun_torque,
+            against * own.loading_roller_torque,
+            against * own.carrier_torque,
+            against * own.pin_friction_coefficient,
+            own.pin_diameter,
+        ),
         springs=closure_springs(
             contacts=planar_contacts(joint), rest_force=rest.normal_force, model=joint.closure_springs
         ),
         preload=joint.preload,
         carrier_speed=carrier_speed(geometry=GEOMETRY, sun_speed=joint.input_speed),
-        planet_mass=masses[1],
-        loading_roller_mass=masses[2],
+        planet_mass=masses["planet"],
+        loading_roller_mass=masses["left_loading_roller"],
         closure="elastic",
     )
-    branch = loaded_branch(mechanism=mechanism, output_torque=joint.output_torque)
+
+
+@pytest.fixture(scope="module")
+def listed(paper_joint):
+    """The paper's joint, whose rollers share the traction by their springs."""
+    return lambda **changes: paper_joint(ring_wall_thickness=60e-3, traction_split="springs", **changes)
+
+
+def balanced(joint, normal, tangential):
+    """Forces by the published equations from two sums of a state and its split, and what they leave over [N]."""
+    branch = loaded_branch(mechanism=mechanism(joint), output_torque=joint.output_torque)
     force = branch_forces(branch, normal[1] + normal[2], tangential[0], tangential[1])
     return force, float(closure_misfit(branch, force)), float(carrier_residual(branch, force))
 
 
 @pytest.mark.parametrize("springs", ["bulk", "bulk_and_asperities"])
-def test_forces_close_as_in_the_paper(joint, springs):
+def test_forces_close_as_in_the_paper(listed, springs):
     """With exact bodies in the assembly: those of the closure are springs, around the same forces at rest."""
-    joint = dataclasses.replace(joint, closure_springs=springs)
+    joint = listed(closure_springs=springs)
     found = solved(joint)
     assert bool(found.solved)
     np.testing.assert_allclose(found.rest.normal[0], 1000.0, rtol=1e-12)
@@ -88,10 +91,10 @@ def test_forces_close_as_in_the_paper(joint, springs):
 
 
 @pytest.mark.parametrize(("torque", "speed"), [(5.0, 628.0), (-4.0, 628.0), (4.0, -300.0), (-3.0, 0.0)])
-def test_bearings_brake_the_drive_that_stands(joint, torque, speed):
+def test_bearings_brake_the_drive_that_stands(listed, torque, speed):
     """Constant friction, and that of pins in proportion to their force, against either sense of rotation."""
     joint = dataclasses.replace(
-        joint, bearings=BEARINGS, output_torque=torque, input_speed=speed, carrier_balance="printed"
+        listed(output_torque=torque, sun_speed=speed), bearings=BEARINGS, carrier_balance="printed"
     )
     found = solved(joint)
     assert bool(found.solved)
@@ -108,10 +111,9 @@ def test_bearings_brake_the_drive_that_stands(joint, torque, speed):
 
 
 @pytest.mark.parametrize("torque", [5.0, -5.0])
-def test_a_drive_that_turns_backwards_mirrors_its_speeds(joint, torque):
+def test_a_drive_that_turns_backwards_mirrors_its_speeds(listed, torque):
     """Under the same torque: a torque that resists one sense drives the other."""
-    listed = dataclasses.replace(joint, output_torque=torque, input_speed=300.0)
-    one, other = (solved(dataclasses.replace(listed, input_speed=speed)).rolling for speed in (300.0, -300.0))
+    one, other = (solved(listed(output_torque=torque, sun_speed=speed)).rolling for speed in (300.0, -300.0))
     assert float(other.speed_loss) == pytest.approx(-float(one.speed_loss), rel=3e-3)  # creep shifts speeds
     np.testing.assert_allclose(other.tangential, one.tangential, rtol=1e-3)
     # what one puts in the other gets out, but for the losses of both
@@ -121,8 +123,8 @@ def test_a_drive_that_turns_backwards_mirrors_its_speeds(joint, torque):
     assert one_in > 0.0
 
 
-def test_an_interference_makes_the_preload_that_makes_it(joint):
-    joint = dataclasses.replace(joint, output_torque=3.0)
+def test_an_interference_makes_the_preload_that_makes_it(listed):
+    joint = listed(output_torque=3.0)
     stated = solved(joint)
     fitted = solved(dataclasses.replace(joint, preload=None, interference=float(stated.interference)))
     np.testing.assert_allclose(fitted.rest.normal, stated.rest.normal, rtol=1e-9)

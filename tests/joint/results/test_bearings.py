@@ -4,12 +4,12 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from asperity.joint.results import RESULTS, SolvedJoint
-from asperity.joint_file.build import joint_from_case
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import RESULTS
 
 
-def test_a_joint_without_ratings_has_no_lives(case):
-    solved = SolvedJoint(joint_from_case(case), SimpleNamespace(solved=np.array([True, True])))
+def test_a_joint_without_ratings_has_no_lives(paper_joint):
+    solved = SolvedJoint(paper_joint(), SimpleNamespace(solved=np.array([True, True])))
     assert RESULTS["bearing_life"].of(solved).shape == (4, 2)
     assert np.all(np.isnan(np.asarray(RESULTS["bearing_static_safety"].of(solved))))
 

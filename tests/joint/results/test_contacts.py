@@ -26,7 +26,6 @@ def test_forces(value):
     # bodies as springs, computed independently: 12.904 micrometres; as elastic bodies a little less
     assert value("interference") == pytest.approx(12.904e-6, rel=0.02)
     assert (value("thermal_interference"), value("cam_angle")) == (0.0, 0.0)
-    assert (value("left_bearing_torque"), value("right_bearing_torque")) == (0.0, 0.0)
 
 
 def test_hertz(value):

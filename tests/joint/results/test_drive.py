@@ -31,10 +31,9 @@ def test_speeds(value):
 
 def test_sizes_and_masses(value):
     planet, roller = (STEEL * math.pi * radius**2 * LENGTH for radius in (PLANET, ROLLER))
-    assert value("planet_mass") == pytest.approx(planet, rel=1e-12)
-    assert value("loading_roller_mass") == pytest.approx(roller, rel=1e-12)
     sun = STEEL * math.pi * SUN**2 * LENGTH
     ring = STEEL * math.pi * ((RING + WALL) ** 2 - RING**2) * LENGTH
+    assert value("body_mass") == pytest.approx([sun, planet, roller, roller, ring], rel=1e-12)
     assert value("mass") == pytest.approx(sun + 3.0 * planet + 6.0 * roller + ring, rel=1e-12)
     assert value("envelope_diameter") == pytest.approx(0.2, rel=1e-12)
     assert value("envelope_volume") == pytest.approx(math.pi * 0.1**2 * LENGTH, rel=1e-12)
@@ -43,7 +42,6 @@ def test_sizes_and_masses(value):
 def test_clearances(value):
     """Between neighbouring planets 2 * 17.5 mm sin 60 deg less their diameter, among the others."""
     gaps = value("clearance")
-    assert gaps.shape == RESULTS["clearance"].row_shape
     planets = 2.0 * (SUN + PLANET) * math.sin(math.pi / 3.0) - 2.0 * PLANET
     assert np.any(np.isclose(gaps, planets, rtol=1e-12))
     # a planet and the ring: 40 - 17.5 - 13.5
@@ -54,6 +52,6 @@ def test_capacity_is_that_of_slip(value):
     """The sun's contact of 1000 N slips first: about 3 * 9 * 4 mm * 0.12 * 1000 N, more as the torque wedges."""
     capacity = value("torque_capacity")
     assert capacity == pytest.approx(27.0 * SUN * 120.0, rel=0.05)
-    limits, contacts = (RESULTS[name].categories for name in ("capacity_limit", "limiting_contact"))
+    limits = RESULTS["capacity_limit"].categories
     assert limits[int(value("capacity_limit"))] == "gross_slip"
-    assert contacts[int(value("limiting_contact"))] == "sp"
+    assert int(value("limiting_contact")) == 0

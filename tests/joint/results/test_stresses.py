@@ -1,42 +1,81 @@
-"""Rows of rim stresses: which bodies are judged by them."""
+"""Rows of the rim stresses: the larger of both rims, of the bodies that bend."""
 
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from asperity.joint.results import RESULTS
+from asperity.drive.planar.layout import Contact
+from asperity.joint.planar.body_shape import SOLID, BodyShape
+from asperity.joint.results.stresses import ROWS
+
+FREE, HELD = BodyShape("ring", 5e-3, "free"), BodyShape("ring", 5e-3, "rigid_housing")
+HOLLOW = BodyShape("hollow", 10e-3)
 
 
-def joint(support, bore, strength):
-    material = SimpleNamespace(fatigue_strength=strength)
-    bodies = SimpleNamespace(ring=material, planet=material, loading_roller=material)
-    safety = SimpleNamespace(yield_safety=np.array(2.0), fatigue_safety=np.array(0.8))
-    return SimpleNamespace(
+class Solved(SimpleNamespace):
+    def row_names(self, axis):
+        assert axis == "body"
+        return ("sun", "planet", "ring")
+
+
+def solved(*shapes, strengths=(3e8, 3e8, 3e8)):
+    """A planetary drive; stresses of the inner and of the outer rim of sun, planet and ring [MPa], all different."""
+    bodies = tuple(SimpleNamespace(name=name) for name in ("sun", "planet", "ring"))
+    contacts = (Contact("sp", "sun", "planet"), Contact("pr", "planet", "ring", internal=True))
+    drive = SimpleNamespace(
+        bodies=bodies,
+        contacts=contacts,
+        members=("sun", "planet", "ring", "carrier"),
+        first_radius=(10e-3, 20e-3),
+        second_radius=(20e-3, 50e-3),
+    )
+    both = 1e6 * np.array([[1.0, 50.0, -80.0], [2.0, -60.0, 30.0]])
+    safety = np.array([9.0, 2.0, 0.5])
+    return Solved(
         joint=SimpleNamespace(
-            ring_support=support, planet_bore=bore, loading_roller_bore=None, bodies=bodies
+            drive=drive,
+            shapes=shapes,
+            materials=tuple(SimpleNamespace(fatigue_strength=strength) for strength in strengths),
+            contact_lengths=(10e-3,),
         ),
-        rims=SimpleNamespace(ring=safety, planet=safety, loading_roller=safety),
+        rims=SimpleNamespace(
+            stress=both,
+            stress_at_rest=0.5 * both,
+            amplitude=abs(both),
+            yield_safety=safety,
+            fatigue_safety=safety + 1.0,
+        ),
     )
 
 
+def table(joint):
+    return {row.name: {name: float(value) for name, value in row.rows_of(joint).items()} for row in ROWS}
+
+
+def test_the_larger_rim_of_every_body_that_bends():
+    found = table(solved(SOLID, HOLLOW, FREE))
+    assert found["rim_stress"] == {"planet": 50e6, "ring": 30e6}
+    assert found["rim_stress_at_rest"] == {"planet": 25e6, "ring": 15e6}
+    assert found["rim_stress_amplitude"] == {"planet": 60e6, "ring": 80e6}
+    assert found["rim_yield_safety"] == {"planet": 2.0, "ring": 0.5}
+    assert found["rim_fatigue_safety"] == {"planet": 3.0, "ring": 1.5}
+
+
 @pytest.mark.parametrize(
-    ("support", "bore", "strength", "judged"),
-    [
-        ("rigid_housing", None, 3e8, []),
-        ("free", None, 3e8, ["ring_yield", "ring_fatigue"]),
-        ("elastic_housing", None, None, ["ring_yield"]),
-        ("rigid_housing", 4e-3, 3e8, ["planet_yield", "planet_fatigue"]),
-        ("free", 4e-3, None, ["ring_yield", "planet_yield"]),
-    ],
+    ("shapes", "bent"), [((SOLID, SOLID, HELD), set()), ((SOLID, SOLID, FREE), {"ring"})]
 )
-def test_only_what_bends_is_judged(support, bore, strength, judged):
-    """A ring that nothing or an elastic housing holds, a roller with a bore; fatigue where the strength is known."""
-    solved = joint(support, bore, strength)
-    names = [
-        f"{body}_{kind}" for body in ("ring", "planet", "loading_roller") for kind in ("yield", "fatigue")
-    ]
-    assert [name for name in names if RESULTS[f"{name}_safety"].rows_of(solved)] == judged
-    for name in judged:
-        ((_, value),) = RESULTS[f"{name}_safety"].rows_of(solved).items()
-        assert RESULTS[f"{name}_safety"].limit.is_kept(value) == (value > 1.0)
+def test_a_ring_in_a_housing_and_solid_rollers_do_not_bend(shapes, bent):
+    assert {name for rows in table(solved(*shapes)).values() for name in rows} == bent
+
+
+def test_fatigue_is_judged_where_its_strength_is_known():
+    found = table(solved(SOLID, HOLLOW, FREE, strengths=(3e8, None, 3e8)))
+    assert list(found["rim_fatigue_safety"]) == ["ring"]
+    assert list(found["rim_yield_safety"]) == ["planet", "ring"]
+
+
+def test_a_safety_below_one_is_a_warning():
+    limits = {row.name: row.limit for row in ROWS if row.limit is not None}
+    assert set(limits) == {"rim_yield_safety", "rim_fatigue_safety"}
+    assert all(limit.is_kept(1.01) and not limit.is_kept(0.99) for limit in limits.values())

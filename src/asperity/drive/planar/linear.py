@@ -8,6 +8,8 @@ steps of Newton's method, which follow each other, and the least squares of
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -57,12 +59,31 @@ def solve(matrix: Array, right_side: Array) -> Array:
     -----
     Derivatives are those of the equation, not of the elimination.
     """
-    fixed = jax.lax.stop_gradient(matrix)
+    return solve_with(lambda x: product(matrix, x), jax.lax.stop_gradient(matrix), right_side)
+
+
+def solve_with(linear: Callable[[Array], Array], matrix: Array, right_side: Array) -> Array:
+    r"""Solve :math:`A x = b` with the derivatives of a linear function.
+
+    Parameters
+    ----------
+    linear : callable
+        From x to A x; what is differentiated.
+    matrix : Array
+        A as fixed numbers, shape (n, n).
+    right_side : Array
+        b, shape (n,).
+
+    Returns
+    -------
+    Array
+        x, shape (n,); not finite where A is singular.
+    """
     return jax.lax.custom_linear_solve(
-        lambda x: product(matrix, x),
+        linear,
         right_side,
-        solve=lambda _, vector: _eliminated(fixed, vector),
-        transpose_solve=lambda _, vector: _eliminated(fixed.T, vector),
+        solve=lambda _, vector: _eliminated(matrix, vector),
+        transpose_solve=lambda _, vector: _eliminated(matrix.T, vector),
     )
 
 

@@ -36,7 +36,7 @@ def mirror_image(drive: PlanarDrive) -> MirrorImage | None:
     Returns
     -------
     MirrorImage or None
-        None where the sectors differ from their images, or a pin pushes at an angle.
+        None where the sectors or what is assumed of them differ from their images, or a pin pushes at an angle.
 
     References
     ----------
@@ -51,8 +51,24 @@ def mirror_image(drive: PlanarDrive) -> MirrorImage | None:
         turned = _bodies(drive, orbits, (angles - axis) / step)
         contacts = None if turned is None else _contacts(drive, *turned)
         if turned is not None and contacts is not None:
-            return MirrorImage(turned[0], contacts)
+            image = MirrorImage(turned[0], contacts)
+            return image if _assumes_alike(drive, image) else None
     return None
+
+
+def _assumes_alike(drive: PlanarDrive, image: MirrorImage) -> bool:
+    """Whether what is assumed in place of compatibility is its own mirror image."""
+    body = {
+        each.name: drive.bodies[other].name for each, other in zip(drive.bodies, image.bodies, strict=True)
+    }
+    contact = {
+        each.name: drive.contacts[other].name
+        for each, other in zip(drive.contacts, image.contacts, strict=True)
+    }
+    pins, pairs = drive.closure.constant_pins, drive.closure.equal_coefficients
+    return {body[name] for name in pins} == set(pins) and (
+        {frozenset(contact[name] for name in pair) for pair in pairs} == {frozenset(pair) for pair in pairs}
+    )
 
 
 def _bodies(

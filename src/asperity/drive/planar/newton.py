@@ -11,7 +11,7 @@ import jax.flatten_util
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.linear import solve, solve_in_turn
+from asperity.drive.planar.linear import solve_with
 from asperity.implicit import implicit_root
 from asperity.types import Real
 
@@ -20,7 +20,7 @@ _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unkn
 
 
 def newton(
-    equations: Callable[[Any], Any], first: Any, *, positive: int, longest: Real = math.inf
+    step_at: Callable[[Any], Any], first: Any, *, positive: int, longest: Real = math.inf
 ) -> tuple[Any, Array]:
     r"""Root of as many equations as unknowns, without derivatives.
 
@@ -28,8 +28,8 @@ def newton(
 
     Parameters
     ----------
-    equations : callable
-        From a module of unknowns to one of residuals of the same structure, both of order 1.
+    step_at : callable
+        From a module of unknowns, each of order 1, to the step :math:`J^{-1} r(x)`, of the same structure.
     first : module of Array
         Where the search starts.
     positive : int
@@ -50,7 +50,6 @@ def newton(
     Newton's method.
     """
     start, shape = jax.flatten_util.ravel_pytree(first)
-    residual = _flat(equations, shape)
 
     def unfinished(state: tuple[Array, Array, Array]) -> Array:
         _, size, steps = state
@@ -58,8 +57,7 @@ def newton(
 
     def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
         x, _, steps = state
-        slopes, value = jax.jacfwd(lambda at: (residual(at),) * 2, has_aux=True)(x)
-        step = solve_in_turn(slopes, value)
+        step, _ = jax.flatten_util.ravel_pytree(step_at(shape(x)))
         normal, falling = x[:positive], step[:positive]
         room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
         share = jnp.minimum(1.0, jnp.min(room))
@@ -69,13 +67,15 @@ def newton(
     return shape(x), size
 
 
-def known_root(equations: Callable[[Any], Any], found: Any) -> Any:
+def known_root(equations: Callable[[Any], Any], slopes_at: Callable[[Any], Array], found: Any) -> Any:
     """A root that is known already, with its derivatives.
 
     Parameters
     ----------
     equations : callable
-        As of :func:`newton`.
+        From a module of unknowns to one of residuals of the same structure, both of order 1.
+    slopes_at : callable
+        From unknowns to the slopes of the residuals by them, shape (unknowns, unknowns).
     found : module of Array
         The root.
 
@@ -91,7 +91,7 @@ def known_root(equations: Callable[[Any], Any], found: Any) -> Any:
     flat, shape = jax.flatten_util.ravel_pytree(found)
 
     def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
-        return solve(jax.jacfwd(linear)(right_side), right_side)
+        return solve_with(linear, jax.lax.stop_gradient(slopes_at(found)), right_side)
 
     return shape(implicit_root(_flat(equations, shape), flat, lambda _, x: x, tangent_solve))
 

@@ -10,6 +10,7 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.planar.newton import known_root, newton
+from asperity.drive.planar.slopes import newton_step, state_slopes, whole_matrix
 from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, PlanarState
 from asperity.drive.planar.state_equations import (
     ROLLING,
@@ -153,9 +154,12 @@ def solved(
             return state_misfits(fixed_machine, fixed_task, by_force, state.trial, x)
 
         longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
-        tried, last = newton(
-            lambda x: misfits(x).all, state.found, positive=first.normal.size, longest=longest
-        )
+
+        def step_at(x: Unknowns) -> Unknowns:
+            slopes = state_slopes(fixed_machine, fixed_task, by_force, state.trial, x)
+            return newton_step(slopes, misfits(x).all)
+
+        tried, last = newton(step_at, state.found, positive=first.normal.size, longest=longest)
         found_there = misfits(tried)
         balanced = (_worst(found_there.all) < _BALANCED) & (last < _DETERMINED)
         kept = balanced | (state.steps == 0)
@@ -171,8 +175,37 @@ def solved(
     begin = jnp.zeros_like(first.normal) if slides is None else jax.lax.stop_gradient(slides)
     start_of = _Search(first, begin, begin, begin, jnp.asarray(True), jnp.asarray(0))
     end = jax.lax.while_loop(unfinished, improve, start_of)
-    found = known_root(lambda x: state_misfits(machine, task, by_force, end.slides, x).all, end.found)
+    found = known_state(machine, task, end.found, end.slides, by_force=by_force)
     return found, end.slides
+
+
+def known_state(machine: Machine, task: Task, found: Unknowns, slides: Array, *, by_force: bool) -> Unknowns:
+    """Unknowns of a state that are known already, with the derivatives of a root.
+
+    Parameters
+    ----------
+    machine, task, slides, by_force
+        As of :func:`solved`.
+    found : Unknowns
+        Its unknowns.
+
+    Returns
+    -------
+    Unknowns
+        The same numbers.
+
+    References
+    ----------
+    The implicit function theorem.
+    """
+
+    def equations(x: Unknowns) -> Unknowns:
+        return state_misfits(machine, task, by_force, slides, x).all
+
+    def slopes_at(x: Unknowns) -> Array:
+        return whole_matrix(state_slopes(machine, task, by_force, slides, x), x)
+
+    return known_root(equations, slopes_at, found)
 
 
 def _next_slides(x: Unknowns, slides: Array, held: Array, paired: np.ndarray) -> Array:

@@ -24,7 +24,6 @@ from jax import Array
 
 from asperity.drive.planar.layout import PlanarDrive, incidence
 from asperity.drive.planar.linear import product
-from asperity.drive.planar.newton import known_root
 from asperity.drive.planar.state import ContactLaws, CreepOf, DriveLoad, PlanarState, contact_approach
 from asperity.drive.planar.state_equations import (
     ASSEMBLED,
@@ -38,9 +37,8 @@ from asperity.drive.planar.state_equations import (
     machine_of,
     no_displacement,
     no_force,
-    state_misfits,
 )
-from asperity.drive.planar.state_search import assembled_guess, solved, started_from, state_of
+from asperity.drive.planar.state_search import assembled_guess, known_state, solved, started_from, state_of
 from asperity.types import Real
 
 
@@ -112,9 +110,7 @@ def state_at_rest(
         return state_of(machine, task, *found)
     own = known.interference if added is None else known.interference - added
     there = started_from(machine, known, jnp.sum(pattern * own) / jnp.sum(pattern**2))
-    root = known_root(
-        lambda x: state_misfits(machine, task, interference is None, known.slides, x).all, there
-    )
+    root = known_state(machine, task, there, known.slides, by_force=interference is None)
     return state_of(machine, task, root, known.slides)
 
 

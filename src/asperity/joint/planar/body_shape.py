@@ -27,7 +27,7 @@ class BodyShape(eqx.Module):
     housing_stiffness : Real or None
         Radial stiffness of an elastic housing, per area of the outer rim [N/m^3]; None for others.
     length : Real or None
-        Length of its tracks [m]; None for that of the longest contact line on each.
+        Length along the axis, for mass and pin [m]; None: that of the contact lines.
     """
 
     kind: Literal["solid", "hollow", "ring"] = eqx.field(static=True)

@@ -272,9 +272,11 @@ class BranchedPlanarJoint:
         """Of the joint that stands, or of the one that turns, which rolls up to its first slip."""
         names, kind = self.joint.contact_names, LIMIT_KINDS[int(first.limit)]
         if kind not in _FIRST:
+            each = tuple(f"{name} of sector {sector + 1}" for sector in range(self.count) for name in names)
+            words = limit_words(first, contacts=each)
             raise NoSolutionError(
                 "the branches cannot be compared: "
-                f"{limit_words(first)} (beyond {format_quantity(float(first.output_torque), 'N*m')})"
+                f"{words} (beyond {format_quantity(float(first.output_torque), 'N*m')})"
             )
         branch, contact = divmod(int(first.limiting_contact), len(names))
         return BranchCapacity(

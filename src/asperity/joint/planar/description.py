@@ -16,6 +16,7 @@ from asperity.contact.roller_pairs import roller_pairs
 from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.loading_cam import LoadingCam
 from asperity.drive.mechanism import Bearings
+from asperity.drive.pin_beam import PinBeam
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.contacts import JointContacts, elastic_material
@@ -123,6 +124,8 @@ class PlanarJoint(eqx.Module):
     closure_springs : {"bulk", "bulk_and_asperities"} or None, optional
         Normal springs of the force balance under load, of one roller pair each, between rigid pins: the bodies alone,
         or with the asperities' stiffness at rest in series. None: the springs of the assembly.
+    pin : PinBeam or None, optional
+        The pins of the carrier as beams; None where their length is not known.
     pin_transverse_stiffness : Real or None, optional
         Of one pin across its push [N/m]; None where the roller is free to move there.
     planet_support_stiffness : Real or None, optional
@@ -163,6 +166,7 @@ class PlanarJoint(eqx.Module):
     unlike: UnlikeSectors | None = None
     cam: LoadingCam | None = None
     closure_springs: ClosureSprings | None = eqx.field(static=True, default=None)
+    pin: PinBeam | None = None
     pin_transverse_stiffness: Real | None = None
     planet_support_stiffness: Real | None = None
     ring_bending_stiffness: Real | None = None
@@ -367,6 +371,15 @@ def tracks_of(joint: PlanarJoint, body: int) -> list[tuple[Array, list[int]]]:
     return list(found.values())
 
 
+def track_lengths(joint: PlanarJoint, body: int) -> list[Real]:
+    """Lengths of the tracks of a body along the axis, which make its mass [m]."""
+    lengths, tracks = each_contact(joint, joint.contact_lengths), tracks_of(joint, body)
+    own = joint.shapes[body].length
+    if own is not None:
+        return [own / len(tracks)] * len(tracks)
+    return [jnp.max(lengths[np.array(contacts)]) for _, contacts in tracks]
+
+
 def cylinders(joint: PlanarJoint, body: int) -> list[tuple[Real, Real, Real]]:
     """The cylinders that make a body, one for each of its tracks.
 
@@ -380,17 +393,16 @@ def cylinders(joint: PlanarJoint, body: int) -> list[tuple[Real, Real, Real]]:
     Returns
     -------
     list of tuple
-        Mass [kg], outer radius and diameter of the bore [m]; a track of unknown length is as long as its longest contact.
+        Mass [kg], outer radius and diameter of the bore [m]; every track is as long as its longest contact, that of a
+        body with a length of its own as long as the body.
     """
-    lengths = each_contact(joint, joint.contact_lengths)
     shape, material = joint.shapes[body], joint.materials[body]
     found: list[tuple[Real, Real, Real]] = []
-    for radius, contacts in tracks_of(joint, body):
+    for (radius, _), length in zip(tracks_of(joint, body), track_lengths(joint, body), strict=True):
         outer: Real = radius
         bore: Real = 0.0 if shape.size is None else shape.size
         if shape.kind == "ring" and shape.size is not None:
             outer, bore = radius + shape.size, 2.0 * radius
-        length = jnp.max(lengths[np.array(contacts)]) if shape.length is None else shape.length
         found.append((material.density * jnp.pi * (outer**2 - 0.25 * bore**2) * length, outer, bore))
     return found
 

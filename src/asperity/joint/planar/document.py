@@ -25,7 +25,7 @@ from asperity.joint.document import (
 from asperity.joint.loading_cam import loading_cam_document
 from asperity.joint.planar.rims import bends
 from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.planar.solved import SolvedPlanarJoint
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.planar.temperature import planar_assembly_document
 from asperity.joint.rolling_document import losses, rolling_document
 from asperity.joint.strength_document import bearing_entries, rim_entry
@@ -34,12 +34,12 @@ from asperity.joint.surface_averages import surface_averages
 Document = dict[str, Any]
 
 
-def planar_document(solved: SolvedPlanarJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
+def planar_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`.
 
     Parameters
     ----------
-    solved : SolvedPlanarJoint
+    solved : SolvedJoint
         The joint, and what came out.
     inputs : dict
         Tables of the joint file in SI units.
@@ -170,8 +170,10 @@ def planar_capacity_document(forward: PlanarSolution, reverse: PlanarSolution) -
     }
 
 
-def _rims(solved: SolvedPlanarJoint) -> Document:
+def _rims(solved: SolvedJoint) -> Document:
     """Stresses and safeties of the rings and hollow rollers that bend, by the name of the body."""
+    if not any(bends(solved.joint)):
+        return {}
     names, found = solved.row_names("body"), solved.rims
     return {
         names[number]: rim_entry(jax.tree.map(lambda leaf, number=number: leaf[..., number], found))

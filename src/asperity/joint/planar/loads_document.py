@@ -8,7 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.drive.planar.layout import CARRIER, PlanarDrive
+from asperity.drive.planar.layout import CARRIER
 from asperity.drive.planar.loads import PlanarLoads, pin_components
 from asperity.joint.branch_limits import pressed
 from asperity.joint.branch_loads import BranchLoads
@@ -22,13 +22,14 @@ from asperity.joint.loads_document import (
 )
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.planar.working_loads import (
     member_speeds,
+    pin_bending,
     pin_speeds,
     planar_loads_without_torque,
     working_planar_loads,
 )
-from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_document import unknown_because
 
 _DIRECTIONS = (
@@ -114,25 +115,26 @@ def planar_loads_document(solved: SolvedJoint, bearings: list[Document]) -> Docu
     unlike = BranchLoads(branches, turns=float(joint.input_speed) > 0.0, cases=len(loads))
     cases, said = unlike.entries(cases, skewed=joint.rolling.skew is not None)
     return document_of_rows(
-        cases, _rows(drive, loads, speeds, thrust, unlike), bearings=bearings, notes=[*notes, *said]
+        cases, _rows(joint, loads, speeds, thrust, unlike), bearings=bearings, notes=[*notes, *said]
     )
 
 
 def _rows(
-    drive: PlanarDrive,
+    joint: PlanarJoint,
     loads: list[PlanarLoads],
     speeds: list[np.ndarray],
     thrust: np.ndarray | None,
     unlike: BranchLoads,
 ) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
-    members = drive.members
+    drive, members = joint.drive, joint.drive.members
     turned = np.abs(np.stack(speeds, axis=-1))
     relative = unlike.speed_on_pins(
         np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
     )
     pins = [pin_components(drive=drive, force=load.pin) for load in loads]
     radial, tangential = unlike.pins(np.moveaxis(np.asarray(pins), 0, -1))
+    moment, stress = map(np.asarray, pin_bending(joint, jnp.hypot(radial, tangential)))
     for k, body in enumerate(drive.pinned):
         part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
         yield *part, "radial force", "N", radial[k]
@@ -140,6 +142,10 @@ def _rows(
         yield *part, "resultant force", "N", np.hypot(radial[k], tangential[k])
         if thrust is not None:
             yield *part, "axial force", "N", thrust[body]
+        if joint.pin is not None:
+            yield *part, "bending moment", "N*m", moment[k]
+            if float(joint.pin.diameter) > 0.0:
+                yield *part, "bending stress", "Pa", stress[k]
         yield *part, "speed, roller on pin", "rad/s", relative[k]
     for number, name in enumerate(members):
         if name != CARRIER and drive.bodies[number].place != "axis":

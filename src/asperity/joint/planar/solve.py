@@ -14,9 +14,10 @@ from asperity.drive.planar.state import ContactLaws, PlanarState
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
-from asperity.joint.planar.description import PlanarJoint, tracks_of
+from asperity.joint.planar.description import PlanarJoint, track_lengths, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
 from asperity.joint.planar.motion import in_motion
+from asperity.joint.planar.pins import refuse_pins
 from asperity.joint.planar.rims import bends, planar_rims
 from asperity.joint.refusal import refuse_short_contacts
 from asperity.joint.temperature import refuse_loose
@@ -105,6 +106,8 @@ def solve_planar(joint: PlanarJoint) -> PlanarSolution:
     refuse_impossible(numbers.drive)
     refuse_loose(numbers.fit)
     refuse_bores(numbers)
+    refuse_pins(numbers)
+    refuse_short_pins(numbers)
     result, capacity = result_and_capacity(numbers)
     both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacity for i in range(2)]
     solution = PlanarSolution(result, *both)
@@ -131,6 +134,31 @@ def refuse_bores(joint: PlanarJoint) -> None:
             raise InputError(
                 f"the bore of {body.name}, {format_quantity(float(shape.bore_diameter), 'mm')}, leaves no wall in a "
                 f"roller of {format_quantity(2.0 * radius, 'mm')}; make the bore smaller"
+            )
+
+
+def refuse_short_pins(joint: PlanarJoint) -> None:
+    """Refuse pins that are shorter than their rollers.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Raises
+    ------
+    InputError
+        With the lengths.
+    """
+    if joint.pin is None:
+        return
+    for body in joint.drive.pinned:
+        length, free = float(sum(track_lengths(joint, body))), float(joint.pin.free_length)
+        if not free >= length:
+            raise InputError(
+                f"the pins have a free length of {format_quantity(free, 'mm')}, less than the "
+                f"{format_quantity(length, 'mm')} of {joint.drive.bodies[body].name}: lengthen the pins "
+                "(bearings.pin_length)"
             )
 
 

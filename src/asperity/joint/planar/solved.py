@@ -17,7 +17,9 @@ from asperity.drive.planar.existence import neighbour_gaps, neighbours
 from asperity.drive.planar.layout import sectors_of_members
 from asperity.drive.planar.loads import PlanarLoads
 from asperity.drive.planar.state import ContactLaws
-from asperity.joint.branch_results import UnequalBranches
+from asperity.joint.bearing_lives import BearingLives
+from asperity.joint.branch_bearings import branch_bearing_lives
+from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
 from asperity.joint.capacity import TorqueCapacity
 from asperity.joint.contact_notes import Note
 from asperity.joint.loss_note import loss_notes, skew_notes
@@ -30,7 +32,6 @@ from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import branch_rims, planar_rims
 from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.planar.working_loads import working_planar_loads
-from asperity.joint.results.result import SolvedJoint
 
 
 class PlanarSize(eqx.Module):
@@ -86,8 +87,8 @@ def planar_size(joint: PlanarJoint, result: PlanarResult) -> PlanarSize:
     return PlanarSize(2.0 * jnp.max(jnp.stack(outer)), jnp.asarray(length), jnp.sum(copies * result.masses))
 
 
-class SolvedPlanarJoint(SolvedJoint):
-    """A solved joint with a planar drive.
+class SolvedJoint:
+    """A solved joint, with what is worth computing only when it is asked for.
 
     Parameters
     ----------
@@ -103,6 +104,13 @@ class SolvedPlanarJoint(SolvedJoint):
         Its branches, if their sizes differ.
     """
 
+    joint: PlanarJoint
+    result: PlanarResult
+    #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
+    required_life: float | None = None
+    #: Of one joint that was solved on its own: what came out.
+    solution: PlanarSolution
+
     def __init__(
         self,
         joint: PlanarJoint,
@@ -111,8 +119,47 @@ class SolvedPlanarJoint(SolvedJoint):
         notes: tuple[Note, ...] = (),
         branches: UnequalBranches | None = None,
     ) -> None:
-        super().__init__(joint, result, branches=branches, notes=notes)
+        self.joint = joint
+        self.result = result
+        self.branches = branches
+        self.notes = notes
         self._laws = laws
+
+    @property
+    def no_equal_state(self) -> str | None:
+        """Why all results of equal branches under its torque are nan, where only its own carry it; else None."""
+        return None if self.branches is None or bool(self.result.solved) else NO_EQUAL_STATE
+
+    @functools.cached_property
+    def bearings(self) -> BearingLives:
+        """Lives of the rolling bearings; nothing to compute where none has ratings."""
+        if not any(self.has_bearings):
+            nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
+            return BearingLives(nothing, nothing, nothing, nothing, nothing)
+        if self.branches is not None:
+            return branch_bearing_lives(self.joint, self.branches)
+        lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
+        return lives
+
+    @functools.cached_property
+    def rims(self) -> Any:
+        """Stresses of ring and hollow rollers."""
+        if self.branches is None:
+            return self._rims(self.joint, self.result)
+        working = self.branches.working(turns=float(self.joint.sun_speed) != 0.0)
+        return self._branch_rims(*self.branches.contact_forces(working))
+
+    @functools.cached_property
+    def duty_rims(self) -> tuple[Any, ...]:
+        """As ``rims`` under each load of the duty; nan where the joint does not carry it. Of one joint alone."""
+        if self.branches is None:
+            return tuple(self._rims(*each) for each in self.duty_states)
+        return tuple(self._branch_rims(*self.branches.contact_forces(each)) for each in self.branches.duty)
+
+    @property
+    def has_bearings(self) -> tuple[bool, ...]:
+        """Which rolling bearings have ratings."""
+        return tuple(bearing is not None for bearing in self.joint.rated_bearings)
 
     @functools.cached_property
     def _standing(self) -> TorqueCapacity:
@@ -194,7 +241,8 @@ class SolvedPlanarJoint(SolvedJoint):
             return pin_names(self.joint.drive)
         if axis == "clearance":
             return tuple("_to_".join(pair) for pair in neighbours(self.joint.drive))
-        return super().row_names(axis)
+        names_of: tuple[str, ...] = self.result.contact_names if axis == "contact" else self.result.body_names
+        return names_of
 
     @functools.cached_property
     def clearances(self) -> list[Any]:
@@ -214,7 +262,7 @@ class SolvedPlanarJoint(SolvedJoint):
 
 def solved_planar_joint(
     joint: PlanarJoint, solution: PlanarSolution, branches: UnequalBranches | None = None
-) -> SolvedPlanarJoint:
+) -> SolvedJoint:
     """A joint whose capacities are known already, for the table of results.
 
     Parameters
@@ -228,7 +276,7 @@ def solved_planar_joint(
 
     Returns
     -------
-    SolvedPlanarJoint
+    SolvedJoint
         For margins and figures.
     """
     joint, result = jax.tree.map(np.asarray, joint), solution.result
@@ -237,7 +285,7 @@ def solved_planar_joint(
         *loss_notes(result.rolling, result.contact_names),
         *skew_notes(result.rolling, result.contact_names),
     )
-    solved = SolvedPlanarJoint(joint, result, None, notes, branches)
+    solved = SolvedJoint(joint, result, None, notes, branches)
     solved.solution = solution
     solved._standing, solved._rolling = (
         jax.tree.map(lambda *leaves: np.stack(leaves), *both)

@@ -10,7 +10,8 @@ from asperity.drive.planar.state import STATE_TOLERANCE
 from asperity.joint.planar.capacity import smaller_sizes
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.status import ALL_PLASTIC, IDLE, LOOSE, NO_ROOM, SLIPS, TOO_WIDE, UNBALANCED
+from asperity.joint.planar.pins import pin_room
+from asperity.joint.status import ALL_PLASTIC, IDLE, LOCKED, LOOSE, NO_ROOM, SLIPS, TOO_WIDE, UNBALANCED
 
 
 def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
@@ -40,10 +41,12 @@ def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
             left = jnp.asarray(joint.fit.interference + joint.fit.thermal_change)
         loose = left <= 0.0
     carried = jnp.isfinite(residual) | ~jnp.all(jnp.isfinite(result.forces.normal))
+    locked = jnp.any(jnp.concatenate(pin_room(joint)) >= 1.0)
     code = jnp.zeros((), dtype=jnp.int8)
     for condition, value in (
         (~has_room(drive), NO_ROOM),
         (output_share(drive) < LEAST_OUTPUT_SHARE, IDLE),
+        (locked, LOCKED),
         (loose, LOOSE),
         (~at_rest, UNBALANCED),
         (jnp.any(wide) | ~result.walls_hold, TOO_WIDE),

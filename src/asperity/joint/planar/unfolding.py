@@ -95,7 +95,10 @@ def unfolded_joint(
         friction_coefficients=each(joint.friction_coefficients),
         pattern=joint.pattern * sectors,
         rolling=dataclasses.replace(
-            joint.rolling, duty=(), skew=None if joint.rolling.skew is None else each(joint.rolling.skew)
+            joint.rolling,
+            duty=(),
+            skew=None if joint.rolling.skew is None else each(joint.rolling.skew),
+            roughness=None if joint.rolling.roughness is None else each(joint.rolling.roughness),
         ),
         crown_curvatures=None if joint.crown_curvatures is None else each(joint.crown_curvatures),
         fit=fit,

@@ -6,10 +6,11 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.drive.pin_beam import pin_bending_moment, pin_bending_stress
 from asperity.drive.planar.creeping import creeping_speeds
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.planar.loads import PlanarLoads, planar_loads
-from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.description import PlanarJoint, track_lengths
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.laws import drive_load
 from asperity.joint.planar.turning import driving_sense
@@ -120,3 +121,38 @@ def pin_speeds(drive: PlanarDrive, speeds: Array) -> Array:
     """
     carrier = drive.members.index(CARRIER)
     return jnp.abs(speeds[np.array(drive.pinned, dtype=int)] - speeds[carrier])
+
+
+def pin_bending(joint: PlanarJoint, force: Array) -> tuple[Array, Array]:
+    """Largest bending moment of each pin and its stress; pure.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    force : Array
+        Forces of the rollers on their pins, of either sign, shape (pins, ...) [N].
+
+    Returns
+    -------
+    tuple of Array
+        Moments [N·m] and stresses [Pa], shape (pins, ...); nan where the pins have no length, or no diameter.
+
+    References
+    ----------
+    Equation (L1) of :doc:`/equations`.
+    """
+    if joint.pin is None:
+        unknown = jnp.full_like(force, jnp.nan)
+        return unknown, unknown
+    moments = [
+        pin_bending_moment(
+            force=jnp.abs(own),
+            free_length=joint.pin.free_length,
+            roller_length=sum(track_lengths(joint, body)),
+            support=joint.pin.support,
+        )
+        for own, body in zip(force, joint.drive.pinned, strict=True)
+    ]
+    moment = jnp.stack(moments) if moments else jnp.zeros_like(force)
+    return moment, pin_bending_stress(moment=moment, diameter=joint.pin.diameter)

@@ -5,7 +5,7 @@ it is judged, its limit, what crossing it means and what to do. A new result is 
 package, and the function that computes it.
 """
 
-from asperity.joint.results.result import SEVERITIES, Limit, Result, Severity, SolvedJoint
+from asperity.joint.results.result import SEVERITIES, Limit, Result, Severity
 from asperity.joint.results.table import (
     GROUPS,
     LEVELS,
@@ -26,7 +26,6 @@ __all__ = [
     "Limit",
     "Result",
     "Severity",
-    "SolvedJoint",
     "chosen_results",
     "display_unit",
     "known_result",

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from asperity.arrays import namespace
-from asperity.joint.results.result import Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results.result import Result
 from asperity.unit_table import Dimension
 
 _force = functools.partial(Result, group="forces")

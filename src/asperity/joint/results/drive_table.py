@@ -6,7 +6,8 @@ import dataclasses
 import functools
 
 from asperity.drive.planar.wedge import wedges
-from asperity.joint.results.result import Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results.result import Result
 from asperity.joint.results.table import RESULTS
 
 

@@ -10,7 +10,8 @@ from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
 from asperity.drive.force_balance import BALANCE_TOLERANCE
 from asperity.drive.planar.wedge import self_locking_ratio
 from asperity.joint.planar.description import each_contact
-from asperity.joint.results.result import Limit, Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results.result import Limit, Result
 from asperity.unit_table import Dimension
 
 _ratio = functools.partial(Result, dimension=Dimension.DIMENSIONLESS, display_unit="1", group="diagnostics")
@@ -64,13 +65,14 @@ ROWS = (
         needs="geometry",
         wedge_only=True,
         limit=Limit(
-            "function",
+            "state",
             "the wedge holds itself by friction",
             "the friction coefficient is below tan(beta/2): the wedge does not hold itself by friction, and the "
-            "carrier pins have to keep the loading rollers in it",
+            "carrier pins keep the loading rollers in it",
             "make sure that the pins can (see the pin forces), or raise the friction coefficient, or make the wedge "
             "angle beta smaller: smaller loading rollers or planets, or a larger ring",
             highest=1.0,
+            state="held by the pins",
         ),
     ),
     _ratio(

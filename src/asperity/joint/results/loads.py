@@ -6,6 +6,7 @@ import functools
 
 import jax.numpy as jnp
 
+from asperity.joint.planar.working_loads import pin_bending
 from asperity.joint.results.result import Result
 from asperity.unit_table import Dimension
 
@@ -21,6 +22,24 @@ ROWS = (
         lambda solved: jnp.abs(solved.loads.pin),
         axis="pin",
         note=_STATE,
+    ),
+    _load(
+        "pin_bending_moment",
+        "bending moment of a pin",
+        Dimension.TORQUE,
+        "N*m",
+        lambda solved: pin_bending(solved.joint, solved.loads.pin)[0],
+        axis="pin",
+        note="nan without bearings.pin_length",
+    ),
+    _load(
+        "pin_bending_stress",
+        "bending stress of a pin",
+        Dimension.PRESSURE,
+        "MPa",
+        lambda solved: pin_bending(solved.joint, solved.loads.pin)[1],
+        axis="pin",
+        note="nan without bearings.pin_length and pin_diameter",
     ),
     _load(
         "grounded_torque",

@@ -2,117 +2,28 @@
 
 from __future__ import annotations
 
-import functools
 import math
 import operator
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-import jax.numpy as jnp
 import numpy as np
 
-from asperity.compilation import call_compiled
-from asperity.joint.bearing_lives import BearingLives
-from asperity.joint.branch_bearings import branch_bearing_lives
-from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.status import Needs
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
-    from asperity.joint.contact_notes import Note
+    from asperity.joint.planar.solved import SolvedJoint
     from asperity.joint.windup import StiffnessLevel
 
 #: How serious it is that a limit is crossed: the joint does not work as it should; it is damaged; the numbers cannot be
-#: trusted; the published model is used outside its range, which is so for most joints.
-Severity = Literal["function", "damage", "accuracy", "model"]
+#: trusted; the joint is in a state that works, with a consequence that has to be known; the published model is used
+#: outside its range, which is so for most joints.
+Severity = Literal["function", "damage", "accuracy", "state", "model"]
 
 #: Severities, the most serious first.
-SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "model")
-
-
-class SolvedJoint:
-    """A solved joint, with what is worth computing only when it is asked for.
-
-    Parameters
-    ----------
-    joint : PlanarJoint
-        One joint, or many along trailing batch axes; one only with a planar drive.
-    result : PlanarResult
-        What :func:`asperity.joint.evaluation.evaluate` says about it. The results of a planar drive do not include
-        capacity, size and clearances.
-    branches : UnequalBranches, optional
-        Its branches, if their sizes differ; all results but those of bearings and rims are those of equal ones.
-    notes : tuple of Note, optional
-        Comparisons with what is usual, which are requirements too.
-    """
-
-    #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
-    required_life: float | None = None
-    #: Of one joint that was solved on its own: what came out, and the joint under each load of its duty with what comes
-    #: out there, branches equal.
-    solution: Any
-    duty_states: Any
-
-    def __init__(
-        self,
-        joint: PlanarJoint,
-        result: PlanarResult,
-        branches: UnequalBranches | None = None,
-        notes: tuple[Note, ...] = (),
-    ) -> None:
-        self.joint: Any = joint
-        self.result: Any = result
-        self.branches = branches
-        self.notes = notes
-
-    @property
-    def no_equal_state(self) -> str | None:
-        """Why all results of equal branches under its torque are nan, where only its own carry it; else None."""
-        return None if self.branches is None or bool(self.result.solved) else NO_EQUAL_STATE
-
-    @functools.cached_property
-    def bearings(self) -> BearingLives:
-        """Lives of the rolling bearings; nothing to compute where none has ratings."""
-        if not any(self.has_bearings):
-            nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
-            return BearingLives(nothing, nothing, nothing, nothing, nothing)
-        if self.branches is not None:
-            return branch_bearing_lives(self.joint, self.branches)
-        lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
-        return lives
-
-    _bearing_lives: Any
-
-    @functools.cached_property
-    def rims(self) -> Any:
-        """Stresses of ring and hollow rollers."""
-        if self.branches is None:
-            return self._rims(self.joint, self.result)
-        working = self.branches.working(turns=float(self.joint.sun_speed) != 0.0)
-        return self._branch_rims(*self.branches.contact_forces(working))
-
-    @functools.cached_property
-    def duty_rims(self) -> tuple[Any, ...]:
-        """As ``rims`` under each load of the duty; nan where the joint does not carry it. Of one joint alone."""
-        if self.branches is None:
-            return tuple(self._rims(*each) for each in self.duty_states)
-        return tuple(self._branch_rims(*self.branches.contact_forces(each)) for each in self.branches.duty)
-
-    _rims: Any
-    _branch_rims: Any
-
-    def row_names(self, axis: str) -> tuple[str, ...]:
-        """Names of the contacts or bodies of this joint's drive."""
-        names: tuple[str, ...] = self.result.contact_names if axis == "contact" else self.result.body_names
-        return names
-
-    @property
-    def has_bearings(self) -> tuple[bool, ...]:
-        """Which rolling bearings have ratings."""
-        return tuple(bearing is not None for bearing in self.joint.rated_bearings)
+SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "state", "model")
 
 
 @dataclass(frozen=True)
@@ -121,7 +32,7 @@ class Limit:
 
     Parameters
     ----------
-    severity : {"function", "damage", "accuracy", "model"}
+    severity : {"function", "damage", "accuracy", "state", "model"}
         How serious it is.
     kept, crossed : str
         What it means that the limit is kept or crossed.
@@ -133,6 +44,8 @@ class Limit:
         Whether the bounds themselves are allowed.
     unknown : str
         What it means that the result is not known, nan.
+    state : str
+        Of severity ``state``: in which state the joint is where the limit is crossed, in a few words.
     """
 
     severity: Severity
@@ -143,6 +56,7 @@ class Limit:
     highest: float = math.inf
     inclusive: bool = False
     unknown: str = "no value here: the contact slips, has lifted off or has plastic spots only"
+    state: str = ""
 
     def is_kept(self, value: float) -> bool:
         """Whether a value keeps the limit; nan never does."""

@@ -7,7 +7,8 @@ from typing import Any
 
 import jax.numpy as jnp
 
-from asperity.joint.results.result import Limit, Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results.result import Limit, Result
 from asperity.unit_table import Dimension
 
 _roll = functools.partial(Result, group="rolling")
@@ -208,7 +209,8 @@ ROWS = (
         _NUMBER,
         "1",
         "result.rolling.film_ratio",
-        note=f"below 1 the asperities carry the load, above 3 the film; nan without lubrication.roughness; {_STANDING}",
+        note=f"below 1 boundary, to 3 mixed, above full lubrication; nan without lubrication.roughness or the "
+        f"Ra of every surface; {_STANDING}",
     ),
     _roll(
         "efficiency",

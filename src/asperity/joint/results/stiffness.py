@@ -7,7 +7,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from asperity.drive.loading_cam import held_cam_stiffness
-from asperity.joint.results.result import Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results.result import Result
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:

@@ -8,7 +8,8 @@ from typing import Any
 import jax.numpy as jnp
 
 from asperity.joint.planar.rims import bends
-from asperity.joint.results.result import Limit, Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results.result import Limit, Result
 from asperity.unit_table import Dimension
 
 _stress = functools.partial(

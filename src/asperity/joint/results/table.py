@@ -10,6 +10,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.errors import InputError
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.results import (
     bearings,
     contacts,
@@ -20,7 +21,7 @@ from asperity.joint.results import (
     stiffness,
     stresses,
 )
-from asperity.joint.results.result import Result, SolvedJoint
+from asperity.joint.results.result import Result
 
 if TYPE_CHECKING:
     from asperity.joint.windup import StiffnessLevel

@@ -204,7 +204,9 @@ function uncertainty(found) {
   const rows = results.map(([, each]) => {
     const [factor, unit] = shown(each.unit);
     const cell = (value) => (value === null ? "–" : number(value * factor));
-    return [`${each.description}${unit ? `, ${unit}` : ""}`, cell(each.nominal), cell(each.mean), cell(each["quantile_0.025"]), cell(each["quantile_0.975"])];
+    const end = (share) => (each.failing_ends.includes(share) ? "fails" : cell(each[`quantile_${share}`]));
+    const failed = each.failed_share > 0 ? ` (${number(100 * each.failed_share, 3)} % of the drives fail)` : "";
+    return [`${each.description}${unit ? `, ${unit}` : ""}${failed}`, cell(each.nominal), cell(each.mean), end("0.025"), end("0.975")];
   });
   const first = results.find((pair) => Object.values(pair[1].sobol).some((index) => index.total_order !== null));
   const shares = first ? Object.entries(first[1].sobol).sort((one, other) => other[1].total_order - one[1].total_order).slice(0, MOST_SHOWN) : [];

@@ -9,7 +9,7 @@ const LEVELS = [
   ["series_with_bulk", "bodies in series", "asperities and bodies; roller centres held"],
   ["published", "as published", "asperities alone: an upper bound"],
 ];
-const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", model: "Outside the published model" };
+const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", state: "State", model: "Outside the published model" };
 const SPRINGS = {
   tangential: "contacts, tangential",
   normal: "contacts, normal (rollers free to move)",
@@ -178,8 +178,8 @@ function budget(found) {
 
 /** The limits of function, damage and accuracy, the one that is used most on top; residuals are no margins. */
 function margins(answer) {
-  const judged = answer.margins.filter((each) => ["function", "damage", "accuracy"].includes(each.severity) && !each.name.endsWith("_residual"));
-  const rank = (each) => (each.ok ? each.used ?? 0 : Infinity);
+  const judged = answer.margins.filter((each) => ["function", "damage", "accuracy", "state"].includes(each.severity) && !each.name.endsWith("_residual"));
+  const rank = (each) => (each.ok ? each.used ?? 0 : each.state ? 1e9 : Infinity);
   const rows = judged
     .sort((one, other) => rank(other) - rank(one))
     .map((each) => {
@@ -188,13 +188,13 @@ function margins(answer) {
         [each.lowest, each.inclusive ? "≥" : ">"],
         [each.highest, each.inclusive ? "≤" : "<"],
       ].filter(([bound]) => bound !== null);
-      const required = bounds.map(([bound, word]) => element("span", {}, `${word} ${number(bound)}${unit && ` ${unit}`}`));
+      const required = (each.state ? [] : bounds).map(([bound, word]) => element("span", {}, `${word} ${number(bound)}${unit && ` ${unit}`}`));
       return [
         element("span", {}, each.label, element("small", {}, each.place ? `at ${each.place}` : "")),
         `${orInfinite(each.infinite, each.actual)}${unit && !each.infinite ? ` ${unit}` : ""}`,
         element("span", { class: "bounds" }, ...required),
-        each.used === null ? "" : bar(each.used, each.ok ? "good" : "bad"),
-        verdict(each.ok),
+        each.used === null || each.state ? "" : bar(each.used, each.ok ? "good" : "bad"),
+        each.state ? element("span", { class: "state" }, each.state) : verdict(each.ok),
       ];
     });
   return table("Safety margins", ["limit", "actual", "required", hidden("share of the limit that is used"), "result"], rows);
@@ -253,7 +253,7 @@ export function warnings(found) {
         element(
           "span",
           { class: "how-much" },
-          `(${each.label} ${each.shown}, limit ${each.limit_shown}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
+          `(${each.label} ${each.shown}, ${each.state || `limit ${each.limit_shown}`}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
         ),
         each.remedy ? element("p", { class: "remedy" }, `What to do: ${each.remedy}.`) : "",
       ),

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from asperity.study.datasets import number_or_null
 
 if TYPE_CHECKING:
@@ -73,6 +75,10 @@ def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
             "unit": str(one["unit"].item()),
             "description": str(one["result_name"].item()),
             "nominal": number_or_null(one["nominal"]),
+            "failed_share": float(one["failed"]),
+            "failing_ends": [
+                name for name, end in (("0.025", low), ("0.5", median), ("0.975", high)) if np.isinf(end)
+            ],
             "mean": number_or_null(one["mean"]),
             "standard_deviation": number_or_null(one["standard_deviation"]),
             "quantile_0.025": number_or_null(low),

@@ -130,16 +130,20 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str, width: float | No
     left, right = figure.subplots(*((1, 2) if width is None else (2, 1)))
     unit = display_unit(result)
     factor = from_si(1.0, unit)
-    solved = factor * one["samples"].values[spread["status"].values == 0]
+    sampled = factor * one["samples"].values
+    solved = sampled[np.isfinite(sampled)]
     left.hist(solved, bins=80, color=_POSITIVE, alpha=0.6)
     low, _, high = factor * one["quantiles"].values
     nominal = factor * float(one["nominal"])
     shown = functools.partial(format_quantity, unit="1")
     for value, told in ((low, "2.5 %"), (high, "97.5 %")):
-        left.axvline(value, color="black", linestyle="--", linewidth=1.0, label=f"{told}: {shown(value)}")
+        if np.isfinite(value):
+            left.axvline(value, color="black", linestyle="--", linewidth=1.0, label=f"{told}: {shown(value)}")
+        else:
+            left.plot([], [], color="black", linestyle="--", linewidth=1.0, label=f"{told}: fails")
     left.axvline(nominal, color=_NEGATIVE, label=f"nominal: {shown(nominal)}")
     left.set_xlabel(f"{one['result_name'].item()} [{_shown(unit)}]")
-    left.set_ylabel(f"samples [-] (of {solved.size})")
+    left.set_ylabel(f"samples [-] (of {solved.size}, {sampled.size - solved.size} fail)")
     above = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False, "fontsize": 8}
     left.legend(ncols=3, **above)
     order = np.argsort(-np.nan_to_num(one["total_order"].values))[:_BARS]

@@ -21,6 +21,7 @@ from asperity.joint_file.si_tables import AnyCase, NumericKey, numeric_keys, si_
 from asperity.study.batch import evaluate_points
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
+from asperity.study.tolerances.failed_samples import quantiles_with_failed, worse_end
 from asperity.study.tolerances.sensitivity import refuse_failed
 
 if TYPE_CHECKING:
@@ -141,9 +142,10 @@ def uncertainty(
     xarray.Dataset
         Along ``result``: ``nominal``, ``mean``, ``standard_deviation``, ``quantiles`` (at 2.5, 50 and 97.5 %),
         ``first_order`` and ``total_order`` Sobol indices along ``input`` with 95 % confidence half-widths. Along
-        ``sample``: the samples themselves and their ``status``. Statistics are those of the solved samples; Sobol
-        indices are nan where any of their samples has no result. A result that is not a quantity, such as the contact
-        that slips first, has samples only.
+        ``sample``: the samples themselves and their ``status``. ``failed`` is the share of the samples without a value,
+        as of a drive that slips: the quantiles count them as the worst, mean and standard deviation leave them out;
+        Sobol indices are nan where any of their samples has no result. A result that is not a quantity, such as the
+        contact that slips first, has samples only.
 
     Raises
     ------
@@ -207,23 +209,44 @@ def uncertainty(
         )
     # a category, such as the contact that slips first, has samples, but no mean, no quantiles and no variance
     numbered = np.array([not table[name].categories for name in names for _ in table[name].row_names])
-    quantity = np.where(numbered[:, None], solved, np.nan)
+    quantity = np.where(numbered[:, None], sampled, np.nan)
+    ends = [worse_end(table[name]) for name in names for _ in table[name].row_names]
+    moments = np.full((2, len(rows)), np.nan)
+    for index, known in enumerate(each[~np.isnan(each)] for each in quantity):
+        if known.size > 1:
+            moments[:, index] = known.mean(), known.std(ddof=1)
+    failed = np.isnan(sampled).mean(axis=1)
     indices[~numbered], nominal = np.nan, np.where(numbered, nominal, np.nan)
     with_unit = {"units": "unit"}
     pair = ("result", "input")
     made: xarray.Dataset = xr.Dataset(
         {
             "nominal": (("result",), nominal, {"long_name": "result at the stated values", **with_unit}),
-            "mean": (("result",), quantity.mean(axis=1), {"long_name": "mean", **with_unit}),
+            "mean": (("result",), moments[0], {"long_name": "mean of those with a value", **with_unit}),
             "standard_deviation": (
                 ("result",),
-                quantity.std(axis=1, ddof=1),
-                {"long_name": "standard deviation", **with_unit},
+                moments[1],
+                {"long_name": "standard deviation of those with a value", **with_unit},
             ),
             "quantiles": (
                 ("result", "share"),
-                np.quantile(quantity, shares, axis=1).T,
-                {"long_name": "value that this share of the results is below", **with_unit},
+                np.stack(
+                    [
+                        quantiles_with_failed(each, shares, worse=end)
+                        if named
+                        else np.full(shares.size, np.nan)
+                        for each, end, named in zip(quantity, ends, numbered, strict=True)
+                    ]
+                ),
+                {
+                    "long_name": "value that this share of all samples is below, those without a value as the worst",
+                    **with_unit,
+                },
+            ),
+            "failed": (
+                ("result",),
+                failed,
+                {"long_name": "share of the samples without a value", "units": "1"},
             ),
             "first_order": (pair, indices[:, 0], {"long_name": "Sobol index of first order", "units": "1"}),
             "first_order_half_width": (pair, indices[:, 1], {"long_name": "95 % half-width", "units": "1"}),
