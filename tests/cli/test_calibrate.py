@@ -136,18 +136,10 @@ def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
     """The drift of the example itself, by its solution at three torques: the friction is found again."""
     file, data, out = DRIFT.with_name("planetary.toml"), tmp_path / "drift.csv", tmp_path / "out.toml"
     joint = planar_joint_from_case(read_case(file))
-    rows = [
-        (
-            torque,
-            float(
-                solve_planar(
-                    dataclasses.replace(joint, output_torque=torque)
-                ).result.rolling.drift_per_output_turn
-            )
-            / ARCMIN,
-        )
-        for torque in (2.0, 8.0, 11.0)
-    ]
+    rows = []
+    for torque in (2.0, 8.0, 11.0):
+        result = solve_planar(dataclasses.replace(joint, output_torque=torque)).result
+        rows.append((torque, float(result.rolling.drift_per_output_turn) / ARCMIN))
     data.write_text("torque [N*m],drift [arcmin/turn]\n" + "".join(f"{t!r},{d!r}\n" for t, d in rows))
     result = invoke(
         file, data, "-u", "load.friction_coefficient=0.05:0.2", "--starts", 1, "--json", "--out", out

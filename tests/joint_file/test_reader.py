@@ -318,5 +318,6 @@ def test_surfaces_of_single_contacts_that_are_missing_are_named(joint_text):
     with pytest.raises(InputError) as caught:
         parse_case(joint_text.replace("[surface]", "[surface.sp]"), source="joint.toml")
     assert str(caught.value) == (
-        "joint.toml: surface: pwr, pwl, wro, wlo are missing; write one [surface] for all contacts, or a section for each"
+        "joint.toml: surface: pwr, pwl, wro, wlo are missing; "
+        "write one [surface] for all contacts, or a section for each"
     )

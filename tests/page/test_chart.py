@@ -2,14 +2,13 @@
 
 import jsonschema
 import pytest
-from asperity.joint.solve import solve
-from asperity.joint_file.build import joint_from_case, with_values
 
 from asperity.errors import InputError
 from asperity.joint.planar.solve import solve_planar
-from asperity.joint.results import WEDGE_RESULTS
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.page.chart import MOST_POINTS, chart_answer, chart_request, chart_results, result_rows
 from asperity.page.joint_request import JointRequest
 from asperity.page.openapi import openapi
@@ -38,14 +37,15 @@ def test_a_chart_says_what_single_joints_say(asked, joint_text):
     case = parse_case(joint_text, source="my.toml")
     assert found["x"] == pytest.approx([2.0, 6.0, 10.0, 14.0])
     for x, y in zip(found["x"][:3], found["curves"][0]["y"], strict=False):
-        one = solve(with_values(case, {"load.output_torque": x}))
+        values = replace_values(si_values(case), {"load.output_torque": x})
+        one = solve_planar(planar_joint_from_values(values))
         assert y == pytest.approx(float(one.result.published.output), rel=1e-9)
     # the capacity of this joint is 13.16 N·m: beyond it there is no result, and the chart says why
     assert found["curves"][0]["y"][3] is None
     assert found["curves"][0]["status"][:3] == [0, 0, 0]
     (reason,) = found["reasons"].values()
     assert "beyond the torque capacity" in reason
-    here = solve(joint_from_case(case))
+    here = solve_planar(planar_joint_from_case(case))
     assert found["joint"]["x"] == 5.0
     assert found["joint"]["y"] == pytest.approx(float(here.result.published.output), rel=1e-9)
     shown = here.result.published.output_per_arcminute
@@ -73,11 +73,12 @@ def test_whole_numbers_take_whole_steps(asked):
 
 
 def test_results_are_those_of_the_table(joint_text):
-    rows = chart_results(JointRequest("my.toml", joint_text))
+    request = JointRequest("my.toml", joint_text)
+    rows = chart_results(request)
     names = [each["name"] for each in rows]
     assert {"assembly_stiffness_output", "slip_ratio_sp", "torque_capacity"} <= set(names)
     assert not any("limiting" in name for name in names)  # a category is no curve
-    assert names == list(result_rows(WEDGE_RESULTS))
+    assert names == list(result_rows(results_of(si_values(request.case()))))
 
 
 def test_results_of_another_drive_are_its_own(zou_file):

@@ -6,10 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.drive.force_balance import DriveForces
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import read_case
-from asperity.page.drawing import drive_shapes, planar_shapes
+from asperity.page.drawing import planar_shapes
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 590.0, 490.0])
 TANGENTIAL = np.array([46.0, 26.0, 20.0, 26.0, 20.0])
@@ -17,10 +16,8 @@ TANGENTIAL = np.array([46.0, 26.0, 20.0, 26.0, 20.0])
 
 @pytest.fixture(scope="module")
 def shapes(paper_joint):
-    joint = paper_joint()
-    names = DriveForces.__annotations__
-    numbers = {name: np.zeros(()) for name in names} | {"normal": NORMAL, "tangential": TANGENTIAL}
-    return drive_shapes(joint, DriveForces(**numbers))
+    forces = SimpleNamespace(normal=NORMAL, tangential=TANGENTIAL, pins=np.ones(2))
+    return planar_shapes(paper_joint(), SimpleNamespace(forces=forces))
 
 
 def test_every_roller_in_its_place(shapes):
@@ -32,7 +29,8 @@ def test_every_roller_in_its_place(shapes):
     for each in rollers:
         expected = orbit.get(each["body"], 35e-3)
         assert math.hypot(each["x_m"], each["y_m"]) == pytest.approx(expected, abs=1e-12)
-    assert shapes["ring"] == {"inner_radius_m": 40e-3, "wall_m": 10e-3}
+    (ring,) = shapes["rings"]
+    assert (ring["inner_radius_m"], ring["wall_m"]) == pytest.approx((40e-3, 10e-3))
 
 
 def test_forces_act_where_the_bodies_touch(shapes):
@@ -42,8 +40,8 @@ def test_forces_act_where_the_bodies_touch(shapes):
     for name in ("wro", "wlo"):  # on the ring
         assert math.hypot(forces[name]["x_m"], forces[name]["y_m"]) == pytest.approx(40e-3, rel=1e-9)
         assert forces[name]["on"].endswith("loading roller")
-    # the sun presses the planet outwards; every normal and tangential force has its size
-    np.testing.assert_allclose(forces["sp"]["normal_N"], [0.0, 1000.0], atol=1e-9)
+    # the planet presses the sun inwards; every normal and tangential force has its size
+    np.testing.assert_allclose(forces["sp"]["normal_N"], [0.0, -1000.0], atol=1e-9)
     for name, normal, tangential in zip(forces, NORMAL, TANGENTIAL, strict=True):
         assert math.hypot(*forces[name]["normal_N"]) == pytest.approx(normal, rel=1e-12)
         assert math.hypot(*forces[name]["tangential_N"]) == pytest.approx(tangential, rel=1e-12)

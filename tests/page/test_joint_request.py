@@ -16,7 +16,7 @@ def test_changes_are_those_of_the_file(joint_text):
     ).case()
     assert case.load.preload.value == 1200.0
     assert case.load.preload.tolerance == 50.0
-    assert case.bodies.ring == "52100"
+    assert case.bodies["ring"] == "52100"
 
 
 def test_sections_that_the_file_leaves_out(joint_text):
@@ -24,8 +24,8 @@ def test_sections_that_the_file_leaves_out(joint_text):
         "a.toml", joint_text, {"play.angle": "1.5 arcmin", "rolling.skew.sp": "1 mrad"}
     ).case()
     assert case.play.take_up_torque.value == 0.0
-    assert case.rolling.skew.sp.value == 1e-3
-    assert case.rolling.skew.wlo.value == 0.0
+    assert case.rolling.skew["sp"].value == 1e-3
+    assert case.rolling.skew["wlo"].value == 0.0
 
 
 def test_an_interference_takes_the_place_of_the_preload(joint_text):

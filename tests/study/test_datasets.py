@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from asperity.joint.results import RESULTS
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.si_tables import si_values
 from asperity.study.datasets import (
     dataset,
     key_attributes,
@@ -22,8 +24,14 @@ SLIP = np.arange(15.0).reshape(5, 3)
 
 
 @pytest.fixture(scope="module")
-def found():
+def table(case):
+    return results_of(si_values(case))
+
+
+@pytest.fixture(scope="module")
+def found(table):
     return dataset(
+        table=table,
         dimensions=("load.output_torque",),
         coordinates={
             "load.output_torque": (("load.output_torque",), TORQUE, key_attributes("load.output_torque"))
@@ -60,18 +68,18 @@ def test_everything_has_its_unit(found):
     assert len(found["status"].attrs["flag_meanings"].split()) == len(found["status"].attrs["flag_values"])
 
 
-def test_names_of_all_numbers_of_some_results():
-    rows = result_rows(RESULTS[name] for name in ("mass", "slip_ratio", "axial_thrust"))
+def test_names_of_all_numbers_of_some_results(table):
+    rows = result_rows(table[name] for name in ("mass", "slip_ratio", "axial_thrust"))
     assert rows[0] == ("mass", "kg", "mass of the rolling parts")
     assert [name for name, _, _ in rows[1:6]] == [
         f"slip_ratio_{c}" for c in ("sp", "pwr", "pwl", "wro", "wlo")
     ]
     assert rows[1][1:] == ("1", "slip ratio T/(mu N), sp")
-    assert len(rows) == 1 + 5 + RESULTS["axial_thrust"].row_shape[0]
+    assert len(rows) == 1 + 5 + table["axial_thrust"].row_shape[0]
 
 
-def test_every_axis_has_a_coordinate_with_a_meaning():
-    for result in RESULTS.values():
+def test_every_axis_has_a_coordinate_with_a_meaning(table):
+    for result in table.values():
         for dimension in row_dimensions(result):
             (dims, values, attributes) = row_coordinates([result])[dimension]
             assert dims == (dimension,)

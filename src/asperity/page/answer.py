@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from asperity.drive.planar.state import PlanarState
 from asperity.errors import AsperityError
 from asperity.joint.creep_curves import creep_curves
 from asperity.joint.margins import Margin, margins
@@ -119,8 +118,7 @@ def stated_values(case: PlanarCase, tables: Mapping[str, Any]) -> Answer:
         ``numbers``: dotted path → value in the unit of display, and in SI; ``entered``: the same, with their texts, for
         numbers that no study varies, an Rz and the shares of a duty; ``lists`` of sections, see
         :func:`asperity.page.list_changes.stated_lists`; ``choices``: dotted path → word, empty
-        where the file leaves it out; ``form``: what can be set in a file with another drive than the paper's, None
-        for the paper's, whose form is that of the page.
+        where the file leaves it out; ``form``: what can be set in a file with this type of drive.
     """
     choices = {}
     for path in choices_of_case(case):
@@ -171,7 +169,7 @@ def plain_numbers(values: Any) -> list[float | None]:
 
 def _curves(solved: SolvedJoint) -> Answer:
     capacity = float(solved.capacity_of_direction.output_torque)
-    found = torque_curves(joint=solved.joint, torque_capacity=capacity, rest=_rest(solved))
+    found = torque_curves(joint=solved.joint, torque_capacity=capacity, rest=solved.result.rest)
     return {
         "torque_Nm": plain_numbers(found.torque),
         "published_Nm_per_rad": plain_numbers(found.published),
@@ -184,11 +182,6 @@ def _curves(solved: SolvedJoint) -> Answer:
         "life_output_turns": plain_numbers(found.life_turns),
         "largest_slip_ratio": plain_numbers(found.slip_ratio),
     }
-
-
-def _rest(solved: SolvedJoint) -> PlanarState | None:
-    """The assembled drive without torque, which the curves of a planar drive start from."""
-    return solved.result.rest
 
 
 def _creep(solved: SolvedJoint) -> Answer:
@@ -210,7 +203,7 @@ def _windup(solved: SolvedJoint, case: PlanarCase) -> Answer:
     try:
         equal = case.branch is None
         joint = solved.joint if equal else with_own_branches(case)
-        rest = _rest(solved) if equal else None
+        rest = solved.result.rest if equal else None
         curve = windup(joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS, rest=rest)
     except AsperityError as error:
         return {"unknown_because": str(error)}

@@ -53,7 +53,10 @@ def test_one_panel_a_variable_with_the_margin_below_it(preload_figure):
         "design: all limits met",
         "no joint exists",
     ]
-    assert preload_figure.get_suptitle() == "smallest preload between sun and planet, at its worst scenario"
+    assert (
+        preload_figure.get_suptitle()
+        == "smallest normal force of the first contact in the assembled drive, at its worst scenario"
+    )
 
 
 def test_the_objective_is_drawn_where_it_is_and_bold_where_the_limits_hold(preload_figure):

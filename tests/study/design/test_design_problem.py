@@ -5,7 +5,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from asperity.joint_file.reader import read_case
 from asperity.study.design.design_problem import DesignProblem, Objective, Variable, WorstCase
 
 ROOT = Path(__file__).parents[3]
@@ -39,17 +38,10 @@ def test_the_goal_is_the_smallest_or_the_largest(case):
     assert goals == ["smallest mass of the rolling parts", "largest mass of the rolling parts"]
 
 
-def test_the_goal_of_another_drive_has_its_own_words(case):
-    """A planetary's first contact need not be one of a sun, and its outer body need not be a ring."""
-    planetary = read_case(ROOT / "examples" / "planetary.toml")
-    for name, papers, own in (
-        (
-            "preload",
-            "preload between sun and planet",
-            "normal force of the first contact in the assembled drive",
-        ),
-        ("envelope_diameter", "outer diameter of the ring", "outer diameter of the largest body"),
+def test_the_goal_has_words_that_fit_every_drive(case):
+    """A first contact need not be one of a sun, and an outer body need not be a ring."""
+    for name, words in (
+        ("preload", "normal force of the first contact in the assembled drive"),
+        ("envelope_diameter", "outer diameter of the largest body"),
     ):
-        goal = Objective(name, 1.0)
-        assert problem(case, goal).goal == f"smallest {papers}"
-        assert problem(planetary, goal).goal == f"smallest {own}"
+        assert problem(case, Objective(name, 1.0)).goal == f"smallest {words}"

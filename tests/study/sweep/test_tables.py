@@ -6,18 +6,21 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.results import RESULTS
+from asperity.joint.status import STATUS_NAMES
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.si_tables import si_values
 from asperity.study.datasets import coordinate, dataset, rows_of
 from asperity.study.parameters import parse_axis
 from asperity.study.sweep.tables import check_table_path, write_table
 
 
 @pytest.fixture
-def small():
-    status = np.array([[0, 11], [0, 0]], dtype=np.int8)
+def small(case):
+    status = np.array([[0, STATUS_NAMES.index("beyond_torque_capacity")], [0, 0]], dtype=np.int8)
     stiffness = np.array([[1.0, np.nan], [3.0, 4.0]])
     forces = np.arange(20.0).reshape(5, 2, 2)
     return dataset(
+        table=results_of(si_values(case)),
         dimensions=("load.preload", "load.output_torque"),
         coordinates={
             "load.preload": (
@@ -82,16 +85,18 @@ def test_refusals(tmp_path):
         check_table_path(tmp_path / "d.csv", overwrite=True)
 
 
-def test_clearances_are_a_result_and_have_rows():
-    axis = parse_axis("load.output_torque=0 N*m:5 N*m:2")
-    gaps = np.arange(16.0).reshape(8, 2)
+def test_clearances_are_a_result_and_have_rows(case):
+    table, axis = results_of(si_values(case)), parse_axis("load.output_torque=0 N*m:5 N*m:2")
+    names = table["clearance"].row_names
+    gaps = np.arange(2.0 * len(names)).reshape(len(names), 2)
     found = dataset(
         dimensions=(axis.path,),
         coordinates={axis.path: coordinate(axis)},
         status=np.zeros(2, dtype=np.int8),
         found={"clearance": gaps},
+        table=table,
         attributes={},
     )
     rows = rows_of(found, "clearance")
-    assert list(rows) == list(RESULTS["clearance"].row_names)
+    assert list(rows) == list(names)
     np.testing.assert_array_equal(np.stack([each.values for each in rows.values()]), gaps)

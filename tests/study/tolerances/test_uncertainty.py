@@ -36,7 +36,7 @@ def toleranced(joint_text):
 def spread(toleranced):
     return uncertainty(
         toleranced,
-        results=("planet_mass", "speed_ratio"),
+        results=("body_mass_planet", "speed_ratio"),
         distribution=Distribution("triangular", 0.0),
         samples=SAMPLES,
         seed=1,
@@ -57,7 +57,7 @@ def test_moments_and_indices_of_a_product(spread):
     }
     mean = math.pi * rho * mean_r2 * b
     variance = math.prod(1.0 + v for v in relative.values()) - 1.0
-    one = spread.sel(result="planet_mass")
+    one = spread.sel(result="body_mass_planet")
     deviation = mean * math.sqrt(variance)
     # four standard errors of a mean and, for a kurtosis of at most 3, of a standard deviation
     assert float(one["mean"]) == pytest.approx(mean, abs=4.0 * deviation / math.sqrt(SAMPLES))
@@ -77,7 +77,7 @@ def product(values, points, results, *, batch, report):
     """Mass of a planet by hand, in the place of the joint."""
     rho, radius = points["materials.steel.density"], points["drive.planet_radius"]
     mass = math.pi * rho * radius**2 * points["drive.contact_length"]
-    return np.zeros(rho.size, dtype=np.int8), {"planet_mass": mass}
+    return np.zeros(rho.size, dtype=np.int8), {"body_mass_planet": mass}
 
 
 def test_half_widths_of_the_indices_hold_their_95_per_cent(toleranced, monkeypatch):
@@ -89,12 +89,12 @@ def test_half_widths_of_the_indices_hold_their_95_per_cent(toleranced, monkeypat
     for seed in range(40):
         found = uncertainty(
             toleranced,
-            results=("planet_mass",),
+            results=("body_mass_planet",),
             distribution=Distribution("triangular", 0.0),
             samples=700,
             seed=seed,
         )
-        one = found.sel(result="planet_mass", input="materials.steel.density")
+        one = found.sel(result="body_mass_planet", input="materials.steel.density")
         held += abs(float(one["first_order"]) - first) <= float(one["first_order_half_width"])
     assert held >= stats.binom.ppf(1e-4, 40, 0.95)
 
@@ -114,7 +114,9 @@ def test_quantiles_are_those_of_the_distribution(toleranced, monkeypatch):
         ),
     )
     assert len(inputs) == 3
-    one = uncertainty(toleranced, results=("planet_mass",), distribution=fixed, samples=20_000).isel(result=0)
+    one = uncertainty(toleranced, results=("body_mass_planet",), distribution=fixed, samples=20_000).isel(
+        result=0
+    )
     nominal = float(one["nominal"])
     for found, share in zip(one["quantiles"].values, (0.025, 0.5, 0.975), strict=True):
         # the standard error of a quantile is sqrt(p (1 - p)/n) over the density, here 1/(20 % of the nominal)
@@ -159,7 +161,7 @@ def test_a_result_that_does_not_vary_has_no_indices(spread):
 def test_the_same_seed_gives_the_same_numbers(toleranced, spread):
     again = uncertainty(
         toleranced,
-        results=("planet_mass", "speed_ratio"),
+        results=("body_mass_planet", "speed_ratio"),
         distribution=Distribution("triangular", 0.0),
         samples=SAMPLES,
         seed=1,
@@ -171,10 +173,12 @@ def test_the_same_seed_gives_the_same_numbers(toleranced, spread):
 @pytest.mark.slow
 def test_failed_samples_are_counted(joint_text):
     text = joint_text.replace('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 0.4 mm, uniform"')
-    found = uncertainty(parse_case(text, source="x"), results=("planet_mass", "speed_ratio"), samples=2000)
+    found = uncertainty(
+        parse_case(text, source="x"), results=("body_mass_planet", "speed_ratio"), samples=2000
+    )
     failed = found["status"].values != 0
     assert 0 < failed.sum() < failed.size
-    mass = found.sel(result="planet_mass")
+    mass = found.sel(result="body_mass_planet")
     assert np.isfinite(float(mass["mean"]))
     assert np.all(np.isnan(mass["first_order"].values))
 

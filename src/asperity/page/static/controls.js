@@ -77,7 +77,7 @@ export class Controls {
     form.addEventListener("submit", (event) => event.preventDefault());
   }
 
-  /** What can be set: in a file of the paper's drive (null), or in one of another drive. */
+  /** What can be set in a file of this type of drive; null before there is one. */
   take(form) {
     this.description = { ...this.own, ...form };
     contacts = this.description.contacts;
@@ -93,7 +93,7 @@ export class Controls {
 
   /** Build the rows for the numbers and choices that a joint file has. */
   build(stated) {
-    this.take(stated.form || null);
+    this.take(stated.form);
     const open = new Set([...this.form.querySelectorAll("details[open]")].map((each) => each.dataset.group));
     const first = this.rows.size === 0;
     this.form.replaceChildren();

@@ -1,31 +1,9 @@
-// The drive to scale, with the contact forces of its first branch.
+// The drive to scale, with the contact forces of its first sector.
 
 import { element, number, svg } from "/numbers.js";
 
 const LONGEST_WALL = 0.35; // of the inner radius; a thicker wall is broken off
 const LONGEST_ARROW = 0.24; // of the inner radius
-
-export function driveDrawing(drawing, document_) {
-  if (drawing.rings) return planarDrawing(drawing, document_);
-  const inner = 1e3 * drawing.ring.inner_radius_m;
-  const wall = 1e3 * drawing.ring.wall_m;
-  const shown = Math.min(wall, LONGEST_WALL * inner);
-  const half = (inner + shown) * 1.04;
-  const whole = svg("svg", { viewBox: `${-half} ${-half} ${2 * half} ${2.14 * half}`, role: "img", class: "drive", "aria-label": described(drawing, document_, wall) });
-  whole.append(...bodies(drawing, inner, shown, wall), ...scaleBar(-half * 0.97, half * 1.1, inner, 0.085 * inner));
-  const largest = Math.max(...drawing.forces.map((force) => Math.hypot(...force.normal_N)), 1e-300);
-  const note = shown < wall ? `The ring's wall of ${number(wall)} mm is drawn thinner (dashed edge).` : `Ring wall ${number(wall)} mm.`;
-  return [
-    element("div", { class: "drawings" }, whole, branch(drawing, document_, inner, shown, wall, largest)),
-    element(
-      "p",
-      { class: "note" },
-      "Enlarged: one branch",
-      ...keys(drawing, "the planet and on its loading rollers", largest),
-      ` ${note} ${made(drawing, [drawing.ring])}`,
-    ),
-  ];
-}
 
 /** The interference with which rings are made, and the bore of a single one: the drawing shows where all just touch. */
 function made(drawing, rings) {
@@ -47,8 +25,8 @@ function keys(drawing, where, largest) {
   ];
 }
 
-/** Any planar drive: circles of all tracks, with the contact forces of its first sector. */
-function planarDrawing(drawing, document_) {
+/** Circles of all tracks of a drive, with the contact forces of its first sector. */
+export function driveDrawing(drawing, document_) {
   const rings = drawing.rings.map((ring) => ({ inner: 1e3 * ring.inner_radius_m, wall: 1e3 * ring.wall_m }));
   const rollers = drawing.rollers.map((roller) => 1e3 * (Math.hypot(roller.x_m, roller.y_m) + roller.radius_m));
   const shown = rings.map(({ inner, wall }) => ({ inner, wall, outer: inner + Math.min(wall, LONGEST_WALL * inner) }));
@@ -65,7 +43,7 @@ function planarDrawing(drawing, document_) {
   picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.07 * reach), ...scaleBar(-half * 0.97, half * 1.1, reach, 0.07 * reach));
   const thinner = shown.some((ring) => ring.outer < ring.inner + ring.wall) ? " A thick wall of a ring is drawn thinner (dashed edge)." : "";
   return [
-    element("div", { class: "drawings single" }, picture),
+    element("div", { class: "drawings" }, picture),
     element(
       "p",
       { class: "note" },
@@ -76,9 +54,8 @@ function planarDrawing(drawing, document_) {
   ];
 }
 
-/** The rollers of the first sector of another drive, each with the forces on it; nothing for the paper's drive, whose branch is enlarged. */
+/** The rollers of the first sector, each with the forces on it. */
 export function freeBodies(drawing) {
-  if (!drawing.bodies) return [];
   return [
     element("div", { class: "bodies" }, ...drawing.bodies.map(freeBody)),
     element(
@@ -148,15 +125,6 @@ function labelPlace(kind, [x, y], [e, f], [px, py], side) {
   return [tx, ty + 4 + 5 * py];
 }
 
-/** Ring and rollers, y upwards. */
-function bodies(drawing, inner, shown, wall) {
-  const found = [
-    svg("circle", { class: shown < wall ? "ring broken" : "ring", r: inner + shown }),
-    svg("circle", { class: "bore", r: inner }),
-  ];
-  return [...found, ...circles(drawing.rollers, inner)];
-}
-
 /** Rollers with the marks of their axes. */
 function circles(rollers, size) {
   const mark = 0.03 * size;
@@ -204,34 +172,10 @@ function arrows(drawing, size, largest, font) {
   });
 }
 
-/** The first branch, enlarged, with its forces. */
-function branch(drawing, document_, inner, shown, wall, largest) {
-  const longest = LONGEST_ARROW * inner;
-  const reach = Math.max(...drawing.rollers.slice(0, 4).map((roller) => 1e3 * (Math.abs(roller.x_m) + roller.radius_m)));
-  const half = Math.max(reach * 1.1, 0.62 * inner);
-  const sun = 1e3 * drawing.rollers[0].radius_m;
-  const top = -(inner + longest * 1.25);
-  const height = longest * 1.3 + Math.max(sun, longest) - top;
-  const font = 0.05 * height;
-  const picture = svg("svg", { viewBox: `${-half} ${top} ${2 * half} ${height}`, role: "img", class: "drive branch", "aria-label": forcesDescribed(document_) });
-  picture.append(svg("defs", {}, marker("normal"), marker("tangential")), ...bodies(drawing, inner, shown, wall));
-  for (const force of drawing.forces) {
-    const { x, y, nx, ny, lines } = arrow(force, longest / largest, 0.004 * inner);
-    picture.append(...lines);
-    const side = Math.abs(x) < 0.05 * inner ? 0 : Math.sign(x);
-    const [px, py] = force.contact.startsWith("p") ? [x + side * 0.42 * sun, y - ny * 0.2] : [x - nx * 1.1, y - ny];
-    const anchor = side === 0 ? "middle" : side > 0 ? "start" : "end";
-    picture.append(
-      svg("text", { class: "force-name", x: px + side * 0.3 * font, y: py + (side === 0 ? 1.1 : 0.35) * font, "font-size": font, "text-anchor": anchor }, force.contact),
-    );
-  }
-  return picture;
-}
-
 function forcesDescribed(document_) {
   const { normal_N: normal, tangential_N: tangential } = document_.standing.forces;
   const each = Object.keys(normal).map((name) => `${name} ${number(normal[name])} N and ${number(tangential[name])} N`);
-  return `One branch with its forces, normal and tangential: ${each.join("; ")}.`;
+  return `One sector with its forces, normal and tangential: ${each.join("; ")}.`;
 }
 
 function scaleBar(x, y, inner, font) {
@@ -240,15 +184,4 @@ function scaleBar(x, y, inner, font) {
     svg("path", { class: "scale", d: `M${x},${y - 0.03 * inner}v${0.03 * inner}h${bar}v${-0.03 * inner}` }),
     svg("text", { class: "scale-text", x: x + bar + font * 0.4, y, "font-size": font }, `${number(bar)} mm`),
   ];
-}
-
-function described(drawing, document_, wall) {
-  const size = (body) => number(1e3 * drawing.rollers.find((roller) => roller.body === body).radius_m);
-  const planets = drawing.rollers.filter((roller) => roller.body === "planet").length;
-  const normal = Object.entries(document_.standing.forces.normal_N).map(([name, force]) => `${name} ${number(force)} N`);
-  return (
-    `Drive to scale: sun radius ${size("sun")} mm, ${planets} planets of ${size("planet")} mm, loading rollers of ` +
-    `${size("right loading roller")} mm in a ring of ${number(1e3 * drawing.ring.inner_radius_m)} mm, wall ` +
-    `${number(wall)} mm. Normal forces: ${normal.join(", ")}.`
-  );
 }
