@@ -1,7 +1,9 @@
 """``asperity joint``: the document, the tables, the refusals."""
 
+import dataclasses
 import json
 
+import numpy as np
 import pytest
 
 CONTACTS = ["sp", "pwr", "pwl", "wro", "wlo"]
@@ -167,6 +169,7 @@ def test_a_file_that_is_not_there(call):
 
 
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
+    from asperity.joint.planar import solve as solving
 
     real = solving.result_and_capacity
 
