@@ -11,6 +11,8 @@ from asperity.cli.roll_table import show_rolling
 LOSSES = {"creep": 2.0, "skew": 0.0, "hysteresis": None, "oil": None, "total": 2.0}
 CONTACT = {
     "creepage": 5.4e-4,
+    "layer_creepage_factor": 1.174,
+    "rough_peak_pressure_Pa": 666e6,
     "traction_coefficient": 0.05,
     "capacity_loss": 0.0,
     "shakedown_ratio": 0.5,
@@ -107,7 +109,7 @@ def test_position_of_the_output(document):
     assert row(shown, "torque over stiffness")[:2] == ["6", "arcmin"]
     assert row(shown, "torque capacity, rolling")[:2] == ["11.5", "N·m"]
     assert any("standing: 12.5 N·m" in line for line in shown)
-    assert row(shown, "sp 0.54 ") == ["0.05", "0.12", "750", "0.9", "0.5"]
+    assert row(shown, "sp 0.54 ") == ["1.174", "0.05", "0.12", "750", "0.9", "0.5", "666"]
 
 
 def test_losses_and_lives(document):
@@ -129,7 +131,7 @@ def test_what_skew_takes_from_the_friction(document):
     document["standing"]["contacts"]["sp"]["shakedown_ratio"] = 1.01
     shown = lines(document)
     # 0.12 (1 - 0.75) = 0.03 is less than the traction
-    assert row(shown, "sp 0.54 ")[:2] == ["0.05", "0.03"]
+    assert row(shown, "sp 0.54 ")[1:3] == ["0.05", "0.03"]
     assert any(line.startswith("sp: slips as a whole, because skew") for line in shown)
     assert row(shown, "sp - 0.25")[:1] == ["1.2"]
     assert any("the shakedown limit is exceeded at sp" in line for line in shown)

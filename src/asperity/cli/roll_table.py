@@ -98,11 +98,13 @@ def _show_contacts(target: Console, document: Document) -> None:
         "Contacts",
         "contact",
         "creepage\n10⁻³",
+        "asperities\ntimes",
         "traction\nT/N",
         "limit\nT/N",
         "pressure\nMPa",
         "over\nfirst yield",
         "over\nshakedown",
+        "with asperities\nMPa",
     )
     sliding = []
     for name, contact in document["rolling"]["contacts"].items():
@@ -113,11 +115,13 @@ def _show_contacts(target: Console, document: Document) -> None:
         shown.add_row(
             name,
             scaled(contact["creepage"], 1e3),
+            number(contact["layer_creepage_factor"]),
             number(traction),
             number(limit),
             scaled(contact["hertz_pressure_Pa"], 1e-6),
             number(yields.get(name), 3),
             number(contact["shakedown_ratio"], 3),
+            scaled(contact["rough_peak_pressure_Pa"], 1e-6),
         )
     target.print(shown)
     if sliding:
