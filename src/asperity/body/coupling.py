@@ -7,7 +7,7 @@ add up where contacts share a body:
 .. math:: C_{ij} = \sum_{\text{bodies } b \ni i, j} C^{(b)}_{ij}
 
 for normal and tangential components. With it the assembly is :math:`B q - C f = 0`, :math:`B^\mathsf{T} f = g`;
-:func:`asperity.drive.assembly.assembly_stiffness` takes its diagonal as springs and the rest as their coupling.
+the assembly takes its diagonal as springs and the rest as their coupling.
 
 All bodies are computed as one array: *places* are the contacts of all bodies on themselves, then the pairs of
 different contacts of a body.

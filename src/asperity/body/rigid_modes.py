@@ -47,8 +47,8 @@ def uniform_compliance(wall: Wall) -> tuple[Array, Array]:
     Returns
     -------
     radial, tangential : Array
-        In units of R/4G [-]. The torque on a ring is reacted evenly along its outer rim, whatever supports it; that on a
-        roller is balanced, and its tangential compliance without torsional support 0.
+        In units of R/4G [-]. The torque on a ring is reacted evenly along its outer rim, whatever supports it; that on
+        a roller is balanced, and its tangential compliance without torsional support 0.
 
     References
     ----------

@@ -66,7 +66,7 @@ def bearing_torque(*, bearings: Bearings, pin_force: Array) -> Array:
 
 
 def leading_sense(*, rotation: Real, output_torque: Real) -> Array:
-    """Sense that the friction of bearings opposes.
+    r"""Sense that the friction of bearings opposes, :math:`\operatorname{sgn}\omega`, or that of the torque at rest.
 
     Parameters
     ----------

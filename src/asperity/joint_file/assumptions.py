@@ -22,8 +22,8 @@ from asperity.library import read_finishes
 from asperity.units import format_quantity
 
 _EQUAL_COEFFICIENTS = (
-    "while the drive stands; the first contact that slips then ends it. With springs the forces follow from the slip of "
-    "the contacts, and one of them may slip earlier, as windup and hysteresis show"
+    "while the drive stands; the first contact that slips then ends it. With springs the forces follow from the slip "
+    "of the contacts, and one of them may slip earlier, as windup and hysteresis show"
 )
 _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
 #: What is taken of crowned rollers in every drive.

@@ -174,7 +174,7 @@ def sized_tracks(tables: Mapping[str, Any]) -> dict[str, tuple[tuple[str, str], 
 
 
 def _part(track: str, body: str) -> str:
-    """Name of a roller's track in sections [[branch]]: both loading rollers of a planet have one radius, not one size."""
+    """Name of a track in sections [[branch]]: both loading rollers of a planet have one radius, not one size."""
     return f"{body.split('_')[0]}_roller" if track == "loading_roller" else track
 
 

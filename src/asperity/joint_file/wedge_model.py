@@ -1,4 +1,4 @@
-"""The content of a joint file with the drive of Zou et al. 2025: loading rollers in the wedges between planets and ring."""
+"""The content of a joint file with the drive of Zou et al. 2025: loading rollers between planets and ring."""
 
 from __future__ import annotations
 

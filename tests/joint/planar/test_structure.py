@@ -14,6 +14,7 @@ from asperity.compilation import compile_fast
 from asperity.drive.assembly import Assembly
 from asperity.joint.planar.body_shape import SOLID, BodyShape
 from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.temperature import planar_fit
 from asperity.joint_file.planar_build import planar_joint_from_case
 

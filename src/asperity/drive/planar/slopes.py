@@ -1,7 +1,7 @@
-"""Slopes of the equations of a state by their unknowns, from the directions of the contacts, and a Newton step with them.
+"""Slopes of the equations of a state by their unknowns, and a step of Newton's method with them.
 
-The forces of the contacts are eliminated one by one; what remains has the displacements, the rotations, the pins and the
-interference as unknowns.
+The forces of the contacts are eliminated one by one; what remains has the displacements, the rotations, the pins and
+the interference as unknowns.
 """
 
 from __future__ import annotations

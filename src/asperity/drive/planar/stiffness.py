@@ -167,7 +167,7 @@ def planar_stiffness(
 
 
 def _tied(drive: PlanarDrive, turning: list[int]) -> np.ndarray:
-    """Angles of the turning members over the free ones, of which bodies that turn alike have one, shape (turning, free)."""
+    """Angles of the members over the free ones, of which bodies that turn alike have one, shape (turning, free)."""
     names = [drive.members[i] for i in turning]
     leaders = {name: group[0] for group in drive.turning_alike for name in group}
     free = [name for name in names if leaders.get(name, name) == name]

@@ -95,7 +95,7 @@ def _angle_between(one: Array, other: Array) -> Real:
 
 
 def self_locking_ratio(drive: PlanarDrive, friction_coefficient: Array) -> Real:
-    r"""Friction that the wedges of a drive need to hold themselves over the friction they have, :math:`\tan(\beta/2)/\mu`.
+    r"""Friction that wedges need to hold themselves over the friction they have, :math:`\tan(\beta/2)/\mu`.
 
     Parameters
     ----------
