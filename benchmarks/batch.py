@@ -24,10 +24,11 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.contact.fractal import Surface
-from asperity.drive.geometry import DriveGeometry
+from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.materials import Material
 from asperity.precision import use_double_precision
-from asperity.zou2025.published import PublishedJoint, published_joint
+from asperity.zou2025.published import PublishedJoint
+from asperity.zou2025.published import published_joint
 
 NAMES = (
     "output_torque",

@@ -22,19 +22,21 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.drive.planar.existence import has_room
-from asperity.drive.planar.layout import PlanarDrive
-from asperity.joint.planar.description import planar_contacts
-from asperity.joint.planar.evaluation import evaluated_with_laws
-from asperity.joint.planar.laws import drive_load
-from asperity.joint.planar.status import planar_status
-from asperity.joint.planar.turning import driving_sense
-from asperity.joint.status import NO_ROOM, STATUS_NAMES
+from asperity.drive.layout.existence import has_room
+from asperity.drive.layout.drive import Drive
+from asperity.joint.description import joint_contacts
+from asperity.joint.evaluation import evaluated_with_laws
+from asperity.joint.laws import drive_load
+from asperity.joint.status import joint_status
+from asperity.rolling.turning import driving_sense
+from asperity.joint.status import NO_ROOM
+from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.part_names import with_tracks
-from asperity.joint_file.planar_build import planar_joint_from_values
-from asperity.joint_file.planar_types import PLANAR_CASES
+from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.si_tables import replace_values, si_values
+from asperity.joint_file.si_tables import replace_values
+from asperity.joint_file.si_tables import si_values
 from asperity.precision import use_double_precision
 
 CHUNK = 1024
@@ -93,7 +95,7 @@ def with_room(
 
 
 def recomputed(
-    drive: PlanarDrive, normal: jax.Array, tangential: jax.Array, pins: jax.Array, outward: jax.Array
+    drive: Drive, normal: jax.Array, tangential: jax.Array, pins: jax.Array, outward: jax.Array
 ) -> jax.Array:
     """Forces and moments on each roller that is not on the axis, from those of its contacts, over the largest force."""
     names = [body.name for body in drive.bodies]
@@ -137,7 +139,7 @@ def rooms_of(values: dict[str, Any], paths: tuple[str, ...]) -> Callable[..., An
 
     def one(*numbers: jax.Array) -> jax.Array:
         return has_room(
-            planar_joint_from_values(replace_values(values, dict(zip(paths, numbers, strict=True)))).drive
+            joint_from_values(replace_values(values, dict(zip(paths, numbers, strict=True)))).drive
         )
 
     return jax.jit(jax.vmap(one))
@@ -145,14 +147,14 @@ def rooms_of(values: dict[str, Any], paths: tuple[str, ...]) -> Callable[..., An
 
 def program_of(values: dict[str, Any], paths: tuple[str, ...]) -> Callable[..., Any]:
     def one(*numbers: jax.Array) -> dict[str, Any]:
-        joint = planar_joint_from_values(replace_values(values, dict(zip(paths, numbers, strict=True))))
+        joint = joint_from_values(replace_values(values, dict(zip(paths, numbers, strict=True))))
         result, _ = evaluated_with_laws(joint)
         load = drive_load(joint, list(result.masses), joint.output_torque)
         forces = result.forces
-        used = jnp.abs(forces.tangential) / planar_contacts(joint).pairs.friction_coefficient / forces.normal
+        used = jnp.abs(forces.tangential) / joint_contacts(joint).pairs.friction_coefficient / forces.normal
         slides = result.diagnostics.slip_ratio == 1.0
         return {
-            "status": planar_status(joint, result),
+            "status": joint_status(joint, result),
             "equations": jnp.maximum(forces.balance_residual, forces.closure_residual),
             "recomputed": recomputed(
                 joint.drive, forces.normal, forces.tangential, forces.pins, load.body_force
@@ -172,7 +174,7 @@ def main() -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--drives", type=float, default=1e5, help="of each type")
-    parser.add_argument("--types", default=",".join(PLANAR_CASES))
+    parser.add_argument("--types", default=",".join(CASES))
     parser.add_argument("--seed", type=int, default=2026, help="of the drives: other ones in another run")
     given = parser.parse_args()
     use_double_precision()

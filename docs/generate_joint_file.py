@@ -13,10 +13,11 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from asperity.joint_file.planar_types import PLANAR_CASES
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.section import Section, meaning
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.section import Section
+from asperity.joint_file.section import meaning
+from asperity.joint_file.wedge_model import WedgeCase
 
 PAGE = Path(__file__).with_name("joint_file.md")
 MOVES = Path(__file__).with_name("joint_file_moves.json")
@@ -25,7 +26,7 @@ EXAMPLE = Path(__file__).parents[1] / "examples" / "zou2025.toml"
 HEAD = """\
 # Joint files
 
-<!-- Written by docs/generate_joint_file.py from asperity.joint_file.model; edit the model, then run it. -->
+<!-- Written by docs/generate_joint_file.py from asperity.joint_file.sections; edit the model, then run it. -->
 
 A joint file is TOML. `asperity init` writes one with comments; `asperity schema` prints the JSON schema, with
 which an editor completes and checks keys. A quantity is text with its unit in any unit of its kind, `"13.5
@@ -131,17 +132,17 @@ FIRST = ("drive", "load", "temperature", "bearings", "pin_bearing", "sun_bearing
 
 def _sections() -> Iterator[tuple[str, type[Section], str]]:
     """Header in the file, model and description of every section; that of the bodies has no keys of its own."""
-    for name in (*FIRST, *(name for name in Case.model_fields if name not in (*FIRST, "type", "bodies"))):
-        field = Case.model_fields[name]
+    for name in (*FIRST, *(name for name in WedgeCase.model_fields if name not in (*FIRST, "type", "bodies"))):
+        field = WedgeCase.model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         header = {"duty": "[[duty]]", "branch": "[[branch]]", "materials": "[materials.NAME]"}.get(
             name, f"[{name}]"
         )
-        yield header, model, meaning(Case, name)
+        yield header, model, meaning(WedgeCase, name)
 
 
 #: The other types of drives.
-OTHER_CASES = {kind: case for kind, case in PLANAR_CASES.items() if case is not Case}
+OTHER_CASES = {kind: case for kind, case in CASES.items() if case is not WedgeCase}
 
 OTHERS = """\
 # Other drives
@@ -161,9 +162,9 @@ def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
         assert issubclass(drive, Section)
         yield f'[drive] of type = "{kind}"', drive, " ".join((drive.__doc__ or "").split())
     for name in ("roller", "contact"):
-        field = PLANAR_CASES["planar"].model_fields[name]
+        field = CASES["planar"].model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
-        yield f'[[{name}]] of type = "planar"', model, meaning(PLANAR_CASES["planar"], name)
+        yield f'[[{name}]] of type = "planar"', model, meaning(CASES["planar"], name)
     for kind, case in OTHER_CASES.items():
         field = case.model_fields["branch"]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))

@@ -7,8 +7,11 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from asperity.joint.results import GROUPS, RESULTS, Limit, Result
-from asperity.joint.results.table import RENAMED
+from asperity.results import GROUPS
+from asperity.results import RESULTS
+from asperity.results import Limit
+from asperity.results import Result
+from asperity.results.table import RENAMED
 from asperity.units import format_quantity
 
 PAGE = Path(__file__).with_name("results.md")
@@ -16,7 +19,7 @@ PAGE = Path(__file__).with_name("results.md")
 HEAD = """\
 # Results
 
-<!-- Written by docs/generate_results.py from asperity.joint.results; edit the rows there, then run it. -->
+<!-- Written by docs/generate_results.py from asperity.results; edit the rows there, then run it. -->
 
 Every number that `asperity` computes for a joint. The names are the same everywhere: `asperity sweep --results`,
 `asperity sensitivity --result`, `asperity uncertainty --results`, objectives and limits of `asperity design`, the

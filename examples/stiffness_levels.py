@@ -8,20 +8,21 @@ from pathlib import Path
 
 import numpy as np
 
-from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint.evaluation import JointResult
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
-from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.precision import use_compilation_cache
+from asperity.precision import use_double_precision
 
 FILE = Path(__file__).with_name("zou2025.toml")
 
 
-def main() -> PlanarResult:
+def main() -> JointResult:
     use_double_precision()
     use_compilation_cache()
-    joint = planar_joint_from_case(read_case(FILE))
-    result = solve_planar(dataclasses.replace(joint, output_torque=1e-6, input_speed=0.0)).result
+    joint = joint_from_case(read_case(FILE))
+    result = solve_joint(dataclasses.replace(joint, output_torque=1e-6, input_speed=0.0)).result
     levels = {
         "published (25): asperities alone": result.published,
         "(25) with the bodies in series": result.series_with_bulk,

@@ -135,11 +135,11 @@ def paper_joint(paper_values):
 
     Arrays of one shape (n,) make a batch: every number of the joint then has this axis first.
     """
-    from asperity.joint_file.planar_build import planar_joint_from_values
+    from asperity.joint_file.build import joint_from_values
 
     def make(*, play=None, **changes):
         def one(**numbers):
-            joint = planar_joint_from_values(paper_values(**numbers))
+            joint = joint_from_values(paper_values(**numbers))
             return joint if play is None else dataclasses.replace(joint, play=play)
 
         arrays = {name: value for name, value in changes.items() if np.ndim(value)}
@@ -160,10 +160,10 @@ def evaluated_together():
 
     The axis of the joints, first in ``paper_joint``, is last in the results.
     """
-    from asperity.joint.planar.evaluation import evaluate_planar
+    from asperity.joint.evaluation import evaluate
 
     most = 64
-    program = jax.jit(jax.vmap(evaluate_planar, out_axes=-1))
+    program = jax.jit(jax.vmap(evaluate, out_axes=-1))
 
     def evaluated(joint):
         shape = np.shape(joint.output_torque)
@@ -236,13 +236,13 @@ def evaluated_directly(case):
     """What the chain says on a grid of axes, in one call without the machinery of studies."""
 
     def evaluated(axes):
-        from asperity.joint.planar.evaluation import evaluate_planar
-        from asperity.joint_file.planar_build import planar_joint_from_values
+        from asperity.joint.evaluation import evaluate
+        from asperity.joint_file.build import joint_from_values
         from asperity.joint_file.si_tables import replace_values, si_values
 
         def at(*numbers):
             changes = {axis.path: number for axis, number in zip(axes, numbers, strict=True)}
-            return evaluate_planar(planar_joint_from_values(replace_values(si_values(case), changes)))
+            return evaluate(joint_from_values(replace_values(si_values(case), changes)))
 
         grid = np.meshgrid(*(axis.values for axis in axes), indexing="ij")
         found = jax.jit(jax.vmap(at, out_axes=-1))(*(np.ravel(each) for each in grid))
@@ -255,8 +255,8 @@ def evaluated_directly(case):
 @pytest.fixture(scope="session")
 def unequal_branches():
     """Three branches by hand under 5 N·m: the third loose, the first pressed 1.1 times as hard as equal ones."""
-    from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
-    from asperity.joint.branch_sizes import SectorDeviations
+    from asperity.branches.results import BranchCapacity, BranchState, UnequalBranches
+    from asperity.branches.sizes import SectorDeviations
 
     planets, per_size = np.array([1e-6, 0.0, -7e-6]), np.array([0.0, 0.0, 0.0, 2.0, 2.0])
 

@@ -7,9 +7,9 @@ import pytest
 
 import asperity
 from asperity.errors import InputError
-from asperity.joint.planar.solved import solved_planar_joint
-from asperity.joint.results import RESULTS
-from asperity.joint.results.drive_table import results_of_joint
+from asperity.results import RESULTS
+from asperity.results.drive_table import results_of_joint
+from asperity.results.solved import solved_planar_joint
 
 
 def test_values_are_those_of_the_command(solution, printed, zou_file):

@@ -8,7 +8,7 @@ import pytest
 
 from asperity.body.compliance import compliance_matrix
 from asperity.body.coupling import coupled_compliance, machine_kernel
-from asperity.drive.planar.layout import incidence
+from asperity.drive.layout.drive import incidence
 
 WALLS = np.array([60e-3, 30e-3, 20e-3, 15e-3, 10e-3, 6e-3, 4e-3])
 

@@ -7,7 +7,7 @@ import math
 from rich.console import Console
 
 from asperity.cli.branch_table import show_branches
-from asperity.joint.branch_document import branch_document
+from asperity.results.branch_document import branch_document
 
 
 def text(found):

@@ -12,8 +12,8 @@ from click.testing import CliRunner
 from asperity.cli import asperity
 from asperity.cli.calibrate import interval_digits
 from asperity.errors import InputError
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
@@ -135,10 +135,10 @@ def test_a_drive_of_another_type_is_compared_with_its_own_ratio(tmp_path):
 def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
     """The drift of the example itself, by its solution at three torques: the friction is found again."""
     file, data, out = DRIFT.with_name("planetary.toml"), tmp_path / "drift.csv", tmp_path / "out.toml"
-    joint = planar_joint_from_case(read_case(file))
+    joint = joint_from_case(read_case(file))
     rows = []
     for torque in (2.0, 8.0, 11.0):
-        result = solve_planar(dataclasses.replace(joint, output_torque=torque)).result
+        result = solve_joint(dataclasses.replace(joint, output_torque=torque)).result
         rows.append((torque, float(result.rolling.drift_per_output_turn) / ARCMIN))
     data.write_text("torque [N*m],drift [arcmin/turn]\n" + "".join(f"{t!r},{d!r}\n" for t, d in rows))
     result = invoke(

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
@@ -62,7 +62,7 @@ def texts_of(path):
 
 def preload_of(joint):
     """Force that the interference of a joint makes [N]."""
-    return float(solve_planar(joint).result.preload)
+    return float(solve_joint(joint).result.preload)
 
 
 @pytest.mark.slow
@@ -76,7 +76,7 @@ def test_a_ring_under_a_preload_is_as_small_as_one_under_the_interference_that_m
     load = text[text.index("[load]") :]
     stated = next(line for line in load.splitlines() if line.startswith(("preload", "interference")))
     by_interference = text.replace(stated, 'interference = "30 um"')
-    joint = planar_joint_from_case(parse_case(by_interference, source="test"))
+    joint = joint_from_case(parse_case(by_interference, source="test"))
     force = preload_of(joint)
     file, said = tmp_path / "joint.toml", []
     for line in ('interference = "30 um"', f'preload = "{force!r} N"'):
@@ -98,7 +98,7 @@ def test_the_bore_is_known_at_any_torque_and_in_every_format(call, joint_file, t
     assert 79.9 < bore < 79.99
     made = EXAMPLE.read_text().replace('preload = "1000 N"', f'interference = "{500.0 * (80.0 - bore)!r} um"')
     # the bore has a tenth of a micrometre
-    assert preload_of(planar_joint_from_case(parse_case(made, source="x"))) == pytest.approx(1000.0, rel=1e-2)
+    assert preload_of(joint_from_case(parse_case(made, source="x"))) == pytest.approx(1000.0, rel=1e-2)
 
 
 def test_a_bore_that_is_not_known_is_said(call, joint_file, tmp_path):

@@ -169,7 +169,7 @@ def test_a_file_that_is_not_there(call):
 
 
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
-    from asperity.joint.planar import solve as solving
+    from asperity.joint import solve as solving
 
     real = solving.result_and_capacity
 

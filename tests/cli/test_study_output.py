@@ -8,8 +8,8 @@ from asperity.cli.study_output import (
     show_status,
     status_counts,
 )
-from asperity.joint.results import RESULTS
 from asperity.joint.status import STATUS_NAMES
+from asperity.results import RESULTS
 from asperity.units import from_si
 
 xarray = pytest.importorskip("xarray")

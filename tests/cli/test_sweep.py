@@ -8,7 +8,7 @@ from click.testing import CliRunner
 
 from asperity.cli import asperity
 from asperity.errors import InputError
-from asperity.joint.results.table import GROUPS
+from asperity.results.table import GROUPS
 
 FILE = str(Path(__file__).parents[2] / "examples" / "zou2025.toml")
 TORQUE = ["--over", "load.output_torque=0 N*m:20 N*m:3"]

@@ -8,8 +8,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.joint import windup as module
-from asperity.joint import windup_document
+from asperity.results import windup_document
+from asperity.windup import windup as module
 
 STIFFNESS = 1e5  # N·m/rad
 ARCMINUTE = np.pi / 180.0 / 60.0

@@ -7,8 +7,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.mechanism import NormalSprings, compression, rest_state, steepest_compliance
+from asperity.drive.wedge.geometry import DriveGeometry, triangle
 
 RADII = (4e-3, 13.5e-3, 5e-3, 40e-3)
 

@@ -13,9 +13,9 @@ from asperity.export.fmu import fmu_parts
 from asperity.export.mjcf import mjcf_file
 from asperity.export.modelica import modelica_file
 from asperity.export.table import csv_file
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.description import Joint
 from asperity.joint.play import Play
+from asperity.joint.solve import solve_joint
 
 ARCMINUTE = np.pi / 180.0 / 60.0
 
@@ -104,7 +104,7 @@ def test_reduction(content):
 def test_numbers_are_those_of_the_joint_solved_alone(paper_joint):
     joint = paper_joint(output_torque=4.0)
     made = export_content(joint, inertias=None, source="joint.toml", largest_torque=None, level="assembly")
-    alone = solve_planar(joint).result
+    alone = solve_joint(joint).result
     assert made.largest_torque == 4.0
     assert made.stiffness == pytest.approx(float(alone.assembly.stiffness.output), rel=1e-9)
     assert made.drift == pytest.approx(float(alone.rolling.drift_per_output_turn), rel=1e-9)
@@ -123,7 +123,7 @@ def test_files_say_whose_branches_they_hold(content, made_content):
         return [line for line in heading(each, what="Table") if line.startswith("Branches")]
 
     assert said(made_content().joint) == []
-    own = object.__new__(PlanarJoint)
+    own = object.__new__(Joint)
     vars(own).update(
         unlike=object(), play=content.joint.play, drive=SimpleNamespace(input="sun", output="carrier")
     )

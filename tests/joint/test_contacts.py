@@ -12,7 +12,7 @@ from asperity.joint.contacts import (
     loaded_contacts,
     rough_joint_contacts,
 )
-from asperity.joint.planar.description import planar_contacts
+from asperity.joint.description import joint_contacts
 from asperity.materials import Material
 
 LENGTH, WALL, NU = 5e-3, 10e-3, 0.3
@@ -64,7 +64,7 @@ def found(joint):
 
     @eqx.filter_jit
     def said(joint, normal, lifted):
-        contacts = planar_contacts(joint)
+        contacts = joint_contacts(joint)
         loaded = loaded_contacts(
             contacts=contacts,
             normal_force=lifted,
@@ -99,7 +99,7 @@ def test_pairs_of_materials_by_hand(paper_joint):
         )
     ]
     materials = (sun, planet, roller, roller, ring)
-    contacts = planar_contacts(dataclasses.replace(paper_joint(), materials=materials))
+    contacts = joint_contacts(dataclasses.replace(paper_joint(), materials=materials))
     assert contacts.driving.youngs_modulus.tolist() == [200e9, 210e9, 210e9, 300e9, 300e9]
     assert contacts.driven.youngs_modulus.tolist() == [210e9, 300e9, 300e9, 100e9, 100e9]
     moduli = contacts.pairs.moduli

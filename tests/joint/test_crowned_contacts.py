@@ -14,9 +14,9 @@ from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
 from asperity.errors import InputError
 from asperity.joint.contacts import bulk_springs
 from asperity.joint.crowned_contacts import crown_compliances, rough_slices, slice_slip_ratios, whole_contact
-from asperity.joint.planar.description import planar_contacts
+from asperity.joint.description import joint_contacts
 from asperity.joint.refusal import refuse_short_contacts
-from asperity.joint.rolling_life import sliced_track_lives, track_lives
+from asperity.rolling.life import sliced_track_lives, track_lives
 
 RADII = np.array([np.inf, 1e5, 2.0, 0.5, 0.1, 0.5])
 TORQUES = np.array([5.0, 5.0, 5.0, 5.0, 5.0, 0.02])
@@ -48,7 +48,7 @@ def test_cylinders_are_crowns_of_infinite_radius(springs_joint, crowned, evaluat
 
 def _lines(joint, radius):
     """Length, effective radius and modulus of the contacts, and the curvatures of the planets' crowns."""
-    pairs = planar_contacts(joint).pairs
+    pairs = joint_contacts(joint).pairs
     numbers = {
         "contact_length": float(pairs.contact_length[0]),
         "effective_radius": np.asarray(pairs.effective_radius),
@@ -59,7 +59,7 @@ def _lines(joint, radius):
 
 def _approaches(joint, radius, normal):
     """Approach of each contact, the line's by its spring and the crown's by the pure function."""
-    contacts = planar_contacts(joint)
+    contacts = joint_contacts(joint)
     line = bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(normal)).secant_compliance
     numbers, curvature = _lines(joint, radius)
     crown = jax.jit(crown_compression)(normal_force=normal, crown_curvature=curvature, **numbers)
@@ -136,7 +136,7 @@ def test_peak_pressure_is_that_of_the_middle(springs_joint, crowned):
 @pytest.fixture(scope="module")
 def pair(springs_joint):
     """One contact with a crown of 0.5 m: pairs, curvature, and its load along the line at 800 N."""
-    contacts = planar_contacts(springs_joint)
+    contacts = joint_contacts(springs_joint)
     first = lambda leaf: leaf[:1] if jnp.ndim(leaf) else leaf  # noqa: E731
     one = jax.tree.map(first, contacts.pairs)
     numbers, _ = _lines(springs_joint, 1.0)

@@ -11,17 +11,16 @@ import pytest
 from asperity.body.compliance import compliance_matrix, modes_needed
 from asperity.body.coupling import coupled_compliance
 from asperity.errors import InputError
+from asperity.joint.bodies import body_compliance, exact_bodies
 from asperity.joint.contacts import loaded_contacts
+from asperity.joint.description import joint_contacts
 from asperity.joint.elastic_bodies import springs_of_compliance, widths_of_bodies
-from asperity.joint.planar.bodies import body_compliance, exact_bodies
-from asperity.joint.planar.description import planar_contacts
-from asperity.joint.planar.evaluation import evaluate_planar
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint.planar.status import planar_status
-from asperity.joint.status import STATUS_NAMES, TOO_WIDE
-from asperity.joint.windup import windup
-from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint.evaluation import evaluate
+from asperity.joint.solve import solve_joint
+from asperity.joint.status import STATUS_NAMES, TOO_WIDE, joint_status
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.si_tables import replace_values
+from asperity.windup.windup import windup
 
 REST = {"output_torque": 1e-6, "sun_speed": 0.0}
 
@@ -115,7 +114,7 @@ def test_bodies_of_unequal_contacts(joint):
 def test_shear_follows_the_logarithm_of_the_traction(joint):
     r"""The zone that sticks gives :math:`C(T) - C(0) = \sum (1-\nu^2)/(\pi E B) \ln[1/(1-T/\mu N)]`, Cattaneo."""
     made = joint()
-    contacts = planar_contacts(made)
+    contacts = joint_contacts(made)
     normal = jnp.array([1000.0, 657.0, 465.0, 647.0, 449.0])
 
     def compliance(share):
@@ -226,8 +225,8 @@ def test_derivatives_forward_and_reverse(paper_values):
             "drive.planet_radius": drive["planet_radius"] * x[2],
             "load.output_torque": load["output_torque"] * x[3],
         }
-        made = planar_joint_from_values(replace_values(values, changes))
-        return evaluate_planar(made).assembly.stiffness.output
+        made = joint_from_values(replace_values(values, changes))
+        return evaluate(made).assembly.stiffness.output
 
     here, step = jnp.ones(4), 1e-4
     value = jax.jit(of)
@@ -249,10 +248,10 @@ def test_the_number_of_planets_may_differ_within_a_batch(joint, output):
 def test_a_wall_too_thin_for_exact_bodies_is_refused(joint, solved):
     thin = {"ring_wall_thickness": 0.4e-3}
     with pytest.raises(InputError, match="wall thinner than five half-widths"):
-        solve_planar(joint(**thin))
-    assert int(planar_status(joint(**thin), solved(joint(**thin)))) == TOO_WIDE
+        solve_joint(joint(**thin))
+    assert int(joint_status(joint(**thin), solved(joint(**thin)))) == TOO_WIDE
     assert STATUS_NAMES[TOO_WIDE] == "contact_too_wide"
-    found = solve_planar(joint(**thin, body_model="springs")).result
+    found = solve_joint(joint(**thin, body_model="springs")).result
     assert float(found.assembly.stiffness.output) > 0.0
 
 

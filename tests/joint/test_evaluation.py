@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint.evaluation import evaluate
 
 pytestmark = pytest.mark.slow
 
@@ -18,7 +18,7 @@ SIZE = 16
 
 def summary(joint):
     """What these tests look at, so that the rest is not compiled."""
-    found = evaluate_planar(joint)
+    found = evaluate(joint)
     return {
         "forces": found.forces,
         "tangential_stiffness": found.contacts.tangential_stiffness,

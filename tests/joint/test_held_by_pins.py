@@ -4,10 +4,10 @@ import dataclasses
 
 import pytest
 
-from asperity.joint.limit_check import checked_limits
-from asperity.joint.margins import margins
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import solved_case
+from asperity.results.limit_check import checked_limits
+from asperity.results.margins import margins
 
 PINS = '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "1500 N"\nstatic_rating = "{static} N"\ncount = 2\n\n[model]'
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.description import joint_contacts
 from asperity.joint.interference import logarithmic_decrease
-from asperity.joint.planar.description import planar_contacts
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_values, with_nominal_sizes
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_values, with_nominal_sizes
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
 
@@ -25,13 +25,13 @@ THICK = {"ring_wall_thickness": 60e-3, "body_model": "springs"}
 def test_logarithm_of_both_bodies(paper_joint, body_model, plane_state, width):
     """Each body of a strip adds (1 - nu^2)/(pi E B) ln(1/N) in plane strain, 1/(pi E B) ln(1/N) in plane stress."""
     found = logarithmic_decrease(
-        contacts=planar_contacts(paper_joint()), body_model=body_model, plane_state=plane_state
+        contacts=joint_contacts(paper_joint()), body_model=body_model, plane_state=plane_state
     )
     np.testing.assert_allclose(found, 2.0 * width / (np.pi * 206e9 * 5e-3), rtol=1e-12)
 
 
 def preload(joint):
-    return float(solve_planar(joint).result.preload)
+    return float(solve_joint(joint).result.preload)
 
 
 @pytest.mark.slow
@@ -43,8 +43,8 @@ def test_a_thousand_newtons_by_length(paper_joint):
 @pytest.mark.slow
 @pytest.mark.parametrize(("body_model", "rel"), [("springs", 1e-9), ("exact", 2e-5)])
 def test_force_and_length_are_two_names_of_one_joint(paper_joint, body_model, rel):
-    found = solve_planar(paper_joint(interference=11e-6, body_model=body_model)).result
-    same = solve_planar(paper_joint(preload=float(found.preload), body_model=body_model)).result
+    found = solve_joint(paper_joint(interference=11e-6, body_model=body_model)).result
+    same = solve_joint(paper_joint(preload=float(found.preload), body_model=body_model)).result
     assert float(found.interference) == pytest.approx(11e-6, rel=rel)
     assert float(same.interference) == pytest.approx(11e-6, rel=rel)
 
@@ -55,7 +55,7 @@ def test_sizes_are_deviations_in_a_study_of_tolerances_only(paper_values):
     values = paper_values(interference=12.904e-6, output_torque=1.0, **THICK)
 
     def with_planets(tables, size):
-        return preload(planar_joint_from_values(replace_values(tables, {"drive.planet_radius": size})))
+        return preload(joint_from_values(replace_values(tables, {"drive.planet_radius": size})))
 
     sizes = 13.5e-3 + np.array([-5e-6, 0.0, 5e-6])
     changed = [with_planets(with_nominal_sizes(values), size) for size in sizes]
@@ -71,7 +71,7 @@ def test_force_and_length_exclude_each_other(paper_values, joint_text):
     by_length = joint_text.replace('preload = "1000 N"', 'interference = "13 um"')
     tables = replace_values(si_values(parse_case(by_length, source="x")), {"load.preload": 500.0})
     assert "interference" not in tables["load"]
-    assert planar_joint_from_values(tables).preload == 500.0
+    assert joint_from_values(tables).preload == 500.0
 
 
 @pytest.mark.slow
@@ -80,10 +80,10 @@ def test_a_free_ring_takes_more_micrometres_and_minds_errors_less(paper_values):
     spread = {}
     for support in ("rigid_housing", "free"):
         stated = paper_values(output_torque=1.0, ring_support=support)
-        length = float(solve_planar(planar_joint_from_values(stated)).result.interference)
+        length = float(solve_joint(joint_from_values(stated)).result.interference)
         values = with_nominal_sizes(replace_values(stated, {"load.interference": length}))
         low, high = (
-            preload(planar_joint_from_values(replace_values(values, {"drive.planet_radius": size})))
+            preload(joint_from_values(replace_values(values, {"drive.planet_radius": size})))
             for size in (13.5e-3 - 5e-6, 13.5e-3 + 5e-6)
         )
         spread[support] = length, high - low

@@ -14,8 +14,8 @@ from asperity.errors import InputError
 from asperity.joint import measured_surface as module
 from asperity.joint.measured_surface import measured_surface, stiffness_interval
 from asperity.joint.surface_interval import over_surfaces
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.measured_surface import with_measured_surface
-from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.surface.measurement import SurfaceMeasurement, measurement_document
 
@@ -69,7 +69,7 @@ def test_draws_beyond_the_dimensions_of_profiles_are_counted(monkeypatch, dimens
 @pytest.mark.long
 def test_a_narrow_interval_is_the_linear_propagation_of_the_covariance(zou_file):
     measured = measurement()
-    joint = planar_joint_from_case(with_measured_surface(read_case(zou_file), measured))
+    joint = joint_from_case(with_measured_surface(read_case(zou_file), measured))
     interval = stiffness_interval(joint, measured)
 
     steps = np.array([[0.0, 0.0], [1e-5, 0.0], [-1e-5, 0.0], [0.0, 1e-4], [0.0, -1e-4]])
@@ -122,7 +122,7 @@ def test_more_than_two_bodies_are_refused(write):
 
 def test_a_measurement_that_hardly_knows_d_is_refused(zou_file):
     vague = measurement(dimension=1.9, deviation=0.2)
-    joint = planar_joint_from_case(with_measured_surface(parse_case(zou_file.read_text(), source="x"), vague))
+    joint = joint_from_case(with_measured_surface(parse_case(zou_file.read_text(), source="x"), vague))
     with pytest.raises(InputError, match="too uncertain"):
         stiffness_interval(joint, vague)
 
@@ -131,7 +131,7 @@ def test_a_measurement_that_hardly_knows_d_is_refused(zou_file):
 def test_draws_without_a_stiffness_leave_no_interval(zou_file):
     """At D = 1.2 every spot is plastic: the interval was 0 to 0."""
     measured = measurement(dimension=1.2)
-    joint = planar_joint_from_case(with_measured_surface(read_case(zou_file), measured))
+    joint = joint_from_case(with_measured_surface(read_case(zou_file), measured))
     interval = stiffness_interval(joint, measured)
     assert interval["all_plastic"] == interval["draws"]
     for level in ("published", "series_with_bulk", "assembly"):
@@ -158,7 +158,7 @@ def drawn(zou_file, monkeypatch):
         monkeypatch.setattr("asperity.joint.surface_interval.compile_fast", lambda *_: evaluated)
         measured = measurement()
         return stiffness_interval(
-            planar_joint_from_case(with_measured_surface(read_case(zou_file), measured)), measured
+            joint_from_case(with_measured_surface(read_case(zou_file), measured)), measured
         )
 
     return interval

@@ -10,8 +10,8 @@ import pytest
 
 from asperity.body.rim_stress import hoop_stress
 from asperity.compilation import call_compiled
-from asperity.joint.planar.bodies import exact_bodies
-from asperity.joint.planar.rims import planar_rims
+from asperity.joint.bodies import exact_bodies
+from asperity.joint.rims import joint_rims
 
 by_sum = jax.jit(hoop_stress, static_argnames="mode_count")
 
@@ -35,7 +35,7 @@ def joint(paper_joint):
 
 @pytest.fixture(scope="module")
 def found(joint, result):
-    return call_compiled(planar_rims, joint, result)
+    return call_compiled(joint_rims, joint, result)
 
 
 @pytest.mark.slow

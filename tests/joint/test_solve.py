@@ -9,12 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from asperity.errors import AsperityError, InputError, PrecisionError
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.solve import solve_joint
 
 
 def refusal(joint) -> str:
     with pytest.raises(InputError) as refused:
-        solve_planar(joint)
+        solve_joint(joint)
     return str(refused.value)
 
 
@@ -23,7 +23,7 @@ def test_the_papers_joint(solved_paper, paper_joint):
     result = solved_paper[1].result
     assert float(result.forces.tangential[0]) == pytest.approx(5.0 / 9.0 / 0.012, rel=1e-9)
     assert float(result.published.output) == pytest.approx(4.3e6, rel=0.02)
-    small = solve_planar(paper_joint(output_torque=1e-6)).result
+    small = solve_joint(paper_joint(output_torque=1e-6)).result
     assert float(small.published.output) == pytest.approx(5.0e6, rel=0.02)
     assert isinstance(result.forces.normal, np.ndarray)
     # the carrier turns against the sun, 1 + 40/4 - 2 times as slowly
@@ -54,7 +54,7 @@ def test_the_papers_joint(solved_paper, paper_joint):
 )
 def test_what_cannot_exist_is_refused_with_its_numbers(paper_joint, changes, said):
     with pytest.raises(AsperityError, match=said):
-        solve_planar(paper_joint(**changes))
+        solve_joint(paper_joint(**changes))
 
 
 def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
@@ -63,12 +63,12 @@ def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
     capacity = float(message.split("torque capacity ")[1].split(" ")[0])
     assert "contact sp slips" in message
     assert capacity / 9.0 / 0.012 == pytest.approx(0.12 * 1000.0, rel=0.03)  # N_sp stays near the preload
-    solve_planar(paper_joint(output_torque=capacity * 0.999))
+    solve_joint(paper_joint(output_torque=capacity * 0.999))
     refusal(paper_joint(output_torque=capacity * 1.001))
 
 
 def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_joint):
-    capacities = [solve_planar(paper_joint(output_torque=torque)).capacity for torque in (0.0, 5.0, 13.0)]
+    capacities = [solve_joint(paper_joint(output_torque=torque)).capacity for torque in (0.0, 5.0, 13.0)]
     assert {int(found.limiting_contact) for found in capacities} == {0}
     torques = [float(found.output_torque) for found in capacities]
     assert torques == pytest.approx([torques[0]] * 3, rel=1e-9)
@@ -77,7 +77,7 @@ def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_join
 def test_single_precision_is_refused(paper_joint):
     joint = paper_joint()
     with jax.enable_x64(False), pytest.raises(PrecisionError, match="use_double_precision"):
-        solve_planar(joint)
+        solve_joint(joint)
 
 
 @pytest.mark.slow
@@ -111,7 +111,7 @@ def test_any_joint_is_refused_or_has_a_finite_balanced_result(paper_joint, data)
         else:
             changes[name] = data.draw(st.floats(low, high))
     try:
-        result = solve_planar(paper_joint(**changes)).result
+        result = solve_joint(paper_joint(**changes)).result
     except AsperityError as error:
         assert error.exit_code in (2, 3)  # noqa: PT017
         return
@@ -123,7 +123,7 @@ def test_any_joint_is_refused_or_has_a_finite_balanced_result(paper_joint, data)
 
 def test_the_levels_of_stiffness_have_no_value_where_every_spot_is_plastic(solved_paper, paper_joint):
     """D = 1.2: the law says 0, boundary elements 13 to 780 N/um of a square millimetre (docs/validity.md)."""
-    result = solve_planar(paper_joint(fractal_dimension=1.2)).result
+    result = solve_joint(paper_joint(fractal_dimension=1.2)).result
     assert not bool(result.contact_law_holds)
     for level in (result.published, result.series_with_bulk, result.assembly.stiffness):
         assert math.isnan(float(level.output))

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from asperity.errors import AsperityError
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.solve import solve_joint
 from asperity.joint.status import STATUS_MEANINGS, STATUS_NAMES, flag_attributes
-from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.study.batch import evaluate_points
 
@@ -70,7 +70,7 @@ def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, ind
     )
     if told is not None and index in (1, 8):  # each solution compiles anew: two stand for all
         with pytest.raises(AsperityError, match=told):
-            solve_planar(planar_joint_from_values(replace_values(si_values(case), changes)))
+            solve_joint(joint_from_values(replace_values(si_values(case), changes)))
 
 
 @pytest.mark.slow

@@ -6,9 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.solve import solve_joint
 from asperity.joint.surface_interval import over_surfaces, result_ends
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.build import joint_from_case
 
 
 def result(unsolved=0, plastic=0):
@@ -43,7 +43,7 @@ def test_many_surfaces_of_another_drive_are_the_joint_with_each(planar_case):
         'bodies = "exact"': 'bodies = "springs"',
         'ring_support = "free" ': 'ring_support = "rigid_housing" ',
     }
-    joint = planar_joint_from_case(planar_case("planetary", replaced=springs))
+    joint = joint_from_case(planar_case("planetary", replaced=springs))
     dimensions, roughnesses = (1.3, 1.5), (2e-11, 1.3e-10)
 
     def surface(dimension, roughness):
@@ -54,7 +54,7 @@ def test_many_surfaces_of_another_drive_are_the_joint_with_each(planar_case):
     many = over_surfaces(joint, (surface(np.array(dimensions), np.array(roughnesses)),), shape=(2,))
     for k, numbers in enumerate(zip(dimensions, roughnesses, strict=True)):
         one = over_surfaces(joint, (surface(*map(float, numbers)),), shape=(2,))
-        alone = solve_planar(dataclasses.replace(joint, surfaces=(surface(*map(float, numbers)),))).result
+        alone = solve_joint(dataclasses.replace(joint, surfaces=(surface(*map(float, numbers)),))).result
         for found, place in ((many, k), (one, 0), (one, 1)):
             for level in ("published", "series_with_bulk"):
                 expected = float(getattr(alone, level).output)

@@ -8,10 +8,10 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint import temperature_curves as module
-from asperity.joint.description import Fit
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.fit import Fit
+from asperity.joint.solve import solve_joint
 from asperity.joint.temperature_curves import temperature_curves
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 
 
@@ -53,9 +53,9 @@ def test_the_curve_goes_through_the_solved_joint(joint_text):
         'bodies = "exact"', 'bodies = "springs"'
     )
     text = text.replace("[model]", '[temperature]\nassembly = "20 °C"\nworking = "32 °C"\n\n[model]')
-    joint = planar_joint_from_case(parse_case(text, source="x"))
+    joint = joint_from_case(parse_case(text, source="x"))
     curves = temperature_curves(joint)
-    solution = solve_planar(joint)
+    solution = solve_joint(joint)
 
     def at_work(values):
         return float(np.interp(32.0, np.asarray(curves.temperature), np.asarray(values)))
@@ -65,7 +65,7 @@ def test_the_curve_goes_through_the_solved_joint(joint_text):
     stiffness = float(solution.result.assembly.stiffness.output)
     assert at_work(curves.stiffness) == pytest.approx(stiffness, rel=2e-3)
     cool = dataclasses.replace(joint.fit, working_temperature=joint.fit.assembly_temperature)
-    middle = float(solve_planar(dataclasses.replace(joint, fit=cool)).result.preload)
+    middle = float(solve_joint(dataclasses.replace(joint, fit=cool)).result.preload)
     assert np.interp(20.0, curves.temperature, curves.preload) == pytest.approx(middle, rel=2e-3)
     loose = np.asarray(curves.preload) == 0.0
     assert np.any(loose)

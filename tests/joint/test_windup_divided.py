@@ -5,10 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.drive.planar.layout import Closure
+from asperity.drive.layout.drive import Closure
 from asperity.joint.play import NO_PLAY
-from asperity.joint.windup import windup, windup_of
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.build import joint_from_case
+from asperity.windup.windup import windup, windup_of
 
 STAGES = (1.0 / 3.0, 2.0 / 3.0)
 
@@ -33,7 +33,7 @@ def test_a_curve_is_divided_where_its_compliance_is_infinite():
 @pytest.mark.slow
 def test_a_joint_beyond_its_first_slip_needs_no_more_steps(case):
     """12 N·m, where one loading roller slides from 9.59 N·m on: the loop is that of eight times as many steps."""
-    found = planar_joint_from_case(case)
+    found = joint_from_case(case)
     joint = dataclasses.replace(found, drive=dataclasses.replace(found.drive, closure=Closure()))
     coarse, fine = (windup(joint, largest_torque=12.0, level="assembly", steps=steps) for steps in (20, 160))
     assert float(coarse.hysteresis) == pytest.approx(float(fine.hysteresis), rel=5e-6)

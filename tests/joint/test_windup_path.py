@@ -12,18 +12,18 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.planar.stiffness import planar_stiffness
+from asperity.drive.stiffness.network import network_stiffness
 from asperity.joint.contacts import loaded_contacts
-from asperity.joint.planar.description import planar_contacts
-from asperity.joint.planar.evaluation import evaluate_planar
-from asperity.joint.standing import NO_SLIP_FRICTION
-from asperity.joint.windup import windup
+from asperity.joint.description import joint_contacts
+from asperity.joint.evaluation import evaluate
+from asperity.windup.standing import NO_SLIP_FRICTION
+from asperity.windup.windup import windup
 
 ELEMENTS, STEPS, MU = 120, 60, 0.12
 
 
 def standing(joint):
-    found = evaluate_planar(joint)
+    found = evaluate(joint)
     return {"forces": found.forces, "interfaces": found.interfaces}
 
 
@@ -58,7 +58,7 @@ class Layer:
 def shapes(joint, normal):
     """Compliance over its initial value by traction, of both layers of every contact at rest."""
     table = np.linspace(0.0, 0.999, 400)
-    contacts = planar_contacts(joint)
+    contacts = joint_contacts(joint)
 
     def under(traction):
         loaded = loaded_contacts(
@@ -82,7 +82,7 @@ def path_following(paper_joint, changes, largest):
     normal, tangential = np.asarray(interfaces.normal), np.asarray(interfaces.tangential)
 
     def compliance(tangential_compliance, normal_stiffness):
-        found = planar_stiffness(
+        found = network_stiffness(
             drive=joint.drive,
             normal_compliance=1.0 / normal_stiffness,
             tangential_compliance=tangential_compliance,

@@ -5,11 +5,11 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.joint.planar.working_loads import (
+from asperity.joint.working_loads import (
+    loads_without_torque,
     member_speeds,
     pin_speeds,
-    planar_loads_without_torque,
-    working_planar_loads,
+    working_loads,
 )
 
 WEDGE, DIRECTION = np.radians(13.1582), np.radians(27.0831)  # of the paper's drive
@@ -31,7 +31,7 @@ def moment(joint, loads, member):
 
 def test_a_turning_joint_has_the_forces_of_rolling(joint, result):
     """Smooth bodies with Carter's creep have T = 25.4224 and 20.8739 N; the asperities shift them a little."""
-    loads = working_planar_loads(joint, result)
+    loads = working_loads(joint, result)
     right = 657.80 * np.sin(WEDGE) - 25.4224 * (np.cos(WEDGE) + 1.0)
     left = 464.95 * np.sin(WEDGE) + 20.8739 * (np.cos(WEDGE) + 1.0)
     assert np.abs(loads.pin) == pytest.approx([right, left], rel=2.5e-2)
@@ -42,13 +42,13 @@ def test_a_turning_joint_has_the_forces_of_rolling(joint, result):
 
 
 def test_a_standing_joint_has_the_forces_of_the_balance(joint, result):
-    loads = working_planar_loads(dataclasses.replace(joint, input_speed=np.float64(0.0)), result)
+    loads = working_loads(dataclasses.replace(joint, input_speed=np.float64(0.0)), result)
     assert np.abs(loads.pin) == pytest.approx(np.abs(result.forces.pins), rel=1e-12)
 
 
 def test_the_preload_alone_pushes_both_pins_alike(joint, result):
     """N_pw = N_0/(2 cos theta) = 561.5 N, of which sin beta stays on the pin; the paper's angles."""
-    loads = planar_loads_without_torque(joint, result)
+    loads = loads_without_torque(joint, result)
     pin = 1000.0 / (2.0 * np.cos(DIRECTION)) * np.sin(WEDGE)
     assert np.abs(loads.pin) == pytest.approx([pin, pin], rel=1e-5)
     assert np.asarray(loads.moments) == pytest.approx(np.zeros(len(joint.drive.members)), abs=1e-9)

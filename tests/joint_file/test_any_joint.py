@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.planar.document import planar_document
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint.planar.solved import solved_planar_joint
-from asperity.joint.results import GROUPS, RESULTS, chosen_results, known_result
+from asperity.joint.solve import solve_joint
 from asperity.joint.status import NO_ROOM, SLIPS
 from asperity.joint_file.any_joint import evaluated_points, results_of
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.part_names import with_tracks
-from asperity.joint_file.planar_build import planar_joint_from_values
 from asperity.joint_file.si_tables import replace_values, si_values
+from asperity.results import GROUPS, RESULTS, chosen_results, known_result
+from asperity.results.document import joint_document
+from asperity.results.solved import solved_planar_joint
 from asperity.study.batch import derivatives_at
 
 #: One program for all numbers: stiffness on every level, and one result of every kind of rows.
@@ -62,7 +62,7 @@ def _at(values, path):
 
 
 def single(values, changes):
-    return solve_planar(planar_joint_from_values(replace_values(values, changes)))
+    return solve_joint(joint_from_values(replace_values(values, changes)))
 
 
 def numbers_of(solution):
@@ -223,16 +223,16 @@ def test_rims_of_many_joints_are_those_of_single_ones(planar_case):
 
 
 def _rim_entry(values, wall):
-    joint = planar_joint_from_values(replace_values(values, {WALL: wall}))
-    return planar_document(solved_planar_joint(joint, solve_planar(joint)), inputs={}, assumptions=())[
-        "rims"
-    ]["ring"]
+    joint = joint_from_values(replace_values(values, {WALL: wall}))
+    return joint_document(solved_planar_joint(joint, solve_joint(joint)), inputs={}, assumptions=())["rims"][
+        "ring"
+    ]
 
 
 def test_results_of_drives_with_wedges_are_refused_by_name(values, planar_case):
     table = results_of(values)
     only = {"wedge_angle", "self_locking_ratio", "direction_angle", "polar_angle"}
-    named = {name for name, row in RESULTS.items() if row.wedge_only}
+    named = {name for name, row in RESULTS.items() if row.needs_wedges}
     assert only <= named
     assert set(table) == set(RESULTS) - named
     assert named <= set(results_of(si_values(planar_case("planar"))))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.planar_build import deviations_of
+from asperity.joint_file.build import deviations_of
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import numeric_keys, si_values
 

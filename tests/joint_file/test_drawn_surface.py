@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from asperity.compilation import compile_fast
-from asperity.joint.planar.evaluation import evaluate_planar
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.evaluation import evaluate
+from asperity.joint.solve import solve_joint
 from asperity.joint_file import drawn_surface as module
 from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.drawn_surface import _words, drawn_interval, surfaces_by_average
-from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import roughness_average, scatter_of_average
@@ -112,7 +112,7 @@ def test_a_partner_without_a_tolerance_scatters_as_measured_once(states):
 
 def test_the_surface_of_the_joint_has_the_ra_of_both_bodies(head):
     text = SURFACE + 'partner_roughness_average = "0.15 um"\n'
-    (surface,) = planar_joint_from_case(parse_case(head + text, source="a.toml")).surfaces
+    (surface,) = joint_from_case(parse_case(head + text, source="a.toml")).surfaces
     back = roughness_average(
         fractal_dimension=surface.fractal_dimension,
         fractal_roughness=surface.fractal_roughness,
@@ -132,7 +132,7 @@ def test_joints_at_the_ends_lie_inside(drawn_case, interval):
     def at(dimension, average):
         changes = {"surface.fractal_dimension": dimension, "surface.roughness_average": average}
         values = replace_values(si_values(drawn_case), changes | {"surface.cut_off": 0.8e-3})
-        return evaluate_planar(planar_joint_from_values(values))
+        return evaluate(joint_from_values(values))
 
     result = compile_fast(jax.vmap(at), *corners)(*corners)
     for name, values, unit in (
@@ -185,7 +185,7 @@ def test_ra_is_a_number_like_any_other(example_case):
     """A study may vary Ra where the file states G; the cut-off is then that of the standard for each Ra."""
     for average, cut_off in ((0.05e-6, 0.25e-3), (0.2e-6, 0.8e-3)):
         values = replace_values(si_values(example_case), {"surface.roughness_average": average})
-        (surface,) = planar_joint_from_values(values).surfaces
+        (surface,) = joint_from_values(values).surfaces
         g = surface.fractal_roughness
         back = roughness_average(fractal_dimension=1.4, fractal_roughness=g, cut_off=cut_off)
         assert back == pytest.approx(math.sqrt(2.0) * average)
@@ -213,7 +213,7 @@ def test_what_leaves_nothing_open_is_the_joint_of_another_drive(planar_case):
     )
     case = planar_case("planetary", *exact)
     found = drawn_interval(case)
-    result = solve_planar(planar_joint_from_case(case)).result
+    result = solve_joint(joint_from_case(case)).result
     for level, value in (
         ("published", result.published.output),
         ("assembly", result.assembly.stiffness.output),

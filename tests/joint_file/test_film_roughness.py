@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 
@@ -17,7 +17,7 @@ BY_AVERAGE = 'finish = "ground"\nroughness_average = "0.3 um"\n'
 
 
 def roughness_of(text):
-    return planar_joint_from_values(si_values(parse_case(text, source="x"))).rolling.roughness
+    return joint_from_values(si_values(parse_case(text, source="x"))).rolling.roughness
 
 
 @pytest.mark.parametrize("name", ["zou2025", "planetary", "multiroller", "stepped_planet", "planar"])

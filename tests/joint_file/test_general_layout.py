@@ -6,11 +6,11 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.drive.planar.existence import refuse_impossible
-from asperity.drive.planar.layout import gaps, speed_ratio
+from asperity.drive.layout.drive import gaps, speed_ratio
+from asperity.drive.layout.existence import refuse_impossible
 from asperity.errors import InputError
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 
 TEXT = (Path(__file__).parents[2] / "examples" / "planar.toml").read_text(encoding="utf-8")
@@ -88,7 +88,7 @@ def test_rollers_and_contacts_that_do_not_fit_together_are_told(old, new, messag
 def test_other_radii_need_no_other_program():
     """Only which tracks are one is part of the program; 5.0 mm is the track of 5 mm."""
     one, other, stepped = (
-        jax.tree.structure(planar_joint_from_case(read(*replaced)))
+        jax.tree.structure(joint_from_case(read(*replaced)))
         for replaced in (
             (),
             (('first_radius = "4 mm"', 'first_radius = "3.9 mm"'),),
@@ -107,7 +107,7 @@ def test_other_radii_need_no_other_program():
 @pytest.mark.slow
 def test_a_listed_drive_closes_its_gaps_and_has_the_ratio_of_its_formula():
     near = (('"76.1 deg"', '"74 deg"'), ('orbit = "17.5 mm"', 'orbit = "17 mm"'))
-    drive = planar_joint_from_case(read(*near)).drive
+    drive = joint_from_case(read(*near)).drive
     np.testing.assert_allclose(gaps(drive), 0.0, atol=1e-14)
     refuse_impossible(drive)
     assert float(speed_ratio(drive)) == pytest.approx(-(40.0 / 4.0 - 1.0), rel=1e-9)
@@ -117,13 +117,13 @@ def test_a_listed_drive_closes_its_gaps_and_has_the_ratio_of_its_formula():
 
 def test_radii_that_cannot_close_are_refused_with_the_gap():
     """Planet and roller reach 15.5 + 18.5 = 34 mm, the ring is 1 mm farther: three gaps in a row share it."""
-    loose = planar_joint_from_case(read(('first_radius = "4 mm"', 'first_radius = "2 mm"')))
+    loose = joint_from_case(read(('first_radius = "4 mm"', 'first_radius = "2 mm"')))
     with pytest.raises(InputError, match=r"contact sp: sun and planet do not touch \(gap 0\.\d+ mm\)"):
         refuse_impossible(loose.drive)
 
 
 def test_a_roller_without_an_angle_lies_above_the_axis_and_rings_have_the_interference():
-    joint = planar_joint_from_case(read(('angle = "90 deg"\n', "")))
+    joint = joint_from_case(read(('angle = "90 deg"\n', "")))
     np.testing.assert_allclose(joint.drive.centres[1], [0.0, 17.5e-3], atol=1e-12)
     assert joint.pattern == (0.0, 0.0, 0.0, 1.0, 1.0)
 
@@ -134,10 +134,10 @@ def test_what_published_closures_assume():
         ('name = "pwl"', 'name = "pwl"\nsame_coefficient_as = "pwr"'),
         ('name = "right"', 'name = "right"\npin_force = "constant"'),
     )
-    closure = planar_joint_from_case(case).drive.closure
+    closure = joint_from_case(case).drive.closure
     assert closure.equal_coefficients == (("pwr", "pwl"),)
     assert closure.constant_pins == ("right",)
-    assert planar_joint_from_case(read()).drive.closure == type(closure)()
+    assert joint_from_case(read()).drive.closure == type(closure)()
     told = " ".join(assumptions(case))
     assert "contact pwl: same_coefficient_as = 'pwr'" in told
     assert "roller right: pin_force = 'constant'" in told

@@ -1,7 +1,7 @@
 """Paths of the numbers of joint files: those that studies vary, and those that are only entered."""
 
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.key_paths import keys_by_path
-from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.unit_table import Dimension
 
 
@@ -25,7 +25,7 @@ def test_an_rz_and_a_share_are_entered_and_no_study_varies_them():
     assert (entered["duty.*.share"].lower, entered["duty.*.share"].upper) == (0.0, 1.0)
     assert entered["surface.*.mean_roughness_depth"].unit == "um"
     assert not set(entered) & set(keys_by_path())
-    for model in PLANAR_CASES.values():
+    for model in CASES.values():
         assert "surface.*.mean_roughness_depth" in keys_by_path(model, numbers="entered")
 
 

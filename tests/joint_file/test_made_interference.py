@@ -5,9 +5,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_values, thermal_change_of
 from asperity.joint_file.made_interference import made_interference
-from asperity.joint_file.planar_build import planar_joint_from_values, thermal_change_of
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 
@@ -38,8 +38,8 @@ def test_without_a_result_it_is_that_which_makes_the_force_at_rest(planar_case, 
         found = made_interference(case_of(FORCE[1] + cam), known).size
         stated = si_values(case_of(f'interference = "{1e6 * found!r} um"'))
         stated["load"]["output_torque"] = 0.0
-        joint = planar_joint_from_values(stated)
-        force = float(solve_planar(joint).result.preload)
+        joint = joint_from_values(stated)
+        force = float(solve_joint(joint).result.preload)
         assert force == pytest.approx(1000.0, rel=1e-5)
 
 

@@ -1,45 +1,184 @@
-"""What the sections of a joint file let through, and how they refuse."""
+"""Joint files of other drives: read, refused, described, and told to editors."""
 
-import tomllib
+import json
+from importlib.resources import files
+from pathlib import Path
 
+import jsonschema
 import pytest
-from pydantic import ValidationError
 
 from asperity.errors import InputError
-from asperity.joint_file.material_entries import SurfaceEntry
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.reader import parse_case
+from asperity.joint_file.schema import joint_schema
+from asperity.reading import parse_toml
 
-SURFACE = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
-CONTACTS = ("sp", "pwr", "pwl", "wro", "wlo")
-
-
-@pytest.fixture
-def tables(example_text):
-    return tomllib.loads(example_text)
+EXAMPLES = Path(__file__).parents[2] / "examples"
+NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
 
 
-def test_units_are_converted_once_and_here(tables):
-    case = Case.model_validate(tables)
-    assert case.drive.sun_radius.value == pytest.approx(4e-3, rel=1e-15)
-    assert case.load.sun_speed.value == pytest.approx(6000.0 * 3.141592653589793 / 30.0, rel=1e-12)
-    assert case.load.preload.text == "1000 N"
+def text_of(name):
+    return (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
 
 
-def test_one_surface_for_all_contacts_or_one_for_each(tables):
-    one = Case.model_validate({**tables, "surface": SURFACE}).surface
-    assert isinstance(one, SurfaceEntry)
-    five = {name: {**SURFACE, "fractal_dimension": 1.3 + 0.1 * index} for index, name in enumerate(CONTACTS)}
-    each = Case.model_validate({**tables, "surface": five}).surface
-    assert [each[name].fractal_dimension.value for name in CONTACTS] == pytest.approx(
-        [1.3, 1.4, 1.5, 1.6, 1.7]
+def read(name, *replaced):
+    text = text_of(name)
+    for old, new in replaced:
+        assert old in text
+        text = text.replace(old, new)
+    return parse_case(text, source="mine.toml")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_examples_are_those_of_init_and_valid_for_editors(name):
+    assert files("asperity.joint_file").joinpath(f"{name}.toml").read_text("utf-8") == text_of(name)
+    case = read(name)
+    assert case.text == text_of(name)
+    assert case == read(name)
+    schema = joint_schema(case.type)
+    jsonschema.validate(parse_toml(text_of(name), source=name), schema)
+    json.dumps(schema)
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "message"),
+    [
+        (
+            "planetary",
+            'type = "planetary"',
+            'type = "planetry"',
+            "is not a type of drive; did you mean 'planetary'?",
+        ),
+        ("planetary", 'ring = "52100"', 'rim = "52100"', "bodies.rim: a planetary drive has no such body"),
+        (
+            "planetary",
+            'contact_length = "10 mm"',
+            'contact_length = { sp = "10 mm" }',
+            "drive.contact_length: pr is missing",
+        ),
+        ("planetary", 'planet_radius = "20 mm"', "", "drive.planet_radius: this key is missing: a length"),
+        ("planetary", 'planet_radius = "20 mm"', 'planet_radius = "20 N"', "drive.planet_radius"),
+        (
+            "planetary",
+            "fractal_dimension = 1.5",
+            "",
+            "surface.fractal_dimension: this key is missing: a dimensionless",
+        ),
+        (
+            "planar",
+            "fractal_dimension = 1.5",
+            "",
+            "surface.fractal_dimension: this key is missing: a dimensionless",
+        ),
+        ("planetary", "[surface]\n", "[surface.sp]\n", "surface: pr is missing"),
+        (
+            "planetary",
+            'interference = "30 um"',
+            'interference = "30 um"\npreload = "1 N"',
+            "exactly one of 'preload' and 'interference'",
+        ),
+        ("planetary", 'sun = "52100"', 'sun = "adamant"', "bodies.sun: there is no material 'adamant'"),
+        ("planetary", 'bodies = "exact"', 'bodies = "springs"', "drive.ring_support: only for model.bodies"),
+        ("multiroller", "first_row_radius", "first_row_radios", "did you mean 'first_row_radius'?"),
+        (
+            "planar",
+            "sector" + "s = 3",
+            "sectors = 3\nsectorial = 1",
+            "drive.sectorial: unknown key; did you mean 'sectors'?",
+        ),
+        ("stepped_planet", 'bodies = "exact"', 'bodies = "springs"', "driven_ring_wall_thickness"),
+        (
+            "planetary",
+            "[model]",
+            '[bearings]\npin_diameter = "4 mm"\n\n[model]',
+            "bearings: pin_friction_coefficient and pin_diameter belong together",
+        ),
+        (
+            "planetary",
+            "[model]",
+            '[sun_bearing]\ntype = "ball"\n\n[model]',
+            'sun_bearing: only for the paper\'s drive (type = "zou2025", or no type); for this drive write '
+            "'input_bearing'",
+        ),
+        (
+            "planetary",
+            "[model]",
+            '[pin_bearing]\ntype = "ball"\ndynamic_rating = "1 kN"\nstatic_rating = "1 kN"\n\n[model]',
+            "pin_bearing.count: this key is missing",
+        ),
+        (
+            "planetary",
+            "[model]",
+            '[[duty]]\noutput_torque = "1 N*m"\nsun_speed = "1 rpm"\nshare = 0.9\n\n[model]',
+            "the shares of [[duty]] must add up to 1, they add up to 0.9",
+        ),
+    ],
+)
+def test_mistakes_are_told(name, old, new, message):
+    with pytest.raises(InputError) as caught:
+        read(name, (old, new))
+    assert message in str(caught.value)
+
+
+def test_bearings_of_pins_need_pins():
+    """A grounded carrier, so that rollers held by their contacts alone make a drive."""
+    text = text_of("planar").replace('place = "pin"', 'place = "free"')
+    text = text.replace('output = "carrier"', 'output = "ring"').replace(
+        'grounded = "ring"', 'grounded = "carrier"'
     )
-    with pytest.raises(ValidationError, match="wlo"):
-        Case.model_validate({**tables, "surface": dict.fromkeys(CONTACTS[:4], SURFACE)})
+    rated = (
+        '[pin_bearing]\ntype = "ball"\ndynamic_rating = "1 kN"\nstatic_rating = "1 kN"\ncount = 1\n\n[model]'
+    )
+    with pytest.raises(InputError, match=r'pin_bearing: no \[\[roller\]\] has place = "pin"'):
+        parse_case(text.replace("[model]", rated), source="mine.toml")
 
 
-def test_a_body_of_an_unknown_material_is_told_the_nearest(tables):
-    tables["bodies"]["sun"] = "stel"
-    with pytest.raises(
-        (InputError, ValidationError), match=r"bodies\.sun: there is no material 'stel'.*steel"
-    ):
-        Case.model_validate(tables)
+def test_a_file_without_a_type_has_the_papers_drive():
+    plain = (EXAMPLES / "zou2025.toml").read_text(encoding="utf-8")
+    assert parse_case(plain, source="mine.toml").type == "zou2025"
+    assert parse_case('type = "zou2025"\n' + plain, source="mine.toml").type == "zou2025"
+
+
+def test_springs_of_the_structure_reach_the_joint():
+    keys = (
+        '[compliance]\npin_transverse_stiffness = "20 N/um"\nplanet_support_stiffness = "30 N/um"\n'
+        'ring_housing_stiffness = "400 MPa/mm"\n\n[model]'
+    )
+    changes = (
+        ("[model]", keys),
+        ('ring_support = "rigid_housing"', 'ring_support = "elastic_housing"'),
+    )
+    joint = joint_from_case(read("planar", *changes))
+    assert float(joint.pin_transverse_stiffness) == pytest.approx(2e7)
+    assert float(joint.planet_support_stiffness) == pytest.approx(3e7)
+    assert joint.ring_bending_stiffness is None
+    assert joint.shapes[-1].rim_stiffness == (pytest.approx(4e11), 0.0)
+    of_type = ('ring_support = "free"', 'ring_support = "elastic_housing"')
+    planetary = joint_from_case(read("planetary", changes[0], of_type))
+    assert planetary.shapes[-1].rim_stiffness == (pytest.approx(4e11), 0.0)
+
+
+@pytest.mark.parametrize(
+    ("support", "springs", "told"),
+    [
+        ("elastic_housing", 'pin_stiffness = "1 N/um"', "belong together"),
+        ("rigid_housing", 'ring_housing_stiffness = "400 MPa/mm"', "belong together"),
+        ("free", 'ring_bending_stiffness = "1 N/um"', "count it twice"),
+    ],
+)
+@pytest.mark.parametrize("name", ["planetary", "planar"])
+def test_a_ring_bends_in_one_way(name, support, springs, told):
+    own = 'ring_support = "free"' if name == "planetary" else 'ring_support = "rigid_housing"'
+    with pytest.raises(InputError, match=told):
+        read(name, (own, f'ring_support = "{support}"'), ("[model]", f"[compliance]\n{springs}\n\n[model]"))
+
+
+def test_lengths_and_pins_reach_the_joint():
+    keys = '[bearings]\npin_length = "16 mm"\npin_support = "one_end"\npin_diameter = "6 mm"\n\n[model]'
+    length = ('contact_length = "10 mm"', 'contact_length = "10 mm"\nplanet_length = "14 mm"')
+    joint = joint_from_case(read("planetary", ("[model]", keys), length))
+    assert (joint.pin.free_length, joint.pin.support, joint.pin.diameter) == (0.016, "one_end", 0.006)
+    assert joint.shapes[1].length == pytest.approx(14e-3)
+    listed = joint_from_case(read("planar", ('place = "free"', 'place = "free"\nlength = "7 mm"')))
+    assert [shape.length for shape in listed.shapes] == [None, pytest.approx(7e-3), None, None, None]
+    assert listed.pin is None

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from asperity.errors import InputError
 from asperity.joint_file.reader import case_from_tables, parse_case, read_case
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.wedge_model import WedgeCase
 from asperity.reading import LARGEST_FILE
 
 
@@ -258,7 +258,7 @@ def test_line_endings_and_a_byte_order_mark_do_not_matter(tmp_path, example_text
 
 def read_or_refused(read) -> bool:
     try:
-        return isinstance(read(), Case)
+        return isinstance(read(), WedgeCase)
     except InputError as error:
         return str(error).startswith("fuzz: ")
 

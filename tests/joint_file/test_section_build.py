@@ -3,16 +3,16 @@ from pathlib import Path
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.rolling_conditions import PLAIN_ROLLING
 from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.edited_text import joint_file_text
-from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values
+from asperity.rolling.conditions import PLAIN_ROLLING
 
 
 def with_values(case, changes):
-    return planar_joint_from_values(replace_values(si_values(case), changes))
+    return joint_from_values(replace_values(si_values(case), changes))
 
 
 def test_pins_and_rated_bearings(example_text):
@@ -34,7 +34,7 @@ dynamic_rating = "5 kN"
 static_rating = "3 kN"
 outside_force = "200 N"
 """
-    joint = planar_joint_from_case(parse_case(example_text + extra, source="x"))
+    joint = joint_from_case(parse_case(example_text + extra, source="x"))
     pin, carrier = joint.pin_bearing, joint.output_bearing
     assert (pin.kind, pin.dynamic_rating, pin.static_rating, pin.count) == ("roller", 3200.0, 2900.0, 2.0)
     assert (carrier.kind, carrier.outside_force, carrier.count) == ("ball", 200.0, 1.0)
@@ -73,7 +73,7 @@ def _rolling_file(text=ROLLING):
 
 def test_rolling_oil_and_duty_of_a_file():
     case = _rolling_file()
-    found = planar_joint_from_case(case).rolling
+    found = joint_from_case(case).rolling
     assert found.skew == pytest.approx((5e-4, 0.0, 0.0, -1e-3, 0.0))
     assert found.viscosity == pytest.approx(0.0305)
     assert found.pressure_viscosity_coefficient == pytest.approx(29e-9)
@@ -88,7 +88,7 @@ def test_rolling_oil_and_duty_of_a_file():
 
 def test_thermal_properties_and_what_is_absent_without_them():
     case = _rolling_file()
-    assert planar_joint_from_case(case).materials[0].thermal_conductivity is None
+    assert joint_from_case(case).materials[0].thermal_conductivity is None
     (said,) = [text for text in assumptions(case) if "flash temperature" in text]
     assert said.startswith("no thermal_conductivity and specific_heat_capacity of material steel")
     given = {"materials.steel.thermal_conductivity": 46.0, "materials.steel.specific_heat_capacity": 460.0}
@@ -102,7 +102,7 @@ def test_thermal_properties_and_what_is_absent_without_them():
 
 def test_a_file_that_says_nothing_of_rolling():
     case = _rolling_file("")
-    assert planar_joint_from_case(case).rolling == PLAIN_ROLLING
+    assert joint_from_case(case).rolling == PLAIN_ROLLING
     said = " ".join(assumptions(case))
     assert all(word in said for word in ("rolling.skew", "hysteresis_factor", "[lubrication]", "reliability"))
     assert with_values(case, {"rolling.skew": 1e-3}).rolling.skew == (1e-3,)
@@ -136,7 +136,7 @@ def test_mistakes_about_rolling_are_named(old, new, said):
 
 def test_shares_in_per_cent_are_the_same_duty():
     per_cent = ROLLING.replace("share = 0.25", 'share = "25 %"').replace("share = 0.75", 'share = "75%"')
-    found = planar_joint_from_case(_rolling_file(per_cent)).rolling.duty
+    found = joint_from_case(_rolling_file(per_cent)).rolling.duty
     assert [point.share for point in found] == [0.25, 0.75]
 
 

@@ -9,9 +9,9 @@ from click.testing import CliRunner
 
 from asperity.cli import asperity
 from asperity.errors import InputError
-from asperity.joint.margins import margins
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.solved_document import solve_case, solved_case
+from asperity.results.margins import margins
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 UNEQUAL = '[[branch]]\nplanet_deviation = "2 um"\n\n[[branch]]\n\n[[branch]]\n\n'

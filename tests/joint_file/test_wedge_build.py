@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.planar.description import body_masses
-from asperity.joint_file.planar_build import (
-    planar_joint_from_case,
-    planar_joint_from_values,
+from asperity.joint.description import body_masses
+from asperity.joint_file.build import (
+    joint_from_case,
+    joint_from_values,
     with_nominal_sizes,
 )
 from asperity.joint_file.reader import parse_case
@@ -19,12 +19,12 @@ from asperity.joint_file.si_tables import replace_values, si_values
 
 
 def with_values(case, changes):
-    return planar_joint_from_values(replace_values(si_values(case), changes))
+    return joint_from_values(replace_values(si_values(case), changes))
 
 
 def test_the_example_is_the_joint_of_the_paper(example_case):
     """Table 2; steel, N_0 = 1000 N, mu = 0.12, D = 1.4, G = 1e-11 m and 6000 rpm are assumed with it."""
-    joint = planar_joint_from_case(example_case)
+    joint = joint_from_case(example_case)
     assert joint.contact_names == ("sp", "pwr", "pwl", "wro", "wlo")
     np.testing.assert_allclose(joint.drive.first_radius, [4e-3, 13.5e-3, 13.5e-3, 5e-3, 5e-3])
     np.testing.assert_allclose(joint.drive.second_radius, [13.5e-3, 5e-3, 5e-3, 40e-3, 40e-3])
@@ -74,7 +74,7 @@ pin_diameter = "4 mm"
 pin_stiffness = "100 N/um"
 input_shaft_stiffness = "500 N*m/rad"
 """
-    joint = planar_joint_from_case(parse_case(example_text + extra, source="x"))
+    joint = joint_from_case(parse_case(example_text + extra, source="x"))
     assert joint.bearings.carrier_torque == 0.003
     assert joint.bearings.pin_diameter == 0.004
     assert joint.pin_stiffness == 1e8
@@ -83,9 +83,9 @@ input_shaft_stiffness = "500 N*m/rad"
 
 
 def test_crown_radii_become_curvatures(example_case, example_text):
-    assert planar_joint_from_case(example_case).crown_curvatures is None
+    assert joint_from_case(example_case).crown_curvatures is None
     text = example_text.replace("[load]", 'planet_crown_radius = "800 mm"\n[load]')
-    joint = planar_joint_from_case(parse_case(text, source="x"))
+    joint = joint_from_case(parse_case(text, source="x"))
     assert joint.crown_curvatures == pytest.approx((1.25, 1.25, 1.25, 0.0, 0.0))
     ring = with_values(example_case, {"drive.ring_crown_radius": 4.0})
     assert ring.crown_curvatures == pytest.approx((0.0, 0.0, 0.0, 0.25, 0.25))
@@ -98,9 +98,7 @@ def test_each_contact_can_have_its_own_entry(example_text):
         f'[surface.{name}]\nfractal_dimension = {1.3 + 0.1 * i}\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n'
         for i, name in enumerate(("sp", "pwr", "pwl", "wro", "wlo"))
     )
-    joint = planar_joint_from_case(
-        parse_case(example_text[: example_text.index("[surface]")] + tables, source="x")
-    )
+    joint = joint_from_case(parse_case(example_text[: example_text.index("[surface]")] + tables, source="x"))
     assert [surface.fractal_dimension for surface in joint.surfaces] == pytest.approx(
         [1.3, 1.4, 1.5, 1.6, 1.7]
     )
@@ -110,9 +108,7 @@ def test_the_last_step_can_be_differentiated(example_case):
     values = si_values(example_case)
 
     def hardness(yield_strength):
-        joint = planar_joint_from_values(
-            replace_values(values, {"materials.steel.yield_strength": yield_strength})
-        )
+        joint = joint_from_values(replace_values(values, {"materials.steel.yield_strength": yield_strength}))
         return jnp.asarray(joint.materials[0].hardness)
 
     assert jax.grad(hardness)(450e6) == pytest.approx(2.8)
@@ -144,12 +140,12 @@ def test_radii_that_deviate_add_to_the_interference(by_interference):
         ("sun", 4e-3, work),
         ("loading_roller", 5e-3, 1.0 + 1.0 / math.cos(math.radians(13.1582))),
     ):
-        joint = planar_joint_from_values(replace_values(values, {f"drive.{name}_radius": radius + 2e-6}))
+        joint = joint_from_values(replace_values(values, {f"drive.{name}_radius": radius + 2e-6}))
         found = float(joint.interference) * np.asarray(joint.pattern, dtype=float)
         # of virtual work: over the normal forces at rest, those of the ring as one
         forces = np.array([2.0 * work, *2 * [1.0 / math.cos(math.radians(13.1582))], 1.0, 1.0])
         assert forces @ found / 2.0 == pytest.approx(13e-6 + 2e-6 * added, rel=1e-4, abs=0.0), name
-    joint = planar_joint_from_values(values)
+    joint = joint_from_values(values)
     np.testing.assert_allclose(joint.pattern, [0.0, 0.0, 0.0, 1.0, 1.0], atol=1e-12)
 
 
@@ -159,9 +155,9 @@ def test_interference_at_work_is_that_of_the_assembly_and_of_every_kelvin(by_int
         '[temperature]\nassembly = "20 °C"\nworking = "45 °C"\nhousing_expansion = "23.6e-6 1/K"\n\n[model]'
     )
     case = by_interference(('= "steel"', '= "52100"'), ("[model]", section))
-    joint = planar_joint_from_case(case)
+    joint = joint_from_case(case)
     inside, outside = 40.0 * (2.0 - 2.0 * 0.29), 100.0 * (1.0 - 2.0 * 0.29) + 40.0**2 / 100.0
     grown = -(23.6e-6 - 12.6e-6) * 100e-3 * inside / outside
     assert float(joint.fit.thermal_change) == pytest.approx(25.0 * grown, rel=1e-6, abs=0.0)
     assert float(joint.interference) == 13e-6
-    assert planar_joint_from_case(by_interference()).fit is None
+    assert joint_from_case(by_interference()).fit is None

@@ -8,16 +8,16 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.joint.margins import Margin
-from asperity.joint.results import Limit, Result
-from asperity.joint.windup import windup
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.page import answer
 from asperity.page.answer import _curves, _margin, _windup, joint_answer, plain_numbers, stated_values
 from asperity.page.joint_request import JointRequest
+from asperity.results import Limit, Result
+from asperity.results.margins import Margin
 from asperity.unit_table import Dimension
+from asperity.windup.windup import windup
 
 
 def test_numbers_for_json():
@@ -73,7 +73,7 @@ def test_a_choice_that_the_file_leaves_out_is_empty(case, joint_text):
 
 def test_without_a_torque_there_is_no_windup(joint_text):
     case = parse_case(joint_text.replace('"5 N*m"', '"0 N*m"'), source="x")
-    assert _windup(SimpleNamespace(joint=planar_joint_from_case(case)), case) == {
+    assert _windup(SimpleNamespace(joint=joint_from_case(case)), case) == {
         "unknown_because": "no torque, no wind-up: set an output torque"
     }
 
@@ -116,7 +116,7 @@ def test_the_windup_is_that_of_the_assembly_up_to_the_torque(monkeypatch, joint_
     monkeypatch.setattr(answer, "windup", windup)
     monkeypatch.setattr(answer, "windup_columns", lambda curve: {"torque_Nm": np.array([0.0, 5.0])})
     case = parse_case(joint_text.replace('"5 N*m"', '"-5 N*m"'), source="x")
-    solved = SimpleNamespace(joint=planar_joint_from_case(case), result=SimpleNamespace(rest=None))
+    solved = SimpleNamespace(joint=joint_from_case(case), result=SimpleNamespace(rest=None))
     assert _windup(solved, case) == {
         "unknown_because": None,
         "hysteresis_rad": 1e-4,

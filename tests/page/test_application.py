@@ -10,7 +10,7 @@ pytest.importorskip("httpx2")
 
 from starlette.testclient import TestClient
 
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.wedge_model import WedgeCase
 from asperity.page.application import ASSETS, application
 from asperity.page.computation import Computations
 from asperity.page.joint_request import JointRequest
@@ -301,7 +301,7 @@ def test_the_description_covers_every_number_of_the_file(client, joint_text):
     sections = {group["name"] for group in described["groups"]} | {
         each["group"] for each in described["choices"]
     }
-    assert sections == set(Case.model_fields) - {"type"}  # the kind of drive is no section
+    assert sections == set(WedgeCase.model_fields) - {"type"}  # the kind of drive is no section
 
 
 def test_a_chart_that_cannot_be_drawn_is_said_at_its_key(client, joint_text):

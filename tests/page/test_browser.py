@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.library import read_finishes
@@ -23,7 +23,7 @@ def stiffness(**changes):
     """Assembled stiffness in N·m/arcmin with four digits, as the card shows it."""
     changes = {key.replace("__", "."): value for key, value in changes.items()}
     values = replace_values(si_values(read_case(FILE)), changes)
-    return shown(solve_planar(planar_joint_from_values(values)))
+    return shown(solve_joint(joint_from_values(values)))
 
 
 def shown(solution):
@@ -159,7 +159,7 @@ def test_choices_change_the_joint(page):
     do(page, lambda: page.locator("#value-bodies-ring").select_option("Si3N4"))
     text = FILE.read_text(encoding="utf-8").replace('closure = "elastic"', 'closure = "constant_pin_force"')
     text = text.replace('ring = "52100"', 'ring = "Si3N4"')
-    assert card(page) == shown(solve_planar(planar_joint_from_case(parse_case(text, source="changed"))))[0]
+    assert card(page) == shown(solve_joint(joint_from_case(parse_case(text, source="changed"))))[0]
 
 
 def test_a_baseline_is_compared(page):
@@ -181,7 +181,7 @@ def test_the_downloaded_file_solves_to_the_same_number(page, tmp_path):
     text = file.read_text(encoding="utf-8")
     assert "1.2 kN" in text
     assert "# The joint of the tutorial" in text
-    assert card(page) == shown(solve_planar(planar_joint_from_case(parse_case(text, source=file.name))))[0]
+    assert card(page) == shown(solve_joint(joint_from_case(parse_case(text, source=file.name))))[0]
     with page.expect_download() as waiting:
         page.get_by_role("link", name="Save JSON").click()
     waiting.value.save_as(tmp_path / "joint.json")
@@ -199,7 +199,7 @@ def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
     other = ROOT / "examples" / "zou2025.toml"
     do(page, lambda: page.locator("#open-file").set_input_files(other))
     assert page.locator("#file-name").inner_text() == "zou2025.toml"
-    assert card(page) == shown(solve_planar(planar_joint_from_case(read_case(other))))[0] != before
+    assert card(page) == shown(solve_joint(joint_from_case(read_case(other))))[0] != before
     assert page.locator("#error").is_hidden()
 
 

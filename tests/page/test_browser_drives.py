@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import drawn_interval
-from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.units import format_quantity
 
@@ -66,7 +66,7 @@ def changed(page, action):
 
 def stiffness(text):
     """Assembled stiffness as the card shows it."""
-    found = solve_planar(planar_joint_from_case(parse_case(text, source="planetary")))
+    found = solve_joint(joint_from_case(parse_case(text, source="planetary")))
     return format_quantity(float(found.result.assembly.stiffness.output), "N*m/arcmin").split(" ")[0]
 
 

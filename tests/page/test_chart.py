@@ -4,9 +4,9 @@ import jsonschema
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.solve import solve_joint
 from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
+from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.page.chart import MOST_POINTS, chart_answer, chart_request, chart_results, result_rows
@@ -38,14 +38,14 @@ def test_a_chart_says_what_single_joints_say(asked, joint_text):
     assert found["x"] == pytest.approx([2.0, 6.0, 10.0, 14.0])
     for x, y in zip(found["x"][:3], found["curves"][0]["y"], strict=False):
         values = replace_values(si_values(case), {"load.output_torque": x})
-        one = solve_planar(planar_joint_from_values(values))
+        one = solve_joint(joint_from_values(values))
         assert y == pytest.approx(float(one.result.published.output), rel=1e-9)
     # the capacity of this joint is 13.16 N·m: beyond it there is no result, and the chart says why
     assert found["curves"][0]["y"][3] is None
     assert found["curves"][0]["status"][:3] == [0, 0, 0]
     (reason,) = found["reasons"].values()
     assert "beyond the torque capacity" in reason
-    here = solve_planar(planar_joint_from_case(case))
+    here = solve_joint(joint_from_case(case))
     assert found["joint"]["x"] == 5.0
     assert found["joint"]["y"] == pytest.approx(float(here.result.published.output), rel=1e-9)
     shown = here.result.published.output_per_arcminute
@@ -102,7 +102,7 @@ def test_a_chart_of_another_drive_says_what_single_joints_say(zou_file):
     assert found["x_shown"] == pytest.approx([4.0, 6.0, 8.0, 10.0])
     for k, wall in ((2, 8.0), (3, 10.0)):
         case = parse_case(text.replace('"8 mm"', f'"{wall} mm"'), source="p")
-        one = float(solve_planar(planar_joint_from_case(case)).result.published.output)
+        one = float(solve_joint(joint_from_case(case)).result.published.output)
         assert found["curves"][0]["y"][k] == pytest.approx(one, rel=1e-8)
     assert found["curves"][0]["y"][0] is None
     assert found["joint"]["y"] == pytest.approx(found["curves"][0]["y"][2], rel=1e-9)

@@ -6,9 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
-from asperity.page.drawing import planar_shapes
+from asperity.page.drawing import drive_shapes
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 590.0, 490.0])
 TANGENTIAL = np.array([46.0, 26.0, 20.0, 26.0, 20.0])
@@ -17,7 +17,7 @@ TANGENTIAL = np.array([46.0, 26.0, 20.0, 26.0, 20.0])
 @pytest.fixture(scope="module")
 def shapes(paper_joint):
     forces = SimpleNamespace(normal=NORMAL, tangential=TANGENTIAL, pins=np.ones(2))
-    return planar_shapes(paper_joint(), SimpleNamespace(forces=forces))
+    return drive_shapes(paper_joint(), SimpleNamespace(forces=forces))
 
 
 def test_every_roller_in_its_place(shapes):
@@ -53,11 +53,11 @@ def test_forces_act_where_the_bodies_touch(shapes):
 
 def test_circles_and_forces_of_another_drive(zou_file):
     """A planetary: sun 10 mm, three planets of 20 mm, a ring of 50 mm with a wall of 8 mm."""
-    joint = planar_joint_from_case(read_case(zou_file.with_name("planetary.toml")))
+    joint = joint_from_case(read_case(zou_file.with_name("planetary.toml")))
     forces = SimpleNamespace(
         normal=np.array([1000.0, 1100.0]), tangential=np.array([50.0, 60.0]), pins=np.array([-110.0])
     )
-    found = planar_shapes(joint, SimpleNamespace(forces=forces))
+    found = drive_shapes(joint, SimpleNamespace(forces=forces))
     assert found["rings"] == [{"body": "ring", "inner_radius_m": pytest.approx(50e-3), "wall_m": 8e-3}]
     rollers = [(each["body"], round(1e3 * each["radius_m"], 9)) for each in found["rollers"]]
     assert rollers == [("sun", 10.0)] + 3 * [("planet", 20.0)]
@@ -93,11 +93,9 @@ def test_circles_and_forces_of_another_drive(zou_file):
 
 
 def test_a_stepped_roller_has_a_radius_for_each_force(zou_file):
-    joint = planar_joint_from_case(read_case(zou_file.with_name("stepped_planet.toml")))
+    joint = joint_from_case(read_case(zou_file.with_name("stepped_planet.toml")))
     one = np.ones(3)
-    found = planar_shapes(
-        joint, SimpleNamespace(forces=SimpleNamespace(normal=one, tangential=one, pins=one))
-    )
+    found = drive_shapes(joint, SimpleNamespace(forces=SimpleNamespace(normal=one, tangential=one, pins=one)))
     (free,) = found["bodies"]
     assert sorted(free["radii_m"]) == pytest.approx([18e-3, 20e-3])
     radii = {each["name"]: each["radius_m"] for each in free["forces"]}
@@ -105,10 +103,10 @@ def test_a_stepped_roller_has_a_radius_for_each_force(zou_file):
 
 
 def test_a_hollow_roller_has_its_bore_in_both_pictures(zou_file):
-    joint = planar_joint_from_case(read_case(zou_file.with_name("planetary_hollow.toml")))
+    joint = joint_from_case(read_case(zou_file.with_name("planetary_hollow.toml")))
     one = np.ones(2)
     forces = SimpleNamespace(normal=one, tangential=one, pins=one[:1])
-    found = planar_shapes(joint, SimpleNamespace(forces=forces))
+    found = drive_shapes(joint, SimpleNamespace(forces=forces))
     bore = 0.5 * next(float(shape.size) for shape in joint.shapes if shape.kind == "hollow")
     (free,) = found["bodies"]
     planets = [each["radius_m"] for each in found["rollers"] if each["body"] == "planet"]

@@ -3,8 +3,8 @@
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.planar_types import PLANAR_CASES
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.case_types import CASES
+from asperity.joint_file.wedge_model import WedgeCase
 from asperity.page.joint_request import JointRequest
 from asperity.page.list_changes import EACH, lists_of, places_of_lists, stated_lists, without_lists
 
@@ -29,9 +29,9 @@ def planetary_text(zou_file):
 
 
 def test_the_lists_are_those_that_a_file_may_leave_out():
-    assert lists_of(Case) == {"duty": None, "branch": "drive.planets"}
-    assert lists_of(PLANAR_CASES["planar"]) == {"duty": None, "branch": "drive.sectors"}
-    assert lists_of(PLANAR_CASES["multiroller"])["branch"] == "drive.rollers_per_row"
+    assert lists_of(WedgeCase) == {"duty": None, "branch": "drive.planets"}
+    assert lists_of(CASES["planar"]) == {"duty": None, "branch": "drive.sectors"}
+    assert lists_of(CASES["multiroller"])["branch"] == "drive.rollers_per_row"
 
 
 def test_a_load_is_added_and_one_left_out(planetary_text):
@@ -128,4 +128,4 @@ def test_only_changes_beyond_the_branches_wait():
     changes = {"branch": EACH, "branch.2.a": 1, "branch.3.a": 1, "load.preload": 1, "duty.9.share": 1}
     places = {"branch": [1, 2]}
     assert set(without_lists(changes, places)) == {"branch.2.a", "load.preload", "duty.9.share"}
-    assert places_of_lists({"drive": {"planets": 2}}, changes, Case) == {"branch": [0, 0]}
+    assert places_of_lists({"drive": {"planets": 2}}, changes, WedgeCase) == {"branch": [0, 0]}

@@ -3,10 +3,10 @@
 import math
 from dataclasses import replace
 
-from asperity.joint.margins import Margin
-from asperity.joint.results import Limit, Result
 from asperity.report.content import Bullets, Paragraph, Table
 from asperity.report.limit_tables import doubts, margins_table, verdict, warnings
+from asperity.results import Limit, Result
+from asperity.results.margins import Margin
 from asperity.unit_table import Dimension
 
 

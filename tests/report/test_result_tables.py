@@ -3,7 +3,7 @@
 import math
 
 from asperity.report.content import Paragraph, Table
-from asperity.report.result_tables import contacts, planar_drive, stiffness, windup
+from asperity.report.result_tables import contacts, drive, stiffness, windup
 
 ARCMINUTE = math.pi / 180.0 / 60.0
 
@@ -128,7 +128,7 @@ def test_the_drive_in_degrees_grams_and_millimetres():
             "body_mass_kg": {"planet": 0.0225, "loading_roller": 0.003},
         },
     }  # fmt: skip
-    values = dict(rows_of(planar_drive(document))["Drive"])
+    values = dict(rows_of(drive(document))["Drive"])
     assert list(values.values()) == [
         "sun", "carrier", "outer ring", "-9", "30 rpm", "0.5 N·m", "0.55 N·m", "5 N·m", "15 deg", "30 deg", "15 deg",
         "22.5 g", "3 g", "3 mm",

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from asperity.joint.size_errors import SizeErrorCurves
+from asperity.branches.size_errors import SizeErrorCurves
 from asperity.show.branch_figure import draw_size_errors
 
 

@@ -3,8 +3,8 @@ import types
 
 import pytest
 
-from asperity.drive.geometry import CONTACT_NAMES
-from asperity.joint.planar.solved import SolvedJoint
+from asperity.drive.wedge.geometry import CONTACT_NAMES
+from asperity.results.solved import SolvedJoint
 from asperity.show.compliance_figure import compliance_figure, compliance_shares
 
 SHARES = {

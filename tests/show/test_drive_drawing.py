@@ -7,7 +7,7 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Wedge
 
-from asperity.drive.geometry import DriveGeometry
+from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.errors import InputError
 from asperity.show.drive_drawing import draw_drive, rollers
 

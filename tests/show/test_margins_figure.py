@@ -7,8 +7,8 @@ import math
 import pytest
 from matplotlib.figure import Figure
 
-from asperity.joint.margins import Margin
-from asperity.joint.results import RESULTS
+from asperity.results import RESULTS
+from asperity.results.margins import Margin
 from asperity.show.margins_figure import FAIL_COLOUR, PASS_COLOUR, draw_margins, drawn_margins
 
 FOUND = (

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from asperity.joint.rolling_curves import RollingCurves
+from asperity.rolling.curves import RollingCurves
 from asperity.show.rolling_figure import rolling_figure
 
 TORQUE = np.linspace(0.0, 12.0, 13)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from asperity.drive.geometry import CONTACT_NAMES
+from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.show.style import (
     CONTACT_LABELS,
     CONTACT_STYLES,

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from asperity.joint.description import Fit
+from asperity.joint.fit import Fit
 from asperity.joint.temperature_curves import TemperatureCurves
 from asperity.show.temperature_figure import draw_temperatures
 

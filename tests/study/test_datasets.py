@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from asperity.joint.results import RESULTS
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import si_values
+from asperity.results import RESULTS
 from asperity.study.datasets import (
     dataset,
     key_attributes,

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from asperity.contact.fractal import FractalContact
-from asperity.drive.geometry import triangle
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.drive.wedge.geometry import triangle
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.zou2025 import preset
 from asperity.zou2025.curves import Curves
@@ -143,7 +143,7 @@ def test_one_number_may_be_the_batch() -> None:
 def test_the_published_model_is_a_level_of_the_example_files_joint() -> None:
     """Equations (1)-(30) by the paper's own reduction, and by the balance of every body in the general chain."""
     example = Path(__file__).parents[2] / "examples" / "zou2025.toml"
-    chain = solve_planar(planar_joint_from_case(read_case(example))).result
+    chain = solve_joint(joint_from_case(read_case(example))).result
     published = jax.jit(published_joint)(preset.table_2_joint(preset.operating_grid()))
     assert bool(published.solved)
     for name in ("normal", "tangential"):

@@ -7,8 +7,8 @@ paper's own equations (1)-(5) then, two solvers that shared no code.
 import numpy as np
 import pytest
 
-from asperity.joint.windup import windup
 from asperity.joint_file.solved_document import solved_case
+from asperity.windup.windup import windup
 
 pytestmark = pytest.mark.slow
 

@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING, Any
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame
-from asperity.drive.planar.layout import speed_ratio
+from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError
-from asperity.joint.results import LEVELS, known_result
-from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
-from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.si_tables import key_at
+from asperity.results import LEVELS, known_result
 from asperity.study.calibration.calibrate import Calibration
 from asperity.study.calibration.calibrate import calibrate as fit
 from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
@@ -24,6 +23,7 @@ from asperity.study.calibration.measurement import read_measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, of_joint_file, read_unknowns
 from asperity.units import format_quantity, from_si
+from asperity.windup.windup import StiffnessLevel
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -78,7 +78,7 @@ def calibrate(
     known_result(history, among=("virgin", "cycled"), what="history")
     if isinstance(unknowns, str):
         raise InputError(f"the unknowns are a list, e.g. ['{unknowns}']")
-    case, ratio = joint.case, float(speed_ratio(planar_joint_from_case(joint.case).drive))
+    case, ratio = joint.case, float(speed_ratio(joint_from_case(joint.case).drive))
     files = [data] if isinstance(data, str | Path) else list(data)
     if not files:
         raise InputError("no data: name at least one CSV file")

@@ -9,10 +9,10 @@ from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.errors import NoSolutionError
-from asperity.joint.results import RESULTS, known_result
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import key_at
 from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.results import RESULTS, known_result
 from asperity.study.design.design import design as search
 from asperity.study.design.design_file import read_design
 from asperity.study.design.design_result import DesignResult, shortcoming

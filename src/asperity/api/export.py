@@ -9,11 +9,11 @@ from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table
 from asperity.export.content import export_content, heading
 from asperity.export.targets import check_target, exported, write_exported
-from asperity.joint.results import LEVELS, known_result
-from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.section_build import inertias_from_case
+from asperity.results import LEVELS, known_result
 from asperity.unit_table import Dimension
+from asperity.windup.windup import StiffnessLevel
 
 
 def export_joint(

@@ -11,17 +11,17 @@ import numpy as np
 from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
-from asperity.joint.planar.solved import SolvedJoint
-from asperity.joint.results import LEVELS, Result, known_result, name_at_level
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import si_values
 from asperity.joint_file.solved_document import document_of, solved_case
+from asperity.results import LEVELS, Result, known_result, name_at_level
+from asperity.results.solved import SolvedJoint
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from asperity.joint.windup import StiffnessLevel
+    from asperity.windup.windup import StiffnessLevel
 
 #: Results of the whole joint that are printed below the stiffness. What the table knows about drift comes first.
 _PRINTED = (

@@ -104,7 +104,7 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
 
             return displayed(sweep_figure(shown, result=result))
         if "design" in shown.dims:
-            from asperity.joint.results import RESULTS
+            from asperity.results import RESULTS
             from asperity.study.design.design_plot import pareto_figure
 
             goals = tuple(str(name) for name in shown.data_vars if name in RESULTS)

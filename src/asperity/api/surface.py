@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.results import known_result
 from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.results import known_result
 from asperity.surface.fractal_fit import FractalFit
 from asperity.surface.measure_files import MeasuredFiles, files_document, measured_files
 from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, surface_measurement

@@ -10,11 +10,9 @@ from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.errors import InputError
-from asperity.joint.results import LEVELS, known_result
-from asperity.joint.rolling_onset import RollingOnset
-from asperity.joint.stages import STAGE_SHARES
-from asperity.joint.windup import StiffnessLevel, Windup
-from asperity.joint.windup_document import (
+from asperity.joint_file.own_branches import with_own_branches
+from asperity.results import LEVELS, known_result
+from asperity.results.windup_document import (
     examined_windup,
     rolling_columns,
     windup_capacities,
@@ -22,8 +20,10 @@ from asperity.joint.windup_document import (
     windup_document,
     windup_onsets,
 )
-from asperity.joint_file.own_branches import with_own_branches
+from asperity.rolling.onset import RollingOnset
 from asperity.unit_table import Dimension
+from asperity.windup.stages import STAGE_SHARES
+from asperity.windup.windup import StiffnessLevel, Windup
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.cli.document_text import in_unit, number, print_wrapped, scaled
 from asperity.cli.terminal import table
-from asperity.joint.branch_document import deviations, force_size
+from asperity.results.branch_document import deviations, force_size
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -23,7 +23,7 @@ def show_branches(target: Console, found: Document) -> None:
     target : Console
         Where to print.
     found : dict
-        As :func:`asperity.joint.branch_document.branch_document` makes it.
+        As :func:`asperity.results.branch_document.branch_document` makes it.
     """
     standing, rolling = found["standing"], found["rolling"]
     names = deviations(found)

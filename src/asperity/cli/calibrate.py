@@ -79,11 +79,11 @@ def calibrate(
 
     if draws is not None:
         require_numpyro()
-    from asperity.drive.planar.layout import speed_ratio
-    from asperity.joint_file.planar_build import planar_joint_from_case
+    from asperity.drive.layout.drive import speed_ratio
+    from asperity.joint_file.build import joint_from_case
 
     with about(file):
-        ratio = float(speed_ratio(planar_joint_from_case(case).drive))
+        ratio = float(speed_ratio(joint_from_case(case).drive))
     measurements = tuple(read_measurement(each, unloaded_ratio=ratio) for each in data)
     with progress_bar("starts") as report, about(file, *data):
         found = fit(

@@ -175,8 +175,8 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
     import numpy as np
 
     from asperity.cli.terminal import console, table
-    from asperity.joint.results import RESULTS
     from asperity.joint_file.si_tables import key_at
+    from asperity.results import RESULTS
     from asperity.units import format_quantity, from_si
 
     target, size = console(), front.sizes["design"]
@@ -200,7 +200,7 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
 
 def _show(result: DesignResult) -> None:
     from asperity.cli.terminal import console
-    from asperity.joint.results import RESULTS
+    from asperity.results import RESULTS
     from asperity.units import format_quantity
 
     target, problem = console(), result.problem
@@ -302,7 +302,7 @@ def _show_summary(target: Console, result: DesignResult) -> None:
 
 def _show_limits(target: Console, result: DesignResult) -> None:
     from asperity.cli.terminal import table
-    from asperity.joint.results import RESULTS
+    from asperity.results import RESULTS
     from asperity.units import format_quantity
 
     limits = table(

@@ -6,7 +6,7 @@ import textwrap
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
-from asperity.joint.document import input_member
+from asperity.results.document import input_member
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:

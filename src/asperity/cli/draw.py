@@ -13,8 +13,8 @@ from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
 
 if TYPE_CHECKING:
-    from asperity.joint.planar.evaluation import PlanarResult
-    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint.evaluation import JointResult
+    from asperity.joint_file.model import Case
     from asperity.joint_file.si_tables import AnyCase
     from asperity.show.sheet import Sheet
 
@@ -67,22 +67,22 @@ def draw(file: str, out: str, forces: bool) -> None:
     say_written(out)
 
 
-def _sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:
-    from asperity.drive.planar.existence import refuse_impossible
-    from asperity.joint_file.planar_build import planar_joint_from_case
-    from asperity.show.planar_sheet import planar_sheet
+def _sheet(case: Case, file: str, forces: bool) -> Sheet:
+    from asperity.drive.layout.existence import refuse_impossible
+    from asperity.joint_file.build import joint_from_case
+    from asperity.show.drive_sheet import drive_sheet
 
-    joint = planar_joint_from_case(case)
+    joint = joint_from_case(case)
     refuse_impossible(joint.drive)
     found = None
     if forces:
-        from asperity.joint.planar.solve import solve_planar
+        from asperity.joint.solve import solve_joint
 
-        found = solve_planar(joint).result
-    return planar_sheet(joint, name=file, result=found, interference=_interference(case, found, file))
+        found = solve_joint(joint).result
+    return drive_sheet(joint, name=file, result=found, interference=_interference(case, found, file))
 
 
-def _interference(case: AnyCase, found: PlanarResult | None, file: str) -> float | None:
+def _interference(case: AnyCase, found: JointResult | None, file: str) -> float | None:
     """The interference with which the ring is made; without it there is a drawing all the same, with a warning."""
     from asperity.joint_file.made_interference import made_interference
 

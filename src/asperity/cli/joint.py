@@ -11,10 +11,10 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
-    from asperity.joint.planar.description import PlanarJoint
-    from asperity.joint.planar.solved import SolvedJoint
-    from asperity.joint.size_errors import SizeErrorCurves
-    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.branches.size_errors import SizeErrorCurves
+    from asperity.joint.description import Joint
+    from asperity.joint_file.model import Case
+    from asperity.results.solved import SolvedJoint
     from asperity.surface.measurement import SurfaceMeasurement
 
 
@@ -74,27 +74,25 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     _show(document, file, as_json)
 
 
-def _size_errors(case: PlanarCase, solved: SolvedJoint) -> SizeErrorCurves | None:
+def _size_errors(case: Case, solved: SolvedJoint) -> SizeErrorCurves | None:
     """Branches of unlike sizes over the size of the first; None where the file has none."""
     import numpy as np
 
-    from asperity.joint.size_errors import size_error_curves
+    from asperity.branches.size_errors import size_error_curves
 
     if solved.branches is None:
         return None
-    from asperity.joint_file.planar_build import branched_planar, deviations_of
+    from asperity.joint_file.build import branched_joint, deviations_of
     from asperity.joint_file.si_tables import si_values
 
-    branched = branched_planar(case, solved.joint, solved.solution)
+    branched = branched_joint(case, solved.joint, solved.solution)
     assert branched is not None
     sizes = deviations_of(si_values(case))
     widest = 0.4 * branched.interference
     return size_error_curves(branched, sizes, np.linspace(-widest, widest, 17))
 
 
-def _interval(
-    case: PlanarCase, described: PlanarJoint, measured: SurfaceMeasurement | None
-) -> dict[str, Any]:
+def _interval(case: Case, described: Joint, measured: SurfaceMeasurement | None) -> dict[str, Any]:
     """Intervals of stiffness and drift from a measured surface, or from what the Ra of a file leaves open."""
     if measured is None:
         from asperity.joint_file.drawn_surface import drawn_interval

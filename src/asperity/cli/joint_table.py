@@ -16,8 +16,8 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
-from asperity.joint.capacity import first_slip_words, may_carry_more
-from asperity.joint.document import (
+from asperity.joint.torque_limits import first_slip_words, may_carry_more
+from asperity.results.document import (
     LEVEL_WORDS,
     NO_SHARE,
     WHOLE_BODIES,
@@ -41,7 +41,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
     target : Console
         Where to print.
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
     source : str
         Name of the joint file.
     """
@@ -225,7 +225,7 @@ def _show_drive(target: Console, document: Document) -> None:
 
 def _first_slip(document: Document, name: str) -> str:
     """What unequal branches make of a capacity, before that of equal ones; or nothing."""
-    from asperity.joint.branch_limits import capacity_words
+    from asperity.results.branch_limits import capacity_words
 
     if "branches" not in document:
         return ""

@@ -12,7 +12,7 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, replacing
 
 if TYPE_CHECKING:
-    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.model import Case
 
 Document = dict[str, Any]
 
@@ -52,14 +52,14 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
     _show(document, file)
 
 
-def _document(case: PlanarCase) -> Document:
-    from asperity.joint.planar.loads_document import planar_loads_document
-    from asperity.joint.strength_document import bearing_entries
+def _document(case: Case) -> Document:
     from asperity.joint_file.solved_document import solved_case
+    from asperity.results.loads_document import loads_document
+    from asperity.results.strength_document import bearing_entries
 
     solved = solved_case(case)
     bearings = bearing_entries(solved)
-    return planar_loads_document(solved, bearings)
+    return loads_document(solved, bearings)
 
 
 def _column(case: Document, line: str) -> str:

@@ -12,9 +12,9 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
-    from asperity.joint.branch_results import UnequalBranches
-    from asperity.joint.planar.description import PlanarJoint
-    from asperity.joint.planar.evaluation import PlanarResult
+    from asperity.branches.results import UnequalBranches
+    from asperity.joint.description import Joint
+    from asperity.joint.evaluation import JointResult
 
 _WIDTH = 10.0  # of the picture [in]
 
@@ -45,13 +45,13 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.planar.solve import refuse_planar_rolling
+    from asperity.joint.solve import refuse_no_rolling
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
         solved, document = solve_case(case)  # refuses a torque beyond the capacity
         if solved.branches is None:
-            refuse_planar_rolling(solved.joint, solved.solution)
+            refuse_no_rolling(solved.joint, solved.solution)
         _refuse_for_branches(solved.branches, plot_file)
     if plot_file:
         _draw(solved.joint, solved.result, document, file, plot_file)
@@ -61,7 +61,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 def _refuse_for_branches(branches: UnequalBranches | None, plot_file: str | None) -> None:
     """Refuse branches of unlike sizes that do not roll under the torque, and a picture that would be of equal ones."""
     from asperity.errors import InputError
-    from asperity.joint.branch_limits import refuse_no_rolling_together
+    from asperity.results.branch_limits import refuse_no_rolling_together
 
     if branches is None:
         return
@@ -79,10 +79,8 @@ def _capacity(document: dict[str, Any]) -> float:
     return math.inf if capacity is None else float(capacity)
 
 
-def _draw(
-    joint: PlanarJoint, result: PlanarResult, document: dict[str, Any], file: str, plot_file: str
-) -> None:
-    from asperity.joint.rolling_curves import rolling_curves
+def _draw(joint: Joint, result: JointResult, document: dict[str, Any], file: str, plot_file: str) -> None:
+    from asperity.rolling.curves import rolling_curves
     from asperity.show.rolling_figure import rolling_figure
     from asperity.show.style import plain_title
 

@@ -14,9 +14,9 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
-from asperity.joint.contact_notes import film_band
-from asperity.joint.document import input_member
-from asperity.joint.position_rows import position_rows
+from asperity.results.contact_notes import film_band
+from asperity.results.document import input_member
+from asperity.results.position_rows import position_rows
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -34,7 +34,7 @@ def show_rolling(target: Console, document: Document, *, source: str) -> None:
     target : Console
         Where to print.
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
     source : str
         Name of the joint file.
     """

@@ -45,9 +45,9 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.results import known_result
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values
+    from asperity.results import known_result
     from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, differentiable_rows, ranking
     from asperity.study.tolerances.sensitivity import sensitivity as differentiate
 
@@ -76,8 +76,8 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
 def _show(ranked: xarray.Dataset) -> None:
     from asperity.cli.terminal import console, table
-    from asperity.joint.results import display_unit
     from asperity.joint_file.si_tables import key_at
+    from asperity.results import display_unit
     from asperity.units import format_quantity, from_si
 
     unit = display_unit(str(ranked["result"].item()))

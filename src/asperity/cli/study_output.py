@@ -12,7 +12,7 @@ import numpy as np
 if TYPE_CHECKING:
     import xarray
 
-    from asperity.joint.results import Result
+    from asperity.results import Result
 
 _MOST_ROWS = 60
 _SHOWN = (
@@ -91,9 +91,9 @@ def show_points(found: xarray.Dataset) -> None:
         Evaluated points.
     """
     from asperity.cli.terminal import console, table
-    from asperity.joint.results import RESULTS, row_name
     from asperity.joint.status import STATUS_NAMES
     from asperity.joint_file.si_tables import key_at
+    from asperity.results import RESULTS, row_name
     from asperity.study.datasets import rows_of
     from asperity.study.parameters import long_name
     from asperity.units import from_si

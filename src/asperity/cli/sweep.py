@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     import xarray
 
-    from asperity.joint.results import Result
+    from asperity.results import Result
 
 
 @click.command()
@@ -105,9 +105,9 @@ def sweep(
     use_compilation_cache()
     from asperity.cli.named_file import about
     from asperity.cli.progress import progress_bar
-    from asperity.joint.results import chosen_results
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values
+    from asperity.results import chosen_results
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
     from asperity.study.sweep.sweep_map import parse_limit
@@ -163,7 +163,7 @@ def _check_plot_result(
     name: str, asked: list[str], table: Mapping[str, Result], *, drawn: bool, option: str = "--plot-result"
 ) -> None:
     """Refuse a result that cannot be drawn before anything is computed."""
-    from asperity.joint.results import chosen_results
+    from asperity.results import chosen_results
 
     if not drawn:
         raise InputError(f"{option} needs --plot, the picture to draw '{name}' in")

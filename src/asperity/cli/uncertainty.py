@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray
 
     from asperity.joint_file.distribution import Distribution
-    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.model import Case
 
 
 @click.command()
@@ -103,9 +103,7 @@ def uncertainty(
         say_written(plot)
 
 
-def _unlike_branches(
-    case: PlanarCase, otherwise: Distribution | None, draws: int, seed: int
-) -> dict[str, Any]:
+def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, seed: int) -> dict[str, Any]:
     """What drives do whose branches have sizes of their own."""
     from asperity.cli.progress import progress_bar
     from asperity.study.tolerances.branch_scatter import branch_scatter
@@ -149,7 +147,7 @@ def _show_branches(found: dict[str, Any], draws: int, as_json: bool) -> None:
 def _show(found: xarray.Dataset) -> None:
     from asperity.cli.study_output import show_status
     from asperity.cli.terminal import console, table
-    from asperity.joint.results import display_unit
+    from asperity.results import display_unit
     from asperity.units import from_si
 
     show_status(found)

@@ -9,7 +9,7 @@ import click
 from asperity.cli.columns import write_columns
 from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
-from asperity.joint.stages import STAGE_SHARES
+from asperity.windup.stages import STAGE_SHARES
 from asperity.writing import check_file, check_image, write_image
 
 LEVELS = ("assembly", "series_with_bulk", "published")
@@ -99,7 +99,8 @@ def windup(
         raise InputError(f"--creep-share {creep_share:g}: allowed is a number above 0, e.g. 0.05")
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.windup_document import (
+    from asperity.joint_file.own_branches import with_own_branches
+    from asperity.results.windup_document import (
         examined_windup,
         rolling_columns,
         windup_capacities,
@@ -107,7 +108,6 @@ def windup(
         windup_document,
         windup_onsets,
     )
-    from asperity.joint_file.own_branches import with_own_branches
 
     with about(file):
         joint = with_own_branches(case)
@@ -153,7 +153,7 @@ def _show(document: dict[str, Any], file: str) -> None:
 
     from asperity.cli.joint_table import capacity_text
     from asperity.cli.terminal import console, table
-    from asperity.joint.capacity import first_slip_words
+    from asperity.joint.torque_limits import first_slip_words
     from asperity.units import format_quantity
 
     def arcminutes(key: str) -> str:

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.crowned_line import CrownedLines, crown_compliance, crown_compression
-from asperity.drive.geometry import DriveGeometry, Triangle
+from asperity.drive.wedge.geometry import DriveGeometry, Triangle
 from asperity.types import Real
 
 Closure = Literal["elastic", "constant_pin_force"]

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 
 import asperity
-from asperity.drive.planar.layout import speed_ratio
+from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import printable
-from asperity.joint.both_senses import BothSenses, both_senses
-from asperity.joint.dynamics import Inertias
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.inertias import planar_inertias
-from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.description import Joint
+from asperity.joint.inertias import joint_inertias
 from asperity.joint.play import Play
-from asperity.joint.rolling_document import unknown_because
-from asperity.joint.windup import StiffnessLevel, Windup
-from asperity.joint.windup_document import examined_windup
+from asperity.joint.solve import Solution
+from asperity.results.windup_document import examined_windup
+from asperity.rolling.document import unknown_because
 from asperity.units import format_quantity
+from asperity.windup.both_senses import BothSenses, both_senses
+from asperity.windup.dynamics import Inertias
+from asperity.windup.windup import StiffnessLevel, Windup
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class ExportContent:
     ----------
     source : str
         Name of the joint file.
-    joint : PlanarJoint
+    joint : Joint
         The joint.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness was integrated into the wind-up.
@@ -70,7 +70,7 @@ class ExportContent:
     """
 
     source: str
-    joint: PlanarJoint
+    joint: Joint
     level: StiffnessLevel
     windup: Windup
     curves: BothSenses
@@ -124,7 +124,7 @@ class ExportContent:
 
 
 def export_content(
-    joint: PlanarJoint,
+    joint: Joint,
     *,
     inertias: Inertias | None,
     source: str,
@@ -135,7 +135,7 @@ def export_content(
 
     Parameters
     ----------
-    joint : PlanarJoint
+    joint : Joint
         One joint.
     inertias : Inertias or None
         Motor and load; None if the joint file has none.
@@ -166,8 +166,8 @@ def export_content(
     return ExportContent(source, joint, level, curve, curves, parts, tuple(because))
 
 
-def _moving_parts(joint: PlanarJoint, inertias: Inertias | None, solution: PlanarSolution) -> MovingParts:
-    entry, moving = (float(np.asarray(each)) for each in planar_inertias(joint))
+def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
+    entry, moving = (float(np.asarray(each)) for each in joint_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
     lost = float(np.asarray(power.loss)) - float(
         np.sum(np.asarray(power.creep))

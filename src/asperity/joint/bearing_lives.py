@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any, NamedTuple
 
 import equinox as eqx
@@ -10,7 +11,21 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.rolling_fatigue import spectrum_life
-from asperity.drive.bearing_life import LIFE_EXPONENTS, RatedBearing, basic_rating_life, static_safety
+from asperity.drive.layout.drive import Drive
+from asperity.drive.state.state import STATE_TOLERANCE, DriveState
+from asperity.drive.state.states import loaded_states
+from asperity.drive.structure.bearing_life import (
+    LIFE_EXPONENTS,
+    RatedBearing,
+    basic_rating_life,
+    static_safety,
+)
+from asperity.joint.description import Joint, body_masses, joint_contacts
+from asperity.joint.evaluation import JointResult
+from asperity.joint.fit import per_contact
+from asperity.joint.laws import contact_laws, creep_law, drive_load
+from asperity.joint.loading_cam import Pressed, pressed_at
+from asperity.joint.working_loads import member_speeds, pin_speeds, working_loads
 from asperity.types import Real
 
 
@@ -141,3 +156,70 @@ def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Arra
         rates = jnp.where(jnp.isnan(speed), jnp.nan, rates)
         lives.append(spectrum_life(lives=turns, cycle_rates=rates, time_shares=share))
     return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, lives)))
+
+
+def joint_bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
+    """Lives, static safeties and load ratios of the bearings of a planar drive; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    BearingLives
+        Of the rollers on pins, then of input and output, which equal sectors do not load; as
+        :func:`asperity.joint.bearing_lives.lives_of_bearings`.
+
+    References
+    ----------
+    Equation (L2) of :doc:`/equations`.
+    """
+    drive, under = joint.drive, {}
+    if joint.rolling.duty:
+        points = per_contact(joint.rolling.duty)
+        duty = _under_duty(joint, result.rest, points.output_torque, points.sun_speed)
+        under = {"duty": duty, "shares": points.share}
+    working = _state(drive, working_loads(joint, result).pin, member_speeds(joint, result))
+    rest = jnp.concatenate([jnp.abs(result.rest.pin_force), jnp.zeros(2)])
+    return lives_of_bearings(joint.rated_bearings, working=working, rest=rest, **under)
+
+
+def _state(drive: Drive, pin_force: Array, speeds: Array) -> BearingState:
+    """The bearings of pins, input and output."""
+    ends = jnp.array([drive.members.index(drive.input), drive.members.index(drive.output)])
+    return BearingState(
+        jnp.concatenate([jnp.abs(pin_force), jnp.zeros(2)]),
+        jnp.concatenate([pin_speeds(drive, speeds), jnp.abs(speeds[ends])]),
+    )
+
+
+def _under_duty(joint: Joint, rest: DriveState, torques: Array, speeds: Array) -> BearingState:
+    """The bearings under the loads of the duty, which are the first axis."""
+    contacts, masses = joint_contacts(joint), body_masses(joint)
+    pressed = pressed_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
+
+    def under(torque: Array, speed: Array) -> BearingState:
+        laws, rest = pressed(torque)
+        both = loaded_states(
+            drive=joint.drive,
+            laws=laws,
+            rest=rest,
+            load=drive_load(dataclasses.replace(joint, input_speed=speed), masses, torque),
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+        )
+        standing, rolling = (
+            jnp.where(each.residual < STATE_TOLERANCE, 1.0, jnp.nan) * each.pin_force for each in both
+        )
+        turning = jnp.where(both[1].residual < STATE_TOLERANCE, 1.0, jnp.nan) * both[1].speed * speed
+        return _state(
+            joint.drive,
+            jnp.where(speed > 0.0, rolling, standing),
+            jnp.where(speed > 0.0, turning, 0.0),
+        )
+
+    found: BearingState = jax.vmap(under)(torques, speeds)
+    return found

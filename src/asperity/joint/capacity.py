@@ -1,197 +1,260 @@
-"""Torque capacity of a joint: the largest output torque before its first limit, and which limit that is (A9)."""
+"""Torque capacity of a joint with a planar drive: the first limit, standing and in rolling, in both directions."""
 
 from __future__ import annotations
 
-import math
-from typing import Any
+import dataclasses
+from typing import NamedTuple
 
-import equinox as eqx
+import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
-from asperity.drive.capacity import FirstLimit
-from asperity.units import format_quantity
-
-#: Kinds of limits, by the codes of :class:`TorqueCapacity`.
-LIMIT_KINDS = (
-    "none",
-    "pins_lock",
-    "gross_slip",
-    "lift_off",
-    "contact_too_wide",
-    "no_solution",
-    "wall_too_thin",
+from asperity.body.rim_moments import WIDEST_CONTACT
+from asperity.body.shapes import Annulus
+from asperity.drive.state.first_limit import first_limit, slip_ratio
+from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
+from asperity.drive.state.states import loaded_state
+from asperity.joint.bodies import exact_bodies
+from asperity.joint.description import (
+    Joint,
+    body_masses,
+    joint_contacts,
+    tracks_of,
 )
+from asperity.joint.laws import creep_law, drive_load
+from asperity.joint.loading_cam import Pressed, pressed_at
+from asperity.joint.motion import in_motion
+from asperity.joint.torque_limits import TorqueCapacity, named_capacity
+from asperity.rolling.creep import capacity_loss
+from asperity.types import Real
 
-#: Those of them that end what is computed, not what the joint can do: its own capacity is not less.
-MODEL_LIMITS = ("contact_too_wide", "wall_too_thin")
-
-_SAME = 1e-6  # relative difference of torques that are said to be the same
-
-_PER_CONTACT = ("gross_slip", "lift_off", "contact_too_wide")  # these have a limit for each contact
+_LIFTED = 1e-12
 
 
-class TorqueCapacity(eqx.Module):
-    """How much torque a preloaded joint can pass in one direction.
+class TorqueCapacities(NamedTuple):
+    """Capacities of a joint.
 
     Parameters
     ----------
-    output_torque : Array
-        Largest output torque that keeps every limit [N·m]; infinite where none is ever reached, 0 where one is
-        reached without any torque.
-    limit : Array
-        Code of the first limit in :data:`LIMIT_KINDS`.
-    limiting_contact : Array
-        Number of the contact that reaches it; that of contacts for a limit that is not a contact's.
+    standing : TorqueCapacity
+        At rest, positive and negative torque along the first axis.
+    rolling : TorqueCapacity
+        In rolling, likewise.
+    first_slip : TorqueCapacity or None
+        Torques at rest at which the first contact slides, while others may still hold, likewise; the capacity where
+        another limit comes first. None where it was not asked for.
     """
 
-    output_torque: Array
-    limit: Array
-    limiting_contact: Array
+    standing: TorqueCapacity
+    rolling: TorqueCapacity
+    first_slip: TorqueCapacity | None = None
 
 
-def named_capacity(found: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
-    """The capacity with its kind of limit and contact, from the first of many limits.
+def smaller_sizes(joint: Joint) -> Array:
+    """Radius of the smaller roller of each contact, or the wall of its ring or hollow roller if that is less.
 
     Parameters
     ----------
-    found : FirstLimit
-        First of: locked pins, slip, lift-off and width of every contact, wall at every contact, no solution.
-    contacts : int
-        Number of contacts.
-    walls : bool, optional
-        Whether walls are among the limits.
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    Array
+        Lengths that a strip must stay below, shape (contacts,) [m].
+    """
+    sizes: list[Real] = [jnp.inf] * len(joint.drive.contacts)
+    for number, shape in enumerate(joint.shapes):
+        for radius, contacts in tracks_of(joint, number):
+            size: Real = radius
+            if shape.size is not None:
+                size = shape.size if shape.kind == "ring" else radius - 0.5 * shape.size
+            for k in contacts:
+                sizes[k] = jnp.minimum(sizes[k], size)
+    return jnp.stack([jnp.asarray(size) for size in sizes])
+
+
+def _widths_of_walls(joint: Joint) -> Array | None:
+    """Half-widths up to which the compliance of the walls at the contacts is known, shape (contacts,) [m].
+
+    None without a loading cam, where the laws of the contacts are taken once, without torque, and with bodies as
+    springs.
+    """
+    if joint.cam is None or joint.body_model == "springs":
+        return None
+    widths = jnp.full(len(joint.drive.contacts), jnp.inf)
+    for member in exact_bodies(joint):
+        if isinstance(member.body, Annulus):
+            wall = member.body.outer_radius - member.body.inner_radius
+            widths = widths.at[np.array(member.contacts)].min(WIDEST_CONTACT * wall)
+    return widths
+
+
+def torque_capacities(
+    joint: Joint, rest: DriveState, laws: ContactLaws, *, first_slip: bool = False
+) -> TorqueCapacities:
+    """Torque capacities of a joint in both directions.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    rest : DriveState
+        Its assembled state without torque.
+    laws : ContactLaws
+        Laws of its contacts there.
+    first_slip : bool, optional
+        Whether the torque of the first slip is wanted too.
+
+    Returns
+    -------
+    TorqueCapacities
+        As positive torques [N·m].
+
+    References
+    ----------
+    Equations (A9) and (M3) of :doc:`/equations`.
+    """
+    searches = 6 if first_slip else 4
+    found = limiting_torques(
+        joint,
+        rest,
+        laws,
+        direction=jnp.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])[:searches],
+        rolls=jnp.array([False, False, True, True, False, False])[:searches],
+        at_first=jnp.arange(searches) >= 4,
+    )
+    return TorqueCapacities(
+        *(jax.tree.map(lambda leaf, k=k: leaf[k : k + 2], found) for k in range(0, searches, 2))
+    )
+
+
+def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:
+    """Torque capacity of a joint in both directions, at rest or in rolling: a half of :func:`torque_capacities`.
+
+    Parameters
+    ----------
+    joint, rest, laws
+        As of :func:`torque_capacities`.
+    rolls : bool
+        Whether the joint rolls.
 
     Returns
     -------
     TorqueCapacity
-        Its torque and limit.
+        Positive and negative torque along the first axis, as positive torques [N·m].
+
+    References
+    ----------
+    Equations (A9) and (M3) of :doc:`/equations`.
     """
-    each = (*_PER_CONTACT, "wall_too_thin") if walls else _PER_CONTACT
-    names = ["none", "pins_lock", *(name for name in each for _ in range(contacts)), "no_solution"]
-    kinds = [LIMIT_KINDS.index(name) for name in names]
-    places = [contacts, contacts, *list(range(contacts)) * len(each), contacts]
-    return TorqueCapacity(
-        output_torque=found.value,
-        limit=jnp.asarray(kinds)[1 + found.which],
-        limiting_contact=jnp.asarray(places)[1 + found.which],
+    return limiting_torques(
+        joint,
+        rest,
+        laws,
+        direction=jnp.array([1.0, -1.0]),
+        rolls=jnp.full(2, rolls),
+        at_first=jnp.zeros(2, dtype=bool),
     )
 
 
-def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...]) -> str:
-    """What limits the capacity of one joint, in words.
-
-    Parameters
-    ----------
-    capacity : TorqueCapacity
-        Of one joint and one direction.
-    contacts : tuple of str
-        Names of the contacts.
-
-    Returns
-    -------
-    str
-        For example "contact sp slips".
-    """
-    contact = (*contacts, "none")[int(capacity.limiting_contact)]
-    texts = {
-        "none": "no limit is reached at any torque",
-        "gross_slip": f"contact {contact} slips",
-        "lift_off": f"contact {contact} lifts off",
-        "contact_too_wide": f"contact {contact} becomes too wide for line-contact theory",
-        "wall_too_thin": f"the wall at contact {contact} is five of its half-widths thick, the least that exact bodies "
-        "are computed with",
-        "pins_lock": "the pins of the loading rollers lock",
-        "no_solution": "the force balance has no solution",
-    }
-    return texts[LIMIT_KINDS[int(capacity.limit)]]
-
-
-def capacity_document(
-    capacity: TorqueCapacity,
+def limiting_torques(
+    joint: Joint,
+    rest: DriveState,
+    laws: ContactLaws,
     *,
-    contacts: tuple[str, ...],
-    first_slip: TorqueCapacity | None = None,
-) -> dict[str, Any]:
-    """The capacity of one joint in one direction as a part of a JSON document.
+    direction: Array,
+    rolls: Array,
+    at_first: Array,
+) -> TorqueCapacity:
+    """Largest output torques that keep every limit: slip, lift-off, widths of strips and walls, a solution.
 
     Parameters
     ----------
-    capacity : TorqueCapacity
-        Of one joint and one direction.
-    contacts : tuple of str
-        Names of the contacts.
-    first_slip : TorqueCapacity or None, optional
-        Where the first contact slides, while others may still hold; None for drives in which none is said to hold.
+    joint : Joint
+        One joint.
+    rest : DriveState
+        Its assembled state without torque.
+    laws : ContactLaws
+        Laws of its contacts there.
+    direction : Array
+        +1 for positive torques, −1 for negative ones, shape (searches,) [-].
+    rolls, at_first : Array
+        Whether the joint rolls, and whether the first slip already is a limit while it stands, shape (searches,).
 
     Returns
     -------
-    dict
-        Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words; whether
-        the joint may carry more, because only what is computed ends there; with the torque and the contact of the first
-        slip.
-    """
-    torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
-    at_least = LIMIT_KINDS[int(capacity.limit)] in MODEL_LIMITS
-    found: dict[str, Any] = {
-        "output_torque_Nm": torque if math.isfinite(torque) else None,
-        "limit": LIMIT_KINDS[int(capacity.limit)],
-        "limiting_contact": contacts[contact] if contact < len(contacts) else None,
-        "meaning": limit_words(capacity, contacts=contacts)
-        + ("; the joint may carry more" if at_least else ""),
-        "is_lower_bound": at_least,
-    }
-    if first_slip is not None and LIMIT_KINDS[int(first_slip.limit)] == "gross_slip":
-        found["first_slip"] = {
-            "output_torque_Nm": float(first_slip.output_torque),
-            "contact": contacts[int(first_slip.limiting_contact)],
-        }
-    return found
+    TorqueCapacity
+        As positive torques, shape (searches,) [N·m].
 
+    Notes
+    -----
+    Every torque of the search is a state of its own. A contact that slides keeps the force of its friction, so that the
+    limit of slip is the one beyond which the others cannot hold the rest: there is no balance in which the contact
+    that limits slides too.
 
-def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
-    """Whether a capacity in rolling is one at which only what is computed ends.
-
-    Parameters
+    References
     ----------
-    both : dict
-        As for :func:`first_slip_words`.
-    torque : float or None
-        The capacity in rolling [N·m]; None where it is unlimited.
-
-    Returns
-    -------
-    bool
-        Where it is the lower bound of the capacity standing, in either direction.
+    Equations (A9), (B3) and (M3) of :doc:`/equations`.
     """
-    bounds = [each["output_torque_Nm"] for each in (both, both["reverse"]) if each.get("is_lower_bound")]
-    return torque is not None and any(math.isclose(torque, bound, rel_tol=_SAME) for bound in bounds)
+    joint = in_motion(joint)
+    drive, contacts = joint.drive, dataclasses.replace(joint_contacts(joint), rims=laws.rims)
+    masses, sizes, walls = body_masses(joint), smaller_sizes(joint), _widths_of_walls(joint)
+    friction = contacts.pairs.friction_coefficient
+    unloaded = drive_load(joint, masses, 0.0)
+    pressed = pressed_at(joint, contacts, Pressed(laws, rest))
 
+    def friction_left(state: DriveState) -> Array:
+        """Friction that skew leaves to the joint that turns."""
+        lost = capacity_loss(
+            creep=creep_law(joint, contacts, state.normal, state.tangential),
+            friction_coefficient=friction,
+            width_over_radius=contacts.pairs.half_width(state.normal) / contacts.pairs.effective_radius,
+        )
+        return friction * (1.0 - lost)
 
-def first_slip_words(both: dict[str, Any]) -> list[str]:
-    """Where a contact slips while others carry the rest, in words.
+    def excesses_of(torque: Array, rolls: Array, at_first: Array) -> Array:
+        load = dataclasses.replace(unloaded, output_torque=torque)
+        laws, rest = pressed(torque)
+        state = loaded_state(
+            drive=drive,
+            laws=laws,
+            rest=rest,
+            load=load,
+            rolls=rolls,
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+        )
+        touching = state.normal > _LIFTED * rest.normal
+        available = friction
+        if joint.rolling.skew is not None:
+            available = jnp.where(rolls, friction_left(state), friction)
+        slip = slip_ratio(
+            normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=available
+        )
+        slides = state.slides != 0.0
+        width = contacts.largest_half_width(jnp.where(touching, state.normal, rest.normal))
+        if joint.cam is not None:
+            width = jnp.fmax(width, contacts.largest_half_width(laws.reference_force))
+        return jnp.concatenate(
+            [
+                -jnp.ones(1),  # pins without friction do not lock
+                jnp.where(
+                    touching,
+                    jnp.where(slides, jnp.where(at_first, 0.0, -1.0), slip - 1.0 - SLIP_TOLERANCE),
+                    -1.0,
+                ),
+                _LIFTED - state.normal / rest.normal,
+                jnp.where(touching | (joint.cam is not None), width / sizes - 1.0, -1.0),
+                *(() if walls is None else (width / walls - 1.0,)),
+                jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
+            ]
+        )
 
-    Parameters
-    ----------
-    both : dict
-        :func:`capacity_document` of positive torques, that of negative ones in its entry ``reverse``.
+    def excesses(torque: Array) -> Array:
+        return jax.lax.map(lambda given: excesses_of(*given), (direction * torque, rolls, at_first)).T
 
-    Returns
-    -------
-    list of str
-        One text; none where the first slip is the capacity.
-    """
-    early = [
-        (entry["first_slip"]["contact"], format_quantity(entry["first_slip"]["output_torque_Nm"], "N*m"))
-        for entry in (both, both["reverse"])
-        if "first_slip" in entry
-        and entry["first_slip"]["output_torque_Nm"]
-        < (1.0 - _SAME) * (math.inf if entry["output_torque_Nm"] is None else entry["output_torque_Nm"])
-    ]
-    if len(early) < 2:
-        return [f"{torque} at {contact}; others carry the rest" for contact, torque in early]
-    (contact, torque), (other, back) = early
-    way = "" if (contact, torque) == (other, back) else f" (reverse {other})"
-    if back != torque:
-        way = f" (reverse {back} at {other})"
-    return [f"{torque} at {contact}{way}; others carry the rest"]
+    orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
+    guess = jnp.min(friction * rest.normal) * orbit * drive.sectors
+    found = first_limit(excesses=excesses, first_guess=jnp.full(direction.size, guess))
+    return named_capacity(found, contacts=len(drive.contacts), walls=walls is not None)

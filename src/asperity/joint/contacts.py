@@ -29,7 +29,7 @@ from asperity.joint.crowned_contacts import (
     rough_slices,
     whole_contact,
 )
-from asperity.joint.description import ClosureSprings
+from asperity.joint.fit import ClosureSprings
 from asperity.materials import Material
 from asperity.types import Real
 

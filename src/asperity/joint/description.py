@@ -1,59 +1,423 @@
-"""What a joint is: the input of the chain, as frozen modules. SI units."""
+"""A joint with any planar roller drive: the input of its chain, as frozen modules. SI units."""
 
 from __future__ import annotations
 
 from typing import Any, Literal
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
+import numpy as np
+from jax import Array
 
+from asperity.body.shapes import PlaneState
+from asperity.contact.fractal import Surface
+from asperity.contact.population import ContactFactorModel
+from asperity.contact.roller_pairs import roller_pairs
+from asperity.drive.layout.drive import Drive
+from asperity.drive.mechanism import Bearings
+from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.drive.stiffness.loading_cam import LoadingCam
+from asperity.drive.structure.bearing_life import RatedBearing
+from asperity.drive.structure.pin_beam import PinBeam
+from asperity.joint.body_shape import BodyShape
+from asperity.joint.contacts import JointContacts, elastic_material
+from asperity.joint.fit import BodyModel, ClosureSprings, Fit, per_contact
+from asperity.joint.play import NO_PLAY, Play
+from asperity.materials import Material, pair
+from asperity.rolling.conditions import RollingConditions
 from asperity.types import Real
 
-ClosureSprings = Literal["bulk", "bulk_and_asperities"]
-#: Bodies of the assembly: discs and annuli by plane elasticity, or one spring for each contact.
-BodyModel = Literal["exact", "springs"]
 
-
-class Fit(eqx.Module):
-    """How a drive whose preload is made by interference was assembled, and what temperature does to it.
+class ContactFit(Fit):
+    """How a planar drive was assembled, and what temperature does to each of its contacts.
 
     Parameters
     ----------
-    interference : Real
-        Interference at the assembly [m].
-    change_per_kelvin : Real
-        What a kelvin more adds to it [m/K].
-    assembly_temperature, working_temperature : Real
-        Temperatures of the whole drive [degC].
+    interference, change_per_kelvin, assembly_temperature, working_temperature : Real
+        Of the drive, as in :class:`asperity.joint.fit.Fit`: the interference of its rings that does the same
+        work.
+    contact_change_per_kelvin : Array
+        Interference that a kelvin adds to each contact, shape (contacts,) [m/K].
     """
 
-    interference: Real
-    change_per_kelvin: Real
-    assembly_temperature: Real
-    working_temperature: Real
-
-    @property
-    def temperature_rise(self) -> Real:
-        """Working temperature above that of the assembly [K]."""
-        return self.working_temperature - self.assembly_temperature
-
-    @property
-    def thermal_change(self) -> Real:
-        """What the working temperature adds to the interference [m]."""
-        return self.change_per_kelvin * self.temperature_rise
+    contact_change_per_kelvin: Array
 
 
-def per_contact(values: tuple[Any, ...]) -> Any:
-    """Stack a tuple of one or five like things along a first contact axis of length 1 or 5.
+class UnlikeSectors(eqx.Module):
+    """What differs between the sectors of an unfolded drive, and the bearings of its floating bodies.
 
     Parameters
     ----------
-    values : tuple
-        Numbers or modules of numbers, one for all contacts or one for each.
+    added : Array
+        Interference that the sizes of its bodies add to each contact, shape (contacts,) [m].
+    reference_force : Array
+        Normal forces without torque around which the laws of the contacts are taken, shape (contacts,) [N].
+    support_stiffness : Array
+        Radial stiffness of the bearings of each floating body, shape (floating,) [N/m].
+    central : tuple of str
+        Names of the bodies on the axis, over whose tracks the rollers of all sectors pass.
+    sectors : int
+        Number of sectors, whose contacts are listed one after the other.
+    """
+
+    added: Array
+    reference_force: Array
+    support_stiffness: Array
+    central: tuple[str, ...] = eqx.field(static=True)
+    sectors: int = eqx.field(static=True)
+
+
+class Joint(eqx.Module):
+    """A joint with a planar roller drive. SI units; what differs between contacts is a tuple of one entry or one each.
+
+    Parameters
+    ----------
+    type : str
+        Type of the drive, as its joint file says.
+    drive : Drive
+        Bodies, contacts and pins.
+    shapes : tuple of BodyShape
+        What each body is, in the order of the drive's bodies.
+    materials : tuple of Material
+        Of each body.
+    surfaces : tuple of Surface
+        Fractal roughness.
+    contact_lengths, friction_coefficients : tuple of Real
+        Lengths B [m] and friction coefficients mu [-].
+    pattern : tuple of Real
+        Interference of each contact over that of the drive at the assembly [-].
+    preload, interference : Real or None
+        Normal force of the first contact without torque [N], or the interference of the drive [m]; one of them.
+    output_torque : Real
+        Torque at the output, of either sign [N·m]; positive where it resists the rotation.
+    input_speed : Real
+        Angular velocity of the input, of either sign [rad/s]; the friction of the bearings opposes it, in a drive
+        without speed the sense of the torque.
+    pin_stiffness : Real
+        Of one pin along its push [N/m]; ``math.inf`` is rigid.
+    input_shaft_stiffness, output_shaft_stiffness : Real
+        Torsional stiffness of the shafts [N·m/rad].
+    contact_factor_model : {"printed", "hertz_area", "unity"}
+        Model of lambda.
+    body_model : {"exact", "springs"}
+        Bodies by plane elasticity, or one spring for each contact.
+    plane_state : {"plane_strain", "plane_stress"}
+        Of the exact bodies.
+    rolling : RollingConditions
+        Skew, losses, oil and reliability of the joint that turns.
+    bearings : Bearings or None, optional
+        Friction of the bearings, ``sun_torque`` for the input and ``carrier_torque`` for the output; None for none.
+    play : Play, optional
+        Play at the output, part of every torque–angle curve; none by default.
+    fit : ContactFit or None, optional
+        What temperature adds to the interference; None where the preload does not depend on it.
+    pin_bearing, input_bearing, output_bearing : RatedBearing or None, optional
+        Rolling bearings of every roller on a pin, of input and of output; None where no life is asked for.
+    crown_curvatures : tuple of Real or None, optional
+        Curvature of the crowns of both tracks of each contact, the sum of :math:`1/R_c` [1/m]; None where no roller is
+        crowned.
+    unlike : UnlikeSectors or None, optional
+        What differs between the sectors of a drive that :mod:`asperity.joint.unfolding` has unfolded; None for
+        equal sectors.
+    cam : LoadingCam or None, optional
+        Loading cam, which adds to the preload in proportion to the torque; None without.
+    closure_springs : {"bulk", "bulk_and_asperities"} or None, optional
+        Normal springs of the force balance under load, of one roller pair each, between rigid pins: the bodies alone,
+        or with the asperities' stiffness at rest in series. None: the springs of the assembly.
+    pin : PinBeam or None, optional
+        The pins of the carrier as beams; None where their length is not known.
+    pin_transverse_stiffness : Real or None, optional
+        Of one pin across its push [N/m]; None where the roller is free to move there.
+    planet_support_stiffness : Real or None, optional
+        Of the bearing on the carrier of each roller without a pin, in both directions [N/m]; None for floating ones.
+    ring_bending_stiffness : Real or None, optional
+        Of a spring in series with each contact of a ring [N/m]; None for none.
+    carrier_balance : {"complete", "printed"}, optional
+        ``printed``: equation (5) of Zou et al. 2025, which leaves out the friction torques of the rollers' bearings on
+        the carrier.
+    """
+
+    type: str = eqx.field(static=True)
+    drive: Drive
+    shapes: tuple[BodyShape, ...]
+    materials: tuple[Material, ...]
+    surfaces: tuple[Surface, ...]
+    contact_lengths: tuple[Real, ...]
+    friction_coefficients: tuple[Real, ...]
+    pattern: tuple[Real, ...]
+    preload: Real | None
+    interference: Real | None
+    output_torque: Real
+    input_speed: Real
+    pin_stiffness: Real
+    input_shaft_stiffness: Real
+    output_shaft_stiffness: Real
+    contact_factor_model: ContactFactorModel = eqx.field(static=True)
+    body_model: BodyModel = eqx.field(static=True)
+    plane_state: PlaneState = eqx.field(static=True)
+    rolling: RollingConditions
+    bearings: Bearings | None = None
+    play: Play = NO_PLAY
+    fit: ContactFit | None = None
+    pin_bearing: RatedBearing | None = None
+    input_bearing: RatedBearing | None = None
+    output_bearing: RatedBearing | None = None
+    crown_curvatures: tuple[Real, ...] | None = None
+    unlike: UnlikeSectors | None = None
+    cam: LoadingCam | None = None
+    closure_springs: ClosureSprings | None = eqx.field(static=True, default=None)
+    pin: PinBeam | None = None
+    pin_transverse_stiffness: Real | None = None
+    planet_support_stiffness: Real | None = None
+    ring_bending_stiffness: Real | None = None
+    carrier_balance: Literal["complete", "printed"] = eqx.field(static=True, default="complete")
+
+    @property
+    def working_pattern(self) -> Array:
+        """Interference of each contact at the working temperature over that of the drive at the assembly [-]."""
+        pattern = jnp.asarray(self.pattern)
+        if self.unlike is not None:
+            pattern = pattern + self.unlike.added / jnp.asarray(self.interference)
+        if self.fit is None:
+            return pattern
+        added = self.fit.contact_change_per_kelvin * self.fit.temperature_rise
+        return pattern + added / jnp.asarray(self.interference)
+
+    @property
+    def sun_speed(self) -> Real:
+        """The speed of the input, as results of every drive call it [rad/s]."""
+        return self.input_speed
+
+    @property
+    def ends(self) -> tuple[str, str]:
+        """Names of input and output, in words."""
+        return self.drive.input.replace("_", " "), self.drive.output.replace("_", " ")
+
+    @property
+    def bearing_names(self) -> tuple[str, ...]:
+        """Names of the rolling bearings, in the order of every bearing axis."""
+        return bearing_names(self.drive)
+
+    @property
+    def rated_bearings(self) -> tuple[RatedBearing | None, ...]:
+        """Ratings of these bearings; None where the file has none."""
+        return (*(self.pin_bearing for _ in self.drive.pinned), self.input_bearing, self.output_bearing)
+
+    @property
+    def contact_names(self) -> tuple[str, ...]:
+        """Names of the contacts."""
+        return tuple(contact.name for contact in self.drive.contacts)
+
+
+def bearing_names(drive: Drive) -> tuple[str, ...]:
+    """Names of the rolling bearings of a drive.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
 
     Returns
     -------
-    The same kind of thing with leaves of shape (1, ...) or (5, ...).
+    tuple of str
+        Those of the rollers on pins, then of input and output.
     """
-    return jax.tree.map(lambda *leaves: jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, leaves))), *values)
+    return (*(f"{name}_pin" for name in pin_names(drive)), drive.input, drive.output)
+
+
+def pin_names(drive: Drive) -> tuple[str, ...]:
+    """Names of the rollers on pins.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    tuple of str
+        In the order of every pin axis.
+    """
+    return tuple(drive.bodies[body].name for body in drive.pinned)
+
+
+def places(drive: Drive) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Numbers of the first and of the second body of each contact.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    tuple of tuple of int
+        Places in the drive's bodies.
+    """
+    names = [body.name for body in drive.bodies]
+    return (
+        tuple(names.index(contact.first) for contact in drive.contacts),
+        tuple(names.index(contact.second) for contact in drive.contacts),
+    )
+
+
+def bodies_of_contacts(joint: Joint) -> BodiesOfContacts:
+    """Which bodies the contacts of one sector join, or those of all sectors where they differ.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    BodiesOfContacts
+        Bodies on the axis are shared by all sectors.
+    """
+    drive, unlike = joint.drive, joint.unlike
+    first, second = places(drive)
+    return BodiesOfContacts(
+        names=tuple(body.name for body in drive.bodies),
+        shared=tuple(
+            body.place == "axis" if unlike is None else body.name in unlike.central for body in drive.bodies
+        ),
+        driving=first,
+        driven=second,
+        sectors=1 if unlike is None else unlike.sectors,
+    )
+
+
+def each_contact(joint: Joint, values: tuple[Any, ...]) -> Any:
+    """One entry for each contact from one for all or one each, stacked along a first axis.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    values : tuple
+        Numbers or modules of numbers.
+
+    Returns
+    -------
+    The same kind of thing with leaves of shape (contacts,).
+    """
+    count = len(joint.drive.contacts)
+    return per_contact(values if len(values) == count else values * count)
+
+
+def joint_contacts(joint: Joint) -> JointContacts:
+    """The contacts of one sector of a joint.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    JointContacts
+        Numbers of shape (contacts,).
+    """
+    first, second = places(joint.drive)
+    driving, driven = (
+        per_contact(tuple(elastic_material(joint.materials[body]) for body in side))
+        for side in (first, second)
+    )
+    inside = [contact.internal for contact in joint.drive.contacts]
+    walls = [joint.shapes[body].size if inner else None for body, inner in zip(second, inside, strict=True)]
+    return JointContacts(
+        pairs=roller_pairs(
+            radius_1=joint.drive.first_radius,
+            radius_2=joint.drive.second_radius,
+            sign=jnp.where(np.array(inside), -1.0, 1.0),
+            contact_length=each_contact(joint, joint.contact_lengths),
+            friction_coefficient=each_contact(joint, joint.friction_coefficients),
+            moduli=pair(driving, driven),
+            surface=each_contact(joint, joint.surfaces),
+        ),
+        driving=driving,
+        driven=driven,
+        ring_wall_thickness=per_contact(tuple(1.0 if wall is None else wall for wall in walls)),
+        contact_factor_model=joint.contact_factor_model,
+        crown_curvature=None if joint.crown_curvatures is None else per_contact(joint.crown_curvatures),
+    )
+
+
+def tracks_of(joint: Joint, body: int) -> list[tuple[Array, list[int]]]:
+    """Tracks of a body: each radius, and the contacts that roll on it.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    body : int
+        Number of the body.
+
+    Returns
+    -------
+    list of tuple
+        Radius [m] and numbers of contacts; contacts of one track are those that the drive lists with one radius.
+    """
+    first, second = places(joint.drive)
+    found: dict[str, tuple[Array, list[int]]] = {}
+    for k, contact in enumerate(joint.drive.contacts):
+        for side, bodies, radii in (
+            (0, first, joint.drive.first_radius),
+            (1, second, joint.drive.second_radius),
+        ):
+            if bodies[k] == body:
+                track = contact.tracks[side]
+                found.setdefault(track, (radii[k], []))[1].append(k)
+    return list(found.values())
+
+
+def track_lengths(joint: Joint, body: int) -> list[Real]:
+    """Lengths of the tracks of a body along the axis, which make its mass [m]."""
+    lengths, tracks = each_contact(joint, joint.contact_lengths), tracks_of(joint, body)
+    own = joint.shapes[body].length
+    if own is not None:
+        return [own / len(tracks)] * len(tracks)
+    return [jnp.max(lengths[np.array(contacts)]) for _, contacts in tracks]
+
+
+def cylinders(joint: Joint, body: int) -> list[tuple[Real, Real, Real]]:
+    """The cylinders that make a body, one for each of its tracks.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    body : int
+        Number of the body.
+
+    Returns
+    -------
+    list of tuple
+        Mass [kg], outer radius and diameter of the bore [m]; every track is as long as its longest contact, that of a
+        body with a length of its own as long as the body.
+    """
+    shape, material = joint.shapes[body], joint.materials[body]
+    found: list[tuple[Real, Real, Real]] = []
+    for (radius, _), length in zip(tracks_of(joint, body), track_lengths(joint, body), strict=True):
+        outer: Real = radius
+        bore: Real = 0.0 if shape.size is None else shape.size
+        if shape.kind == "ring" and shape.size is not None:
+            outer, bore = radius + shape.size, 2.0 * radius
+        found.append((material.density * jnp.pi * (outer**2 - 0.25 * bore**2) * length, outer, bore))
+    return found
+
+
+def body_masses(joint: Joint) -> list[Real]:
+    r"""Mass of each body, :math:`\rho \pi \sum (R^2 - d^2/4) L` over its tracks.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    list of Real
+        Masses [kg].
+    """
+    return [sum(mass for mass, _, _ in cylinders(joint, body)) for body in range(len(joint.shapes))]

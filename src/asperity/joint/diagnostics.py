@@ -1,4 +1,4 @@
-"""How close a solved joint is to the limits of its model; :mod:`asperity.joint.results` says what crossing means."""
+"""How close a solved joint is to the limits of its model; :mod:`asperity.results` says what crossing means."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from jax import Array
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.hertz_line import first_yield_pressure, peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
-from asperity.drive.capacity import slip_ratio as traction_used
+from asperity.drive.state.first_limit import slip_ratio as traction_used
 from asperity.joint.contacts import LoadedContacts
 from asperity.types import Real
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import dataclasses
 import math
 
-from asperity.joint.planar.solved import SolvedJoint
-from asperity.joint.results import Result
-from asperity.joint.results.drive_table import results_of_joint
+from asperity.results import Result
+from asperity.results.drive_table import results_of_joint
+from asperity.results.solved import SolvedJoint
 from asperity.units import format_quantity
 
 

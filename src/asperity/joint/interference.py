@@ -8,7 +8,7 @@ from jax import Array
 from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import BodyModel
+from asperity.joint.fit import BodyModel
 from asperity.materials import Material
 from asperity.types import Real
 

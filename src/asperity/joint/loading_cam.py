@@ -1,24 +1,277 @@
-"""The loading cam of a joint: how far it has turned, what that takes from the stiffness, and how a document says so."""
+"""The loading cam of a joint with a planar drive: its preload under a torque, and what turning the cam takes."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import dataclasses
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from asperity.drive.loading_cam import held_cam_stiffness
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState
+from asperity.drive.state.states import DriveStates, drive_states, loaded_states, state_at_rest
+from asperity.drive.stiffness.assembly import Assembly
+from asperity.drive.stiffness.loading_cam import (
+    cam_angle,
+    cam_compliance,
+    cam_preload,
+    held_cam_stiffness,
+    with_cam,
+)
+from asperity.joint.contacts import JointContacts
+from asperity.joint.description import Joint, body_masses
+from asperity.joint.laws import contact_laws, drive_load
 from asperity.types import Real
 
 if TYPE_CHECKING:
-    from asperity.joint.planar.evaluation import PlanarResult
+    from asperity.joint.evaluation import JointResult
+
+
+class Pressed(NamedTuple):
+    """An assembled joint.
+
+    Parameters
+    ----------
+    laws : ContactLaws
+        Laws of its contacts.
+    rest : DriveState
+        Its state without the forces of a torque.
+    """
+
+    laws: ContactLaws
+    rest: DriveState
+
+
+class CamOfJoint(eqx.Module):
+    """What the cam of a joint does under a torque.
+
+    Parameters
+    ----------
+    angle : Array
+        By how much it has turned at the output, without sign [rad].
+    compliance : Array
+        Derivative of this angle by the torque [rad/(N·m)].
+    pressed : DriveState
+        The assembled joint as the cam presses it.
+    """
+
+    angle: Array
+    compliance: Array
+    pressed: DriveState
+
+
+def pressed_at(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> Callable[[Real], Pressed]:
+    """A joint as its cam presses it under a torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+    without_torque : Pressed
+        The joint as it is assembled, under its preload or interference alone.
+
+    Returns
+    -------
+    callable
+        Of an output torque of either sign [N·m]; of a joint without a cam the same at every torque.
+
+    References
+    ----------
+    Equation (I3) of :doc:`/equations`.
+    """
+    if joint.cam is None:
+        return lambda torque: without_torque
+    cam, rest = joint.cam, without_torque.rest
+
+    def pressed(torque: Real) -> Pressed:
+        preload = cam_preload(
+            least_preload=rest.normal[0], force_per_torque=cam.force_per_torque, output_torque=torque
+        )
+        return _by_force(joint, contacts, rest.interference, preload)
+
+    return pressed
+
+
+def _by_force(
+    joint: Joint,
+    contacts: JointContacts,
+    added: Array,
+    preload: Array,
+    known: DriveState | None = None,
+) -> Pressed:
+    """A joint that its cam presses with a force, from the interferences without it."""
+    assert joint.cam is not None
+    there = dataclasses.replace(
+        joint, preload=preload, interference=None, fit=None, pattern=joint.cam.pattern, cam=None
+    )
+    laws = contact_laws(there, contacts)
+    rest = state_at_rest(
+        drive=joint.drive,
+        laws=laws,
+        pattern=there.working_pattern,
+        preload=preload,
+        load=drive_load(joint, body_masses(joint), 0.0),
+        added=added,
+        known=known,
+    )
+    return Pressed(laws, rest)
+
+
+def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
+    """A joint under its preload or interference alone.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+
+    Returns
+    -------
+    Pressed
+        Without torque.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    laws = contact_laws(joint, contacts)
+    rest = state_at_rest(
+        drive=joint.drive,
+        laws=laws,
+        pattern=joint.working_pattern,
+        preload=joint.preload,
+        interference=joint.interference,
+        load=drive_load(joint, body_masses(joint), 0.0),
+    )
+    return Pressed(laws, rest)
+
+
+def states_under_torque(
+    joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf
+) -> tuple[ContactLaws, DriveStates]:
+    """A joint assembled, standing and rolling under its torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+    load : DriveLoad
+        Its torque, forces on its bodies, and pins.
+    creep_of : callable
+        Creep law of its contacts, as of :func:`asperity.drive.state.states.drive_states`.
+
+    Returns
+    -------
+    ContactLaws, DriveStates
+        The laws of its contacts without torque, and the states.
+
+    References
+    ----------
+    Equations (I3) and (M3) of :doc:`/equations`.
+    """
+    if joint.cam is None:  # one program finds all three states
+        laws = contact_laws(joint, contacts)
+        states = drive_states(
+            drive=joint.drive,
+            laws=laws,
+            pattern=joint.working_pattern,
+            preload=joint.preload,
+            interference=joint.interference,
+            load=load,
+            creep_of=creep_of,
+        )
+        return laws, states
+    without_torque = assembled(joint, contacts)
+    pressed = pressed_at(joint, contacts, without_torque)(joint.output_torque)
+    loaded = loaded_states(
+        drive=joint.drive, laws=pressed.laws, rest=pressed.rest, load=load, creep_of=creep_of
+    )
+    return without_torque.laws, DriveStates(without_torque.rest, *loaded, pressed.rest)
+
+
+def turned_cam(
+    joint: Joint, contacts: JointContacts, without_torque: DriveState, pressed: DriveState
+) -> CamOfJoint | None:
+    """How far the cam of a joint has turned, and how much it gives way.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+    without_torque, pressed : DriveState
+        The assembled joint without torque, and as its cam presses it.
+
+    Returns
+    -------
+    CamOfJoint or None
+        None without a cam.
+
+    References
+    ----------
+    Equation (I3) of :doc:`/equations`.
+    """
+    if joint.cam is None:
+        return None
+    preload = pressed.normal[0]
+
+    def interference(preload: Array) -> Array:
+        return _by_force(joint, contacts, without_torque.interference, preload, pressed).rest.interference
+
+    _, softness = jax.jvp(interference, (preload,), (jnp.ones_like(preload),))
+    common: dict[str, Any] = {
+        "branches": joint.drive.sectors,
+        "rest_force": pressed.normal,
+        "preload": preload,
+        "force_per_torque": joint.cam.force_per_torque,
+    }
+    return CamOfJoint(
+        angle=cam_angle(**common, closed=pressed.interference - without_torque.interference),
+        compliance=cam_compliance(**common, softness=softness),
+        pressed=pressed,
+    )
+
+
+def with_its_cam(assembly: Assembly, cam: CamOfJoint | None) -> Assembly:
+    """An assembled drive in series with its cam.
+
+    Parameters
+    ----------
+    assembly : Assembly
+        The drive with its cam held.
+    cam : CamOfJoint or None
+        What the cam does; None without one.
+
+    Returns
+    -------
+    Assembly
+        Unchanged without a cam.
+
+    References
+    ----------
+    Equation (I3) of :doc:`/equations`.
+    """
+    return assembly if cam is None else with_cam(assembly=assembly, compliance=cam.compliance)
 
 
 def loading_cam_document(
-    result: PlanarResult, *, least_preload: Real, force_per_torque: Real | None
+    result: JointResult, *, least_preload: Real, force_per_torque: Real | None
 ) -> dict[str, Any] | None:
     """What a loading cam does under the torque.
 
     Parameters
     ----------
-    result : PlanarResult
+    result : JointResult
         Result of one joint.
     least_preload : Real
         Its preload without torque [N].

@@ -10,7 +10,7 @@ import numpy as np
 
 from asperity.contact.fractal import Surface
 from asperity.errors import InputError
-from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.description import Joint
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.surface.equivalent import equivalent_surface
 from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, read_measurement
@@ -49,12 +49,12 @@ def measured_surface(paths: tuple[str | Path, ...]) -> SurfaceMeasurement:
     return measured[0] if len(measured) == 1 else equivalent_surface(first=measured[0], second=measured[1])
 
 
-def stiffness_interval(joint: PlanarJoint, measurement: SurfaceMeasurement) -> dict[str, Any]:
+def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[str, Any]:
     r"""Intervals of output stiffness and drift from the uncertainty of the measured D and G.
 
     Parameters
     ----------
-    joint : PlanarJoint
+    joint : Joint
         One joint.
     measurement : SurfaceMeasurement
         Measured surface; its (D, ln G) are drawn together from their normal law.

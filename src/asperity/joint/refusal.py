@@ -5,16 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.evaluation import JointResult
 from asperity.units import format_quantity
 
 
-def refuse_short_contacts(result: PlanarResult) -> None:
+def refuse_short_contacts(result: JointResult) -> None:
     """Refuse crowned contacts that are too short for their width.
 
     Parameters
     ----------
-    result : PlanarResult
+    result : JointResult
         The result of one joint.
 
     Raises

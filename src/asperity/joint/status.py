@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
+import jax.numpy as jnp
 import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
+
+from asperity.drive.layout.existence import LEAST_OUTPUT_SHARE, has_room, output_share
+from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.joint.capacity import smaller_sizes
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.joint.pins import pin_room
 
 #: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
 #: contact slips.
@@ -41,7 +49,7 @@ def has_value(status: ArrayLike, needs: Needs) -> Any:
     status : array
         Codes, indices into :data:`STATUSES`.
     needs : {"geometry", "balance", "operation"}
-        What a result needs to have a value: :attr:`asperity.joint.results.Result.needs`.
+        What a result needs to have a value: :attr:`asperity.results.Result.needs`.
 
     Returns
     -------
@@ -71,3 +79,47 @@ def flag_attributes() -> dict[str, object]:
         "flag_meanings": " ".join(STATUS_NAMES),
         "reasons": list(STATUS_MEANINGS),
     }
+
+
+def joint_status(joint: Joint, result: JointResult) -> Array:
+    """Status code of one joint.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        What :func:`asperity.joint.evaluation.evaluate` says about it.
+
+    Returns
+    -------
+    Array
+        Code, an index into :data:`asperity.joint.status.STATUSES`, 8-bit; the first reason that applies.
+    """
+    drive, residual = joint.drive, result.forces.balance_residual
+    at_rest = jnp.all(result.rest.normal > 0.0) & (result.rest.residual < STATE_TOLERANCE)
+    if result.cam is not None:
+        at_rest = at_rest & (result.pressed.residual < STATE_TOLERANCE)
+    wide = result.diagnostics.hertz_half_width >= smaller_sizes(joint)
+    loose = jnp.asarray(False)
+    if joint.interference is not None:  # a force is always above 0
+        left = jnp.max(jnp.asarray(joint.pattern)) * joint.interference
+        if joint.fit is not None:
+            left = jnp.asarray(joint.fit.interference + joint.fit.thermal_change)
+        loose = left <= 0.0
+    carried = jnp.isfinite(residual) | ~jnp.all(jnp.isfinite(result.forces.normal))
+    locked = jnp.any(jnp.concatenate(pin_room(joint)) >= 1.0)
+    code = jnp.zeros((), dtype=jnp.int8)
+    for condition, value in (
+        (~has_room(drive), NO_ROOM),
+        (output_share(drive) < LEAST_OUTPUT_SHARE, IDLE),
+        (locked, LOCKED),
+        (loose, LOOSE),
+        (~at_rest, UNBALANCED),
+        (jnp.any(wide) | ~result.walls_hold, TOO_WIDE),
+        (~carried, SLIPS),
+        (~(residual < STATE_TOLERANCE), UNBALANCED),
+        (~result.contact_law_holds, ALL_PLASTIC),
+    ):
+        code = jnp.where((code == 0) & condition, jnp.asarray(value, dtype=jnp.int8), code)
+    return code

@@ -10,18 +10,16 @@ import numpy as np
 
 from asperity.compilation import compile_fast
 from asperity.contact.fractal import Surface
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.evaluation import PlanarResult, evaluate_planar
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult, evaluate
 
 
-def over_surfaces(
-    joint: PlanarJoint, surfaces: tuple[Surface, ...], *, shape: tuple[int, ...]
-) -> PlanarResult:
+def over_surfaces(joint: Joint, surfaces: tuple[Surface, ...], *, shape: tuple[int, ...]) -> JointResult:
     """One joint with many surfaces.
 
     Parameters
     ----------
-    joint : PlanarJoint
+    joint : Joint
         One joint; its own surfaces do not count.
     surfaces : tuple of Surface
         For all contacts or for each, as those of a joint; their numbers broadcast to the batch.
@@ -30,26 +28,24 @@ def over_surfaces(
 
     Returns
     -------
-    PlanarResult
+    JointResult
         The batch is the first axis.
     """
     numbers = jax.tree.map(
         lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=())
     )
     each = jax.tree.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
-    found: PlanarResult = compile_fast(_each_surface, numbers, each)(numbers, each)
+    found: JointResult = compile_fast(_each_surface, numbers, each)(numbers, each)
     return found
 
 
-def _each_surface(joint: PlanarJoint, surfaces: tuple[Surface, ...]) -> PlanarResult:
-    found: PlanarResult = jax.vmap(lambda one: evaluate_planar(dataclasses.replace(joint, surfaces=one)))(
-        surfaces
-    )
+def _each_surface(joint: Joint, surfaces: tuple[Surface, ...]) -> JointResult:
+    found: JointResult = jax.vmap(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
     return found
 
 
 def result_ends(
-    result: PlanarResult,
+    result: JointResult,
     *,
     shape: tuple[int, ...],
     percentiles: tuple[float, float],
@@ -59,7 +55,7 @@ def result_ends(
 
     Parameters
     ----------
-    result : PlanarResult
+    result : JointResult
         One joint with many surfaces.
     shape : tuple of int
         Shape of the batch.

@@ -1,90 +1,150 @@
-"""A joint at its working temperature: what temperature does to its interference, and where it comes loose."""
+"""A joint with a planar drive at its working temperature: what temperature adds to the interference of its contacts."""
 
 from __future__ import annotations
 
-import math
+import dataclasses
 from typing import Any
 
+import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
-from asperity.drive.thermal_expansion import loosening_rise
-from asperity.errors import InputError
-from asperity.joint.description import Fit
+from asperity.drive.layout.expansion import interference_of_strains, ring_interference
+from asperity.drive.layout.thermal_expansion import ring_expansion
+from asperity.drive.state.equal_springs import rest_forces
+from asperity.joint.capacity import TorqueCapacities
+from asperity.joint.description import ContactFit, Joint, places
+from asperity.joint.evaluation import JointResult
+from asperity.joint.looseness import fit_document
+from asperity.joint.solve import result_and_capacity
 from asperity.types import Real
-from asperity.units import format_quantity
-
-#: Above this temperature no material of a roller is solid [degC].
-HOTTEST = 3000.0
 
 
-def loose_temperature(fit: Fit) -> Array:
-    """Temperature from which a joint has no interference.
+def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
+    """Interference that a kelvin adds to each contact of a joint.
 
     Parameters
     ----------
-    fit : Fit
-        How it was assembled.
+    joint : Joint
+        The joint; the thermal expansion of all its materials is known.
+    housing_expansion : Real or None
+        Expansion coefficient of the housing that holds rings [1/K]; None for that of each ring.
 
     Returns
     -------
     Array
-        Temperature [degC]; infinite where none between absolute zero and :data:`HOTTEST` takes the interference: bodies
-        that expand alike leave a change that is rounding.
+        Interference over temperature, shape (contacts,) [m/K].
+
+    Notes
+    -----
+    The carrier expands like its first roller on a pin, which matters only where pins push outwards or inwards: along
+    the tangent they leave the rollers free to follow the contacts.
+
+    References
+    ----------
+    Equation (I2) of :doc:`/equations`.
     """
-    rise = loosening_rise(interference=fit.interference, change_per_kelvin=fit.change_per_kelvin)
-    found = jnp.asarray(fit.assembly_temperature + rise)
-    return jnp.where((found >= -273.15) & (found <= HOTTEST), found, math.inf)
+    drive = joint.drive
+    own = [jnp.asarray(material.thermal_expansion) for material in joint.materials]
+    first, second = places(drive)
+    outer = []
+    for contact, body in enumerate(second):
+        shape, material = joint.shapes[body], joint.materials[body]
+        expansion: Any = own[body]
+        if housing_expansion is not None and shape.kind == "ring" and shape.support != "free":
+            assert shape.size is not None
+            expansion = ring_expansion(
+                ring=expansion,
+                housing=housing_expansion,
+                inner_radius=drive.second_radius[contact],
+                wall_thickness=shape.size,
+                youngs_modulus=material.youngs_modulus,
+                poisson_ratio=material.poisson_ratio,
+                housing_stiffness=shape.rim_stiffness[0],
+                plane_state=joint.plane_state,
+            )
+        outer.append(expansion)
+    inner = jnp.stack([own[body] for body in first])
+    carrier = own[drive.pinned[0]] if drive.pinned else own[0]
+    return interference_of_strains(drive=drive, strains=(inner, jnp.stack(outer)), carrier=carrier)
 
 
-def refuse_loose(fit: Fit | None) -> None:
-    """Refuse a joint whose working temperature has left no interference.
+def contact_fit(
+    joint: Joint,
+    *,
+    assembly_temperature: Real,
+    working_temperature: Real,
+    housing_expansion: Real | None,
+) -> ContactFit:
+    """How a drive was assembled, and what temperature does to it.
 
     Parameters
     ----------
-    fit : Fit or None
-        How it was assembled; None where its preload does not depend on temperature.
-
-    Raises
-    ------
-    InputError
-        With what the temperature takes from the interference, and where the joint comes loose.
-    """
-    if fit is None or float(fit.interference) + float(fit.thermal_change) > 0.0:
-        return
-    loose = float(loose_temperature(fit))
-    side = "above" if loose > float(fit.assembly_temperature) else "below"
-    raise InputError(
-        f"the joint is loose at its working temperature {format_quantity(float(fit.working_temperature), 'degC')}: of "
-        f"{format_quantity(float(fit.interference), 'um')} of interference at the assembly, "
-        f"{format_quantity(abs(float(fit.temperature_rise)), 'K')} take "
-        f"{format_quantity(-float(fit.thermal_change), 'um')}; nothing is left {side} "
-        f"{format_quantity(loose, 'degC')}. Choose more interference, materials of more equal expansion, or a preload "
-        "by spring (load.preload)"
-    )
-
-
-def fit_document(fit: Fit, preload: Real) -> dict[str, Any]:
-    """How a drive was assembled, for a JSON document.
-
-    Parameters
-    ----------
-    fit : Fit
-        Interferences and temperatures.
-    preload : Real
-        Preload at the assembly [N].
+    joint : Joint
+        The joint with an interference and its pattern at the assembly.
+    assembly_temperature, working_temperature : Real
+        Temperatures of the whole drive [degC].
+    housing_expansion : Real or None
+        Expansion coefficient of the housing that holds rings [1/K]; None for that of each ring.
 
     Returns
     -------
-    dict
-        Forces, interferences and temperatures; the temperature from which the joint is loose is None if there is none.
+    ContactFit
+        For the joint.
+
+    References
+    ----------
+    Equation (I2) of :doc:`/equations`.
     """
-    loose = float(loose_temperature(fit))
-    return {
-        "force_N": float(preload),
-        "interference_m": float(fit.interference),
-        "temperature_degC": float(fit.assembly_temperature),
-        "working_temperature_degC": float(fit.working_temperature),
-        "thermal_change_m": float(fit.thermal_change),
-        "loose_temperature_degC": loose if math.isfinite(loose) else None,
-    }
+    drive, pattern = joint.drive, jnp.asarray(joint.pattern)
+    forces = rest_forces(drive=drive, pattern=pattern)
+    change = contact_expansion(joint, housing_expansion=housing_expansion)
+    assembled = pattern * jnp.asarray(joint.interference)
+    return ContactFit(
+        interference=ring_interference(drive=drive, forces=forces, interference=assembled),
+        change_per_kelvin=ring_interference(drive=drive, forces=forces, interference=change),
+        assembly_temperature=assembly_temperature,
+        working_temperature=working_temperature,
+        contact_change_per_kelvin=change,
+    )
+
+
+def solved_at(joint: Joint, temperature: float) -> tuple[JointResult, TorqueCapacities]:
+    """What the same joint does at another working temperature.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint with a fit.
+    temperature : float
+        Working temperature [degC].
+
+    Returns
+    -------
+    JointResult, TorqueCapacities
+        With the numbers as NumPy arrays; without meaning where the joint is loose.
+    """
+    assert joint.fit is not None
+    there = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
+    return result_and_capacity(numbers)
+
+
+def assembly_document(joint: Joint) -> dict[str, Any] | None:
+    """Preload and interference at the assembly, and what temperature does to them, for a JSON document.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    dict or None
+        As :func:`asperity.joint.looseness.assembly_document`.
+    """
+    if joint.fit is None:
+        return None
+    result, _ = solved_at(joint, float(joint.fit.assembly_temperature))
+    return fit_document(joint.fit, result.rest.normal[0])

@@ -10,8 +10,8 @@ import numpy as np
 from jax import Array
 
 from asperity.errors import InputError
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.temperature import solved_at
+from asperity.joint.description import Joint
+from asperity.joint.temperature import solved_at
 
 _TEMPERATURES = 41
 _LEAST_MARGIN = 20.0  # of the axis beyond the temperatures of the file [K]
@@ -38,13 +38,13 @@ class TemperatureCurves(eqx.Module):
     torque_capacity: Array
 
 
-def temperature_curves(joint: PlanarJoint) -> TemperatureCurves:
+def temperature_curves(joint: Joint) -> TemperatureCurves:
     """Preload, assembled stiffness and torque capacity of a joint around the temperatures of its file.
 
     Parameters
     ----------
-    joint : PlanarJoint
-        One joint with a :class:`asperity.joint.description.Fit`.
+    joint : Joint
+        One joint with a :class:`asperity.joint.fit.Fit`.
 
     Returns
     -------
@@ -64,7 +64,7 @@ def temperature_curves(joint: PlanarJoint) -> TemperatureCurves:
     return TemperatureCurves(*map(jnp.asarray, (temperature, *found)))
 
 
-def _of_drive(joint: PlanarJoint, temperature: np.ndarray) -> tuple[np.ndarray, ...]:
+def _of_drive(joint: Joint, temperature: np.ndarray) -> tuple[np.ndarray, ...]:
     """Preload, assembled stiffness and torque capacity, one temperature after the other."""
     backwards = int(float(joint.output_torque) < 0.0)
     rows = []

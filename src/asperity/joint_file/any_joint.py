@@ -11,20 +11,20 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.existence import neighbours
-from asperity.drive.planar.wedge import wedges
-from asperity.joint.planar.description import bearing_names, pin_names
-from asperity.joint.planar.evaluation import evaluated_with_laws
-from asperity.joint.planar.solved import SolvedJoint
-from asperity.joint.planar.status import planar_status
-from asperity.joint.results import Result, result_values
-from asperity.joint.results.drive_table import results_of_drive
-from asperity.joint_file import planar_build
+from asperity.drive.layout.existence import neighbours
+from asperity.drive.layout.wedge import wedges
+from asperity.joint.description import bearing_names, pin_names
+from asperity.joint.evaluation import evaluated_with_laws
+from asperity.joint.status import joint_status
+from asperity.joint_file import build as planar_build
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.part_names import bodies_of, contacts_of, with_tracks
-from asperity.joint_file.planar_build import planar_joint_from_values
-from asperity.joint_file.planar_parts import layout_of
+from asperity.joint_file.parts import layout_of
 from asperity.joint_file.si_tables import Values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
+from asperity.results import Result, result_values
+from asperity.results.drive_table import results_of_drive
+from asperity.results.solved import SolvedJoint
 
 
 def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
@@ -40,11 +40,11 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
     dict
         Name → row.
     """
-    return _planar_results(table_structure(with_tracks(dict(tables))))
+    return _results_of_structure(table_structure(with_tracks(dict(tables))))
 
 
 @functools.lru_cache(maxsize=32)
-def _planar_results(structure: str) -> dict[str, Result]:
+def _results_of_structure(structure: str) -> dict[str, Result]:
     values = json.loads(structure)
     shapes = [jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)]
     drive = jax.eval_shape(lambda *each: layout_of(with_numbers(values, each))[0], *shapes)
@@ -82,9 +82,7 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
     no_result: Any = None
 
     def ask(*each: Array) -> None:
-        there.extend(
-            present(SolvedJoint(planar_joint_from_values(with_numbers(values, each)), no_result, None))
-        )
+        there.extend(present(SolvedJoint(joint_from_values(with_numbers(values, each)), no_result, None)))
 
     jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)))
     return tuple(int(row) for row, present in enumerate(there) if present)
@@ -127,7 +125,7 @@ def evaluated_points(
     Array, dict of Array
         Codes, shape (points); name → values, shape (points), or (rows, points).
     """
-    status, named = _each_planar(values, points, results)
+    status, named = _each_point(values, points, results)
     table = results_of(values)
     # where only the springs of the structure vary, one status serves all points
     return jnp.broadcast_to(status, points), {
@@ -135,7 +133,7 @@ def evaluated_points(
     }
 
 
-def _each_planar(
+def _each_point(
     values: Values, points: tuple[int, ...], results: tuple[str, ...]
 ) -> tuple[Array, dict[str, Array]]:
     """The chain of a planar drive, which is written for one joint, at every point."""
@@ -144,9 +142,9 @@ def _each_planar(
     flat = [jnp.broadcast_to(leaf, points).reshape(-1) if leaf.ndim else leaf for leaf in leaves]
 
     def one(*each: Array) -> tuple[Array, dict[str, Array]]:
-        joint = planar_joint_from_values(with_numbers(values, each))
+        joint = joint_from_values(with_numbers(values, each))
         found, laws = evaluated_with_laws(joint)
-        return planar_status(joint, found), result_values(results, SolvedJoint(joint, found, laws))
+        return joint_status(joint, found), result_values(results, SolvedJoint(joint, found, laws))
 
     if not any(leaf.ndim for leaf in leaves):
         status, named = one(*leaves)

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from asperity.joint.planar.rims import bends
+from asperity.joint.rims import bends
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_average
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.material_entries import MaterialEntry
-from asperity.joint_file.model import Lubrication
+from asperity.joint_file.model import Case, Rolling
 from asperity.joint_file.part_names import WEDGE_TYPE, material_key
-from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.planar_model import PlanarCase, PlanarRolling
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import leaves
 from asperity.joint_file.section_build import film_roughness
+from asperity.joint_file.sections import Lubrication
 from asperity.joint_file.si_tables import si_values
 from asperity.joint_file.temperature_section import without_expansion
 from asperity.library import read_finishes
@@ -37,12 +37,12 @@ CROWNED = (
 )
 
 
-def assumptions(case: PlanarCase) -> tuple[str, ...]:
+def assumptions(case: Case) -> tuple[str, ...]:
     """What a joint file leaves out, and what is taken instead.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -53,7 +53,7 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
     kind = case.type
     drive: Any = case.drive
     told: list[str] = []
-    joint = planar_joint_from_case(case)
+    joint = joint_from_case(case)
     if case.bearings is None:
         told.append("no section [bearings]: the bearings have no friction")
     else:
@@ -178,7 +178,7 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
     return tuple(told)
 
 
-def _surfaces(case: PlanarCase) -> list[str]:
+def _surfaces(case: Case) -> list[str]:
     """What is taken for surfaces that are stated by their Ra."""
     told = []
     finishes = read_finishes()
@@ -205,12 +205,12 @@ def _surfaces(case: PlanarCase) -> list[str]:
     return told + depth_assumptions(case)
 
 
-def temperature_assumptions(case: PlanarCase, *, housed: bool) -> list[str]:
+def temperature_assumptions(case: Case, *, housed: bool) -> list[str]:
     """What is taken for the temperatures.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     housed : bool
         Whether a housing holds a ring.
@@ -241,8 +241,8 @@ def temperature_assumptions(case: PlanarCase, *, housed: bool) -> list[str]:
     return told
 
 
-def _thermal_interference(case: PlanarCase) -> float:
-    from asperity.joint_file.planar_build import thermal_change_of
+def _thermal_interference(case: Case) -> float:
+    from asperity.joint_file.build import thermal_change_of
     from asperity.joint_file.si_tables import si_values
 
     return thermal_change_of(si_values(case))
@@ -267,12 +267,12 @@ def fatigue_unknown(body: str, material: str) -> str:
     )
 
 
-def rolling_assumptions(rolling: PlanarRolling | None) -> list[str]:
+def rolling_assumptions(rolling: Rolling | None) -> list[str]:
     """What the model of rolling takes for every joint, and what a file leaves out of it.
 
     Parameters
     ----------
-    rolling : PlanarRolling or None
+    rolling : Rolling or None
         Section [rolling] of the file.
 
     Returns

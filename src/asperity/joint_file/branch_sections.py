@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from asperity.branches.sizes import INSTEAD_OF_CAM
 from asperity.errors import InputError
-from asperity.joint.branch_sizes import INSTEAD_OF_CAM
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section

@@ -9,9 +9,9 @@ import numpy as np
 
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.joint_file import limits
+from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.material_entries import SurfaceEntry
-from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
-from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH, replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
@@ -23,12 +23,12 @@ _AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
 _NORMAL_95 = 1.959963984540054
 
 
-def surfaces_by_average(case: PlanarCase) -> dict[str, SurfaceEntry]:
+def surfaces_by_average(case: Case) -> dict[str, SurfaceEntry]:
     """The surfaces of a joint file that are stated by their Ra.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -39,12 +39,12 @@ def surfaces_by_average(case: PlanarCase) -> dict[str, SurfaceEntry]:
     return {path: entry for path, entry in _entries(case) if entry.roughness_average is not None}
 
 
-def depth_assumptions(case: PlanarCase) -> list[str]:
+def depth_assumptions(case: Case) -> list[str]:
     """What is taken for surfaces that are stated by their Rz.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -72,19 +72,19 @@ def depth_assumptions(case: PlanarCase) -> list[str]:
     return told
 
 
-def _entries(case: PlanarCase) -> Iterator[tuple[str, SurfaceEntry]]:
+def _entries(case: Case) -> Iterator[tuple[str, SurfaceEntry]]:
     if isinstance(case.surface, SurfaceEntry):
         yield "surface", case.surface
     else:
         yield from ((f"surface.{name}", entry) for name, entry in dict(case.surface).items())
 
 
-def drawn_interval(case: PlanarCase) -> dict[str, Any] | None:
+def drawn_interval(case: Case) -> dict[str, Any] | None:
     r"""Intervals of stiffness and drift over what the Ra of a drawing leaves open.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -126,9 +126,7 @@ def drawn_interval(case: PlanarCase) -> dict[str, Any] | None:
             "cut_off_m": float(cut_off),
         }
     values, shape = replace_values(si_values(case), changes), across.ravel().shape
-    result = over_surfaces(
-        planar_joint_from_case(case), planar_joint_from_values(values).surfaces, shape=shape
-    )
+    result = over_surfaces(joint_from_case(case), joint_from_values(values).surfaces, shape=shape)
     interval = {
         "states": DIMENSIONS * AVERAGES,
         **result_ends(result, shape=shape, percentiles=(0.0, 100.0), least_usable=1.0),

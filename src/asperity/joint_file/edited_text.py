@@ -68,7 +68,7 @@ def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file to start from.
     changes : mapping
         Dotted path → new value [SI]. A number that has a tolerance keeps it, with its distribution.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 
 from asperity.joint_file.key_paths import keys_by_path
-from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type
 from asperity.joint_file.section import leaves
@@ -32,12 +32,12 @@ def entered_key_at(path: str, kind: str) -> Key | None:
     return next((known[each] for each in (path, *generic) if each in known), None)
 
 
-def entered_values(case: PlanarCase) -> dict[str, tuple[Key, Quantity]]:
+def entered_values(case: Case) -> dict[str, tuple[Key, Quantity]]:
     """Every such number that a joint file states.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from asperity.arrays import namespace
-from asperity.drive.planar.closure import closed
-from asperity.drive.planar.layout import CARRIER, Body, Closure, Contact, PlanarDrive
-from asperity.joint.planar.body_shape import BodyShape, ring_shape
+from asperity.drive.layout.closing import closed
+from asperity.drive.layout.drive import CARRIER, Body, Closure, Contact, Drive
+from asperity.joint.body_shape import BodyShape, ring_shape
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.part_names import track_of
@@ -110,7 +110,7 @@ def _unlike_crowns(case: GeneralCase) -> Iterator[str]:
                 )
 
 
-def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], tuple[float, ...]]:
+def general_layout(values: Values) -> tuple[Drive, tuple[BodyShape, ...], tuple[float, ...]]:
     """The drive that the rollers and contacts of a file make.
 
     Parameters
@@ -120,13 +120,13 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
 
     Returns
     -------
-    PlanarDrive, tuple of BodyShape, tuple of float
+    Drive, tuple of BodyShape, tuple of float
         The drive with closed contacts, what each body is, and the interference of each contact.
     """
     rollers, contacts, drive = values["roller"].values(), values["contact"].values(), values["drive"]
     xp = namespace(values["roller"], values["contact"], drive)
     housing = values.get("compliance", {}).get("ring_housing_stiffness")
-    made = PlanarDrive(
+    made = Drive(
         bodies=tuple(Body(roller["name"], roller["place"]) for roller in rollers),
         contacts=tuple(
             Contact(

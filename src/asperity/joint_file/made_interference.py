@@ -7,9 +7,9 @@ import math
 from typing import NamedTuple
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_values, thermal_change_of
+from asperity.joint.evaluation import JointResult
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_values, thermal_change_of
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.joint_file.temperature_section import without_expansion
 
@@ -29,14 +29,14 @@ class MadeInterference(NamedTuple):
     unknown_because: str = ""
 
 
-def made_interference(case: AnyCase, result: PlanarResult | None = None) -> MadeInterference:
+def made_interference(case: AnyCase, result: JointResult | None = None) -> MadeInterference:
     """Interference of the parts at their assembly: that of the file, or that which makes the force that it states.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
-    result : PlanarResult, optional
+    result : JointResult, optional
         Its result, if it is known; otherwise the joint is solved without torque, as it is assembled.
 
     Returns
@@ -57,8 +57,8 @@ def made_interference(case: AnyCase, result: PlanarResult | None = None) -> Made
         if case.temperature is not None:
             added = thermal_change_of(values)
         if result is None or load.cam_force_per_torque is not None or not math.isfinite(result.interference):
-            joint = planar_joint_from_values(values)
-            result = solve_planar(dataclasses.replace(joint, output_torque=0.0)).result
+            joint = joint_from_values(values)
+            result = solve_joint(dataclasses.replace(joint, output_torque=0.0)).result
     except (InputError, NoSolutionError) as error:
         return MadeInterference(None, str(error))
     return MadeInterference(float(result.interference) - added)

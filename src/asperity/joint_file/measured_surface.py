@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 from asperity.joint_file.material_entries import SurfaceEntry
-from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.model import Case
 from asperity.surface.measurement import SurfaceMeasurement
 
 
-def with_measured_surface(case: PlanarCase, measurement: SurfaceMeasurement) -> PlanarCase:
+def with_measured_surface(case: Case, measurement: SurfaceMeasurement) -> Case:
     """The joint file with its surfaces replaced by a measured one, at every contact.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         A joint file.
     measurement : SurfaceMeasurement
         What was measured.
 
     Returns
     -------
-    PlanarCase
+    Case
         The same joint with the measured D, G and gamma.
 
     Raises

@@ -12,7 +12,7 @@ from asperity.errors import MOST_ERRORS, quoted
 from asperity.joint_file.key_paths import keys_by_path, models_of, variants
 from asperity.joint_file.part_names import CONTACTS, material_keys
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.wedge_model import WedgeCase
 
 #: Errors of pydantic that are explained: a misspelt key is two of them, an unknown key and a missing one.
 _MOST_EXPLAINED = 10 * MOST_ERRORS
@@ -177,9 +177,9 @@ _CALLED_HERE = {one: other for pair in _PAIRS for one, other in (pair, pair[::-1
 
 def _drives_with(parts: Parts) -> list[str]:
     """Types of the drives whose files may have a key."""
-    from asperity.joint_file.planar_types import PLANAR_CASES
+    from asperity.joint_file.case_types import CASES
 
-    kinds = {"zou2025": Case} | PLANAR_CASES
+    kinds = {"zou2025": WedgeCase} | CASES
     return [kind for kind, other in kinds.items() if parts[-1] in _known_names(parts[:-1], other)]
 
 
@@ -208,7 +208,7 @@ def _is_section(parts: Parts, model: type[BaseModel]) -> bool:
     return parts in (("materials",), ("bodies",), ("surface",)) or (bool(known) and parts[-1] not in known)
 
 
-def unknown_materials(bodies: Any, known: Iterable[str], *, model: type[BaseModel] = Case) -> list[str]:
+def unknown_materials(bodies: Any, known: Iterable[str], *, model: type[BaseModel] = WedgeCase) -> list[str]:
     """Messages about bodies whose material is not defined, one for each such material.
 
     Parameters
@@ -254,7 +254,7 @@ def explained(
     tables: Mapping[str, Any],
     refused: Mapping[str, str],
     *,
-    model: type[BaseModel] = Case,
+    model: type[BaseModel] = WedgeCase,
 ) -> tuple[list[str], int]:
     """Messages about the errors of a file, one for each mistake.
 

@@ -1,99 +1,343 @@
-"""The content of a joint file: a class for each section, a field for each key."""
+"""The content of joint files of other drives than the paper's: a class for each type, a field for each key."""
 
 from __future__ import annotations
 
-import math
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field, model_validator
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
-from asperity.joint_file.quantity_key import Entered, Quantity
-from asperity.joint_file.section import (
-    Section,
+from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
+from asperity.joint_file.branch_sections import (
+    MultirollerBranch,
+    PlanetaryBranch,
+    SteppedPlanetBranch,
+    refuse_branches,
 )
-
-Length = Annotated[Quantity, limits.ROLLER_RADIUS]
-ContactLength = Annotated[Quantity, limits.CONTACT_LENGTH]
-BodyLength = Annotated[Quantity, limits.BODY_LENGTH]
-PushAngle = Annotated[Quantity, limits.PUSH_ANGLE]
-Friction = Annotated[Quantity, limits.FRICTION_COEFFICIENT]
-BearingTorque = Annotated[Quantity, limits.BEARING_TORQUE]
-CrownRadius = Annotated[Quantity, limits.CROWN_RADIUS]
-Skew = Annotated[Quantity, limits.SKEW]
-
-
-class Lubrication(Section):
-    """The oil; without it the contacts are dry."""
-
-    viscosity: Annotated[Quantity, limits.VISCOSITY]
-    """Viscosity of the oil at the inlet of the contacts; makes the rolling loss of the oil."""
-    pressure_coefficient: Annotated[Quantity, limits.PRESSURE_COEFFICIENT] | None = None
-    """Pressure coefficient of the viscosity; makes the thickness of the oil film, which is left out without it."""
-    roughness: Annotated[Quantity, limits.ROUGHNESS] | None = None
-    """Root mean square of the heights of both surfaces together, sqrt(Rq1^2 + Rq2^2); makes the ratio lambda of the oil
-    film to it. From the Ra of [surface], where all contacts have one, if absent: 1.2533 times the Ra of both."""
-
-
-_Share = Annotated[float, Field(gt=0.0, le=1.0)] | str
+from asperity.joint_file.drive_sections import (
+    BENT,
+    MultirollerDrive,
+    PartFriction,
+    PartName,
+    PartSkews,
+    PartSurfaces,
+    PlanetaryDrive,
+    SteppedPlanetDrive,
+)
+from asperity.joint_file.material_entries import MaterialEntry, MaterialName
+from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.section import Section, WholeFile
+from asperity.joint_file.sections import (
+    BearingTorque,
+    Duty,
+    DynamicsEntry,
+    Lubrication,
+    PlayEntry,
+    refuse_part_of_a_duty,
+)
+from asperity.joint_file.temperature_section import TemperatureEntry, refuse_temperature
 
 
-def _share(written: object) -> float:
-    """A share of the time, as a number or as text in per cent."""
-    found = limits.SHARE.read(written)
-    if found.tolerance:
-        raise InputError(f"a share of the time has no tolerance, got {written!r}")
-    return found.value
+class Load(Section):
+    """What acts on the drive."""
 
-
-class DutyLoad(Section):
-    """One load of the duty; write [[duty]] above each."""
-
-    output_torque: Annotated[Quantity, limits.DUTY_TORQUE]
+    preload: Annotated[Quantity, limits.PRELOAD] | None = None
+    """Normal force of the first contact, that of the sun, without torque; either this or interference."""
+    interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
+    """Interference that makes the preload: by how much the inner radius of every ring lies below that at which all
+    contacts just touch."""
+    cam_force_per_torque: Annotated[Quantity, limits.CAM_FORCE] | None = None
+    """Loading cam: what each N*m of output torque, in either direction, adds to the normal force of the first contact;
+    the preload or interference above is then the least one, without torque. No cam if absent."""
+    output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the output; negative where it drives the rotation."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
-    """Speed of the sun, or of the input, whatever its name."""
-    share: Annotated[float, BeforeValidator(_share, json_schema_input_type=_Share), Entered(limits.SHARE)]
-    """Share of the time, as 0.4 or "40 %"; the shares of all loads add up to 1."""
+    """Speed of the sun, or of the input, whatever its name; the friction of the bearings opposes it."""
+    friction_coefficient: PartFriction
+    """Friction coefficient mu of the contacts: one for all, or a table with their names."""
+
+    @model_validator(mode="after")
+    def _one_preload(self) -> Self:
+        if (self.preload is None) == (self.interference is None):
+            found = "neither" if self.preload is None else "both"
+            raise InputError(f"exactly one of 'preload' and 'interference' is needed, got {found}")
+        return self
 
 
-Duty = Annotated[tuple[DutyLoad, ...], Field(min_length=1)]
+class BearingFriction(Section):
+    """Friction of the bearings; an absent key is no friction."""
+
+    input_torque: BearingTorque | None = None
+    """Friction torque of one of the two bearings of the input shaft."""
+    output_torque: BearingTorque | None = None
+    """Friction torque of one of the two bearings of the output shaft."""
+    roller_torque: BearingTorque | None = None
+    """Constant friction torque of one of the two bearings of a roller on a pin of the carrier."""
+    pin_friction_coefficient: Annotated[Quantity, limits.PIN_FRICTION_COEFFICIENT] | None = None
+    """Friction coefficient mu_b of these bearings: friction force over the force of the pin, at pin_diameter, which it
+    needs."""
+    pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER] | None = None
+    """Diameter d of the pins, at which the friction coefficient acts."""
+    pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
+    """Free length of a pin, with its roller in the middle: between its two supports, or from its only support to its
+    end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""
+    pin_support: Literal["both_ends", "one_end"] | None = None
+    """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
+
+    @model_validator(mode="after")
+    def _coefficient_at_a_diameter(self) -> Self:
+        alone = self.pin_friction_coefficient is None and self.pin_length is None
+        if (self.pin_diameter is None and self.pin_friction_coefficient is not None) or (
+            self.pin_diameter is not None and alone
+        ):
+            raise InputError(
+                "pin_friction_coefficient and pin_diameter belong together: give both or neither; or pin_diameter with "
+                "pin_length, for the bending stress of the pins"
+            )
+        return self
 
 
-def refuse_part_of_a_duty(duty: tuple[DutyLoad, ...] | None) -> None:
-    """Refuse a duty whose loads do not share the whole time.
+class Compliance(Section):
+    """Springs of the structure around the rollers; an absent key is the ideal its description names."""
 
-    Parameters
-    ----------
-    duty : tuple of DutyLoad or None
-        Its loads.
-
-    Raises
-    ------
-    InputError
-        With the sum of the shares.
-    """
-    total = math.fsum(load.share for load in duty or ())
-    if duty is not None and abs(total - 1.0) > 1e-9:
-        raise InputError(f"the shares of [[duty]] must add up to 1, they add up to {total:.10g}")
-
-
-class DynamicsEntry(Section):
-    """What is coupled to the joint, for its natural frequencies."""
-
-    input_inertia: Annotated[Quantity, limits.INPUT_INERTIA]
-    """Moment of inertia of motor and coupling at the sun."""
-    output_inertia: Annotated[Quantity, limits.OUTPUT_INERTIA]
-    """Moment of inertia of the load at the carrier, the carrier included."""
-    loss_factor: Annotated[Quantity, limits.LOSS_FACTOR] | None = None
-    """Loss factor of the joint's spring; without it the spring loses no work."""
+    pin_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin along its push; rigid if absent."""
+    pin_transverse_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin across its push, relaxed in the assembled drive; free if absent."""
+    planet_support_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of the bearing on the carrier of every roller without a pin, relaxed in the assembled drive; such
+    rollers float if absent."""
+    ring_bending_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Spring in series with each contact of a ring, for its bending, in addition to a ring in a rigid housing; rigid if
+    absent. ring_support = "free" computes the bending instead."""
+    ring_housing_stiffness: Annotated[Quantity, limits.HOUSING] | None = None
+    """Radial stiffness of the housing around rings, per area of their outer surface; needed for, and only for,
+    ring_support = "elastic_housing"."""
+    input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft to the sun; rigid if absent."""
+    output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft from the output; rigid if absent."""
+    sun_support_stiffness: Annotated[Quantity, limits.SUPPORT] | None = None
+    """Radial stiffness of the bearings of the sun together, or of the input, whatever its name, for branches of their
+    own sizes, [[branch]]; 0 for a floating one, rigid if absent."""
 
 
-class PlayEntry(Section):
-    """Play at the output; a joint file without this section has none."""
+class Rolling(Section):
+    """The joint that turns; every key may be absent."""
 
-    angle: Annotated[Quantity, limits.PLAY_ANGLE]
-    """Angle that the output turns freely on passing zero torque, from one side to the other."""
-    take_up_torque: Annotated[Quantity, limits.TAKE_UP_TORQUE]
-    """Torque T_p over which the play is taken up, angle/2 tanh(T/T_p); 0 for all at once."""
+    skew: PartSkews | None = None
+    """Angle by which the axes of a contact are out of parallel: one for all, or a table with the names of the contacts;
+    parallel if absent."""
+    hysteresis_factor: Annotated[Quantity, limits.HYSTERESIS_FACTOR] | None = None
+    """Share of the elastic work that the bodies lose as they roll; 0.005 to 0.05 for hardened steel. Without it this
+    loss is left out."""
+    reliability: Annotated[Quantity, limits.RELIABILITY] | None = None
+    """Share of all drives that reach the stated life; 0.9 if absent."""
+    required_life: Annotated[Quantity, limits.REQUIRED_LIFE] | None = None
+    """Hours of work that the drive and its rolling bearings have to reach, under the duty if there is one; a limit of
+    the joint, which moves no result."""
+
+
+class ModelChoice(Section):
+    """Which variants of the model to use."""
+
+    contact_factor: Literal["printed", "hertz_area", "unity"]
+    """Model of the contact factor lambda."""
+    asperity_base: Literal["majumdar_bhushan_1991", "circular_spot"]
+    """Base length of an asperity."""
+    bodies: Literal["exact", "springs"] | None = None
+    """Bodies: by plane elasticity, or one spring for each contact; exact if absent. Stepped rollers are springs."""
+    plane_state: Literal["plane_strain", "plane_stress"] | None = None
+    """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
+    closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
+    """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
+    with their asperities. Those of the assembly if absent."""
+
+
+class Case(WholeFile):
+    """What joint files of all other drives have in common."""
+
+    type: str
+    """Type of the drive."""
+    if TYPE_CHECKING:  # a field of every kind of file, each with its own keys
+        drive: Any
+        branch: tuple[Any, ...] | None
+        bearings: Any
+    load: Load
+    """Preload, torque, speed, friction."""
+    temperature: TemperatureEntry | None = None
+    """Temperature of the drive; that of the assembly if the section is absent."""
+    pin_bearing: PinBearing | None = None
+    """Rolling bearings of the rollers on pins, for their life: one section, whose ratings hold for every row of rollers
+    on pins; try rows with different bearings one after the other."""
+    compliance: Compliance | None = None
+    """Springs of pins, supports, rings and shafts; ideal if the section is absent."""
+    rolling: Rolling | None = None
+    """Skew, hysteresis, reliability and required life of the joint that turns."""
+    lubrication: Lubrication | None = None
+    """The oil; dry if the section is absent."""
+    duty: Duty | None = None
+    """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
+    dynamics: DynamicsEntry | None = None
+    """Inertias of motor and load, for `asperity dynamics`."""
+    play: PlayEntry | None = None
+    """Play at the output; none if the section is absent."""
+    model: ModelChoice
+    """Variants of the model."""
+    materials: Annotated[dict[MaterialName, MaterialEntry], Field(min_length=1)]
+    """Materials by name."""
+    bodies: dict[PartName, MaterialName]
+    """Which material each body is made of."""
+    surface: PartSurfaces
+    """Roughness: one table for all contacts, or tables surface.NAME for each."""
+
+    #: Their number in [drive], and their name.
+    branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
+    #: The key that says what holds a ring.
+    ring_key: ClassVar[str] = "drive.ring_support"
+
+    @model_validator(mode="after")
+    def _known_materials(self) -> Self:
+        from asperity.joint_file.messages import unknown_materials
+
+        unknown = unknown_materials(self.bodies, list(self.materials), model=type(self))
+        if unknown:
+            raise InputError("\n  ".join(unknown))
+        return self
+
+    @model_validator(mode="after")
+    def _exact_where_needed(self) -> Self:
+        drive: Any = self.drive
+        if self.model.bodies == "springs":
+            exact = [
+                f"roller {roller.name}"
+                for roller in getattr(self, "roller", ())
+                if roller.ring_support in BENT or roller.bore_diameter is not None
+            ]
+            exact += ["drive.ring_support"] if getattr(drive, "ring_support", None) in BENT else []
+            exact += [
+                f"drive.{name}"
+                for name in (
+                    "planet_bore_diameter",
+                    "loading_roller_bore_diameter",
+                    "driven_ring_wall_thickness",
+                )
+                if getattr(drive, name, None) is not None
+            ]
+            exact += ["model.plane_state"] if self.model.plane_state == "plane_stress" else []
+            if exact:
+                raise InputError(
+                    f'{", ".join(exact)}: only for model.bodies = "exact"; the springs are those of solid rollers and '
+                    "of rings in a rigid housing, in plane strain"
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _housing_of_rings(self) -> Self:
+        compliance = self.compliance or Compliance()
+        supports = self.ring_supports()
+        if ("elastic_housing" in supports) != (compliance.ring_housing_stiffness is not None):
+            raise InputError(
+                f'{self.ring_key} = "elastic_housing" and compliance.ring_housing_stiffness belong together: give both '
+                "or neither"
+            )
+        bent = [support for support in supports if support in BENT]
+        if bent and compliance.ring_bending_stiffness is not None:
+            raise InputError(
+                f'{self.ring_key} = "{bent[0]}" computes the bending of the ring: leave out '
+                "compliance.ring_bending_stiffness, which would count it twice"
+            )
+        return self
+
+    def ring_supports(self) -> tuple[str | None, ...]:
+        """What the file says that holds the outer rim of each ring; None where it says nothing."""
+        return (self.drive.ring_support,)
+
+    @model_validator(mode="after")
+    def _whole_duty(self) -> Self:
+        refuse_part_of_a_duty(self.duty)
+        return self
+
+    @model_validator(mode="after")
+    def _known_expansion(self) -> Self:
+        refuse_temperature(
+            self.temperature,
+            by_interference=self.load.interference is not None,
+            bodies=self.bodies,
+            materials=self.materials,
+            without_housing=self.without_housing(),
+        )
+        return self
+
+    @model_validator(mode="after")
+    def _one_section_for_each_branch(self) -> Self:
+        branches = self.branch
+        if branches is not None:
+            refuse_branches(
+                len(branches),
+                count=round(getattr(self.drive, self.branches_are[0]).value),
+                what=self.branches_are[1],
+                by_interference=self.load.interference is not None,
+                cam=self.load.cam_force_per_torque is not None,
+            )
+        return self
+
+    def without_housing(self) -> str:
+        """What the file says where no housing holds a ring; empty where one does."""
+        drive: Any = self.drive
+        return 'drive.ring_support = "free"' if drive.ring_support == "free" else ""
+
+    @model_validator(mode="after")
+    def _known_parts(self) -> Self:
+        from asperity.joint_file.parts import misnamed_parts
+
+        found = misnamed_parts(self)
+        if found:
+            raise InputError("\n  ".join(found))
+        return self
+
+
+class AxisCase(Case):
+    """What files have in common that call the members on the axis input and output."""
+
+    bearings: BearingFriction | None = None
+    """Friction of the bearings in rolling; none if the section is absent."""
+    input_bearing: HeldBearing | None = None
+    """Rolling bearings of the input, for their life under forces from outside."""
+    output_bearing: HeldBearing | None = None
+    """Rolling bearings of the output, for their life under forces from outside."""
+
+
+class PlanetaryCase(AxisCase):
+    """A joint file with a plain planetary drive."""
+
+    type: Literal["planetary"]
+    """Type of the drive."""
+    drive: PlanetaryDrive
+    """Radii and arrangement."""
+    branch: tuple[PlanetaryBranch, ...] | None = None
+    """Sizes of each planet, where they differ: a section [[branch]] for each."""
+
+
+class MultirollerCase(AxisCase):
+    """A joint file with a two-row multiroller drive."""
+
+    type: Literal["multiroller"]
+    """Type of the drive."""
+    drive: MultirollerDrive
+    """Radii and arrangement."""
+    branch: tuple[MultirollerBranch, ...] | None = None
+    """Sizes of the rollers of each sector, where they differ: a section [[branch]] for each."""
+    branches_are: ClassVar[tuple[str, str]] = ("rollers_per_row", "rollers in a row")
+
+
+class SteppedPlanetCase(AxisCase):
+    """A joint file with a drive of stepped planets."""
+
+    type: Literal["stepped_planet"]
+    """Type of the drive."""
+    drive: SteppedPlanetDrive
+    """Radii and arrangement."""
+    branch: tuple[SteppedPlanetBranch, ...] | None = None
+    """Sizes of each planet, where they differ: a section [[branch]] for each."""

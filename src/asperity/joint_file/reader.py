@@ -1,4 +1,4 @@
-"""From a TOML file to a checked joint file, :class:`asperity.joint_file.planar_model.PlanarCase`."""
+"""From a TOML file to a checked joint file, :class:`asperity.joint_file.model.Case`."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from typing import Any
 from pydantic import ValidationError
 
 from asperity.errors import InputError, listed, quoted
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.finish_in_surface import fill_in_finishes
 from asperity.joint_file.messages import explained, nearest
+from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE
-from asperity.joint_file.planar_model import PlanarCase
-from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.library import fill_in_materials
 from asperity.reading import parse_toml, read_text
 
 
-def read_case(path: str | Path) -> PlanarCase:
+def read_case(path: str | Path) -> Case:
     """Read a joint file.
 
     Parameters
@@ -27,7 +27,7 @@ def read_case(path: str | Path) -> PlanarCase:
 
     Returns
     -------
-    PlanarCase
+    Case
         Its content, checked.
 
     Raises
@@ -40,7 +40,7 @@ def read_case(path: str | Path) -> PlanarCase:
     return parse_case(text, source=str(path), folder=file.parent)
 
 
-def parse_case(text: str, *, source: str, folder: Path | None = None) -> PlanarCase:
+def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
     """Read the text of a joint file.
 
     Parameters
@@ -54,7 +54,7 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> PlanarC
 
     Returns
     -------
-    PlanarCase
+    Case
         Its content, checked.
 
     Raises
@@ -66,7 +66,7 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> PlanarC
     return case_from_tables(tables, source=source, folder=folder).with_text(text)
 
 
-def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> PlanarCase:
+def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
     """Check the nested tables of a joint file.
 
     Parameters
@@ -80,7 +80,7 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
 
     Returns
     -------
-    PlanarCase
+    Case
         Their content, checked.
 
     Raises
@@ -103,8 +103,8 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
     raise InputError(f"{source}: {listed(sentences, more=more)}")
 
 
-def _model_of(kind: object, source: str) -> type[PlanarCase]:
-    known = tuple(PLANAR_CASES)
+def _model_of(kind: object, source: str) -> type[Case]:
+    known = tuple(CASES)
     if not isinstance(kind, str) or kind not in known:
         hint = nearest(kind, known) if isinstance(kind, str) else ""
         raise InputError(
@@ -113,7 +113,7 @@ def _model_of(kind: object, source: str) -> type[PlanarCase]:
     return model_of_type(kind)
 
 
-def model_of_type(kind: str) -> type[PlanarCase]:
+def model_of_type(kind: str) -> type[Case]:
     """Model of the joint file of a type of drive.
 
     Parameters
@@ -126,4 +126,4 @@ def model_of_type(kind: str) -> type[PlanarCase]:
     type
         A class of pydantic.
     """
-    return PLANAR_CASES[kind]
+    return CASES[kind]

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
 from asperity.joint_file.part_names import WEDGE_TYPE
-from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.library import read_finishes, read_materials
 
 Schema = dict[str, Any]
@@ -26,7 +26,7 @@ def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
         JSON Schema, draft 2020-12. Bounds of quantities with units cannot be expressed in it, nor that a body's
         material is one that the file or the library has; the reader checks them.
     """
-    schema = PLANAR_CASES[kind].model_json_schema(mode="validation")
+    schema = CASES[kind].model_json_schema(mode="validation")
     _offer_library(schema)
     _offer_finishes(schema)
     return {

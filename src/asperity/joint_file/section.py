@@ -55,7 +55,7 @@ def meaning(model: type[BaseModel], name: str) -> str:
 
     Examples
     --------
-    >>> from asperity.joint_file.model import PlayEntry
+    >>> from asperity.joint_file.sections import PlayEntry
     >>> meaning(PlayEntry, "angle")
     'Angle that the output turns freely on passing zero torque, from one side to the other.'
     """

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from asperity.drive.bearing_life import RatedBearing
+from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
-from asperity.joint.dynamics import Inertias
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
+from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import Values, si_values
+from asperity.rolling.conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.surface.roughness_average import RMS_OVER_RA, pair_average
+from asperity.windup.dynamics import Inertias
 
 
 def play_of(values: Values) -> Play:
@@ -32,12 +32,12 @@ def play_of(values: Values) -> Play:
     return Play(**{name: play.get(name, none) for name, none in vars(NO_PLAY).items()})
 
 
-def inertias_from_case(case: PlanarCase) -> Inertias:
+def inertias_from_case(case: Case) -> Inertias:
     """What a joint file couples to its joint.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -98,7 +98,7 @@ def rolling_conditions(values: Values) -> RollingConditions:
     Returns
     -------
     RollingConditions
-        :data:`asperity.joint.rolling_conditions.PLAIN_ROLLING` where they say nothing.
+        :data:`asperity.rolling.conditions.PLAIN_ROLLING` where they say nothing.
     """
     rolling, oil, plain = values.get("rolling", {}), values.get("lubrication", {}), PLAIN_ROLLING
     return RollingConditions(

@@ -11,12 +11,12 @@ import numpy as np
 from pydantic import BaseModel
 
 from asperity.errors import InputError
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.messages import nearest
+from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_track, type_of
-from asperity.joint_file.planar_model import PlanarCase
-from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.section import Section, leaves
 
@@ -25,7 +25,7 @@ Values = dict[str, Any]
 #: The Rz of a surface, and of its partner, texts beside the Ra that the reader makes of them.
 DEPTH, PARTNER_DEPTH = "mean_roughness_depth", "partner_mean_roughness_depth"
 #: A joint file of any type of drive.
-AnyCase = PlanarCase
+AnyCase = Case
 
 _PAIRS = (
     ("hardness", "hardness_factor"),
@@ -79,7 +79,7 @@ def si_values(case: Section) -> Values:
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -148,8 +148,8 @@ def key_at(path: str, kind: str | None = None) -> Key:
 def _keys(kind: str | None) -> dict[str, Key]:
     """Numeric keys of joint files, with ``*`` for the names of materials, entries and parts."""
     if kind is not None:
-        return keys_by_path(PLANAR_CASES[kind])
-    return {path: key for name in reversed(PLANAR_CASES) for path, key in _keys(name).items()}
+        return keys_by_path(CASES[kind])
+    return {path: key for name in reversed(CASES) for path, key in _keys(name).items()}
 
 
 def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
@@ -157,7 +157,7 @@ def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from asperity.joint.equal_branches import solve_equal_branches, without_state
-from asperity.joint.planar.document import planar_document
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint.planar.solved import SolvedJoint, solved_planar_joint
+from asperity.branches.equal_branches import solve_equal_branches, without_state
+from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
+from asperity.joint_file.build import joint_from_case, unequal_sectors
 from asperity.joint_file.si_tables import AnyCase, si_values
+from asperity.results.document import joint_document
+from asperity.results.solved import SolvedJoint, solved_planar_joint
 
 
 class SolvedCase(NamedTuple):
@@ -21,7 +21,7 @@ class SolvedCase(NamedTuple):
     solved : SolvedJoint
         As :func:`solved_case` finds it.
     document : dict
-        All of it as plain data in SI units: :func:`asperity.joint.planar.document.planar_document`.
+        All of it as plain data in SI units: :func:`asperity.results.document.joint_document`.
     """
 
     solved: SolvedJoint
@@ -33,7 +33,7 @@ def solve_case(case: AnyCase) -> SolvedCase:
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -57,7 +57,7 @@ def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     solved : SolvedJoint
         As :func:`solved_case` found it.
@@ -67,7 +67,7 @@ def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
     dict
         As of :class:`SolvedCase`.
     """
-    return planar_document(solved, inputs=si_values(case), assumptions=assumptions(case))
+    return joint_document(solved, inputs=si_values(case), assumptions=assumptions(case))
 
 
 def solved_case(case: AnyCase) -> SolvedJoint:
@@ -75,7 +75,7 @@ def solved_case(case: AnyCase) -> SolvedJoint:
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -98,9 +98,9 @@ def solved_case(case: AnyCase) -> SolvedJoint:
 
 
 def _solved(case: AnyCase) -> SolvedJoint:
-    joint = planar_joint_from_case(case)
+    joint = joint_from_case(case)
     if case.branch is None:
-        return solved_planar_joint(joint, solve_planar(joint))
+        return solved_planar_joint(joint, solve_joint(joint))
     solution, carries = solve_equal_branches(joint)
     own = unequal_sectors(case, joint, solution)
     if not carries and own is not None:

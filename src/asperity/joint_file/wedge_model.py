@@ -7,11 +7,11 @@ from typing import Annotated, Literal
 from asperity.joint_file import limits
 from asperity.joint_file.bearing_entries import HeldBearing
 from asperity.joint_file.branch_sections import BranchEntry
-from asperity.joint_file.model import BearingTorque, BodyLength, CrownRadius, Length, PushAngle
-from asperity.joint_file.planar_drive_sections import PartLengths, RingSupport
-from asperity.joint_file.planar_model import PlanarCase, PlanarModelChoice
+from asperity.joint_file.drive_sections import PartLengths, RingSupport
+from asperity.joint_file.model import Case, ModelChoice
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
+from asperity.joint_file.sections import BearingTorque, BodyLength, CrownRadius, Length, PushAngle
 
 
 class WedgeDrive(Section):
@@ -57,7 +57,7 @@ class WedgeDrive(Section):
     housing with the ring_housing_stiffness of [compliance]. A rigid housing if absent."""
 
 
-class BearingFriction(Section):
+class WedgeBearings(Section):
     """Friction of the bearings; a joint file without this section has none."""
 
     sun_torque: BearingTorque
@@ -77,7 +77,7 @@ class BearingFriction(Section):
     """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
 
 
-class WedgeModelChoice(PlanarModelChoice):
+class WedgeModelChoice(ModelChoice):
     """Which variants of the model to use."""
 
     closure: Literal["elastic", "constant_pin_force"]
@@ -91,7 +91,7 @@ class WedgeModelChoice(PlanarModelChoice):
     equation (5) is printed; complete if absent."""
 
 
-class Case(PlanarCase):
+class WedgeCase(Case):
     """A joint file: a planetary traction drive under load."""
 
     type: Literal["zou2025"] = "zou2025"
@@ -99,7 +99,7 @@ class Case(PlanarCase):
     absent."""
     drive: WedgeDrive
     """Radii and arrangement."""
-    bearings: BearingFriction | None = None
+    bearings: WedgeBearings | None = None
     """Friction of the bearings; none if the section is absent."""
     sun_bearing: HeldBearing | None = None
     """Rolling bearings of the sun's shaft, for their life under forces from outside."""

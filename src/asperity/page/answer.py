@@ -9,25 +9,25 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import AsperityError
-from asperity.joint.creep_curves import creep_curves
-from asperity.joint.margins import Margin, margins
-from asperity.joint.planar.solved import SolvedJoint
-from asperity.joint.torque_curves import torque_curves
-from asperity.joint.windup import windup
-from asperity.joint.windup_document import windup_columns
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.entered_values import entered_values
 from asperity.joint_file.made_interference import made_interference
+from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys
 from asperity.joint_file.solved_document import solve_case
 from asperity.page.description import form_of
-from asperity.page.drawing import planar_shapes
+from asperity.page.drawing import drive_shapes
 from asperity.page.joint_request import JointRequest, choices_of_case
 from asperity.page.list_changes import stated_lists
+from asperity.results.margins import Margin, margins
+from asperity.results.solved import SolvedJoint
+from asperity.results.windup_document import windup_columns
+from asperity.rolling.creep_curves import creep_curves
 from asperity.units import from_si
+from asperity.windup.torque_curves import torque_curves
+from asperity.windup.windup import windup
 
 Answer = dict[str, Any]
 
@@ -74,7 +74,7 @@ def joint_answer(request: JointRequest) -> Answer:
 
 
 def _drawing(solved: SolvedJoint) -> Answer:
-    return planar_shapes(solved.joint, solved.result)
+    return drive_shapes(solved.joint, solved.result)
 
 
 def _margin(each: Margin) -> Answer:
@@ -102,12 +102,12 @@ def _margin(each: Margin) -> Answer:
     }
 
 
-def stated_values(case: PlanarCase, tables: Mapping[str, Any]) -> Answer:
+def stated_values(case: Case, tables: Mapping[str, Any]) -> Answer:
     """What a joint file states, for the fields of the page.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint.
     tables : mapping
         The tables of its file without changes.
@@ -195,7 +195,7 @@ def _creep(solved: SolvedJoint) -> Answer:
     }
 
 
-def _windup(solved: SolvedJoint, case: PlanarCase) -> Answer:
+def _windup(solved: SolvedJoint, case: Case) -> Answer:
     """The loop at the joint's torque, of its own branches, or why there is none."""
     torque = abs(float(solved.joint.output_torque))
     if torque == 0.0:

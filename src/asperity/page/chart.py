@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError, quoted
-from asperity.joint.results import Result, known_result, row_name
 from asperity.joint.status import STATUS_MEANINGS
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys, si_values
 from asperity.page.joint_request import JointRequest, joint_request
+from asperity.results import Result, known_result, row_name
 from asperity.study.batch import evaluate_points
 from asperity.study.parameters import Axis, ListedAxis, check_axes
 from asperity.units import format_quantity, from_si, parse_quantity

@@ -10,12 +10,12 @@ from pydantic import BaseModel
 
 import asperity
 from asperity.joint_file.key_paths import keys_by_path, models_of
+from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import CONTACTS, WEDGE_TYPE, contacts_of
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import meaning
 from asperity.joint_file.si_tables import counterparts, si_values
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.wedge_model import WedgeCase
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
 from asperity.page.joint_request import CHOICES, choices_of_case
 from asperity.units import from_si, parse_quantity
@@ -55,7 +55,7 @@ def description() -> dict[str, Any]:
     """
     return {
         "asperity_version": asperity.__version__,
-        **_form(Case, tuple(CHOICES.items())),
+        **_form(WedgeCase, tuple(CHOICES.items())),
         "contacts": list(CONTACTS[WEDGE_TYPE]),
         "materials": [
             {"name": name, "description": entry.description, "reference": entry.reference}
@@ -76,12 +76,12 @@ def description() -> dict[str, Any]:
     }
 
 
-def form_of(case: PlanarCase) -> dict[str, Any]:
+def form_of(case: Case) -> dict[str, Any]:
     """What can be set in one joint file.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -96,7 +96,7 @@ def form_of(case: PlanarCase) -> dict[str, Any]:
 
 
 @functools.lru_cache(maxsize=8)
-def _form(whole: type[PlanarCase], choices: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any]:
+def _form(whole: type[Case], choices: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any]:
     groups = [
         {"name": name, "heading": heading, "parameters": _parameters(whole, name)}
         for name, heading in HEADINGS.items()

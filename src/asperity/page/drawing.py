@@ -6,21 +6,21 @@ from typing import Any
 
 import numpy as np
 
-from asperity.drive.planar.layout import sector_rotation
-from asperity.joint.planar.description import PlanarJoint, places, tracks_of
-from asperity.joint.planar.evaluation import PlanarResult
-from asperity.show.free_bodies import BodyForce
-from asperity.show.planar_forces import planar_body_forces
+from asperity.drive.layout.drive import sector_rotation
+from asperity.joint.description import Joint, places, tracks_of
+from asperity.joint.evaluation import JointResult
+from asperity.show.body_force import BodyForce
+from asperity.show.drive_forces import body_forces
 
 
-def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
+def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:
     """Circles of a planar drive, and the contact forces of its first sector.
 
     Parameters
     ----------
-    joint : PlanarJoint
+    joint : Joint
         One joint.
-    result : PlanarResult
+    result : JointResult
         Its result.
 
     Returns
@@ -47,22 +47,22 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
                 for radius in sorted([*radii, *_bore(joint, number)], reverse=True)
             ]
     known = bool(np.all(np.isfinite(np.asarray(result.forces.normal))))
-    found = planar_body_forces(joint, result)
+    found = body_forces(joint, result)
     return {
         "rollers": circles,
         "rings": rings,
-        "forces": _planar_forces(joint, found) if known else [],
+        "forces": _contact_forces(joint, found) if known else [],
         "bodies": [_free_body(joint, number, found) for number in drive.floating if known],
     }
 
 
-def _bore(joint: PlanarJoint, number: int) -> list[float]:
+def _bore(joint: Joint, number: int) -> list[float]:
     """Radius of the bore of a hollow roller [m]."""
     bore = joint.shapes[number].bore_diameter
     return [] if bore is None else [0.5 * float(bore)]
 
 
-def _planar_forces(joint: PlanarJoint, found: list[BodyForce]) -> list[dict[str, Any]]:
+def _contact_forces(joint: Joint, found: list[BodyForce]) -> list[dict[str, Any]]:
     """The forces of each contact on its first body, where they act."""
     centres = np.asarray(joint.drive.centres)
     entries = []
@@ -89,7 +89,7 @@ def _planar_forces(joint: PlanarJoint, found: list[BodyForce]) -> list[dict[str,
     return entries
 
 
-def _free_body(joint: PlanarJoint, number: int, found: list[BodyForce]) -> dict[str, Any]:
+def _free_body(joint: Joint, number: int, found: list[BodyForce]) -> dict[str, Any]:
     """One roller with the forces on it: its tracks and bore, and where around its axis each force acts."""
     body = joint.drive.bodies[number].name
     return {
@@ -109,7 +109,7 @@ def _free_body(joint: PlanarJoint, number: int, found: list[BodyForce]) -> dict[
     }
 
 
-def _track(joint: PlanarJoint, force: BodyForce) -> float:
+def _track(joint: Joint, force: BodyForce) -> float:
     """Radius of the track on which the force of a contact acts [m]."""
     for k, contact in enumerate(joint.drive.contacts):
         if contact.name == force.name:

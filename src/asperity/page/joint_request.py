@@ -13,16 +13,16 @@ from typing import Any, Literal, get_args, get_origin
 import tomlkit
 
 from asperity.errors import InputError, quoted
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.edited_text import leave_out, set_texts, set_words
 from asperity.joint_file.entered_values import entered_key_at
 from asperity.joint_file.key_paths import models_of
 from asperity.joint_file.listed_sections import rearranged_text
+from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, material_keys, type_of
-from asperity.joint_file.planar_model import PlanarCase
-from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.si_tables import key_at
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.wedge_model import WedgeCase
 from asperity.library import read_finishes
 from asperity.page.list_changes import MOST_LOADS, arrange, is_list, places_of_lists, without_lists
 from asperity.reading import check_depth, parse_toml
@@ -43,7 +43,7 @@ def _words(annotation: Any) -> tuple[str, ...]:
     return tuple(word for part in get_args(annotation) for word in _words(part))
 
 
-def choices_of(model: type[PlanarCase], bodies: Iterable[str]) -> dict[str, tuple[str, ...]]:
+def choices_of(model: type[Case], bodies: Iterable[str]) -> dict[str, tuple[str, ...]]:
     """The choices that a joint file offers.
 
     Parameters
@@ -66,7 +66,7 @@ def choices_of(model: type[PlanarCase], bodies: Iterable[str]) -> dict[str, tupl
 
 
 @functools.cache
-def _words_of_sections(model: type[PlanarCase]) -> dict[str, tuple[str, ...]]:
+def _words_of_sections(model: type[Case]) -> dict[str, tuple[str, ...]]:
     return {
         f"{section}.{name}": _words(field.annotation)
         for section, above in model.model_fields.items()
@@ -78,15 +78,15 @@ def _words_of_sections(model: type[PlanarCase]) -> dict[str, tuple[str, ...]]:
 
 
 #: The choices of a joint file with the paper's drive.
-CHOICES = choices_of(Case, material_keys(WEDGE_TYPE))
+CHOICES = choices_of(WedgeCase, material_keys(WEDGE_TYPE))
 
 
-def choices_of_case(case: PlanarCase) -> dict[str, tuple[str, ...]]:
+def choices_of_case(case: Case) -> dict[str, tuple[str, ...]]:
     """The choices of one joint file.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns
@@ -125,7 +125,7 @@ class JointRequest:
         content = json.dumps([self.name, self.text, changes, self.tables], sort_keys=True)
         return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:32]
 
-    def case(self) -> PlanarCase:
+    def case(self) -> Case:
         """The checked joint file.
 
         Raises
@@ -164,10 +164,10 @@ class JointRequest:
         return tomlkit.dumps(document)
 
 
-def _model_of(tables: Mapping[str, Any]) -> type[PlanarCase]:
+def _model_of(tables: Mapping[str, Any]) -> type[Case]:
     """Model of a joint file; that of the paper's drive where its type is none."""
     kind = type_of(tables)
-    return PLANAR_CASES.get(kind, Case)
+    return CASES.get(kind, WedgeCase)
 
 
 def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
@@ -207,7 +207,7 @@ def _set_each_finish(tables: Any, word: str) -> None:
             leave_out(tables, path)
 
 
-def _may_be_absent(path: str, model: type[PlanarCase], kind: str) -> bool:
+def _may_be_absent(path: str, model: type[Case], kind: str) -> bool:
     """Whether a number of the joint file is optional, or given by a finish."""
     if entered_key_at(path, kind) is None:
         key_at(path, kind)

@@ -10,11 +10,11 @@ from typing import Any, get_args, get_origin
 from asperity.errors import InputError, quoted
 from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.listed_sections import rearranged
+from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import sized_tracks, type_of
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.section import meaning
 from asperity.joint_file.si_tables import key_at, si_values
-from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.wedge_model import WedgeCase
 
 #: The change of a list that has one section for each branch of the drive, however many those are.
 EACH = "each"
@@ -31,7 +31,7 @@ def is_list(annotation: Any) -> bool:
     )
 
 
-def lists_of(model: type[Case] | type[PlanarCase]) -> dict[str, str | None]:
+def lists_of(model: type[WedgeCase] | type[Case]) -> dict[str, str | None]:
     """The lists of a joint file that it may leave out.
 
     Parameters
@@ -52,7 +52,7 @@ def lists_of(model: type[Case] | type[PlanarCase]) -> dict[str, str | None]:
 
 
 def places_of_lists(
-    tables: Mapping[str, Any], changes: Mapping[str, Any], model: type[Case] | type[PlanarCase]
+    tables: Mapping[str, Any], changes: Mapping[str, Any], model: type[WedgeCase] | type[Case]
 ) -> dict[str, list[int]]:
     """The wanted arrangement of each list that changes.
 
@@ -153,12 +153,12 @@ def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -
     return {path: value for path, value in changes.items() if path not in places and not beyond(path)}
 
 
-def stated_lists(case: PlanarCase, tables: Mapping[str, Any]) -> dict[str, Any]:
+def stated_lists(case: Case, tables: Mapping[str, Any]) -> dict[str, Any]:
     """What the page has to know about the lists of a joint file to make their fields.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint.
     tables : mapping
         The tables of its file without changes.

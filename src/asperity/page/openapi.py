@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import asperity
-from asperity.joint.results import SEVERITIES
 from asperity.page.chart import MOST_CURVES, MOST_POINTS
 from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
 from asperity.page.joint_request import MOST_CHANGES
 from asperity.page.list_changes import EACH
 from asperity.page.openapi_work import job_schema, work_paths
+from asperity.results import SEVERITIES
 
 Schema = dict[str, Any]
 

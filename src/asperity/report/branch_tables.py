@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.joint.branch_document import deviations, force_size
 from asperity.report.cells import number, quantity
 from asperity.report.content import Block, Bullets, Heading, Paragraph, Table
+from asperity.results.branch_document import deviations, force_size
 
 Document = dict[str, Any]
 
@@ -19,7 +19,7 @@ def equal_branches(document: Document) -> Iterator[Block]:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Yields
     ------
@@ -36,7 +36,7 @@ def branch_tables(found: Document) -> Iterator[Block]:
     Parameters
     ----------
     found : dict
-        As :func:`asperity.joint.branch_document.branch_document` makes it.
+        As :func:`asperity.results.branch_document.branch_document` makes it.
 
     Yields
     ------

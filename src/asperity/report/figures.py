@@ -6,18 +6,18 @@ import io
 import math
 from typing import TYPE_CHECKING
 
-from asperity.joint.margins import margins
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.solved import SolvedJoint
-from asperity.joint.rolling_curves import rolling_curves
-from asperity.joint.rolling_onset import RollingOnset
-from asperity.joint.windup import Windup
+from asperity.joint.description import Joint
+from asperity.results.margins import margins
+from asperity.results.solved import SolvedJoint
+from asperity.rolling.curves import rolling_curves
+from asperity.rolling.onset import RollingOnset
 from asperity.show.compliance_figure import draw_budget, draw_levels
+from asperity.show.drive_sheet import drive_sheet, forces_sheet
 from asperity.show.margins_figure import draw_margins, margins_height
-from asperity.show.planar_sheet import planar_forces_sheet, planar_sheet
 from asperity.show.rolling_figure import rolling_figure
 from asperity.show.sheet_figure import sheet_figure
 from asperity.show.windup_figure import windup_figure
+from asperity.windup.windup import Windup
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -26,7 +26,7 @@ _WIDTH = 7.0  # of a picture on a page [in]
 
 
 def report_pictures(
-    joint: PlanarJoint,
+    joint: Joint,
     solved: SolvedJoint,
     windup: Windup | None,
     onset: RollingOnset | None,
@@ -40,7 +40,7 @@ def report_pictures(
 
     Parameters
     ----------
-    joint : PlanarJoint
+    joint : Joint
         One joint.
     solved : SolvedJoint
         The same with its results.
@@ -65,10 +65,10 @@ def report_pictures(
     """
     from matplotlib.figure import Figure
 
-    whole = planar_sheet(joint, name=name, interference=interference)
+    whole = drive_sheet(joint, name=name, interference=interference)
     found = {"drive": figure_svg(sheet_figure(whole))}
     if not solved.no_equal_state:
-        found["forces"] = figure_svg(sheet_figure(planar_forces_sheet(joint, solved.result)))
+        found["forces"] = figure_svg(sheet_figure(forces_sheet(joint, solved.result)))
         budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
         shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
         draw_budget(shares, solved)

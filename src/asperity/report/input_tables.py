@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from typing import Any
 
-from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.report.content import Table
 from asperity.units import format_quantity
 
 
-def inputs_table(case: PlanarCase) -> Table:
+def inputs_table(case: Case) -> Table:
     """Every number of a joint file.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file; numbers of library materials are filled in.
 
     Returns
@@ -33,12 +33,12 @@ def inputs_table(case: PlanarCase) -> Table:
     return Table("Numbers of the joint file", ("number", "value", "tolerance"), rows)
 
 
-def choices_table(case: PlanarCase) -> Table:
+def choices_table(case: Case) -> Table:
     """Everything in a joint file that is not a number.
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
 
     Returns

@@ -12,22 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 import asperity
 from asperity.errors import AsperityError
-from asperity.joint.margins import margins
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.loads_document import planar_loads_document
-from asperity.joint.planar.solved import SolvedJoint
-from asperity.joint.rolling_onset import RollingOnset
-from asperity.joint.windup import Windup
-from asperity.joint.windup_document import (
-    examined_windup,
-    windup_capacities,
-    windup_document,
-    windup_onsets,
-)
+from asperity.joint.description import Joint
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.made_interference import made_interference
+from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import solve_case
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
@@ -36,6 +25,17 @@ from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph,
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
+from asperity.results.loads_document import loads_document
+from asperity.results.margins import margins
+from asperity.results.solved import SolvedJoint
+from asperity.results.windup_document import (
+    examined_windup,
+    windup_capacities,
+    windup_document,
+    windup_onsets,
+)
+from asperity.rolling.onset import RollingOnset
+from asperity.windup.windup import Windup
 
 if TYPE_CHECKING:
     from asperity.surface.measurement import SurfaceMeasurement
@@ -54,7 +54,7 @@ class ReportSource:
         Name of the joint file.
     text : str
         Its text.
-    case : PlanarCase
+    case : Case
         Its content.
     measurement : SurfaceMeasurement, optional
         The measured surface that has replaced the surfaces of the file in ``case``.
@@ -68,7 +68,7 @@ class ReportSource:
 
     name: str
     text: str
-    case: PlanarCase
+    case: Case
     measurement: SurfaceMeasurement | None = None
     measurement_texts: tuple[str, ...] = ()
     date: str = ""
@@ -166,8 +166,8 @@ class _Parts:
 def _parts(source: ReportSource) -> _Parts:
     solved, document = solve_case(source.case)
     bearings = document["bearings"]
-    loads = planar_loads_document(solved, bearings)
-    drive = result_tables.planar_drive(document)
+    loads = loads_document(solved, bearings)
+    drive = result_tables.drive(document)
     return _Parts(
         solved,
         document,
@@ -190,7 +190,7 @@ class _Examined:
 
 
 def _examined(solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _Examined:
-    joint: PlanarJoint = solved.joint
+    joint: Joint = solved.joint
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
     try:
@@ -243,7 +243,7 @@ def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
 
 
-def _measured(joint: PlanarJoint, source: ReportSource, case: PlanarCase) -> Iterator[Block]:
+def _measured(joint: Joint, source: ReportSource, case: Case) -> Iterator[Block]:
     """The interval of stiffness and drift from the uncertainty of a measured surface, or of one stated by its Ra."""
     if source.measurement is None:
         yield from surface_tables.drawn_stiffness(drawn_interval(case))

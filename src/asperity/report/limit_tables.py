@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from asperity.joint.margins import Margin
 from asperity.report.cells import quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
+from asperity.results.margins import Margin
 
 Document = dict[str, Any]
 
@@ -32,7 +32,7 @@ def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True)
     Parameters
     ----------
     found : sequence of Margin
-        As :func:`asperity.joint.margins.margins` gives them.
+        As :func:`asperity.results.margins.margins` gives them.
     rims : dict
         Entry ``rims`` of the joint's document: a body without a fatigue strength has no such requirement in the table.
     judges_all : bool, optional
@@ -74,7 +74,7 @@ def doubts(found: Sequence[Margin]) -> Iterator[Block]:
     Parameters
     ----------
     found : sequence of Margin
-        As :func:`asperity.joint.margins.margins` gives them.
+        As :func:`asperity.results.margins.margins` gives them.
 
     Yields
     ------
@@ -95,7 +95,7 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
     Parameters
     ----------
     found : sequence of Margin
-        As :func:`asperity.joint.margins.margins` gives them.
+        As :func:`asperity.results.margins.margins` gives them.
 
     Yields
     ------
@@ -144,7 +144,7 @@ def warnings(document: Document) -> Iterator[Block]:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Yields
     ------

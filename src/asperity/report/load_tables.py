@@ -23,7 +23,7 @@ def loads(document: Document) -> Iterator[Block]:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.loads_document.loads_document` makes it.
+        As :func:`asperity.results.loads_document.loads_document` makes it.
 
     Yields
     ------
@@ -90,7 +90,7 @@ def rims(document: Document) -> Iterator[Block]:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Yields
     ------

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.joint.branch_limits import capacity_words
-from asperity.joint.capacity import first_slip_words
-from asperity.joint.document import (
+from asperity.joint.torque_limits import first_slip_words
+from asperity.report.cells import number, percent, quantity
+from asperity.report.content import Block, Paragraph, Table
+from asperity.results.branch_limits import capacity_words
+from asperity.results.document import (
     NO_SHARE,
     WHOLE_BODIES,
     has_whole_bodies,
     input_member,
     stiffness_rows,
 )
-from asperity.report.cells import number, percent, quantity
-from asperity.report.content import Block, Paragraph, Table
 
 Document = dict[str, Any]
 
@@ -26,7 +26,7 @@ def summary(document: Document) -> Table:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Returns
     -------
@@ -121,7 +121,7 @@ def stiffness(document: Document) -> Iterator[Block]:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Yields
     ------
@@ -163,7 +163,7 @@ def contacts(document: Document) -> Iterator[Block]:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Yields
     ------
@@ -248,13 +248,13 @@ def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:
     ]
 
 
-def planar_drive(document: Document) -> Iterator[Block]:
+def drive(document: Document) -> Iterator[Block]:
     """Ratio, torques and masses of a planar drive.
 
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.planar.document.planar_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Yields
     ------
@@ -299,7 +299,7 @@ def windup(found: Document) -> Iterator[Block]:
     Parameters
     ----------
     found : dict
-        As :func:`asperity.joint.windup_document.windup_document` makes it.
+        As :func:`asperity.results.windup_document.windup_document` makes it.
 
     Yields
     ------

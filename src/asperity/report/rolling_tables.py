@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.joint.position_rows import position_rows
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
+from asperity.results.position_rows import position_rows
 
 Document = dict[str, Any]
 _CAUSES = ("creep", "skew", "hysteresis", "oil")
@@ -19,7 +19,7 @@ def rolling(document: Document) -> Iterator[Block]:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Yields
     ------

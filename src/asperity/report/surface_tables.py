@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.joint.document import LEVEL_WORDS
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
+from asperity.results.document import LEVEL_WORDS
 
 Document = dict[str, Any]
 
@@ -78,7 +78,7 @@ def averages(document: Document) -> Table:
     Parameters
     ----------
     document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
+        As :func:`asperity.results.document.joint_document` makes it.
 
     Returns
     -------

@@ -10,7 +10,7 @@ from asperity.show.style import ACCENT, MARK, MUTED
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from asperity.joint.size_errors import SizeErrorCurves
+    from asperity.branches.size_errors import SizeErrorCurves
 
 #: A ground that hides the line at 0.
 _LEGEND: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0, "edgecolor": "none"}

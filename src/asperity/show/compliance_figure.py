@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint.document import NO_SHARE, WHOLE_BODIES
-from asperity.joint.margins import margins
-from asperity.joint.planar.solved import SolvedJoint
-from asperity.joint.results import LEVELS, RESULTS
 from asperity.joint.temperature_curves import temperature_curves
+from asperity.results import LEVELS, RESULTS
+from asperity.results.document import NO_SHARE, WHOLE_BODIES
+from asperity.results.margins import margins
+from asperity.results.solved import SolvedJoint
 from asperity.show.branch_figure import draw_size_errors
 from asperity.show.margins_figure import draw_margins, margins_height
 from asperity.show.style import mark_few_decades
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from asperity.joint.size_errors import SizeErrorCurves
+    from asperity.branches.size_errors import SizeErrorCurves
 
 _PER_ARCMINUTE = np.pi / 10800.0
 _NOTE_WIDTH = 58  # letters below a panel of half a sheet

@@ -1,38 +1,259 @@
-"""The front view of a drive: outlines, axes, diameters and clearances."""
+"""The front view of a planar drive: outlines and axes of its bodies, and the names of its contacts."""
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
-from asperity.show.sheet import Line
+import numpy as np
 
-#: Wall over inner radius of the ring from which on the drawing breaks it off.
-LONGEST_WALL = 0.5
-#: How much of a wall that is broken off is drawn, over the inner radius.
-SHOWN_OF_BROKEN = 0.3
-_WAVES = 24
-#: How many clearances are drawn.
-MOST_GAPS = 3
+from asperity.drive.layout.drive import contact_angles
+from asperity.joint.description import Joint, places, tracks_of
+from asperity.show.sheet import Circle, Item, Line, Point, Text
+from asperity.show.taken import Taken, text_box
+from asperity.show.view_parts import LONGEST_WALL, SHOWN_OF_BROKEN, break_line
+
+_LONGEST_NAME = 16
+_DISTANCES = (4.5, 6.0, 8.0, 11.0, 15.0, 20.0)  # of a name from its contact [mm on paper]
+_DIRECTIONS = 24
+_PER_LINE = 4.0  # what an outline or an axis through a name costs, in mm of its distance on paper
+_LINE_TOO_NEAR, _NO_ROOM = (
+    1e2,
+    1e3,
+)  # where contacts lie close together, their lines may meet rather than their names
 
 
-def break_line(inner: float, shown: float) -> Line:
-    """A wavy line around the part of a ring that is drawn.
+class RingOfBody(NamedTuple):
+    """Radii of a ring as drawn.
 
     Parameters
     ----------
-    inner, shown : float
-        Inner radius, and radius at which the drawing ends [mm].
+    body : int
+        Number of its body.
+    inner, outer : float
+        Its own radii [mm].
+    shown : float
+        Radius at which the drawing ends [mm]; less than ``outer`` where the wall is broken off.
+    """
+
+    body: int
+    inner: float
+    outer: float
+    shown: float
+
+
+def rings_of(joint: Joint) -> list[RingOfBody]:
+    """The rings of a drive, each with its track; a thick wall is broken off.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
 
     Returns
     -------
-    Line
-        Closed.
+    list of RingOfBody
+        Radii [mm].
     """
-    count = 16 * _WAVES
-    amplitude = 0.03 * (shown - inner)
+    found = []
+    for number, shape in enumerate(joint.shapes):
+        if shape.kind == "ring" and shape.size is not None:
+            wall = 1e3 * float(shape.size)
+            for inner in radii_of(joint, number):
+                shown = wall if wall <= LONGEST_WALL * inner else SHOWN_OF_BROKEN * inner
+                found.append(RingOfBody(number, inner, inner + wall, inner + shown))
+    return found
+
+
+def radii_of(joint: Joint, number: int) -> list[float]:
+    """Radii of the tracks of a body.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    number : int
+        Number of the body.
+
+    Returns
+    -------
+    list of float
+        Each once, in the order of its contacts [mm].
+    """
+    return list(dict.fromkeys(1e3 * float(radius) for radius, _ in tracks_of(joint, number)))
+
+
+def pin_diameter_of(joint: Joint, number: int) -> float:
+    """Diameter of the pin of a body [mm]; 0 where it has none, or the joint does not state it."""
+    if joint.bearings is None or joint.drive.bodies[number].place != "pin":
+        return 0.0
+    return 1e3 * float(joint.bearings.pin_diameter)
+
+
+def copies_of(joint: Joint, number: int) -> list[Point]:
+    """Centres of the copies of a body in all sectors.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    number : int
+        Number of the body.
+
+    Returns
+    -------
+    list of tuple of float
+        Counter-clockwise from the first sector [mm]; one for a body on the axis.
+    """
+    x, y = (1e3 * float(each) for each in np.asarray(joint.drive.centres)[number])
+    count = 1 if joint.drive.bodies[number].place == "axis" else round(float(joint.drive.sectors))
+    turns = (2.0 * math.pi * sector / float(joint.drive.sectors) for sector in range(count))
+    return [
+        (x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)) for turn in turns
+    ]
+
+
+def reach_of(joint: Joint) -> float:
+    """Distance of the farthest point of the view from the axis.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    float
+        Distance [mm].
+    """
+    rings = rings_of(joint)
+    discs = [n for n in range(len(joint.shapes)) if n not in {ring.body for ring in rings}]
+    return max(
+        *(ring.shown for ring in rings),
+        *(math.hypot(*copies_of(joint, n)[0]) + max(radii_of(joint, n)) for n in discs),
+        0.0,
+    )
+
+
+def drive_view(joint: Joint, scale: float) -> list[Item]:
+    """Outlines and axes of all bodies.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    scale : float
+        Length on paper over true length [-].
+
+    Returns
+    -------
+    list of Item
+        The view, with the axis of the drive in the origin.
+    """
+    rings, beyond = rings_of(joint), 3.0 / scale
+    items: list[Item] = []
+    orbits: list[float] = []
+    for number, body in enumerate(joint.drive.bodies):
+        mine = [ring for ring in rings if ring.body == number]
+        for ring in mine:
+            broken = ring.shown < ring.outer
+            items.append(Circle((0.0, 0.0), ring.inner))
+            items.append(break_line(ring.inner, ring.shown) if broken else Circle((0.0, 0.0), ring.shown))
+        if mine:
+            continue
+        radii, bore = radii_of(joint, number), joint.shapes[number].bore_diameter
+        for x, y in copies_of(joint, number):
+            items += [Circle((x, y), radius) for radius in radii]
+            if bore is not None:
+                items.append(Circle((x, y), 0.5e3 * float(bore)))
+            pin = pin_diameter_of(joint, number)
+            if pin:
+                items.append(Circle((x, y), 0.5 * pin))
+            if body.place != "axis":
+                items += _cross((x, y), min(max(radii) + beyond, 1.25 * max(radii)), math.atan2(y, x))
+        if body.place != "axis":
+            orbits.append(math.hypot(*copies_of(joint, number)[0]))
+            if not any(math.isclose(orbits[-1], other) for other in orbits[:-1]):
+                items.append(Circle((0.0, 0.0), orbits[-1], "axis"))
+    return items + _cross((0.0, 0.0), reach_of(joint) + beyond, 0.0)
+
+
+def _cross(centre: Point, half: float, angle: float) -> list[Item]:
+    """The two axes of a circle."""
+    x, y = centre
+    e, f = half * math.cos(angle), half * math.sin(angle)
+    return [
+        Line(((x - e, y - f), (x + e, y + f)), "axis"),
+        Line(((x + f, y - e), (x - f, y + e)), "axis"),
+    ]
+
+
+def write_contact_names(joint: Joint, view: list[Item], taken: Taken) -> list[Item]:
+    """Names of the contacts at their places in the first sector, off outlines and axes as far as there is room.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    view : list of Item
+        Its outlines and axes.
+    taken : Taken
+        What stands on the sheet; the names take their place in it.
+
+    Returns
+    -------
+    list of Item
+        A line from each contact, and its name.
+    """
+    drive, scale = joint.drive, taken.scale
+    first, _ = places(drive)
+    angles, _ = contact_angles(drive)
     points = []
-    for index in range(count + 1):
-        angle = 2.0 * math.pi * index / count
-        radius = shown + amplitude * math.sin(_WAVES * angle)
-        points.append((radius * math.cos(angle), radius * math.sin(angle)))
-    return Line(tuple(points), "break")
+    for k in range(len(drive.contacts)):
+        (x, y), radius = copies_of(joint, first[k])[0], 1e3 * float(drive.first_radius[k])
+        points.append((x + radius * math.cos(float(angles[k])), y + radius * math.sin(float(angles[k]))))
+    for x, y in points:  # no name covers the point of another contact
+        tick = 0.5 / scale
+        taken.add([Line(((x - tick, y), (x + tick, y)))], crossable=True)
+    items: list[Item] = []
+    for contact, at in zip(drive.contacts, points, strict=True):
+        best, least = None, math.inf
+        for distance in _DISTANCES:
+            if distance >= least:
+                break
+            for index in range(_DIRECTIONS):
+                turn = 2.0 * math.pi * (index + 0.5) / _DIRECTIONS
+                e, f = distance / scale * math.cos(turn), distance / scale * math.sin(turn)
+                tried = _name(contact.name, at, (at[0] + e, at[1] + f), scale)
+                cost = distance + _PER_LINE * _lines_through(tried[1], view, scale)
+                if cost < least:
+                    cost += _LINE_TOO_NEAR * (not taken.has_room(tried[:1]))
+                    cost += _NO_ROOM * (not taken.has_room(tried[1:]))
+                if cost < least:
+                    best, least = tried, cost
+        if best is not None:
+            taken.add(best)
+            items += best
+    return items
+
+
+def _name(name: str, at: Point, end: Point, scale: float) -> tuple[Line, Text]:
+    """A line from a contact and its name beside it."""
+    short = name if len(name) <= _LONGEST_NAME else f"{name[:8]}…{name[-7:]}"
+    side = 1.0 if end[0] >= at[0] else -1.0
+    begin = (end[0] + 0.5 * side / scale, end[1] - 1.2 / scale)
+    return Line((at, end)), Text(begin, short, "left" if side > 0.0 else "right")
+
+
+def _lines_through(text: Text, view: list[Item], scale: float) -> int:
+    """How many outlines and axes run through a text."""
+    box, count = text_box(text, scale), 0
+    for item in view:
+        if isinstance(item, Circle):
+            x, y = item.centre
+            near = math.hypot(max(box.left - x, x - box.right, 0.0), max(box.low - y, y - box.high, 0.0))
+            far = math.hypot(max(x - box.left, box.right - x), max(y - box.low, box.high - y))
+            count += near < item.radius < far
+        elif isinstance(item, Line):
+            count += any(box.is_crossed_by(*ends) for ends in zip(item.points, item.points[1:], strict=False))
+    return count

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint.dynamics import Dynamics
-from asperity.joint.dynamics_document import response_columns
+from asperity.results.dynamics_document import response_columns
+from asperity.windup.dynamics import Dynamics
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -1,108 +1,206 @@
-"""The bodies of one branch drawn apart, with the forces on each of them."""
+"""The bodies of one sector of a planar drive drawn apart, with the forces on each of them."""
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
-from asperity.show.sheet import Point
-from asperity.units import format_quantity
+from asperity.joint.body_shape import BodyShape
+from asperity.joint.description import Joint, tracks_of
+from asperity.joint.evaluation import JointResult
+from asperity.show.body_force import APART, BodyForce, body_outlines, force_arrow, force_label
+from asperity.show.drive_forces import body_forces
+from asperity.show.sheet import Align, Circle, Item, Line, Point, Text
 
-_ARROW = 10.0  # length of an arrow on paper [mm]
-#: Between two bodies on paper [mm].
-APART = 26.0
-_LARGEST, _SMALLEST = 20.0, 5.0  # radii on paper [mm]
-
-
-class BodyForce(NamedTuple):
-    """One force on one body of the first branch, whose planet lies above the sun.
-
-    Parameters
-    ----------
-    body : str
-        ``planet``, ``right loading roller`` or ``left loading roller``.
-    name : str
-        The contact, or ``pin``.
-    kind : str
-        ``N`` normal, ``T`` tangential, ``F`` of a pin.
-    place : tuple of float
-        Where it acts: direction from the centre of the body to the contact; (0, 0) for a pin.
-    direction : tuple of float
-        Unit vector: to the right, upwards.
-    size : float
-        The force in this direction [N]; negative for the opposite one.
-    """
-
-    body: str
-    name: str
-    kind: str
-    place: Point
-    direction: Point
-    size: float
+_BEYOND = 13.0  # of a label beyond its contact on paper [mm]
+_LINE_SPACING = 4.2
+_ROOM_FOR_NAME = 12.0  # least radius of a body with its name in it [mm]
+_FOR_LABELS = 24.0  # beside a row of bodies [mm]
+_LETTER = 2.0  # width of a letter, on the wide side [mm]
+#: Where a label is tried: distances from its body [mm], and turns from the direction of its force [rad].
+_DISTANCES = (4.0, 8.0, 13.0, 18.0, 24.0, 32.0)
+_TURNS = (0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9)
 
 
-def body_outlines(radii: dict[str, list[float]], *, size: float = 1.0) -> dict[str, list[float]]:
-    """Radii of bodies on paper: the largest has a size that suits the arrows, and none is too small for them.
+def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float, scale: float) -> list[Item]:
+    """Bodies off the axis of one sector drawn apart: arrows for directions, numbers for sizes.
 
     Parameters
     ----------
-    radii : dict
-        Body → radii of its tracks [m].
-    size : float, optional
-        Size of the view over its usual one [-].
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+    middle : tuple of float
+        Middle of the view [mm in true size].
+    room : float
+        Width of the view on paper [mm]; a wider one reaches beyond on its left.
+    scale : float
+        Length on paper over true length [-]. On paper the view has a size of its own.
 
     Returns
     -------
-    dict
-        Body → radii on paper [mm].
+    list of Item
+        The view.
     """
-    largest = max(radius for each in radii.values() for radius in each)
-    return {
-        name: [max(_SMALLEST, size * _LARGEST * radius / largest) for radius in each]
-        for name, each in radii.items()
+    drive = joint.drive
+    names = [drive.bodies[number].name for number in drive.floating]
+    found = [each for each in body_forces(joint, result) if each.body in names]
+    tracks = {
+        name: [(float(radius), contacts) for radius, contacts in tracks_of(joint, number)]
+        for name, number in zip(names, drive.floating, strict=True)
     }
+    radii = body_outlines(
+        {
+            name: [*(radius for radius, _ in tracks[name]), *_bore(joint.shapes[number])]
+            for name, number in zip(names, drive.floating, strict=True)
+        }
+    )
+    of_contact = {
+        (name, drive.contacts[k].name): shown
+        for name, each in tracks.items()
+        for (_, contacts), shown in zip(each, radii[name], strict=False)  # the bore is the last
+        for k in contacts
+    }
+    centres = _apart(joint, names, found, {name: max(each) for name, each in radii.items()}, room)
+    arrows = [
+        force_arrow(each, centres[each.body], of_contact.get((each.body, each.name), max(radii[each.body])))
+        for each in found
+        if each.size != 0.0
+    ]
+    bodies = {name: (centres[name], max(each)) for name, each in radii.items()}
+    labels = _Labels(list(bodies.values()), arrows)
+    for name, (centre, radius) in bodies.items():
+        words = name.replace("_", " ")
+        if min(radii[name]) > _ROOM_FOR_NAME:  # no arrow points into it
+            labels.write((words,), (centre[0], centre[1] - 6.0), "center")
+        else:
+            labels.find((words,), centre, radius, (0.0, 1.0))
+    for contact in joint.drive.contacts:
+        here = [each for each in found if each.name == contact.name and each.size != 0.0]
+        if here:  # its partner, if it is drawn, has the same numbers
+            lines = tuple(force_label(each) for each in here if each.body == here[0].body)
+            labels.find(lines, *bodies[here[0].body], here[0].place)
+    for each in found:
+        if each.kind == "F" and each.size != 0.0:
+            towards = (-each.direction[0], -each.direction[1]) if each.size > 0.0 else each.direction
+            labels.find((force_label(each),), *bodies[each.body], towards)
+    left, right, low, high = labels.extent
+    over = max(0.5 * (right - left - room), 0.0)
+
+    def on_sheet(x: float, y: float) -> Point:
+        return (
+            middle[0] + (x - 0.5 * (left + right) - over) / scale,
+            middle[1] + (y - 0.5 * (low + high)) / scale,
+        )
+
+    return [
+        *(
+            Circle(on_sheet(*centres[name]), radius / scale)
+            for name, each in radii.items()
+            for radius in each
+        ),
+        *(Line((on_sheet(*tail), on_sheet(*tip)), "force", "end") for tail, tip in arrows),
+        *(Text(on_sheet(*text.at), text.text, text.align) for text in labels.texts),
+    ]
 
 
-def force_arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, Point]:
-    """Arrow of a force: normal forces end at the contact, tangential ones lie beside it, pins push from the axis.
-
-    Parameters
-    ----------
-    force : BodyForce
-        The force.
-    centre : tuple of float
-        Centre of the body on paper [mm].
-    radius : float
-        Radius of the body at the contact on paper [mm].
-
-    Returns
-    -------
-    tuple of tuple of float
-        Tail and tip on paper [mm].
-    """
-    x, y = centre[0] + radius * force.place[0], centre[1] + radius * force.place[1]
-    step = math.copysign(_ARROW, force.size)
-    e, f = step * force.direction[0], step * force.direction[1]
-    if force.kind == "N":
-        return (x - e, y - f), (x, y)
-    if force.kind == "F":
-        return (x, y), (x + e, y + f)
-    x, y = x + 1.5 * force.place[0], y + 1.5 * force.place[1]
-    return (x, y), (x + 0.8 * e, y + 0.8 * f)
+def _bore(shape: BodyShape) -> list[float]:
+    """Radius of the bore of a hollow roller [m]."""
+    return [] if shape.bore_diameter is None else [0.5 * float(shape.bore_diameter)]
 
 
-def force_label(force: BodyForce) -> str:
-    """Name and size of a force.
+class _Labels:
+    """Texts on paper that cover neither bodies and arrows nor each other, as far as there is room."""
 
-    Parameters
-    ----------
-    force : BodyForce
-        The force.
+    def __init__(self, bodies: list[tuple[Point, float]], arrows: list[tuple[Point, Point]]) -> None:
+        self.texts: list[Text] = []
+        self._bodies = bodies
+        self._points = [
+            (tail[0] + share * (tip[0] - tail[0]), tail[1] + share * (tip[1] - tail[1]))
+            for tail, tip in arrows
+            for share in (0.0, 0.25, 0.5, 0.75, 1.0)
+        ]
+        self._boxes: list[tuple[float, float, float, float]] = []
 
-    Returns
-    -------
-    str
-        One line.
-    """
-    size = format_quantity(abs(force.size), "N")
-    return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"pin: {size}"}[force.kind]
+    @property
+    def extent(self) -> tuple[float, float, float, float]:
+        """Left, right, lower and upper edge of all bodies and texts."""
+        boxes = [*self._boxes, *((x - r, x + r, y - r, y + r) for (x, y), r in self._bodies)]
+        left, right, low, high = zip(*boxes, strict=True)
+        return min(left), max(right), min(low), max(high)
+
+    def write(self, lines: tuple[str, ...], at: Point, align: Align) -> None:
+        """Write lines below each other, the first at a place."""
+        self._boxes.append(_box(lines, at, align))
+        self.texts += [
+            Text((at[0], at[1] - _LINE_SPACING * row), line, align) for row, line in enumerate(lines)
+        ]
+
+    def find(self, lines: tuple[str, ...], centre: Point, radius: float, direction: Point) -> None:
+        """Write lines outside a body, as near as possible in a direction."""
+        angle = math.atan2(direction[1], direction[0])
+        free = [
+            (at, align)
+            for beyond in _DISTANCES
+            for turn in _TURNS
+            for at, align in _beside(lines, centre, radius + beyond, angle + turn)
+            if self._is_free(_box(lines, at, align))
+        ]
+        self.write(lines, *(free or _beside(lines, centre, radius + _BEYOND, angle))[0])
+
+    def _is_free(self, box: tuple[float, float, float, float]) -> bool:
+        left, right, low, high = box
+        covers = any(left < x < right and low < y < high for x, y in self._points)
+        crosses = any(
+            math.hypot(max(left - x, x - right, 0.0), max(low - y, y - high, 0.0)) < radius
+            for (x, y), radius in self._bodies
+        )
+        meets = any(
+            left < other[1] and other[0] < right and low < other[3] and other[2] < high
+            for other in self._boxes
+        )
+        return not (covers or crosses or meets)
+
+
+def _beside(lines: tuple[str, ...], centre: Point, far: float, angle: float) -> list[tuple[Point, Align]]:
+    """A place at a distance from a centre: to the right of it, or to the left."""
+    x, y = centre[0] + far * math.cos(angle), centre[1] + far * math.sin(angle)
+    at = (x, y + 0.5 * _LINE_SPACING * (len(lines) - 1) - 1.2)
+    return [(at, "left" if math.cos(angle) > -1e-9 else "right")]
+
+
+def _box(lines: tuple[str, ...], at: Point, align: Align) -> tuple[float, float, float, float]:
+    """Left, right, lower and upper edge of lines, with a margin [mm]."""
+    wide = _LETTER * max(map(len, lines))
+    left = at[0] - {"left": 0.0, "center": 0.5, "right": 1.0}[align] * wide
+    return left - 1.0, left + wide + 1.0, at[1] - _LINE_SPACING * (len(lines) - 1) - 1.2, at[1] + 3.5
+
+
+def _apart(
+    joint: Joint, names: list[str], found: list[BodyForce], radii: dict[str, float], room: float
+) -> dict[str, Point]:
+    """Centres of the bodies on paper: each beside the body that it touches, in the direction of the contact."""
+    towards = {(each.body, each.name): each.place for each in found if each.kind == "N"}
+    centres: dict[str, Point] = {names[0]: (0.0, 0.0)}
+    waiting = [contact for contact in joint.drive.contacts if contact.sector == 0]
+    for _ in names:
+        for contact in waiting:
+            for one, other in ((contact.first, contact.second), (contact.second, contact.first)):
+                if one in centres and other in names and other not in centres:
+                    far = radii[one] + APART + radii[other]
+                    x, y = towards[one, contact.name]
+                    centres[other] = (centres[one][0] + far * x, centres[one][1] + far * y)
+    row, level = list(centres), 0.0
+    for (
+        name
+    ) in names:  # bodies that touch only bodies on the axis: beside each other, as many as there is room for
+        if name in centres:
+            continue
+        left = min(x - radii[other] for other, (x, _) in centres.items())
+        edge = max(centres[other][0] + radii[other] for other in row)
+        if edge + APART + 2.0 * radii[name] - left > room - _FOR_LABELS:
+            low = min(y - radii[other] for other, (_, y) in centres.items())
+            row, edge, level = [], left - APART, low - APART - radii[name]
+        centres[name] = (edge + APART + radii[name], level)
+        row.append(name)
+    return centres

@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from asperity.joint.margins import Margin
+from asperity.results.margins import Margin
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,7 +25,7 @@ def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
     Parameters
     ----------
     found : sequence of Margin
-        As :func:`asperity.joint.margins.margins` gives them.
+        As :func:`asperity.results.margins.margins` gives them.
 
     Returns
     -------

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.rolling import RollingResult
-from asperity.joint.rolling_curves import RollingCurves
+from asperity.joint.description import Joint
+from asperity.rolling.curves import RollingCurves
+from asperity.rolling.rolling import RollingResult
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -30,7 +30,7 @@ _TORQUE = "torque at the output [N·m]"
 
 
 def rolling_figure(
-    curves: RollingCurves, rolling: RollingResult, *, joint: PlanarJoint, title: str, width: float
+    curves: RollingCurves, rolling: RollingResult, *, joint: Joint, title: str, width: float
 ) -> Figure:
     """Four pictures of a joint that turns on one sheet.
 
@@ -40,7 +40,7 @@ def rolling_figure(
         What to draw.
     rolling : RollingResult
         The joint under its own torque and speed.
-    joint : PlanarJoint
+    joint : Joint
         The joint itself.
     title : str
         Title of the sheet.
@@ -64,7 +64,7 @@ def rolling_figure(
     return figure
 
 
-def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: PlanarJoint) -> None:
+def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: Joint) -> None:
     """Traction over creepage of each contact, with its working point and the friction limit.
 
     Parameters
@@ -75,7 +75,7 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
         The creep curves.
     rolling : RollingResult
         The working points.
-    joint : PlanarJoint
+    joint : Joint
         The joint, for its friction.
     """
     from matplotlib.lines import Line2D
@@ -122,7 +122,7 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
     _finish(axes)
 
 
-def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: PlanarJoint) -> None:
+def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
     """Map of the efficiency over torque and speed, with the joint's own point; a note where the input stands.
 
     Parameters
@@ -131,7 +131,7 @@ def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: PlanarJoint) ->
         Where to draw.
     curves : RollingCurves
         The map.
-    joint : PlanarJoint
+    joint : Joint
         The joint, for its torque and speed.
     """
     axes.set_title("Efficiency; white: this joint")
@@ -163,7 +163,7 @@ def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: PlanarJoint) ->
     _finish(axes)
 
 
-def draw_drift(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: PlanarJoint) -> None:
+def draw_drift(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: Joint) -> None:
     """Drift in one turn of the output over torque.
 
     Parameters
@@ -174,7 +174,7 @@ def draw_drift(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
         The curve.
     rolling : RollingResult
         The joint's own drift.
-    joint : PlanarJoint
+    joint : Joint
         The joint, for its torque.
     """
     axes.set(title="Drift; dot: this joint", ylabel="drift [arcmin per output turn]")
@@ -184,7 +184,7 @@ def draw_drift(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
     _finish(axes)
 
 
-def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: PlanarJoint) -> None:
+def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: Joint) -> None:
     """Life of the drive over torque: hours at the joint's speed, turns of the output where the input stands.
 
     Parameters
@@ -195,7 +195,7 @@ def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, join
         The curve.
     rolling : RollingResult
         The joint's own life.
-    joint : PlanarJoint
+    joint : Joint
         The joint, for its torque.
     """
     hours = bool(np.any(np.isfinite(curves.life_hours)))
@@ -216,9 +216,7 @@ def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, join
     _finish(axes)
 
 
-def _over_torque(
-    axes: Axes, curves: RollingCurves, values: np.ndarray, here: float, joint: PlanarJoint
-) -> None:
+def _over_torque(axes: Axes, curves: RollingCurves, values: np.ndarray, here: float, joint: Joint) -> None:
     """A curve over torque with the joint's own point, and where friction ends it."""
     axes.plot(np.asarray(curves.torque), values, color="black")
     axes.plot(float(joint.output_torque), here, "o", color="black")

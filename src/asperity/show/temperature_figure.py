@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint.description import Fit
-from asperity.joint.temperature import loose_temperature
+from asperity.joint.fit import Fit
+from asperity.joint.looseness import loose_temperature
 from asperity.joint.temperature_curves import TemperatureCurves
 from asperity.show.style import ACCENT, MARK, MUTED
 

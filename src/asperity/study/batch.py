@@ -21,7 +21,6 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.joint.results import GROUPS, RESULTS
 from asperity.joint.status import OUT_OF_RANGE, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of
 from asperity.joint_file.part_names import type_of, with_tracks
@@ -29,6 +28,7 @@ from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import Values, key_at, replace_values
 from asperity.joint_file.table_numbers import Numbers, numbers, table_structure, with_numbers
 from asperity.precision import require_double_precision
+from asperity.results import GROUPS, RESULTS
 
 Found = tuple[Array, dict[str, Array]]
 Kernel = Callable[..., Found]

@@ -9,9 +9,9 @@ import numpy as np
 
 from asperity import __version__
 from asperity.extras import optional_module
-from asperity.joint.results import Result, row_name
 from asperity.joint.status import flag_attributes
 from asperity.joint_file.si_tables import key_at
+from asperity.results import Result, row_name
 from asperity.study.parameters import SweepAxis, long_name
 
 if TYPE_CHECKING:

@@ -11,11 +11,11 @@ import numpy as np
 from jax import Array
 from scipy.optimize import brentq
 
-from asperity.drive.planar.drives import planetary_drive
-from asperity.drive.planar.laws import smooth_contact_laws
-from asperity.drive.planar.state import DriveLoad
-from asperity.drive.planar.states import DriveStates, drive_states
-from asperity.drive.planar.unfolding import forces_on_centre, unfolded
+from asperity.drive.layout.drives import planetary_drive
+from asperity.drive.layout.unfolding import forces_on_centre, unfolded
+from asperity.drive.state.smooth_laws import smooth_contact_laws
+from asperity.drive.state.state import DriveLoad
+from asperity.drive.state.states import DriveStates, drive_states
 from asperity.validation.check import Check, compared
 
 _YOUNG, _POISSON, _FRICTION, _LENGTH, _WALL = 206e9, 0.3, 0.08, 10e-3, 60e-3

@@ -9,17 +9,17 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.drive.geometry import DriveGeometry
-from asperity.drive.planar.drives import (
+from asperity.drive.layout.drive import Drive, speed_ratio
+from asperity.drive.layout.drives import (
     planetary_drive,
     stepped_planet_drive,
     two_row_multiroller,
     wedge_drive,
 )
-from asperity.drive.planar.laws import smooth_contact_laws
-from asperity.drive.planar.layout import PlanarDrive, speed_ratio
-from asperity.drive.planar.state import PlanarState
-from asperity.drive.planar.states import rolling_state, state_at_rest
+from asperity.drive.state.smooth_laws import smooth_contact_laws
+from asperity.drive.state.state import DriveState
+from asperity.drive.state.states import rolling_state, state_at_rest
+from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.validation.check import Check, compared
 
 _WEDGE = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
@@ -71,7 +71,7 @@ def ratios() -> Iterator[Check]:
 
 
 @eqx.filter_jit
-def _states(drive: PlanarDrive, torque: Array) -> tuple[PlanarState, PlanarState]:
+def _states(drive: Drive, torque: Array) -> tuple[DriveState, DriveState]:
     laws = smooth_contact_laws(
         drive=drive,
         youngs_modulus=206e9,

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.special import ellipe, ellipk
 
 from asperity.contact import carter, crowned_line, hertz_line, skew
-from asperity.drive.bearing_life import RatedBearing
+from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.joint.bearing_lives import BearingState, lives_of_bearings
 from asperity.validation.check import Check, compared
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
+from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.zou2025 import preset
 from asperity.zou2025.criteria import (
     NEARLY_SAME,

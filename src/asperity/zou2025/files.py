@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
+from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.writing import write_image, write_text
 from asperity.zou2025.criteria import CRITERIA

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
+from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.zou2025.curves import Curves
 
 

@@ -12,7 +12,7 @@ from jax.typing import ArrayLike
 
 from asperity.contact.fractal import FractalContact, Surface
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
-from asperity.drive.geometry import DriveGeometry
+from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
 from asperity.zou2025.published import PublishedJoint

@@ -16,15 +16,15 @@ from jax import Array
 
 from asperity.contact.fractal import Surface
 from asperity.contact.roller_pairs import roller_pairs
-from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
-from asperity.drive.geometry import DriveGeometry, carrier_speed, contact_radii, triangle
 from asperity.drive.mechanism import Bearings, Mechanism, rest_state
-from asperity.drive.torsional_stiffness import (
+from asperity.drive.stiffness.torsional_stiffness import (
     TorsionalStiffness,
     contact_torsional_stiffness,
     driven_radii,
     series_torsional_stiffness,
 )
+from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
+from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, contact_radii, triangle
 from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts
 from asperity.materials import Material, pair
 from asperity.types import Real

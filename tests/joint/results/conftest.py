@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from asperity.joint.results import RESULTS
+from asperity.results import RESULTS
 
 
 @pytest.fixture(scope="session")

@@ -5,8 +5,8 @@ import re
 
 import pytest
 
-from asperity.joint.results import RESULTS
-from asperity.joint.results.drive_table import results_of_drive
+from asperity.results import RESULTS
+from asperity.results.drive_table import results_of_drive
 
 
 @pytest.fixture(scope="module")
@@ -47,4 +47,4 @@ def test_a_drive_with_wedges_has_all_results():
     names = (("a",), ("b",), ("c",), ("d",), ("e",))
     assert set(results_of_drive(*names, has_wedges=True)) == set(RESULTS)
     without = results_of_drive(*names, has_wedges=False)
-    assert set(RESULTS) - set(without) == {name for name, row in RESULTS.items() if row.wedge_only}
+    assert set(RESULTS) - set(without) == {name for name, row in RESULTS.items() if row.needs_wedges}

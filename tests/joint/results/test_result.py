@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.joint.results import RESULTS
-from asperity.joint.results.result import Limit, Result
+from asperity.results import RESULTS
+from asperity.results.result import Limit, Result
 from asperity.unit_table import Dimension
 
 

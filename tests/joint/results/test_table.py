@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.results import (
+from asperity.results import (
     GROUPS,
     RESULTS,
     chosen_results,
@@ -14,7 +14,7 @@ from asperity.joint.results import (
     name_at_level,
     row_name,
 )
-from asperity.joint.results.table import RENAMED
+from asperity.results.table import RENAMED
 
 # parts of the result that are not results: the state beside its check, and the same number under another name
 _NOT_OFFERED = {"forces.output_torque", "speeds", "solved", "contact_law_holds", "walls_hold"}

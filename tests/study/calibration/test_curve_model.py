@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.windup import windup
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.study.calibration import curve_model
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.joint_points import JointPoints
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
+from asperity.windup.windup import windup
 
 TORQUE = np.array([0.5, 3.0, 6.0, 2.0, -4.0, 1.0])
 TIME = 10.0 * np.arange(TORQUE.size)
@@ -121,9 +121,7 @@ def test_the_curve_is_that_of_the_wind_up(zou_file, tmp_path, change):
     )
     file.write_text(text.replace(*change) + play + bearings)
     case = read_case(file)
-    curve = windup(
-        planar_joint_from_case(case), largest_torque=10.0, level="assembly", stage_shares=(1 / 3, 2 / 3)
-    )
+    curve = windup(joint_from_case(case), largest_torque=10.0, level="assembly", stage_shares=(1 / 3, 2 / 3))
     torque = np.asarray(curve.torque)
     down, half = torque[::-1], torque > 0.0
 

@@ -10,8 +10,8 @@ from scipy.optimize import brentq
 from scipy.stats import binom, chi2
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.curve_model import CurveModel
@@ -90,9 +90,9 @@ def test_model_is_carters_creep_by_hand(zou_file, tmp_path, torque):
     model = model_of(smooth, data_of(np.array([torque, 1.0])), TEXTS[:2])
     found = model(scaled(model, TRUTH[:2]))[0][0]
     joint = dataclasses.replace(
-        planar_joint_from_case(smooth), output_torque=torque, friction_coefficients=(0.14,), preload=900.0
+        joint_from_case(smooth), output_torque=torque, friction_coefficients=(0.14,), preload=900.0
     )
-    normal = np.asarray(solve_planar(joint).result.rolling.normal)
+    normal = np.asarray(solve_joint(joint).result.rolling.normal)
     summed = creep_by_hand(normal, torque / 9.0 / 3.0 / 4e-3, 0.14)
     passed = np.exp(-summed)  # of the surface speed, to third order of the creepage
     loss = 1.0 - passed * 36.0 / (40.0 - 4.0 * passed)

@@ -7,9 +7,8 @@ import pytest
 from scipy.stats import binom, chi2
 
 from asperity.errors import NoSolutionError
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint.windup import windup
-from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.study.calibration import joint_points as module
 from asperity.study.calibration.calibrate import calibrate
@@ -17,6 +16,7 @@ from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.joint_points import joint_points
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
+from asperity.windup.windup import windup
 
 PATHS = ("load.interference", "load.friction_coefficient", "surface.fractal_roughness")
 KNOWN = np.array([27e-6, 0.092, 1.3e-10])  # the roughness is that of the file
@@ -75,7 +75,7 @@ def test_each_torque__is_solved_once(case, monkeypatch, shown):
 
 
 def known_joint(case):
-    return planar_joint_from_values(replace_values(si_values(case), dict(zip(PATHS, KNOWN, strict=True))))
+    return joint_from_values(replace_values(si_values(case), dict(zip(PATHS, KNOWN, strict=True))))
 
 
 @pytest.mark.long
@@ -83,7 +83,7 @@ def test_values_are_those_of_the_joint_solved_there(case):
     joint, torques = known_joint(case), (9.0, -6.0)
     stiffness, drift = (points(case, torques, shown) for shown in ("assembly", "drift"))
     for k, torque in enumerate(torques):
-        result = solve_planar(dataclasses.replace(joint, output_torque=torque)).result
+        result = solve_joint(dataclasses.replace(joint, output_torque=torque)).result
         assert stiffness.value[0, k] == pytest.approx(float(result.assembly.stiffness.output), rel=1e-8)
         assert drift.value[0, k] == pytest.approx(float(result.rolling.drift_per_output_turn), rel=1e-8)
         assert stiffness.slip_ratio[0, k] == pytest.approx(

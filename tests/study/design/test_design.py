@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from asperity.drive.planar.existence import refuse_impossible
+from asperity.drive.layout.existence import refuse_impossible
 from asperity.errors import NoSolutionError
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint.planar.solved import solved_planar_joint
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
+from asperity.results.solved import solved_planar_joint
 from asperity.study.batch import derivatives_at, evaluate_points
 from asperity.study.design import design as module
 from asperity.study.design import design_evaluation
@@ -205,7 +205,7 @@ def test_the_least_violation_is_a_joint_that_exists(zou_file):
         'self_locking_ratio = { at_most = 0.1 }\nclearance = { at_least = "0.3 mm" }\n[search]\nstarts = 2',
     )
     assert not found.feasible
-    refuse_impossible(planar_joint_from_case(parse_case(found.joint_text, source="designed")).drive)
+    refuse_impossible(joint_from_case(parse_case(found.joint_text, source="designed")).drive)
 
 
 @pytest.mark.long
@@ -288,8 +288,8 @@ def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_fil
     assert (limit.row, limit.active) == ("ring", True)
     assert limit.value == pytest.approx(2.0, rel=1e-7)
     solved = parse_case(found.joint_text, source="designed")
-    joint = planar_joint_from_case(solved)
-    again = solved_planar_joint(joint, solve_planar(joint)).rims
+    joint = joint_from_case(solved)
+    again = solved_planar_joint(joint, solve_joint(joint)).rims
     assert float(again.yield_safety[2]) == pytest.approx(2.0, rel=1e-6)
     # moment P R/2 (1/a - cot a) under each force, a = 60 degrees; in plane strain
     wall, force, angle = found.point["drive.ring_wall_thickness"], 850.0, np.pi / 3.0

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.joint.results import RESULTS
+from asperity.results import RESULTS
 from asperity.study.design import design_evaluation, design_search
 from asperity.study.design.design_problem import Constraint, Objective
 from asperity.study.design.design_search import (

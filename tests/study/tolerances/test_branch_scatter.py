@@ -38,8 +38,8 @@ found = []
 def sectors(planar_case, monkeypatch):
     capacity = SimpleNamespace(output_torque=12.0)
     solution = SimpleNamespace(capacity=capacity, reverse_capacity=capacity)
-    monkeypatch.setattr(module, "BranchedPlanarJoint", Sectors)
-    monkeypatch.setattr(module, "solve_planar", lambda joint: solution)
+    monkeypatch.setattr(module, "BranchedJoint", Sectors)
+    monkeypatch.setattr(module, "solve_joint", lambda joint: solution)
 
     def of(name, changes, draws=400):
         scatter = branch_scatter(planar_case(name, replaced=changes), distribution=None, draws=draws, seed=1)

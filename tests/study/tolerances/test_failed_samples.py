@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from asperity.joint.results import RESULTS
 from asperity.joint_file.reader import parse_case
+from asperity.results import RESULTS
 from asperity.study.tolerances import uncertainty
 from asperity.study.tolerances.failed_samples import quantiles_with_failed, worse_end
 

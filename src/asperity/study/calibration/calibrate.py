@@ -7,16 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity.drive.planar.existence import refuse_impossible
+from asperity.drive.layout.existence import refuse_impossible
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.design.design_problem import Variable
+from asperity.windup.windup import StiffnessLevel
 
 #: Standard deviation of a uniform distribution over the bounds: more than this means that the
 #: data add nothing.
@@ -171,7 +171,7 @@ def calibrate(
     from scipy.stats import qmc
 
     require_double_precision()
-    refuse_impossible(planar_joint_from_case(case).drive)
+    refuse_impossible(joint_from_case(case).drive)
     if all(each.drift is not None for each in measurements) and history != "virgin":
         raise InputError(
             "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"

@@ -14,8 +14,7 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint.play import play_compliance
-from asperity.joint.windup import StiffnessLevel, is_symmetric
-from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.section_build import play_of
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, replace_values, si_values
 from asperity.study.calibration.joint_points import JointPoints, joint_points
@@ -23,6 +22,7 @@ from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, added_to_curve
 from asperity.study.design.design_problem import Variable
+from asperity.windup.windup import StiffnessLevel, is_symmetric
 
 #: Below this share of its median a stiffness is replaced by this value, so that a search that strays past the
 #: torque capacity finds back. A fit that ends there is refused.
@@ -99,7 +99,7 @@ class CurveModel:
             )
             for order, index in enumerate(self.in_joint)
         }
-        return is_symmetric(planar_joint_from_values(replace_values(self.values, between)))
+        return is_symmetric(joint_from_values(replace_values(self.values, between)))
 
     def _first(self, unknown: Variable, stated: dict) -> float:
         """Scaled value of the first guess: the file's value, no play, no drift."""

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from asperity.errors import NoSolutionError
-from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.si_tables import AnyCase
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
@@ -17,6 +16,7 @@ from asperity.study.calibration.torque_history import History
 from asperity.study.calibration.unknowns import of_measurement
 from asperity.study.design.design_problem import Variable
 from asperity.units import format_quantity
+from asperity.windup.windup import StiffnessLevel
 
 #: Durbin–Watson statistic below which neighbouring residuals are clearly alike.
 CORRELATED = 1.5

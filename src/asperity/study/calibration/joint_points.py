@@ -11,13 +11,13 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.joint.planar.over_torque import BATCH, curve_program
-from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION
-from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.part_names import with_tracks
-from asperity.joint_file.planar_build import planar_joint_from_values
 from asperity.joint_file.si_tables import Values, replace_values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
+from asperity.windup.over_torque import BATCH, curve_program
+from asperity.windup.standing import LEVELS, NO_SLIP_FRICTION
+from asperity.windup.windup import StiffnessLevel
 
 #: What a curve shows of a joint.
 Shown = StiffnessLevel | Literal["drift"]
@@ -138,7 +138,7 @@ def _directional(
     tables = json.loads(structure)
 
     def found(rows: Array) -> tuple[dict[str, Array], dict[str, Array]]:
-        joint = planar_joint_from_values(with_numbers(tables, rows))
+        joint = joint_from_values(with_numbers(tables, rows))
         shown = curve_program(joint, torques, jnp.asarray(NO_SLIP_FRICTION))
         return {name: shown[name] for name in (*LEVELS, "drift")}, shown
 

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.results import RESULTS
 from asperity.joint.status import ALL_PLASTIC, UNBALANCED, has_value
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
+from asperity.results import RESULTS
 from asperity.study.batch import derivatives_at
 from asperity.study.design.design_evaluation import FARTHEST, DesignEvaluator, EvaluatedDesign
 from asperity.study.design.design_problem import SUMMARY, DesignProblem

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import Values, numeric_keys, si_values
+from asperity.results import RESULTS
 from asperity.study.batch import derivatives_at
 from asperity.study.design.design_problem import EXISTENCE, Constraint, DesignProblem, design_results
 from asperity.study.design.scenarios import Scenarios, scenarios

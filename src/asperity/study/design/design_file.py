@@ -9,8 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from asperity.errors import InputError, listed, quoted
-from asperity.joint.results import LEVELS, RESULTS, Result, known_result, name_at_level
-from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.any_joint import results_of, rows_of_file
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
@@ -18,6 +16,7 @@ from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import Values, key_at, numeric_keys, si_values
 from asperity.library import read_finishes
 from asperity.reading import read_toml
+from asperity.results import LEVELS, RESULTS, Result, known_result, name_at_level
 from asperity.study.design.design_problem import (
     EXISTENCE,
     Constraint,
@@ -29,6 +28,7 @@ from asperity.study.design.design_problem import (
 from asperity.study.design.rounding import MOST_STEPPED
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, parse_quantity
+from asperity.windup.windup import StiffnessLevel
 
 #: Numbers of a joint file that span decades; designs search and report them by their logarithm.
 _LOGARITHMIC = ("fractal_roughness", "preload", "stiffness")

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.results import Result
 from asperity.joint_file.si_tables import key_at
+from asperity.results import Result
 from asperity.show.style import mark_few_decades, plain_number
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
 from asperity.study.design.design_problem import Constraint, DesignProblem

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import key_at
+from asperity.results import RESULTS
 from asperity.show.style import mark_few_decades
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
 from asperity.study.design.design_result import DesignResult

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from asperity.joint.results import Result
-from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import AnyCase, si_values
+from asperity.results import Result
+from asperity.windup.windup import StiffnessLevel
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from asperity.joint.results import RESULTS
+from asperity.results import RESULTS
 from asperity.study.design.design_problem import DesignProblem
 from asperity.units import format_quantity
 

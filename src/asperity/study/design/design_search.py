@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import si_values
+from asperity.results import RESULTS
 from asperity.study.design.design_evaluation import DesignEvaluator
 from asperity.study.design.design_result import OPTIMAL
 

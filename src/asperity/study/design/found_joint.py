@@ -28,7 +28,7 @@ def found_diagnostics(joint_text: str) -> Diagnostics:
     Returns
     -------
     dict
-        ``diagnostics``, as in the document of :func:`asperity.joint.document.joint_document`; None where the joint
+        ``diagnostics``, as in the document of :func:`asperity.results.document.joint_document`; None where the joint
         has no result under that torque, with the reason in ``no_result_because``.
     """
     try:

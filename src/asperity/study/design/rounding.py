@@ -7,10 +7,10 @@ import math
 
 import numpy as np
 
-from asperity.joint.results import RESULTS
 from asperity.joint_file.part_names import type_of
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import key_at
+from asperity.results import RESULTS
 from asperity.study.design.design_evaluation import DesignEvaluator
 from asperity.study.design.design_problem import Variable
 from asperity.study.design.design_search import FEASIBLE, SearchProgress, local_optimum, violation_rank

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import InputError, quoted
-from asperity.joint.results import RESULTS, known_result
+from asperity.results import RESULTS, known_result
 from asperity.show.style import plain_number
 from asperity.study.datasets import result_words, row_dimensions
 from asperity.units import format_quantity, parse_quantity

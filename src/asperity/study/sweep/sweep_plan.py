@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from asperity.joint.results import Result, chosen_results
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import AnyCase, Values, si_values
+from asperity.results import Result, chosen_results
 from asperity.study.batch import evaluate_points
 from asperity.study.parameters import SweepAxis, check_axes
 
@@ -134,7 +134,7 @@ def make_plan(
     axes : sequence of Axis
         What is varied.
     results : sequence of str
-        Results or groups of them, :func:`asperity.joint.results.chosen_results`.
+        Results or groups of them, :func:`asperity.results.chosen_results`.
     block_points : int, optional
         Points of a block; :data:`BLOCK_POINTS`, fewer for many results, by default.
 

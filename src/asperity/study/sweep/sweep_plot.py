@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import key_at
+from asperity.results import RESULTS
 from asperity.show.style import mark_few_decades
 from asperity.study.datasets import result_words, row_dimensions, rows_of
 from asperity.study.parameters import long_name

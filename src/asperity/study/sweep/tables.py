@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.results import row_name
 from asperity.joint.status import STATUS_NAMES
+from asperity.results import row_name
 from asperity.study.datasets import require, rows_of
 from asperity.writing import check_folder, replacing
 

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from asperity.branches.branches import BranchedJoint
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.planar.branches import BranchedPlanarJoint
-from asperity.joint.planar.solve import solve_planar
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import deviations_of, joint_from_case, toleranced_tracks
 from asperity.joint_file.distribution import Distribution
-from asperity.joint_file.planar_build import deviations_of, planar_joint_from_case, toleranced_tracks
-from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import si_values
 from asperity.study.tolerances.uncertainty import quantiles, toleranced_inputs
 
@@ -80,7 +80,7 @@ class BranchScatter:
 
 
 def branch_scatter(
-    case: PlanarCase,
+    case: Case,
     *,
     distribution: Distribution | None,
     draws: int,
@@ -91,7 +91,7 @@ def branch_scatter(
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file, with ``load.interference`` and tolerances of its radii.
     distribution : Distribution or None
         For tolerances whose distribution the file does not state.
@@ -124,7 +124,7 @@ def branch_scatter(
             "sizes of branches make no preload that a spring holds: give load.interference in place of load.preload"
         )
     values = si_values(case)
-    joint = planar_joint_from_case(case)
+    joint = joint_from_case(case)
     count = round(float(joint.drive.sectors))
     tracks = toleranced_tracks(values, tuple(found))
     if not any(each.own for each in tracks):
@@ -135,8 +135,8 @@ def branch_scatter(
         entry, scatter = found[track.path]
         uniform = random.random((draws, count if track.own else 1))
         added += (quantiles(entry, scatter, uniform) - entry.value)[:, :, None] * track.per_size
-    solution = solve_planar(joint)
-    drive = BranchedPlanarJoint(joint, solution)
+    solution = solve_joint(joint)
+    drive = BranchedJoint(joint, solution)
     forward = float(joint.output_torque) >= 0.0
     capacity = solution.capacity if forward else solution.reverse_capacity
     return _scatter(
@@ -150,7 +150,7 @@ def branch_scatter(
 
 
 def _scatter(
-    drive: BranchedPlanarJoint,
+    drive: BranchedJoint,
     sizes: Callable[[int], Any],
     *,
     draws: int,
@@ -179,7 +179,7 @@ def _scatter(
     )
 
 
-def _one(drive: BranchedPlanarJoint, sizes: Any) -> tuple[float, ...]:
+def _one(drive: BranchedJoint, sizes: Any) -> tuple[float, ...]:
     try:
         found = drive.branches(sizes, slip=False)
     except NoSolutionError:

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from asperity.joint.results import Result
+from asperity.results import Result
 
 _LOW_IS_WORSE = ("capacity", "life", "assembly", "bearings")
 _HIGH_IS_WORSE = ("losses", "stresses")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint.results import display_unit
+from asperity.results import display_unit
 from asperity.study.tolerances.sensitivity import ranking
 from asperity.units import format_quantity, from_si
 

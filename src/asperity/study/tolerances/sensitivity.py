@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.document import stiffness_unknown_because
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint.results import LEVELS, Result, known_result, row_name
+from asperity.joint.solve import solve_joint
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.precision import require_double_precision
+from asperity.results import LEVELS, Result, known_result, row_name
+from asperity.results.document import stiffness_unknown_because
 from asperity.study.batch import derivatives_at
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
@@ -158,7 +158,7 @@ def refuse_failed(case: AnyCase, status: int) -> None:
     """
     if status == 0:
         return
-    result = solve_planar(planar_joint_from_case(case)).result  # says it with the numbers
+    result = solve_joint(joint_from_case(case)).result  # says it with the numbers
     reason = stiffness_unknown_because(result) or STATUS_MEANINGS[status]
     if status in (UNBALANCED, ALL_PLASTIC):
         raise NoSolutionError(reason)

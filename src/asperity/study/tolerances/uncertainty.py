@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.results import LEVELS, chosen_results
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.part_names import paths_of_track
 from asperity.joint_file.si_tables import AnyCase, NumericKey, numeric_keys, si_values
+from asperity.results import LEVELS, chosen_results
 from asperity.study.batch import evaluate_points
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name

@@ -1,0 +1,1 @@
+"""Joints whose branches differ in size."""

@@ -1,0 +1,412 @@
+r"""A planar roller drive as data: discs and rings, their contacts, and the supports of their centres.
+
+One sector of an n-fold symmetric drive is described. Bodies on the axis (sun, ring) touch n copies of the others; a
+contact between neighbouring sectors names the sector of its second body. Everything else follows from the centres:
+the directions of the contacts, the approaches and slips that displacements and rotations make, and by virtual work
+the balance of forces.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any, Literal, NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+from jax.typing import ArrayLike
+
+from asperity.arrays import namespace
+from asperity.drive.linear import least_squares, product
+from asperity.types import Real
+
+#: The member that carries the pins; it has no contacts of its own.
+CARRIER = "carrier"
+
+
+@dataclasses.dataclass(frozen=True)
+class Body:
+    """One disc or ring.
+
+    Parameters
+    ----------
+    name : str
+        Its name.
+    place : {"axis", "free", "pin", "held"}
+        ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the
+        carrier supports its centre along the push direction; it is free across; ``held``: on the axis as well, in a
+        drive whose sectors are not equal, so that its bearings hold it.
+    """
+
+    name: str
+    place: Literal["axis", "free", "pin", "held"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Contact:
+    """Where two bodies touch.
+
+    Parameters
+    ----------
+    name : str
+        Its name.
+    first, second : str
+        Names of the bodies; of an internal contact the first lies inside the second.
+    internal : bool
+        Whether the first body lies inside the second.
+    sector : int
+        Sector of the second body, counted counter-clockwise from that of the first.
+    tracks : tuple of str
+        Names of the tracks of the two bodies on which they roll; a stepped roller has several.
+    """
+
+    name: str
+    first: str
+    second: str
+    internal: bool = False
+    sector: int = 0
+    tracks: tuple[str, str] = ("", "")
+
+
+@dataclasses.dataclass(frozen=True)
+class Closure:
+    """What is assumed of a loaded drive in place of its compatibility, as published closures do; nothing by default.
+
+    Parameters
+    ----------
+    equal_coefficients : tuple of tuple of str, optional
+        Pairs of contacts that have the same traction coefficient T/N while the drive stands, instead of the slip that
+        their springs determine (A3); the equation of the second one's slip gives way.
+    constant_pins : tuple of str, optional
+        Bodies whose pin forces stay those without torque, because a soft spring moves their pins.
+    """
+
+    equal_coefficients: tuple[tuple[str, str], ...] = ()
+    constant_pins: tuple[str, ...] = ()
+
+
+class Incidence(eqx.Module):
+    r"""How displacements and rotations move the contacts; its transpose balances the forces.
+
+    Approach :math:`e = A u`, slip at rest :math:`s = S u + W \psi`, elongation of the pins :math:`P u`, where u holds
+    the displacements of the floating centres and psi the rotations of the members, the carrier's included.
+
+    Parameters
+    ----------
+    approach, sliding : Array
+        A and S, shape (contacts, 2 floating) [-].
+    turning : Array
+        W, surface speed of the first body minus that of the second, relative to the carrier, per angular velocity of
+        each member, shape (contacts, members) [m].
+    pins : Array
+        P, shape (pins, 2 floating) [-].
+    levers : Array
+        Lever of each pin's push about the axis, counter-clockwise positive, shape (pins,) [m].
+    """
+
+    approach: Array
+    sliding: Array
+    turning: Array
+    pins: Array
+    levers: Array
+
+
+class Drive(eqx.Module):
+    """A drive of discs and rings in one plane. SI units; arrays have the body or contact axis first.
+
+    Parameters
+    ----------
+    bodies : tuple of Body
+        Bodies of one sector.
+    contacts : tuple of Contact
+        Contacts of one sector.
+    centres : Array
+        Centres of the bodies, shape (bodies, 2) [m].
+    first_radius, second_radius : Array
+        Radii of the two tracks of each contact, shape (contacts,) [m]; a stepped roller has one for each track.
+    push_angles : Array
+        Direction of each pin's push from the clockwise tangent, outward, one for each body on a pin, shape (pins,)
+        [rad].
+    sectors : Real
+        Number of sectors of the drive, whole; formulas take it as continuous.
+    input, output, grounded : str
+        Names of members: bodies on the axis, or :data:`CARRIER`.
+    sense : int
+        Sense of rotation of the input, +1 counter-clockwise, −1 clockwise.
+    closure : Closure, optional
+        What is assumed in place of compatibility; nothing by default.
+    turning_alike : tuple of tuple of str, optional
+        Bodies that turn by one angle where springs act in series with the centres held, as equations (25) to (29) of
+        Zou et al. add both loading rollers of a planet; none by default.
+    motion : tuple or None, optional
+        What :func:`incidence`, :func:`speeds` and :func:`contact_angles` say; None where it is not known. It must not
+        be taken over to a drive of another layout.
+    """
+
+    bodies: tuple[Body, ...] = eqx.field(static=True)
+    contacts: tuple[Contact, ...] = eqx.field(static=True)
+    centres: Array
+    first_radius: Array
+    second_radius: Array
+    push_angles: Array
+    sectors: Real
+    input: str = eqx.field(static=True)
+    output: str = eqx.field(static=True)
+    grounded: str = eqx.field(static=True)
+    sense: int = eqx.field(static=True, default=1)
+    closure: Closure = eqx.field(static=True, default=Closure())
+    turning_alike: tuple[tuple[str, ...], ...] = eqx.field(static=True, default=())
+    motion: tuple[Incidence, Array, tuple[Array, Array]] | None = None
+
+    @property
+    def members(self) -> tuple[str, ...]:
+        """All rotating members: the bodies, then the carrier."""
+        return (*(body.name for body in self.bodies), CARRIER)
+
+    @property
+    def floating(self) -> tuple[int, ...]:
+        """Indices of the bodies whose centres can move."""
+        return tuple(i for i, body in enumerate(self.bodies) if body.place in ("free", "pin"))
+
+    @property
+    def pinned(self) -> tuple[int, ...]:
+        """Indices of the bodies on pins."""
+        return tuple(i for i, body in enumerate(self.bodies) if body.place == "pin")
+
+
+def sectors_of_members(drive: Drive) -> Array:
+    """In how many sectors the contacts of each member lie: all for those on the axis, one for the others.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Numbers, shape (members,) [-].
+
+    References
+    ----------
+    Elementary.
+    """
+    on_axis = jnp.array([*(body.place == "axis" for body in drive.bodies), True])
+    return jnp.where(on_axis, jnp.asarray(drive.sectors, dtype=float), 1.0)
+
+
+def sector_rotation(drive: Drive, sector: ArrayLike) -> Array:
+    r"""Rotation from the first sector of a drive to another.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    sector : array_like of int
+        Number of the other sector, counter-clockwise, any shape.
+
+    Returns
+    -------
+    Array
+        Matrix of :math:`2\pi k/n`, shape (..., 2, 2) [-].
+
+    References
+    ----------
+    Elementary.
+    """
+    xp = namespace(sector, drive.sectors)
+    angle = 2.0 * math.pi * xp.asarray(sector, dtype=float) / xp.asarray(drive.sectors, dtype=float)
+    cosine, sine = xp.cos(angle), xp.sin(angle)
+    matrix: Array = xp.stack([xp.stack([cosine, -sine], axis=-1), xp.stack([sine, cosine], axis=-1)], axis=-2)
+    return matrix
+
+
+class _Sides(NamedTuple):
+    """The bodies of each contact, constant for a layout."""
+
+    first: np.ndarray  # number of the first body, shape (contacts,)
+    second: np.ndarray
+    outward: Any  # array of -1 where the first body lies inside the second, else 1
+    sector: np.ndarray
+
+
+def _sides(drive: Drive) -> _Sides:
+    number = {name: i for i, name in enumerate(drive.members)}
+    return _Sides(
+        first=np.array([number[contact.first] for contact in drive.contacts]),
+        second=np.array([number[contact.second] for contact in drive.contacts]),
+        outward=np.array([-1.0 if contact.internal else 1.0 for contact in drive.contacts]),
+        sector=np.array([contact.sector for contact in drive.contacts]),
+    )
+
+
+def _between(drive: Drive) -> tuple[Array, Array]:
+    """Vector from the first to the second centre of each contact, and the rotation of the second one's sector."""
+    sides = _sides(drive)
+    copies = sector_rotation(drive, sides.sector)
+    return product(copies, drive.centres[sides.second]) - drive.centres[sides.first], copies
+
+
+def _normals(drive: Drive) -> tuple[Array, Array]:
+    """Direction from the first body to each contact, and the rotation of its second body's sector."""
+    between, copies = _between(drive)
+    return (_sides(drive).outward / _length(between))[:, None] * between, copies
+
+
+def _length(vectors: Array) -> Array:
+    found: Array = namespace(vectors).sqrt((vectors**2).sum(axis=1))
+    return found
+
+
+def contact_angles(drive: Drive) -> tuple[Array, Array]:
+    """Polar angles of the contacts about the centres of their bodies, each body in its own sector.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    tuple of Array
+        About the first and about the second body, counter-clockwise from the x axis, shape (contacts,) [rad].
+    """
+    if drive.motion is not None:
+        return drive.motion[2]
+    normals, copies = _normals(drive)
+    towards = -_sides(drive).outward[:, None] * product(copies.swapaxes(1, 2), normals)
+    xp = namespace(normals)
+    return xp.arctan2(normals[:, 1], normals[:, 0]), xp.arctan2(towards[:, 1], towards[:, 0])
+
+
+def incidence(drive: Drive) -> Incidence:
+    """Directions, levers and surface speeds of a drive.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Incidence
+        Its matrices.
+
+    References
+    ----------
+    Plane kinematics of rigid bodies; equation (M1) of :doc:`/equations`.
+    """
+    if drive.motion is not None:
+        return drive.motion[0]
+    if namespace(drive) is not np:
+        return _traced_incidence(drive)
+    with np.errstate(all="ignore"):  # of a layout that cannot exist they are nan, as with JAX
+        return _incidence(drive)
+
+
+def _incidence(drive: Drive) -> Incidence:
+    xp = namespace(drive)
+    sides, (normals, copies) = _sides(drive), _normals(drive)
+    tangents = xp.stack([-normals[:, 1], normals[:, 0]], axis=1)
+    moves = _movable(drive)
+    between = moves[sides.first] - (copies[..., None] * moves[sides.second][:, None]).sum(axis=2)
+    # speed of a member relative to the carrier
+    relative = np.eye(len(drive.members)) - np.eye(len(drive.members))[drive.members.index(CARRIER)]
+    turning = drive.first_radius[:, None] * relative[sides.first] + (
+        (sides.outward * drive.second_radius)[:, None] * relative[sides.second]
+    )
+    pinned = np.array(drive.pinned, dtype=int)
+    centres = drive.centres[pinned]
+    radial = centres / _length(centres)[:, None]
+    clockwise = xp.stack([radial[:, 1], -radial[:, 0]], axis=1)
+    angles = xp.asarray(drive.push_angles).reshape(-1, 1)
+    push = xp.cos(angles) * clockwise + xp.sin(angles) * radial
+    return Incidence(
+        approach=(normals[:, :, None] * between).sum(axis=1),
+        sliding=(tangents[:, :, None] * between).sum(axis=1),
+        turning=turning,
+        pins=(push[:, :, None] * moves[pinned]).sum(axis=1),
+        levers=centres[:, 0] * push[:, 1] - centres[:, 1] * push[:, 0],
+    )
+
+
+_traced_incidence = jax.jit(_incidence)  # traced once for each layout
+
+
+def _movable(drive: Drive) -> np.ndarray:
+    """Where the displacements of each body stand among those of the floating ones, shape (bodies, 2, 2 floating)."""
+    floats = np.eye(len(drive.bodies))[:, list(drive.floating)]
+    return np.einsum("bf,ij->bifj", floats, np.eye(2)).reshape(len(drive.bodies), 2, -1)
+
+
+def gaps(drive: Drive) -> Array:
+    """Clearance between the two bodies of each contact; 0 where they just touch, negative where they overlap.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Distances, shape (contacts,) [m].
+    """
+    between, _ = _between(drive)
+    return _sides(drive).outward * (_length(between) - drive.second_radius) - drive.first_radius
+
+
+def speeds(drive: Drive) -> Array:
+    r"""Angular velocities of all members without slip, per angular velocity of the input.
+
+    .. math:: W \omega = 0, \qquad \omega_{in} = \pm 1, \quad \omega_{grounded} = 0
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Speeds, shape (members,) [-].
+
+    References
+    ----------
+    Rolling without slip at every contact, relative to the carrier; equation (M2) of :doc:`/equations`.
+    """
+    if drive.motion is not None:
+        return drive.motion[1]
+    turning = incidence(drive).turning
+    members = drive.members
+    known = [members.index(drive.input), members.index(drive.grounded)]
+    free = [i for i in range(len(members)) if i not in known]
+    matrix, right = turning[:, np.array(free)], -drive.sense * turning[:, known[0]]
+    scale = abs(turning).max()
+    found = least_squares(matrix / scale, right / scale)
+    unit = np.eye(len(members))
+    speed: Array = drive.sense * unit[known[0]] + product(unit[free].T, found)
+    return speed
+
+
+def speed_ratio(drive: Drive) -> Real:
+    """Speed of the input over that of the output.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Real
+        Ratio [-]; negative where they rotate in opposite directions.
+
+    References
+    ----------
+    Equation (M2) of :doc:`/equations`.
+    """
+    return drive.sense / speeds(drive)[drive.members.index(drive.output)]

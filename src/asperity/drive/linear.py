@@ -1,0 +1,167 @@
+"""Small systems of linear equations by elimination, and batches of them by LAPACK where that is safe.
+
+XLA runs LAPACK on a batch in threads of its own and waits for them in one of them. On a machine with two cores two such
+calls that run at once wait for each other for ever (jaxlib 0.10). Only calls that cannot run at once use LAPACK: the
+steps of Newton's method, which follow each other, and the least squares of
+:func:`asperity.drive.layout.closing.closed`, a program of its own that ends before any other begins.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+from jax.typing import ArrayLike
+
+from asperity.arrays import namespace
+
+
+def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
+    """Product of a small matrix and a vector, as a part of the program around it instead of a call of its own.
+
+    Parameters
+    ----------
+    matrix : array_like
+        Shape (..., m, n).
+    vector : array_like
+        Shape (..., n).
+
+    Returns
+    -------
+    Array
+        Shape (..., m).
+    """
+    xp = namespace(matrix, vector)
+    found: Array = (xp.asarray(matrix) * xp.asarray(vector)[..., None, :]).sum(axis=-1)
+    return found
+
+
+@jax.jit  # traced once for each size
+def solve(matrix: Array, right_side: Array) -> Array:
+    r"""Solve :math:`A x = b` by Gauss-Jordan elimination with partial pivoting.
+
+    Parameters
+    ----------
+    matrix : Array
+        A, shape (n, n).
+    right_side : Array
+        b, shape (n,).
+
+    Returns
+    -------
+    Array
+        x, shape (n,); not finite where A is singular.
+
+    Notes
+    -----
+    Derivatives are those of the equation, not of the elimination.
+    """
+    return solve_with(lambda x: product(matrix, x), jax.lax.stop_gradient(matrix), right_side)
+
+
+def solve_with(linear: Callable[[Array], Array], matrix: Array, right_side: Array) -> Array:
+    r"""Solve :math:`A x = b` with the derivatives of a linear function.
+
+    Parameters
+    ----------
+    linear : callable
+        From x to A x; what is differentiated.
+    matrix : Array
+        A as fixed numbers, shape (n, n).
+    right_side : Array
+        b, shape (n,).
+
+    Returns
+    -------
+    Array
+        x, shape (n,); not finite where A is singular.
+    """
+    return jax.lax.custom_linear_solve(
+        linear,
+        right_side,
+        solve=lambda _, vector: _eliminated(matrix, vector),
+        transpose_solve=lambda _, vector: _eliminated(matrix.T, vector),
+    )
+
+
+@jax.custom_batching.custom_vmap
+def solve_in_turn(matrix: Array, right_side: Array) -> Array:
+    r"""Solve :math:`A x = b` in a step of an iteration: one system by elimination, a batch of them by LAPACK.
+
+    Parameters
+    ----------
+    matrix : Array
+        A, shape (n, n).
+    right_side : Array
+        b, shape (n,).
+
+    Returns
+    -------
+    Array
+        x, shape (n,); not finite where A is singular.
+
+    Notes
+    -----
+    Without derivatives; no two calls may run at once. LAPACK makes batches of multirollers 20 % faster. One system is
+    not worth the import of SciPy (0.1 s), from which JAX takes it.
+    """
+    return _eliminated(matrix, right_side)
+
+
+@solve_in_turn.def_vmap
+def _batch_in_turn(size: int, batched: list[bool], matrix: Array, right_side: Array) -> tuple[Array, bool]:
+    matrix, right_side = (
+        given if many else jnp.broadcast_to(given, (size, *given.shape))
+        for given, many in zip((matrix, right_side), batched, strict=True)
+    )
+    return jnp.linalg.solve(matrix, right_side[..., None])[..., 0], True
+
+
+def least_squares(matrix: Array, right_side: Array) -> Array:
+    r"""The x that makes :math:`|A x - b|` smallest, by the normal equations, refined once.
+
+    Parameters
+    ----------
+    matrix : Array
+        A, shape (m, n), of rank n.
+    right_side : Array
+        b, shape (m,).
+
+    Returns
+    -------
+    Array
+        x, shape (n,); where A has a smaller rank not finite, or with NumPy's numbers the shortest of all.
+    """
+    if namespace(matrix, right_side) is np:
+        shortest: Array = namespace(matrix).linalg.lstsq(matrix, right_side, rcond=None)[0]
+        return shortest
+    return _by_normal_equations(matrix, right_side)
+
+
+@jax.jit
+def _by_normal_equations(matrix: Array, right_side: Array) -> Array:
+    square = jnp.sum(matrix[:, :, None] * matrix[:, None, :], axis=0)
+    found = solve(square, product(matrix.T, right_side))
+    return found + solve(square, product(matrix.T, right_side - product(matrix, found)))
+
+
+@jax.jit
+def _eliminated(matrix: Array, vector: Array) -> Array:
+    rows = jnp.arange(matrix.shape[0])
+
+    def without_column(k: Array, state: tuple[Array, Array]) -> tuple[Array, Array]:
+        table, place = state
+        pivot = jnp.argmax(
+            jnp.where(place < 0, jnp.abs(table[:, k]), -1.0)
+        )  # among the rows without an unknown
+        row = table[pivot] / table[pivot, k]
+        here = rows == pivot
+        table = jnp.where(here[:, None], row, table - table[:, k, None] * row)
+        return table, jnp.where(here, k, place)
+
+    start = jnp.column_stack([matrix, vector]), jnp.full_like(rows, -1)
+    table, place = jax.lax.fori_loop(0, rows.size, without_column, start)
+    return jnp.where(place == rows[:, None], table[:, -1], 0.0).sum(axis=1)

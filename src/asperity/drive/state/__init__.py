@@ -1,0 +1,1 @@
+"""Forces, displacements and speeds of a drive: assembled, standing, rolling."""

@@ -1,0 +1,462 @@
+"""The equations of a planar drive in any of its states."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
+from asperity.drive.linear import product
+from asperity.drive.mechanism import leading_sense
+from asperity.drive.state.bearings import friction_moments
+from asperity.drive.state.creep import creepages
+from asperity.drive.state.loads import member_moments
+from asperity.drive.state.state import (
+    ContactLaws,
+    DriveLoad,
+    contact_approach,
+    slip_at_rest,
+    surface_speeds,
+)
+from asperity.drive.state.supports import Supports, with_supports
+
+#: Kinds of states: assembled without torque, standing under one, rolling under one.
+ASSEMBLED, STANDING, ROLLING = 0, 1, 2
+
+
+class Unknowns(NamedTuple):
+    """Unknowns of a state, each over its scale.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Forces of the contacts over the reference, and over the friction limit at it [-].
+    pin : Array
+        Forces of the pins, then of the supports on the carrier, over the largest reference [-].
+    displacement : Array
+        Displacements of the floating centres over the approach at the reference [-].
+    turn : Array
+        Added to the speeds, or rotation times lever over the approach [-].
+    interference : Array
+        Interference of the drive over the approach at the reference [-].
+    """
+
+    normal: Array
+    tangential: Array
+    pin: Array
+    displacement: Array
+    turn: Array
+    interference: Array
+
+
+class Machine(NamedTuple):
+    """What is the same in all states of a drive.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    matrices : Incidence
+        How displacements and rotations move the contacts, the pins, and after these the supports on the carrier.
+    ideal : Array
+        Speeds without slip, shape (members,) [-].
+    pattern : Array
+        Interference of each contact over that of the drive, shape (contacts,) [-].
+    friction : Array
+        Friction coefficients, shape (contacts,) [-].
+    length, largest, lever : Array
+        Scales: approach [m], force [N] and lever [m].
+    added : Array or None, optional
+        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
+    """
+
+    drive: Drive
+    laws: ContactLaws
+    matrices: Incidence
+    ideal: Array
+    pattern: Array
+    friction: Array
+    length: Array
+    largest: Array
+    lever: Array
+    added: Array | None = None
+
+
+class Task(NamedTuple):
+    """One state to be found.
+
+    Parameters
+    ----------
+    kind : Array
+        :data:`ASSEMBLED`, :data:`STANDING` or :data:`ROLLING` [-].
+    size : Array
+        Preload [N], or interference of the drive [m].
+    load : DriveLoad
+        Torque, forces on the bodies, pins.
+    origin : Array
+        Displacements of the assembled drive, from which slip is counted, shape (2 floating,) [m].
+    pin_at_rest : Array
+        Forces of the pins of the assembled drive, shape (pins,) [N].
+    """
+
+    kind: Any
+    size: Array
+    load: DriveLoad
+    origin: Array
+    pin_at_rest: Array
+
+
+def machine_of(
+    drive: Drive,
+    laws: ContactLaws,
+    pattern: Array,
+    added: Array | None = None,
+    supports: Supports | None = None,
+) -> Machine:
+    """What all states of a drive have in common.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    pattern : Array
+        Interference of each contact over that of the drive, shape (contacts,) [-].
+    added : Array or None, optional
+        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
+    supports : Supports or None, optional
+        Those of the load; None for none.
+
+    Returns
+    -------
+    Machine
+        With its scales.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    reference = laws.reference_force
+    # the derivative of a largest number is 0/0 where XLA rounds it differently a second time, and scales need none
+    scales = laws.springs.secant_compliance * reference, reference, drive.second_radius
+    length, largest, lever = (jax.lax.stop_gradient(jnp.max(each)) for each in scales)
+    return Machine(
+        drive=drive,
+        laws=laws,
+        matrices=with_supports(incidence(drive), supports),
+        ideal=speeds(drive),
+        pattern=pattern,
+        friction=jnp.broadcast_to(laws.creep.friction_coefficient, reference.shape),
+        length=length,
+        largest=largest,
+        lever=lever,
+        added=added,
+    )
+
+
+def turning_members(drive: Drive) -> list[int]:
+    """Members whose rotation is unknown.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    list of int
+        Their numbers: all but the input and the grounded member.
+    """
+    return [i for i, name in enumerate(drive.members) if name not in (drive.input, drive.grounded)]
+
+
+def speeds_and_turns(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, Array]:
+    """Speeds and rotations of all members.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    x : Unknowns
+        The unknowns.
+    kind : Array
+        Kind of the state.
+
+    Returns
+    -------
+    tuple of Array
+        Speeds over that of the input [-], rotations [rad], shape (members,).
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    turning = np.eye(len(machine.drive.members))[turning_members(machine.drive)]
+    rolls = jnp.where(jnp.asarray(kind) == ROLLING, 1.0, 0.0)
+    turn = product(turning.T, x.turn)
+    return machine.ideal + rolls * turn, (1.0 - rolls) * turn * machine.length / machine.lever
+
+
+def contact_forces(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
+    """Forces of the contacts.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    x : Unknowns
+        The unknowns.
+
+    Returns
+    -------
+    tuple of Array
+        Normal and tangential forces, shape (contacts,) [N].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    reference = machine.laws.reference_force
+    return x.normal * reference, x.tangential * machine.friction * reference
+
+
+def contact_interference(machine: Machine, x: Unknowns) -> Array:
+    """Interference of the contacts.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    x : Unknowns
+        The unknowns.
+
+    Returns
+    -------
+    Array
+        Interference, shape (contacts,) [m].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    own = machine.pattern * x.interference * machine.length
+    return own if machine.added is None else own + machine.added
+
+
+def forces_on(drive: Drive, load: DriveLoad) -> Array:
+    """Forces on the floating bodies.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    load : DriveLoad
+        The load.
+
+    Returns
+    -------
+    Array
+        Forces, shape (floating, 2) [N].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    return jnp.zeros((len(drive.floating), 2)) if load.body_force is None else load.body_force
+
+
+def no_displacement(drive: Drive) -> Array:
+    """Displacements of a drive that has not moved.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Zeros, shape (2 floating,) [m].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    return jnp.zeros(2 * len(drive.floating))
+
+
+def no_force(drive: Drive) -> Array:
+    """Forces of the pins of a drive that is not pressed, shape (pins,) [N]."""
+    return jnp.zeros(len(drive.pinned))
+
+
+class Misfits(NamedTuple):
+    """Residuals of a state, each relative to its scale.
+
+    Parameters
+    ----------
+    all : Unknowns
+        Of all equations [-].
+    held : Array
+        By how much the slip or the creep of each contact under its forces exceeds that of its bodies, shape (contacts,)
+        [-]; an equation where the contact does not slide.
+    """
+
+    all: Unknowns
+    held: Array
+
+
+@functools.partial(jax.jit, static_argnames="by_force")  # traced once for all kinds of states
+def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns) -> Misfits:
+    """All equations of a state.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    by_force : bool
+        Whether an assembled state has a given preload instead of a given interference.
+    slides : Array
+        Signs of the contacts that slide as a whole, shape (contacts,) [-].
+    x : Unknowns
+        The unknowns.
+
+    Returns
+    -------
+    Misfits
+        0 in a state.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    drive, laws, matrices = machine.drive, machine.laws, machine.matrices
+    length, largest, lever = machine.length, machine.largest, machine.lever
+    normal, tangential = contact_forces(machine, x)
+    pin, moved = x.pin * largest, x.displacement * length
+    speed, turned = speeds_and_turns(machine, x, task.kind)
+    kind = jnp.asarray(task.kind)
+
+    approach = contact_approach(laws=laws, normal=normal)
+    misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
+    creep = creepages(law=laws.creep, normal=normal, tangential=tangential)
+    backwards = jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
+    rolling = backwards * creep * _rolled(drive, speed) - product(matrices.turning, speed)
+    slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
+    standing = slip - product(matrices.sliding, moved - task.origin) - product(matrices.turning, turned)
+    force = (
+        product(matrices.approach.T, normal)
+        + product(matrices.sliding.T, tangential)
+        + product(matrices.pins.T, pin)
+    )
+    if task.load.support_stiffness is not None:
+        force = force + jnp.repeat(task.load.support_stiffness, 2) * moved
+    moments = moments_of(machine, task, tangential, pin)
+    out = drive.members.index(drive.output)
+    resists = np.eye(len(drive.members))[out]
+    moments = moments - resists * jnp.sign(machine.ideal[out]) * task.load.output_torque
+    moments = moments[np.array(turning_members(drive), dtype=int)] / (lever * largest)
+    size = (x.interference * length - task.size) / length
+    if by_force:
+        size = jnp.where(kind == ASSEMBLED, (normal[:1] - task.size) / largest, size)
+    held = jnp.where(
+        kind == ROLLING,
+        rolling / lever * 1e3,
+        jnp.where(kind == STANDING, _with_equal_coefficients(machine, x, standing / length), x.tangential),
+    )
+    equations = Unknowns(
+        misfit / length,
+        jnp.where(slides == 0.0, held, x.tangential - slides * x.normal),
+        _of_pins(machine, task, pin, moved),
+        (force - forces_on(drive, task.load).ravel()) / largest,
+        jnp.where(kind == ASSEMBLED, x.turn, moments),
+        size,
+    )
+    return Misfits(equations, held)
+
+
+def numbers_of_pairs(drive: Drive) -> np.ndarray:
+    """Numbers of the contacts with equal traction coefficients, shape (pairs, 2)."""
+    names = [contact.name for contact in drive.contacts]
+    pairs = [[names.index(name) for name in pair] for pair in drive.closure.equal_coefficients]
+    return np.array(pairs, dtype=int).reshape(-1, 2)
+
+
+def _with_equal_coefficients(machine: Machine, x: Unknowns, slip: Array) -> Array:
+    """Misfits of the slip; of the second contact of each pair by how much T/N differs from that of the first."""
+    first, second = numbers_of_pairs(machine.drive).T
+    traction = machine.friction * x.tangential
+    differs = (traction[second] * x.normal[first] - traction[first] * x.normal[second]) / machine.friction[
+        second
+    ]
+    return slip.at[second].set(differs)
+
+
+def _of_pins(machine: Machine, task: Task, pin: Array, moved: Array) -> Array:
+    """Misfits of the pins: their springs, or their forces without torque where those stay; then of the supports."""
+    drive, matrices, supports = machine.drive, machine.matrices, task.load.supports
+    count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
+    springs = product(matrices.pins[:count], moved) - task.load.pin_compliance * pin[:count]
+    kept = np.array(
+        [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
+    )
+    constant = (pin[:count] - task.pin_at_rest) / machine.largest
+    own = jnp.where(loaded & kept, constant, springs / machine.length)
+    if supports is None:
+        return own
+    beside = product(supports.direction, moved - task.origin) - supports.compliance * pin[count:]
+    return jnp.concatenate([own, jnp.where(loaded, beside / machine.length, pin[count:] / machine.largest)])
+
+
+def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:
+    """Moments of contacts, pins and bearings on the members.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    tangential, pin : Array
+        Tangential forces of the contacts, shape (contacts,), and forces of the pins, shape (pins,) [N].
+
+    Returns
+    -------
+    Array
+        Counter-clockwise, shape (members,) [N·m].
+
+    References
+    ----------
+    Equation (M1) of :doc:`/equations`; :mod:`asperity.drive.state.bearings`.
+    """
+    moments = member_moments(machine.drive, machine.matrices, tangential, pin)
+    load, kind = task.load, jnp.asarray(task.kind)
+    if load.bearings is None:
+        return moments
+    sense = leading_sense(
+        rotation=jnp.where(kind == ROLLING, load.rotation, load.standing_rotation),
+        output_torque=load.output_torque,
+    )
+    return moments + jnp.where(kind == ASSEMBLED, 0.0, 1.0) * friction_moments(
+        drive=machine.drive,
+        bearings=load.bearings,
+        pin_force=pin,
+        ideal=sense * machine.ideal,
+        on_carrier=load.friction_on_carrier,
+    )
+
+
+def _rolled(drive: Drive, speed: Array) -> Array:
+    """Rolling speed of each contact relative to the carrier, the mean of its surface speeds [m]."""
+    one, two = surface_speeds(drive=drive, speed=speed)
+    return 0.5 * (one + two)

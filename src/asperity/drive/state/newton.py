@@ -1,0 +1,101 @@
+"""Newton's method for equations whose first unknowns are positive."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import jax
+import jax.flatten_util
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.linear import solve_with
+from asperity.implicit import implicit_root
+from asperity.types import Real
+
+_NEWTON_BUDGET = 60
+_SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
+
+
+def newton(
+    step_at: Callable[[Any], Any], first: Any, *, positive: int, longest: Real = math.inf
+) -> tuple[Any, Array]:
+    r"""Root of as many equations as unknowns, without derivatives.
+
+    .. math:: x \leftarrow x - \alpha\, J^{-1} r(x)
+
+    Parameters
+    ----------
+    step_at : callable
+        From a module of unknowns, each of order 1, to the step :math:`J^{-1} r(x)`, of the same structure.
+    first : module of Array
+        Where the search starts.
+    positive : int
+        How many of the first unknowns must stay positive: a step is shortened (alpha < 1) so that they keep a fifth.
+    longest : Real, optional
+        Change of an unknown in one step, not shortened, beyond which the search is given up [-].
+
+    Returns
+    -------
+    module of Array
+        The last iterate; its residual is for the caller to check.
+    Array
+        Largest change of an unknown in the last step, not shortened [-]: large, or nan, where the unknowns are not
+        determined.
+
+    References
+    ----------
+    Newton's method.
+    """
+    start, shape = jax.flatten_util.ravel_pytree(first)
+
+    def unfinished(state: tuple[Array, Array, Array]) -> Array:
+        _, size, steps = state
+        return (size > 1e-13) & (size < longest) & (steps < _NEWTON_BUDGET)
+
+    def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
+        x, _, steps = state
+        step, _ = jax.flatten_util.ravel_pytree(step_at(shape(x)))
+        normal, falling = x[:positive], step[:positive]
+        room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
+        share = jnp.minimum(1.0, jnp.min(room))
+        return x - share * step, jnp.max(jnp.abs(step)), steps + 1
+
+    x, size, _ = jax.lax.while_loop(unfinished, improve, (start, jnp.asarray(1.0), jnp.asarray(0)))
+    return shape(x), size
+
+
+def known_root(equations: Callable[[Any], Any], slopes_at: Callable[[Any], Array], found: Any) -> Any:
+    """A root that is known already, with its derivatives.
+
+    Parameters
+    ----------
+    equations : callable
+        From a module of unknowns to one of residuals of the same structure, both of order 1.
+    slopes_at : callable
+        From unknowns to the slopes of the residuals by them, shape (unknowns, unknowns).
+    found : module of Array
+        The root.
+
+    Returns
+    -------
+    module of Array
+        The same numbers, with the derivatives of a root.
+
+    References
+    ----------
+    The implicit function theorem, :func:`asperity.implicit.implicit_root`.
+    """
+    flat, shape = jax.flatten_util.ravel_pytree(found)
+
+    def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
+        return solve_with(linear, jax.lax.stop_gradient(slopes_at(found)), right_side)
+
+    return shape(implicit_root(_flat(equations, shape), flat, lambda _, x: x, tangent_solve))
+
+
+def _flat(equations: Callable[[Any], Any], shape: Callable[[Array], Any]) -> Callable[[Array], Array]:
+    # traced once for the value and its slopes
+    return jax.jit(lambda x: jax.flatten_util.ravel_pytree(equations(shape(x)))[0])

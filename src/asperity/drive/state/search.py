@@ -1,0 +1,277 @@
+"""States of planar drives by Newton's method, and which of their contacts slide as a whole."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.drive.state.creep import creepages
+from asperity.drive.state.equations import (
+    ROLLING,
+    STANDING,
+    Machine,
+    Misfits,
+    Task,
+    Unknowns,
+    contact_forces,
+    contact_interference,
+    moments_of,
+    no_displacement,
+    numbers_of_pairs,
+    speeds_and_turns,
+    state_misfits,
+    turning_members,
+)
+from asperity.drive.state.newton import known_root, newton
+from asperity.drive.state.slopes import newton_step, state_slopes, whole_matrix
+from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, DriveState
+
+# a state in which contacts slide: more than this, or a longer last step of Newton's method, is that of a mechanism
+_BALANCED, _DETERMINED = 1e-11, 1e-6
+_LOST = 1e4  # a step this long from one balance towards another is that of a mechanism
+
+
+def assembled_guess(machine: Machine) -> Unknowns:
+    """An assembled drive with the reference forces, from which its state is sought.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+
+    Returns
+    -------
+    Unknowns
+        Without displacement.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    drive, reference = machine.drive, machine.laws.reference_force
+    return Unknowns(
+        jnp.ones_like(reference),
+        jnp.zeros_like(reference),
+        jnp.zeros(machine.matrices.levers.size),
+        no_displacement(drive),
+        jnp.zeros(len(turning_members(drive))),
+        jnp.ones(1),
+    )
+
+
+def started_from(machine: Machine, state: DriveState, size: Array) -> Unknowns:
+    """Unknowns at a known state.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    state : DriveState
+        The state.
+    size : Array
+        Interference of the drive [m].
+
+    Returns
+    -------
+    Unknowns
+        From which another state is sought.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    reference = machine.laws.reference_force
+    return Unknowns(
+        state.normal / reference,
+        state.tangential / (machine.friction * reference),
+        jnp.pad(state.pin_force / machine.largest, (0, machine.matrices.levers.size - state.pin_force.size)),
+        state.displacement.ravel() / machine.length,
+        (state.speed - machine.ideal)[jnp.array(turning_members(machine.drive))],
+        (size / machine.length)[None],
+    )
+
+
+class _Search(NamedTuple):
+    """The last balance, the contacts that slide in it and what they hold; those that slide in the next trial."""
+
+    found: Unknowns
+    slides: Array
+    held: Array
+    trial: Array
+    going: Array
+    steps: Array
+
+
+def solved(
+    machine: Machine, task: Task, start: Unknowns, *, slides: Array | None = None, by_force: bool
+) -> tuple[Unknowns, Array]:
+    """Unknowns of a state, and which contacts slide.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    start : Unknowns
+        Where the search starts.
+    slides : Array or None, optional
+        Signs of the contacts that slide there, shape (contacts,) [-]; None for none.
+    by_force : bool
+        Whether an assembled state has a given preload instead of a given interference.
+
+    Returns
+    -------
+    Unknowns
+        Root of all equations.
+    Array
+        Signs of the contacts that slide as a whole, of :class:`asperity.drive.state.state.DriveState`.
+
+    Notes
+    -----
+    In a standing drive a contact that would bear more than its friction slides: its tangential force follows its normal
+    force, and its slip is free. One contact after the other, the one most beyond its friction first; one whose slip
+    falls back holds again. Where no balance is left, the last contact holds on the line that continues its law, beyond
+    its friction. In rolling none slides: steady rolling ends at the first gross slip.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    fixed_machine, fixed_task, first = jax.lax.stop_gradient((machine, task, start))
+    stands = jnp.asarray(task.kind) == STANDING
+    paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
+
+    def unfinished(state: _Search) -> Array:
+        return state.going
+
+    def improve(state: _Search) -> _Search:
+        def misfits(x: Unknowns) -> Misfits:
+            return state_misfits(fixed_machine, fixed_task, by_force, state.trial, x)
+
+        longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
+
+        def step_at(x: Unknowns) -> Unknowns:
+            slopes = state_slopes(fixed_machine, fixed_task, by_force, state.trial, x)
+            return newton_step(slopes, misfits(x).all)
+
+        tried, last = newton(step_at, state.found, positive=first.normal.size, longest=longest)
+        found_there = misfits(tried)
+        balanced = (_worst(found_there.all) < _BALANCED) & (last < _DETERMINED)
+        kept = balanced | (state.steps == 0)
+        found, slides, held = jax.tree.map(
+            lambda new, old: jnp.where(kept, new, old),
+            (tried, state.trial, found_there.held),
+            (state.found, state.slides, state.held),
+        )
+        trial = _next_slides(found, slides, held, paired)
+        going = balanced & stands & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
+        return _Search(found, slides, held, trial, going, state.steps + 1)
+
+    begin = jnp.zeros_like(first.normal) if slides is None else jax.lax.stop_gradient(slides)
+    start_of = _Search(first, begin, begin, begin, jnp.asarray(True), jnp.asarray(0))
+    end = jax.lax.while_loop(unfinished, improve, start_of)
+    found = known_state(machine, task, end.found, end.slides, by_force=by_force)
+    return found, end.slides
+
+
+def known_state(machine: Machine, task: Task, found: Unknowns, slides: Array, *, by_force: bool) -> Unknowns:
+    """Unknowns of a state that are known already, with the derivatives of a root.
+
+    Parameters
+    ----------
+    machine, task, slides, by_force
+        As of :func:`solved`.
+    found : Unknowns
+        Its unknowns.
+
+    Returns
+    -------
+    Unknowns
+        The same numbers.
+
+    References
+    ----------
+    The implicit function theorem.
+    """
+
+    def equations(x: Unknowns) -> Unknowns:
+        return state_misfits(machine, task, by_force, slides, x).all
+
+    def slopes_at(x: Unknowns) -> Array:
+        return whole_matrix(state_slopes(machine, task, by_force, slides, x), x)
+
+    return known_root(equations, slopes_at, found)
+
+
+def _next_slides(x: Unknowns, slides: Array, held: Array, paired: np.ndarray) -> Array:
+    """Contacts that slide in the next trial: one that has fallen back holds, or else one beyond its friction slides.
+
+    Contacts of equal coefficients do not slide one by one.
+    """
+    back = slides * held  # positive where the slip is less than that at which the contact begins to slide
+    over = jnp.where((slides == 0.0) & ~paired, jnp.abs(x.tangential) - x.normal, 0.0) / x.normal
+    returns = jnp.max(back) > STATE_TOLERANCE
+    place = jnp.where(returns, jnp.argmax(back), jnp.argmax(over))
+    sign = jnp.where(returns, 0.0, jnp.sign(x.tangential[place]))
+    changes = (returns | (jnp.max(over) > SLIP_TOLERANCE)) & (jnp.arange(slides.size) == place)
+    return jnp.where(changes, sign, slides)
+
+
+def _worst(residuals: Unknowns) -> Array:
+    return jnp.max(jnp.abs(jnp.concatenate(list(residuals))))
+
+
+def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> DriveState:
+    """A state from its unknowns.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    x : Unknowns
+        The unknowns.
+    slides : Array
+        Signs of the contacts that slide as a whole, shape (contacts,) [-].
+
+    Returns
+    -------
+    DriveState
+        With its residual.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    drive, laws = machine.drive, machine.laws
+    normal, tangential = contact_forces(machine, x)
+    pin = x.pin * machine.largest
+    speed, turned = speeds_and_turns(machine, x, task.kind)
+    rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
+    misfits = state_misfits(machine, task, False, slides, x)
+    within = jnp.abs(tangential) <= machine.friction * normal * (1.0 + SLIP_TOLERANCE)
+    carried = jnp.all((normal > 0.0) & within)
+    worst = _worst(misfits.all._replace(interference=jnp.zeros(1)))
+    worst = jnp.maximum(worst, jnp.max(slides * misfits.held))  # what slides less than its law must hold
+    out, entry = drive.members.index(drive.output), drive.members.index(drive.input)
+    return DriveState(
+        normal=normal,
+        tangential=tangential,
+        pin_force=pin[: len(drive.pinned)],
+        displacement=(x.displacement * machine.length).reshape(-1, 2),
+        rotation=turned,
+        speed=speed,
+        creepage=rolls * creepages(law=laws.creep, normal=normal, tangential=tangential),
+        interference=contact_interference(machine, x),
+        input_torque=-drive.sense * moments_of(machine, task, tangential, pin)[entry],
+        speed_loss=1.0 - speed[out] / machine.ideal[out],
+        worst=worst,
+        slides=slides,
+        carried=carried,
+    )

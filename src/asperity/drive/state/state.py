@@ -1,0 +1,275 @@
+"""What a planar drive is given and what it does: laws of its contacts, loads, and its state. SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.body.rim_moments import RimKernel
+from asperity.contact.crowned_shear import crown_slip
+from asperity.drive.layout.drive import CARRIER, Drive
+from asperity.drive.linear import product
+from asperity.drive.mechanism import Bearings, NormalSprings, whole_approach
+from asperity.drive.state.creep import CreepLaw
+from asperity.drive.state.supports import Supports
+from asperity.types import Real
+
+#: Largest relative residual of a state that is accepted as solved.
+STATE_TOLERANCE = 1e-9
+
+#: How far beyond its friction a contact is still said to hold, relative to it: in series with one that slides it bears
+#: just its friction.
+SLIP_TOLERANCE = 1e-11
+
+#: Creep law of contacts from their normal and tangential forces of the standing drive.
+CreepOf = Callable[[Array, Array], CreepLaw]
+
+_NEAR_SLIP = 0.999  # the slip of a standing contact is continued as a line above this share of friction
+
+
+class ContactLaws(eqx.Module):
+    r"""Response of the contacts of a drive to approach, slip and creep. SI units, shape (contacts,).
+
+    Parameters
+    ----------
+    springs : NormalSprings
+        Secant and incremental compliance of the bodies at the reference forces [m/N].
+    reference_force : Array
+        Normal forces at which the springs are given [N].
+    creep : CreepLaw
+        Carter's creep.
+    asperity_compliance : Array or None, optional
+        Tangential compliance of the asperities without traction [m/N]; None for smooth bodies.
+    coupling : Array or None, optional
+        Approach of one contact under the normal force of another, shape (contacts, contacts) with 0 on the diagonal
+        [m/N]; None where every contact deforms under its own force only.
+    lateral_strain_compliance : Array or None, optional
+        :math:`\sum \nu (1 + \nu)/E` of both bodies [1/Pa]; needed where the springs have crowns.
+    rims : RimKernel or None, optional
+        What the bodies have contributed to the springs at every load; None where it is not known.
+    linear_compliance : Array or None, optional
+        Approach in proportion to the normal force, besides that of the springs [m/N]; None for none.
+    closure : ContactLaws or None, optional
+        What takes the place of these laws under load, around the assembled state and with rigid pins; None where they
+        hold there too.
+    """
+
+    springs: NormalSprings
+    reference_force: Array
+    creep: CreepLaw
+    asperity_compliance: Array | None = None
+    coupling: Array | None = None
+    lateral_strain_compliance: Array | None = None
+    rims: RimKernel | None = None
+    linear_compliance: Array | None = None
+    closure: ContactLaws | None = None
+
+
+class DriveLoad(eqx.Module):
+    """What acts on a drive besides its preload, and the springs of its pins. SI units.
+
+    Parameters
+    ----------
+    output_torque : Real
+        Torque at the output against its rotation [N·m].
+    body_force : Array or None, optional
+        Forces on the floating bodies, shape (floating, 2) [N]; None for none.
+    pin_compliance : Real, optional
+        Of each pin along its push [m/N].
+    bearings : Bearings or None, optional
+        Friction of the bearings, as in :mod:`asperity.drive.state.bearings`; None for none.
+    support_stiffness : Array or None, optional
+        Radial stiffness of the bearings of each floating body, shape (floating,) [N/m]; None for none.
+    rotation, standing_rotation : Real, optional
+        Sense in which the drive rolls, and in which it turns before or after it stands: of any size, 0 for that of its
+        torque [-].
+    supports : Supports or None, optional
+        Springs between floating centres and the carrier, relaxed in the assembled drive; None for none.
+    friction_on_carrier : bool, optional
+        Whether the friction of the rollers' bearings acts on the carrier too; equation (5) of Zou et al. 2025 leaves it
+        out.
+    """
+
+    output_torque: Real
+    body_force: Array | None = None
+    pin_compliance: Real = 0.0
+    bearings: Bearings | None = None
+    support_stiffness: Array | None = None
+    rotation: Real = 1.0
+    standing_rotation: Real = 1.0
+    supports: Supports | None = None
+    friction_on_carrier: bool = eqx.field(static=True, default=True)
+
+
+class DriveState(eqx.Module):
+    """A balanced state of a drive. SI units.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Forces of the contacts, shape (contacts,) [N]; a positive tangential force opposes a first surface that moves
+        counter-clockwise around its body faster than the second.
+    pin_force : Array
+        Force of each roller on its pin along the push, shape (pins,) [N].
+    displacement : Array
+        Displacements of the floating centres from first contact, shape (floating, 2) [m].
+    rotation : Array
+        Rotations of the members that stand under a torque, input and grounded member locked, shape (members,) [rad].
+    speed : Array
+        Angular velocities of the members per angular velocity of the input, shape (members,) [-].
+    creepage : Array
+        Creepages, shape (contacts,) [-]; 0 where nothing rolls.
+    interference : Array
+        Interference of the contacts, shape (contacts,) [m].
+    input_torque : Array
+        Torque at the input, in the sense of its rotation [N·m].
+    speed_loss : Array
+        Share of the output speed lost by creep [-].
+    worst : Array
+        Largest relative residual of all equations [-].
+    slides : Array
+        Sign of the tangential force of contacts that slide as a whole while the drive stands and keep the force of
+        their friction, 0 for those that hold, shape (contacts,) [-].
+    carried : Array
+        Whether every contact is loaded and none bears more than its friction; beyond, the law of a contact is
+        continued as a line.
+    """
+
+    normal: Array
+    tangential: Array
+    pin_force: Array
+    displacement: Array
+    rotation: Array
+    speed: Array
+    creepage: Array
+    interference: Array
+    input_torque: Array
+    speed_loss: Array
+    worst: Array
+    slides: Array
+    carried: Array
+
+    @property
+    def residual(self) -> Array:
+        """Largest relative residual of all equations [-]; infinite where a contact has lifted off or friction fails."""
+        return jnp.where(self.carried, self.worst, jnp.inf)
+
+
+def contact_approach(*, laws: ContactLaws, normal: Array) -> Array:
+    r"""Approach of the bodies of each contact from first touch.
+
+    .. math:: \delta_k = \delta_k(N_k) + \sum_j C_{kj} N_j + c_k N_k
+
+    Parameters
+    ----------
+    laws : ContactLaws
+        The contacts.
+    normal : Array
+        Normal forces, shape (contacts,) [N].
+
+    Returns
+    -------
+    Array
+        Approach, shape (contacts,) [m].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    found = jnp.asarray(
+        whole_approach(springs=laws.springs, normal_force=normal, rest_force=laws.reference_force)
+    )
+    if laws.coupling is not None:
+        found = found + product(laws.coupling, normal)
+    return found if laws.linear_compliance is None else found + laws.linear_compliance * normal
+
+
+def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Array:
+    r"""Slip of contacts that stand, on first loading.
+
+    .. math::
+        s = \mu N\left[C_0 q + b\,\bigl((1-q)\ln(1-q) + q\bigr) + \tfrac32 c_a \bigl(1 - (1-q)^{2/3}\bigr)\right],
+        \qquad q = \frac{T}{\mu N}
+
+    with the incremental compliance :math:`C_0` of the bodies, its logarithmic part b, and the asperities'
+    :math:`c_a`. Crowned contacts slip by :func:`asperity.contact.crowned_shear.crown_slip` more.
+
+    Parameters
+    ----------
+    laws : ContactLaws
+        The contacts.
+    normal, tangential : Array
+        Forces, shape (contacts,) [N].
+
+    Returns
+    -------
+    Array
+        Slip with the sign of the force [m]; above 99.9 % of friction the tangent is continued, that of the even contact
+        where rollers are crowned.
+
+    References
+    ----------
+    Integrals of the incremental compliances :func:`asperity.contact.interface.bulk_tangential_stiffness` and of
+    equation (24) of Zou et al. 2025, which falls as :math:`(1-q)^{1/3}`.
+    """
+    limit = laws.creep.friction_coefficient * jnp.where(normal > 0.0, normal, 1.0)
+    sign = jnp.where(
+        tangential < 0.0, -1.0, 1.0
+    )  # without a force too, where the slope is that of both sides
+    q = sign * tangential / limit
+    held = jnp.minimum(q, _NEAR_SLIP)
+    left = 1.0 - held
+    log = jnp.log(left)
+    bodies, bend = (
+        laws.springs.incremental_compliance,
+        laws.springs.secant_compliance - laws.springs.incremental_compliance,
+    )
+    slip = bodies * held + bend * (left * log + held)
+    slope = bodies - bend * log
+    if laws.asperity_compliance is not None:
+        slip = slip + 1.5 * laws.asperity_compliance * -jnp.expm1(log * (2.0 / 3.0))
+        slope = slope + laws.asperity_compliance * jnp.exp(-log / 3.0)
+    slip = limit * (slip + slope * (q - held))
+    crowns = laws.springs.crowns
+    if crowns is not None and laws.lateral_strain_compliance is not None:
+        pressed = jnp.where(normal > 0.0, normal, 1.0)
+        slip = slip + crown_slip(
+            normal_force=pressed,
+            stick_force=left * pressed,
+            friction_coefficient=laws.creep.friction_coefficient,
+            lateral_strain_compliance=laws.lateral_strain_compliance,
+            **vars(crowns.lines),
+        )
+    return sign * slip
+
+
+def surface_speeds(*, drive: Drive, speed: Array) -> tuple[Array, Array]:
+    """Speeds of the two surfaces of each contact relative to the carrier.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    speed : Array
+        Angular velocities of the members, shape (members,) [rad/s].
+
+    Returns
+    -------
+    tuple of Array
+        Speeds of the first and of the second surface, positive, shape (contacts,) [m/s].
+
+    References
+    ----------
+    Radius times angular velocity relative to the carrier, in which the centres stand.
+    """
+    members = drive.members
+    carrier = speed[members.index(CARRIER)]
+    first = jnp.array([members.index(contact.first) for contact in drive.contacts])
+    second = jnp.array([members.index(contact.second) for contact in drive.contacts])
+    return (
+        drive.first_radius * jnp.abs(speed[first] - carrier),
+        drive.second_radius * jnp.abs(speed[second] - carrier),
+    )

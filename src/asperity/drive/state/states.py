@@ -1,0 +1,428 @@
+r"""Forces, displacements and speeds of a planar roller drive: assembled, standing under a torque, in steady rolling.
+
+Every floating body has two displacements and a rotation, and as many equations of balance. The normal force of a
+contact follows from the approach of its bodies, the tangential force from their slip while the drive stands and from
+their creep while it rolls; no further assumption is needed:
+
+.. math::
+    A^\mathsf{T} N + S^\mathsf{T} T + P^\mathsf{T} F = Z, \quad (W^\mathsf{T} T)_j + \dots = 0, \quad
+    \delta_k(N) = (A u)_k + \delta_k^0, \quad P u = c_p F
+
+.. math::
+    s_k(T_k, N_k) = (S (u - u_0) + W \psi)_k \;\text{(standing)}, \qquad
+    \xi_k(T_k, N_k) = \frac{(W\omega)_k}{V_k} \;\text{(rolling)}
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.layout.drive import Drive, incidence
+from asperity.drive.linear import product
+from asperity.drive.state.equations import (
+    ASSEMBLED,
+    ROLLING,
+    STANDING,
+    Machine,
+    Task,
+    Unknowns,
+    contact_forces,
+    forces_on,
+    machine_of,
+    no_displacement,
+    no_force,
+)
+from asperity.drive.state.search import assembled_guess, known_state, solved, started_from, state_of
+from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState, contact_approach
+from asperity.types import Real
+
+#: How often a rolling state is found, each time with the creep law around the forces of the state before.
+CREEP_PASSES = 3
+
+
+class DriveStates(NamedTuple):
+    """The states of one drive.
+
+    Parameters
+    ----------
+    rest, standing, rolling : DriveState
+        Assembled without torque; standing and rolling under the output torque.
+    pressed : DriveState or None, optional
+        Assembled as a loading cam presses the drive under the torque; None without a cam.
+    """
+
+    rest: DriveState
+    standing: DriveState
+    rolling: DriveState
+    pressed: DriveState | None = None
+
+
+def state_at_rest(
+    *,
+    drive: Drive,
+    laws: ContactLaws,
+    pattern: Array,
+    preload: Real | None = None,
+    interference: Real | None = None,
+    load: DriveLoad | None = None,
+    added: Array | None = None,
+    known: DriveState | None = None,
+) -> DriveState:
+    """The assembled drive without torque: its forces, and the interference that causes them.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    pattern : Array
+        Interference of each contact over the interference of the drive, shape (contacts,) [-]; 1 at the ring's
+        contacts where the ring's radius is too small.
+    preload, interference : Real or None
+        Normal force of the first contact [N], or the interference of the drive [m]; one of them.
+    load : DriveLoad or None, optional
+        Springs of pins and bearings, of which torque and forces do not count; None for rigid pins.
+    added : Array or None, optional
+        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
+    known : DriveState or None, optional
+        The state itself where it is known already: it is returned with its derivatives by the other arguments, without
+        being sought.
+
+    Returns
+    -------
+    DriveState
+        State without rotation or creep; with a preload, ``interference`` is that which makes it.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    machine = machine_of(drive, laws, pattern, added, None if load is None else load.supports)
+    given = jnp.asarray(preload if interference is None else interference, dtype=float)
+    springs = DriveLoad(jnp.zeros(())) if load is None else load
+    unloaded = dataclasses.replace(springs, output_torque=jnp.zeros(()), body_force=None)
+    task = Task(ASSEMBLED, given, unloaded, no_displacement(drive), no_force(drive))
+    if known is None:
+        found = solved(machine, task, assembled_guess(machine), by_force=interference is None)
+        return state_of(machine, task, *found)
+    own = known.interference if added is None else known.interference - added
+    there = started_from(machine, known, jnp.sum(pattern * own) / jnp.sum(pattern**2))
+    root = known_state(machine, task, there, known.slides, by_force=interference is None)
+    return state_of(machine, task, root, known.slides)
+
+
+def rolling_state(
+    *, drive: Drive, laws: ContactLaws, interference: Array, output_torque: Real, start: DriveState
+) -> DriveState:
+    """The drive in steady rolling under an output torque that resists the rotation.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    interference : Array
+        Interference of each contact, shape (contacts,) [m].
+    output_torque : Real
+        Torque at the output against its rotation [N·m].
+    start : DriveState
+        Initial state of the solution, :func:`state_at_rest`.
+
+    Returns
+    -------
+    DriveState
+        Forces, displacements, speeds and creepages; check ``residual``, which is large where a contact is in gross
+        slip or has lifted off.
+
+    References
+    ----------
+    Equations (B1), (B3) and (M3) of :doc:`/equations`.
+    """
+    size = jnp.max(interference)
+    machine = machine_of(drive, laws, interference / size)
+    load = DriveLoad(jnp.asarray(output_torque))
+    task = Task(ROLLING, size, load, no_displacement(drive), start.pin_force)
+    return state_of(machine, task, *solved(machine, task, started_from(machine, start, size), by_force=False))
+
+
+def drive_states(
+    *,
+    drive: Drive,
+    laws: ContactLaws,
+    pattern: Array,
+    preload: Real | None = None,
+    interference: Real | None = None,
+    load: DriveLoad,
+    creep_of: CreepOf | None = None,
+) -> DriveStates:
+    """A drive assembled, standing under a torque, and rolling under it.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    pattern : Array
+        Interference of each contact over the interference of the drive, shape (contacts,) [-].
+    preload, interference : Real or None
+        Normal force of the first contact without torque [N], or the interference of the drive [m]; one of them.
+    load : DriveLoad
+        Torque, forces on the bodies, and pins.
+    creep_of : callable or None, optional
+        Creep law of contacts around normal and tangential forces; None for that of the laws.
+
+    Returns
+    -------
+    DriveStates
+        Check their ``residual``. The assembled state bears no forces on the bodies.
+
+    Notes
+    -----
+    While the drive stands, the slip of each contact is that of one loading from rest, the asperities with their
+    stiffness at the normal force of the assembled state. The creep law is taken around the forces of the standing
+    drive, and again around those of the rolling one. One program finds all states.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    if laws.closure is not None:
+        rest = state_at_rest(
+            drive=drive, laws=laws, pattern=pattern, preload=preload, interference=interference, load=load
+        )
+        kinds = jnp.array([STANDING] + [ROLLING] * CREEP_PASSES)
+        states = _loaded(drive, laws, rest, load, kinds, creep_of)
+        return DriveStates(rest, _nth(states, 0), _nth(states, -1))
+    machine = machine_of(drive, laws, pattern, supports=load.supports)
+    given = jnp.asarray(preload if interference is None else interference, dtype=float)
+    start = _Carry(
+        assembled_guess(machine),
+        jnp.zeros_like(laws.reference_force),
+        given,
+        no_displacement(drive),
+        no_force(drive),
+    )
+    kinds = jnp.array([ASSEMBLED, STANDING] + [ROLLING] * CREEP_PASSES)
+    states = _states(machine, load, start, kinds, creep_of, by_force=interference is None)
+    return DriveStates(*(_nth(states, place) for place in (0, 1, -1)))
+
+
+def loaded_state(
+    *,
+    drive: Drive,
+    laws: ContactLaws,
+    rest: DriveState,
+    load: DriveLoad,
+    rolls: Array,
+    creep_of: CreepOf | None = None,
+) -> DriveState:
+    """A drive under a torque, standing or rolling, from its assembled state.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    rest : DriveState
+        Its assembled state.
+    load : DriveLoad
+        Torque, forces on the bodies, and pins.
+    rolls : Array
+        Whether it rolls.
+    creep_of : callable or None, optional
+        Creep law of contacts around normal and tangential forces; None for that of the laws.
+
+    Returns
+    -------
+    DriveState
+        Near and beyond gross slip the laws are continued as lines, and ``residual`` is infinite.
+
+    Notes
+    -----
+    The creep law is taken around the forces of the assembled drive, and again around those of the rolling one, which
+    does not need that the standing drive carries the torque.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    kind = jnp.where(rolls, ROLLING, STANDING)
+    kinds = jnp.full(CREEP_PASSES, kind)
+    return _nth(_loaded(drive, laws, rest, load, kinds, creep_of), -1)
+
+
+def _nth(states: DriveState, place: int) -> DriveState:
+    state: DriveState = jax.tree.map(lambda leaf: leaf[place], states)
+    return state
+
+
+def standing_state(*, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad) -> DriveState:
+    """A drive that stands under a torque, from its assembled state.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    rest : DriveState
+        Its assembled state.
+    load : DriveLoad
+        Torque, forces on the bodies, and pins.
+
+    Returns
+    -------
+    DriveState
+        As of :func:`loaded_state`.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    return _nth(_loaded(drive, laws, rest, load, jnp.array([STANDING]), None), 0)
+
+
+def loaded_states(
+    *, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad, creep_of: CreepOf
+) -> tuple[DriveState, DriveState]:
+    """A drive under a torque, standing and rolling, from its assembled state.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    rest : DriveState
+        Its assembled state.
+    load : DriveLoad
+        Torque, forces on the bodies, and pins.
+    creep_of : callable
+        Creep law of contacts around normal and tangential forces.
+
+    Returns
+    -------
+    tuple of DriveState
+        Standing and rolling, each as of :func:`loaded_state`.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    kinds = jnp.array([STANDING] + [ROLLING] * CREEP_PASSES)
+    states = _loaded(drive, laws, rest, load, kinds, creep_of)
+    return _nth(states, 0), _nth(states, -1)
+
+
+def _loaded(
+    drive: Drive,
+    laws: ContactLaws,
+    rest: DriveState,
+    load: DriveLoad,
+    kinds: Array,
+    creep_of: CreepOf | None,
+) -> DriveState:
+    laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
+    size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
+    machine = machine_of(drive, laws, rest.interference / size, supports=load.supports)
+    start = _Carry(
+        started_from(machine, rest, size), rest.slides, size, rest.displacement.ravel(), rest.pin_force
+    )
+    return _states(machine, load, start, kinds, creep_of, by_force=False)
+
+
+def closed_around(
+    *, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad
+) -> tuple[ContactLaws, DriveState, DriveLoad]:
+    """What a drive is loaded with: its laws, its assembled state as they see it, and its springs.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    rest : DriveState
+        Its assembled state under these laws.
+    load : DriveLoad
+        Torque, forces on the bodies, and pins.
+
+    Returns
+    -------
+    ContactLaws, DriveState, DriveLoad
+        Those given, without a closure of the laws; else the closure, the same forces with the interferences that make
+        them by its springs, and rigid pins without other supports.
+
+    References
+    ----------
+    Equation (A3) of :doc:`/equations`.
+    """
+    if laws.closure is None:
+        return laws, rest, load
+    matrices, moved = incidence(drive), rest.displacement.ravel()
+    moved = moved - product(matrices.pins.T, product(matrices.pins, moved))
+    approach = contact_approach(laws=laws.closure, normal=rest.normal)
+    state = dataclasses.replace(
+        rest,
+        displacement=moved.reshape(rest.displacement.shape),
+        interference=approach - product(matrices.approach, moved),
+    )
+    return laws.closure, state, dataclasses.replace(load, pin_compliance=0.0, supports=None)
+
+
+class _Carry(NamedTuple):
+    """What one state passes to the next."""
+
+    unknowns: Unknowns
+    slides: Array
+    size: Array
+    origin: Array
+    pin_at_rest: Array
+
+
+def _states(
+    machine: Machine,
+    load: DriveLoad,
+    start: _Carry,
+    kinds: Array,
+    creep_of: CreepOf | None,
+    *,
+    by_force: bool,
+) -> DriveState:
+    """One state after the other, each from the one before it, by one program."""
+    drive, given = machine.drive, start.size
+
+    def step(carry: _Carry, kind: Array) -> tuple[_Carry, DriveState]:
+        assembled = kind == ASSEMBLED
+        acts = jnp.where(assembled, 0.0, 1.0)
+        borne = dataclasses.replace(
+            load, output_torque=acts * load.output_torque, body_force=acts * forces_on(drive, load)
+        )
+        here = machine
+        if creep_of is not None:
+            creep = creep_of(*contact_forces(machine, carry.unknowns))
+            here = machine._replace(laws=dataclasses.replace(machine.laws, creep=creep))
+        task = Task(kind, jnp.where(assembled, given, carry.size), borne, carry.origin, carry.pin_at_rest)
+        begin = jnp.where(kind == STANDING, carry.slides, 0.0)
+        found, slides = solved(here, task, carry.unknowns, slides=begin, by_force=by_force)
+        state = state_of(here, task, found, slides)
+        following = _Carry(
+            found,
+            slides,
+            jnp.where(assembled, found.interference[0] * machine.length, carry.size),
+            jnp.where(assembled, state.displacement.ravel(), carry.origin),
+            jnp.where(assembled, state.pin_force, carry.pin_at_rest),
+        )
+        return following, state
+
+    _, states = jax.lax.scan(step, start, kinds)
+    return states

@@ -1,0 +1,1 @@
+"""Incremental stiffness of a drive and where its compliance comes from."""

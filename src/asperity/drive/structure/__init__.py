@@ -1,0 +1,1 @@
+"""What the structure around the rollers carries: bearings, pins, inertias."""

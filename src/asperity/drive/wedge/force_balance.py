@@ -1,0 +1,309 @@
+r"""Static force balance of the drive, equations (1)–(5), closed by (A3).
+
+The forces of a branch follow from two unknowns, :math:`T_{sp}` and :math:`S = N_{pwr} + N_{pwl}`
+(:mod:`asperity.drive.wedge.branch`); these are found from the carrier's moment (5) and the closure by Newton's method.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from collections.abc import Sequence
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.mechanism import Mechanism, NormalSprings, compression, steepest_compliance
+from asperity.drive.wedge.branch import (
+    Branch,
+    BranchForces,
+    branch_forces,
+    carrier_residual,
+    contact_floors,
+    held_load_sum,
+)
+from asperity.drive.wedge.equilibrium import balance_equations
+from asperity.implicit import implicit_root
+from asperity.types import Real
+
+#: Largest relative residual of the force balance and of its closure that counts as solved.
+BALANCE_TOLERANCE = 1e-9
+
+_NEWTON_BUDGET = 20
+_STEP_TOLERANCE = 1e-6  # convergence is quadratic: the error after such a last step is below 1e-13
+
+
+class DriveForces(eqx.Module):
+    """All forces of one branch and the torques of the drive, SI units.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Normal and tangential forces of the contacts ``sp, pwr, pwl, wro, wlo``, shape (5, ...) [N].
+    pin_left, pin_right : Array
+        Carrier pin forces F_cl, F_cr [N].
+    input_torque, output_torque : Array
+        Torques T_in at the sun and T_out at the carrier [N·m].
+    left_bearing_torque, right_bearing_torque : Array
+        Friction torque T_B of one bearing of the left and the right loading roller [N·m].
+    balance_residual : Array
+        Largest residual of the eleven equations (1)–(5), relative to the largest force [-].
+    closure_residual : Array
+        Residual of the closure (A3), relative [-]; 0 where a contact has lifted off, because it then does not
+        apply.
+    """
+
+    normal: Array
+    tangential: Array
+    pin_left: Array
+    pin_right: Array
+    input_torque: Array
+    output_torque: Array
+    left_bearing_torque: Array
+    right_bearing_torque: Array
+    balance_residual: Array
+    closure_residual: Array
+
+
+def _each(springs: NormalSprings) -> list[NormalSprings]:
+    return [jax.tree.map(lambda leaf, i=i: leaf[i], springs) for i in range(5)]
+
+
+def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
+    r"""Incompatibility of the five contact approaches, as a force [N]; increases with each of them.
+
+    The planet is displaced by (x, y) and each roller across the push of its pin, by r outward and by r tan g away from
+    the planet's line of centres. The approaches are delta_sp = −y, delta_pwr = x sin th + y cos th − r_r (cos b + sin b
+    tan g_r), delta_pwl = −x sin th + y cos th − r_l (cos b + sin b tan g_l), delta_wro = r_r, delta_wlo = r_l.
+    Eliminating the four displacements leaves one condition, whose factors are the forces at rest:
+    2 cos th delta_sp + delta_pwr + delta_pwl + (cos b + sin b tan g_r) delta_wro + (cos b + sin b tan g_l) delta_wlo
+    = 0.
+    """
+    sp, pwr, pwl, wro, wlo = approaches
+    side, geometry = branch.sides, branch.mechanism.geometry
+    right, left = (
+        side.cos_wedge + side.sin_wedge * jnp.tan(angle)
+        for angle in (geometry.right_push_angle, geometry.left_push_angle)
+    )
+    misfit = 2.0 * side.cos_direction * sp + pwr + pwl + right * wro + left * wlo
+    return misfit * (1.0 / branch.mechanism.springs.incremental_compliance[1])
+
+
+def closure_misfit(branch: Branch, force: BranchForces) -> Real:
+    """Equation (A3), as a force: zero where the closure holds, increasing with S.
+
+    Parameters
+    ----------
+    branch : Branch
+        The branch.
+    force : BranchForces
+        Its forces.
+
+    Returns
+    -------
+    Real
+        Residual [N].
+
+    References
+    ----------
+    Equation (A3) of :doc:`/equations`.
+    """
+    if branch.mechanism.closure == "constant_pin_force":
+        return force.pin_right - branch.rest.pin_force_right
+    if branch.mechanism.springs.crowns is not None:
+        normal = jnp.stack(jnp.broadcast_arrays(*force.normal))
+        together = compression(
+            springs=branch.mechanism.springs, normal_force=normal, rest_force=branch.rest.normal_force
+        )
+        return _misfit(branch, list(jnp.asarray(together)))
+    # contact by contact: XLA does not vectorise logarithms of a stacked array inside a fused loop
+    springs = _each(branch.mechanism.springs)
+    return _misfit(
+        branch,
+        [
+            compression(springs=spring, normal_force=normal, rest_force=rest)
+            for spring, normal, rest in zip(springs, force.normal, branch.rest.normal_force, strict=True)
+        ],
+    )
+
+
+def _closure_steepness(branch: Branch) -> Real:
+    """Upper bound of the slope of the closure over S: that of all contacts nearly unloaded [-]."""
+    if branch.mechanism.closure == "constant_pin_force":
+        return jnp.asarray(1.0)
+    if branch.mechanism.springs.crowns is not None:
+        return _misfit(branch, list(jnp.asarray(steepest_compliance(branch.mechanism.springs))))
+    return _misfit(branch, [steepest_compliance(spring) for spring in _each(branch.mechanism.springs)])
+
+
+def _residuals(branch: Branch, unknowns: tuple[Array, Array]) -> tuple[Real, Real]:
+    """Closure and carrier moment; where a contact lifts off, the closure is continued as a straight line in S.
+
+    The line is at least as steep as the closure can be, so that a Newton step from there cannot overshoot
+    the root.
+    """
+    load_sum, sun_force = unknowns
+    held = held_load_sum(branch, load_sum, sun_force)
+    force = branch_forces(branch, held, sun_force)
+    lifted = _closure_steepness(branch) * (load_sum - held)
+    return closure_misfit(branch, force) + lifted, carrier_residual(branch, force)
+
+
+def _solve_two_by_two(linear, right_side: tuple[Array, Array]) -> tuple[Array, Array]:  # type: ignore[no-untyped-def]
+    """Solve linear(u, v) = right_side for the pair (u, v) elementwise, v eliminated by the second equation.
+
+    The second equation is the carrier's moment, which always depends on v = T_sp. XLA stores quotients
+    instead of recomputing them for every use: each entry of the matrix is used only once.
+    """
+    one, zero = jnp.ones_like(right_side[0]), jnp.zeros_like(right_side[0])
+    a, c = linear((one, zero))
+    b, d = linear((zero, one))
+    e, f = right_side
+    coupling, alone = c / d, f / d
+    u = (e - b * alone) / (a - b * coupling)
+    return u, alone - coupling * u
+
+
+def _newton(residuals, start: tuple[Array, Array]) -> tuple[Array, Array]:  # type: ignore[no-untyped-def]
+    """Newton's method until the last step of every point is negligible, or the maximum number of steps is reached."""
+
+    def unfinished(state: tuple[Array, Array, Array, Array]) -> Array:
+        *_, moving, count = state
+        return moving & (count < _NEWTON_BUDGET)
+
+    def improve(state: tuple[Array, Array, Array, Array]) -> tuple[Array, Array, Array, Array]:
+        load_sum, sun_force, _, count = state
+        value, tangent_map = jax.linearize(residuals, (load_sum, sun_force))
+        step = _solve_two_by_two(tangent_map, value)
+        allowed = _STEP_TOLERANCE * (jnp.abs(load_sum) + jnp.abs(sun_force))
+        moving = jnp.any((jnp.abs(step[0]) > allowed) | (jnp.abs(step[1]) > allowed))  # a nan stays unchanged
+        return load_sum - step[0], sun_force - step[1], moving, count + 1
+
+    first = (*start, jnp.asarray(True), jnp.asarray(0))
+    load_sum, sun_force, *_ = jax.lax.while_loop(unfinished, improve, first)
+    return load_sum, sun_force
+
+
+def _largest(values: tuple[Array, ...]) -> Array:
+    """Largest magnitude, compared one by one: XLA would first write a stacked array to memory."""
+    return functools.reduce(jnp.maximum, (jnp.abs(value) for value in values))
+
+
+def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
+    r"""A branch under an output torque: all quantities that are constant while its forces are solved for.
+
+    .. math:: F_p = m_p \omega_c^2 (R_s + R_p), \qquad F_w = m_w \omega_c^2 (R_o - R_w)
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The preloaded drive.
+    output_torque : Real
+        Torque T_out at the carrier [N·m].
+
+    Returns
+    -------
+    Branch
+        Triangle, state at rest and centrifugal forces.
+
+    References
+    ----------
+    Zou et al. 2025, the centrifugal terms of equations (2)–(4).
+    """
+    sides = mechanism.sides
+    speed_squared = mechanism.carrier_speed**2
+    return Branch(
+        mechanism=mechanism,
+        sides=sides,
+        rest=mechanism.rest,
+        output_torque=jnp.asarray(output_torque),
+        planet_centrifugal=mechanism.planet_mass * speed_squared * sides.planet_orbit,
+        roller_centrifugal=mechanism.loading_roller_mass * speed_squared * sides.roller_orbit,
+    )
+
+
+def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
+    r"""Solve the static force balance of one branch under a given output torque.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The preloaded drive.
+    output_torque : Real
+        Torque T_out at the carrier, of either sign [N·m]. A negative one loads the left side of the wedge; the result
+        is the mirror image only of a drive whose two sides are alike and whose bearings have no friction or turn the
+        other way too, see :func:`asperity.drive.mechanism.opposed`.
+
+    Returns
+    -------
+    DriveForces
+        Forces, torques and the two residuals. Contacts never pull: a lifted one carries no force.
+
+    Notes
+    -----
+    Newton's method from the preload state, usually two or three steps. The residuals are part of the result;
+    check them before using the forces (:func:`asperity.joint.solve.solve` does). Derivatives are those of the
+    equations at their root.
+
+    References
+    ----------
+    Zou et al. 2025, equations (1)–(5), with the signs of Newton's third law; (A3) of :doc:`/equations`.
+    """
+    geometry, bearings = mechanism.geometry, mechanism.bearings
+    branch = loaded_branch(mechanism=mechanism, output_torque=output_torque)
+    sides, rest = branch.sides, branch.rest
+    leverage = (
+        1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
+    )  # (5) with (3), (4) and no losses
+    loss_free = output_torque / (geometry.planet_count * sides.roller_orbit * leverage)
+    springs, first_rest = jax.tree.map(lambda leaf: leaf[0], (mechanism.springs, rest.normal_force))
+    batch = dataclasses.replace(mechanism, springs=springs, rest=rest._replace(normal_force=first_rest))
+    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in jax.tree.leaves((batch, output_torque))))
+    start = jnp.broadcast_to(2.0 * rest.normal_force[1], shape), jnp.broadcast_to(loss_free, shape)
+
+    def residuals(unknowns: tuple[Array, Array]) -> tuple[Real, Real]:
+        return _residuals(branch, unknowns)
+
+    load_sum, sun_force = implicit_root(residuals, start, _newton, _solve_two_by_two)
+    held = held_load_sum(branch, load_sum, sun_force)
+    force = branch_forces(branch, held, sun_force)
+    force = jax.lax.optimization_barrier(force)  # prevents XLA from recomputing them for every use
+    lifted = load_sum < held
+    closure_error = jnp.where(lifted, 0.0, jnp.abs(closure_misfit(branch, force)))
+    # removes the rounding error of a lifted contact; the balance below uses the result
+    roller_floor, planet_floor = contact_floors(branch, sun_force)
+    sun_contact, *others = (jnp.maximum(value, 0.0) for value in force.normal)
+    normals = (jnp.where(lifted & (planet_floor >= roller_floor), 0.0, sun_contact), *others)
+    input_torque = (
+        2.0 * bearings.sun_torque + geometry.planet_count * geometry.sun_radius * force.tangential[0]
+    )  # (1)
+    scale = _largest((*normals, *force.tangential))
+    equations = balance_equations(
+        geometry=geometry,
+        sides=sides,
+        bearings=bearings,
+        normal=normals,
+        tangential=force.tangential,
+        pin_left=force.pin_left,
+        pin_right=force.pin_right,
+        left_bearing_torque=force.left_bearing_torque,
+        right_bearing_torque=force.right_bearing_torque,
+        input_torque=input_torque,
+        output_torque=branch.output_torque,
+        planet_centrifugal=branch.planet_centrifugal,
+        roller_centrifugal=branch.roller_centrifugal,
+    )
+    return DriveForces(
+        normal=jnp.stack(jnp.broadcast_arrays(*normals)),
+        tangential=jnp.stack(jnp.broadcast_arrays(*force.tangential)),
+        pin_left=force.pin_left,
+        pin_right=force.pin_right,
+        input_torque=input_torque,
+        output_torque=jnp.broadcast_to(branch.output_torque, scale.shape),
+        left_bearing_torque=force.left_bearing_torque,
+        right_bearing_torque=force.right_bearing_torque,
+        balance_residual=_largest(equations) / scale,
+        closure_residual=closure_error / scale,
+    )

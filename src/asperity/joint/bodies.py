@@ -1,0 +1,221 @@
+"""The bodies of a planar drive: discs and annuli by exact plane elasticity, stepped rollers as springs."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.body.coupling import BodyInMachine, coupled_compliance, machine_kernel
+from asperity.body.rim_moments import WIDEST_CONTACT, walls_resolved
+from asperity.body.shapes import Annulus, Disc
+from asperity.contact.hertz_line import (
+    logarithmic_compliance,
+    ring_secant_compliance,
+    roller_secant_compliance,
+)
+from asperity.drive.layout.drive import contact_angles
+from asperity.joint.contacts import JointContacts
+from asperity.joint.description import Joint, each_contact, places, tracks_of
+from asperity.types import Real
+
+
+def exact_bodies(joint: Joint) -> list[BodyInMachine]:
+    """The bodies with one track, whose contacts balance each other in one plane.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    list of BodyInMachine
+        Without stepped rollers: their tracks lie in different planes.
+    """
+    lengths = each_contact(joint, joint.contact_lengths)
+    first, _ = places(joint.drive)
+    at_first, at_second = contact_angles(joint.drive)
+    found = []
+    for number, (body, shape, material) in enumerate(
+        zip(joint.drive.bodies, joint.shapes, joint.materials, strict=True)
+    ):
+        tracks = tracks_of(joint, number)
+        if len(tracks) != 1:
+            continue
+        radius, contacts = tracks[0]
+        length = jnp.max(lengths[np.array(contacts)])
+        elastic = (length, material.youngs_modulus, material.poisson_ratio)
+        solid: Disc | Annulus
+        if shape.kind == "ring":
+            assert shape.size is not None
+            outer = radius + shape.size
+            solid = Annulus(radius, outer, *elastic, *shape.rim_stiffness, "inner", joint.plane_state)
+        elif shape.kind == "hollow":
+            assert shape.size is not None
+            solid = Annulus(0.5 * shape.size, radius, *elastic, 0.0, 0.0, "outer", joint.plane_state)
+        else:
+            solid = Disc(radius, *elastic, joint.plane_state)
+        angles = [at_first[k] if first[k] == number else at_second[k] for k in contacts]
+        sectors = joint.drive.sectors if body.place == "axis" else None
+        found.append(BodyInMachine(solid, tuple(contacts), jnp.stack(angles), sectors))
+    return found
+
+
+def _exact_sides(joint: Joint) -> np.ndarray:
+    """Whether the first and the second body of each contact are exact, shape (2, contacts)."""
+    exact = [len(tracks_of(joint, number)) == 1 for number in range(len(joint.drive.bodies))]
+    return np.array([[exact[body] for body in side] for side in places(joint.drive)])
+
+
+def one_sided_secants(contacts: JointContacts, half_width: Array) -> tuple[Array, Array]:
+    """Secant compliance of the first and of the second body of each contact as springs.
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts.
+    half_width : Array
+        Their half-widths, shape (contacts,) [m].
+
+    Returns
+    -------
+    tuple of Array
+        Compliances, shape (contacts,) [m/N].
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, 1985, section 5.6; C. Weber and K. Banaschek 1953.
+    """
+    pairs = contacts.pairs
+    one, two = (
+        {
+            "contact_length": pairs.contact_length,
+            "youngs_modulus": body.youngs_modulus,
+            "poisson_ratio": body.poisson_ratio,
+            "half_width": half_width,
+        }
+        for body in (contacts.driving, contacts.driven)
+    )
+    second = jnp.where(
+        pairs.sign > 0.0,
+        roller_secant_compliance(radius=pairs.radius_2, **two),
+        ring_secant_compliance(wall_thickness=contacts.ring_wall_thickness, **two),
+    )
+    return jnp.asarray(roller_secant_compliance(radius=pairs.radius_1, **one)), second
+
+
+def body_compliance(
+    *, joint: Joint, contacts: JointContacts, half_width: Array, stick_half_width: Array
+) -> Array:
+    r"""Incremental compliance of all bodies of one sector between its contacts.
+
+    .. math:: C = \sum_{exact} P_b^\mathsf{T} C^{(b)} P_b + \operatorname{diag}\sum_{springs} \frac{1-\nu^2}{\pi E B}
+              \left(2 \ln\frac{4R}{b} - 2\right)
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+    half_width, stick_half_width : Array
+        Half-widths of the strips and of their stick zones, shape (contacts,) [m].
+
+    Returns
+    -------
+    Array
+        First the normal, then the tangential springs, shape (2 contacts, 2 contacts) [m/N].
+
+    Notes
+    -----
+    A stepped roller is a spring under each of its contacts; tangentially as stiff as normally, with the stick zone in
+    place of the strip.
+
+    References
+    ----------
+    Equation (E3) of :doc:`/equations`.
+    """
+    count = len(joint.drive.contacts)
+    exact = _exact_sides(joint)
+    found = jnp.zeros((2 * count, 2 * count))
+    bodies = exact_bodies(joint)
+    if bodies:
+        found = coupled_compliance(
+            bodies=bodies,
+            contact_lengths=contacts.pairs.contact_length,
+            half_widths=half_width,
+            stick_half_widths=stick_half_width,
+            kernel=contacts.rims,
+        )
+    if exact.all():
+        return found
+    own = []
+    for width in (half_width, stick_half_width):
+        sides = zip(
+            one_sided_secants(contacts, width), (contacts.driving, contacts.driven), exact, strict=True
+        )
+        parts = []
+        for secant, body, known in sides:
+            bend = logarithmic_compliance(
+                contact_length=contacts.pairs.contact_length,
+                youngs_modulus=body.youngs_modulus,
+                poisson_ratio=body.poisson_ratio,
+            )
+            parts.append(jnp.where(known, 0.0, secant - bend))
+        own.append(parts[0] + parts[1])
+    return found + jnp.diag(jnp.concatenate(own))
+
+
+def with_rims(joint: Joint, contacts: JointContacts) -> JointContacts:
+    """The contacts of a joint, with what its exact bodies do at every load.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+
+    Returns
+    -------
+    JointContacts
+        The same contacts, for :func:`body_compliance`.
+    """
+    bodies = exact_bodies(joint) if joint.body_model == "exact" else []
+    return dataclasses.replace(contacts, rims=machine_kernel(bodies)) if bodies else contacts
+
+
+def walls_known(*, joint: Joint, half_width: Array) -> Array:
+    """Whether every ring and hollow roller has a wall for which its exact compliance is known.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    half_width : Array
+        Half-widths of the contacts, shape (contacts,) [m].
+
+    Returns
+    -------
+    Array
+        Truth value; true where the bodies are springs.
+    """
+    holds = jnp.ones((), dtype=bool)
+    if joint.body_model == "springs":
+        return holds
+    for member in exact_bodies(joint):
+        body = member.body
+        if not isinstance(body, Annulus):
+            continue
+        alone = member.sectors is None
+        sectors: Real = 1.0 if member.sectors is None else member.sectors
+        resolved = walls_resolved(
+            ratio=body.inner_radius / body.outer_radius, sectors=sectors, one_sector=alone
+        )
+        widest = jnp.max(half_width[np.array(member.contacts)])
+        wall = body.outer_radius - body.inner_radius
+        holds = holds & resolved & ~(widest > WIDEST_CONTACT * wall)
+    return holds

@@ -1,0 +1,307 @@
+"""The chain of a joint with any planar drive: its forces, contacts, stiffness and rolling, from its description."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.contact.fractal import FractalContact
+from asperity.contact.interface import Interface
+from asperity.drive.layout.drive import speed_ratio, speeds
+from asperity.drive.layout.expansion import ring_interference
+from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState
+from asperity.drive.state.states import DriveStates
+from asperity.drive.stiffness.assembly import Assembly
+from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
+from asperity.joint.bodies import with_rims
+from asperity.joint.description import (
+    Joint,
+    bodies_of_contacts,
+    body_masses,
+    joint_contacts,
+)
+from asperity.joint.diagnostics import Diagnostics, diagnose
+from asperity.joint.laws import creep_law, drive_load
+from asperity.joint.loading_cam import (
+    CamOfJoint,
+    Pressed,
+    states_under_torque,
+    turned_cam,
+    with_its_cam,
+)
+from asperity.joint.motion import in_motion
+from asperity.joint.stiffness import loaded_stiffness
+from asperity.rolling.duty import with_duty_life
+from asperity.rolling.rolling import RollingResult
+from asperity.rolling.turning import driving_sense, rolling_at, turning
+from asperity.types import Real
+
+
+class JointForces(eqx.Module):
+    """Forces of a joint that stands under its torque. SI units.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Of the contacts, shape (contacts,) [N]; a tangential force is positive where the first body drives the second.
+    pins : Array
+        Force of each roller on its pin along the push, shape (pins,) [N].
+    input_torque, output_torque : Array
+        Torques [N·m].
+    balance_residual, closure_residual : Array
+        Largest relative residual of all equations, balance and closure being solved together [-].
+    """
+
+    normal: Array
+    tangential: Array
+    pins: Array
+    input_torque: Array
+    output_torque: Array
+    balance_residual: Array
+    closure_residual: Array
+
+
+class JointResult(eqx.Module):
+    """Everything the chain says about a joint with a planar drive; the fields are those of a joint result.
+
+    Parameters
+    ----------
+    speed_ratio : Array
+        Input over output speed [-].
+    speeds : Array
+        Angular velocities of the members without creep over that of the input, shape (members,) [-].
+    output_speed : Array
+        Angular velocity of the output [rad/s].
+    masses : Array
+        Of one of each body, shape (bodies,) [kg].
+    preload, interference : Array
+        Normal force of the first contact in the assembled drive [N], and the interference that makes it [m]; with a
+        loading cam those under the torque.
+    rest : DriveState
+        The assembled drive without torque.
+    forces : JointForces
+        Forces under the torque while the joint stands.
+    contacts : FractalContact
+        Spots and stiffnesses, shape (contacts,).
+    contact_torsional_stiffness : Array
+        Each contact's own K_T at its driven roller, shape (contacts,) [N·m/rad].
+    interfaces : Interface
+        Stiffness of asperities and of bulk, shape (contacts,) [N/m].
+    published, series_with_bulk : TorsionalStiffness
+        Of the asperities alone, and with the bodies in series; the centres of all rollers held.
+    assembly : Assembly
+        The fullest model.
+    diagnostics : Diagnostics
+        How close the joint is to the limits of the model.
+    rolling : RollingResult
+        The joint that turns.
+    contact_law_holds, walls_hold, solved : Array
+        Whether every loaded contact has an elastic spot; every wall a known compliance, and every crowned contact the
+        length that its slices need; whether the states are solved.
+    cam : CamOfJoint or None, optional
+        What the loading cam does under the torque; None without one.
+    """
+
+    speed_ratio: Array
+    speeds: Array
+    output_speed: Array
+    masses: Array
+    preload: Array
+    interference: Array
+    rest: DriveState
+    forces: JointForces
+    contacts: FractalContact
+    contact_torsional_stiffness: Array
+    interfaces: Interface
+    published: TorsionalStiffness
+    series_with_bulk: TorsionalStiffness
+    assembly: Assembly
+    diagnostics: Diagnostics
+    rolling: RollingResult
+    contact_law_holds: Array
+    walls_hold: Array
+    solved: Array
+    bodies: BodiesOfContacts = eqx.field(static=True)
+    contact_names: tuple[str, ...] = eqx.field(static=True)
+    cam: CamOfJoint | None = None
+
+    @property
+    def pressed(self) -> DriveState:
+        """The assembled drive as its loading cam presses it under the torque; without a cam that without torque."""
+        return self.rest if self.cam is None else self.cam.pressed
+
+    @property
+    def cam_angle(self) -> Real:
+        """Angle at the output by which the loading cam has turned, without sign [rad]; 0 without one."""
+        return 0.0 if self.cam is None else self.cam.angle
+
+    @property
+    def body_names(self) -> tuple[str, ...]:
+        """Names of the bodies of one sector."""
+        return self.bodies.names
+
+
+def evaluate(joint: Joint) -> JointResult:
+    """The chain itself: pure, for ``jit``, ``vmap`` and ``grad``; never raises.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    JointResult
+        Look at its ``solved``; the results of slipping or lifted contacts have no meaning.
+
+    References
+    ----------
+    Equations (M1)–(M4) of :doc:`/equations`.
+    """
+    return evaluated_with_laws(joint)[0]
+
+
+def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
+    """The chain, and the laws of the contacts that it has derived.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    JointResult, ContactLaws
+        Results of :func:`evaluate`; laws for :mod:`asperity.joint.capacity`.
+
+    References
+    ----------
+    Equations (M1)–(M4) of :doc:`/equations`.
+    """
+    joint = in_motion(joint)
+    laws, states = laws_and_states(joint)
+    return joint_result(joint, laws, states), laws
+
+
+def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
+    """The first half of the chain: the laws of the contacts, and how the drive stands and rolls.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    ContactLaws, DriveStates
+        The laws; the drive assembled, standing and rolling.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
+    contacts = with_rims(joint, joint_contacts(joint))
+    load = drive_load(joint, body_masses(joint), joint.output_torque)
+    return states_under_torque(
+        joint, contacts, load, lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law
+    )
+
+
+def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:
+    """The second half of the chain: what the states of a joint mean.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    laws : ContactLaws
+        Laws of its contacts.
+    states : DriveStates
+        Its states, of :func:`laws_and_states`.
+
+    Returns
+    -------
+    JointResult
+        Of :func:`evaluate`.
+
+    References
+    ----------
+    Equations (M1)–(M4) of :doc:`/equations`.
+    """
+    joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
+    drive, contacts = joint.drive, dataclasses.replace(joint_contacts(joint), rims=laws.rims)
+    masses = body_masses(joint)
+    rest = states.rest if states.pressed is None else states.pressed
+    cam = turned_cam(joint, contacts, states.rest, rest)
+    sense = driving_sense(drive)
+    standing, rolling = (
+        dataclasses.replace(state, tangential=sense * state.tangential, creepage=sense * state.creepage)
+        for state in (states.standing, states.rolling)
+    )
+    slides = standing.slides != 0.0
+    stiffness = loaded_stiffness(joint, contacts, standing.normal, standing.tangential, standing.slides)
+    loaded = stiffness.contacts
+    creep = creep_law(joint, contacts, states.rolling.normal, states.rolling.tangential)
+    inside = np.array([contact.internal for contact in drive.contacts])
+    ideal = drive.sense * speeds(drive)  # in the sense of the input
+    diagnostics = diagnose(
+        pairs=contacts.pairs,
+        normal_force=standing.normal,
+        tangential_force=standing.tangential,
+        loaded=loaded,
+        rest_force=rest.normal,
+    )
+    return JointResult(
+        speed_ratio=jnp.asarray(speed_ratio(drive)),
+        speeds=ideal,
+        output_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
+        masses=jnp.stack([jnp.asarray(mass) for mass in masses]),
+        preload=rest.normal[0],
+        interference=ring_interference(
+            drive=drive, forces=laws.reference_force, interference=rest.interference
+        ),
+        rest=states.rest,
+        forces=JointForces(
+            normal=standing.normal,
+            tangential=standing.tangential,
+            pins=standing.pin_force,
+            input_torque=standing.input_torque,
+            output_torque=jnp.asarray(joint.output_torque),
+            balance_residual=standing.residual,
+            closure_residual=rest.residual,
+        ),
+        contacts=loaded.rough,
+        contact_torsional_stiffness=jnp.asarray(
+            contact_torsional_stiffness(
+                tangential_stiffness=loaded.rough.tangential_stiffness,
+                radius=jnp.where(inside, drive.first_radius, drive.second_radius),
+            )
+        ),
+        interfaces=loaded.interfaces,
+        published=stiffness.published,
+        series_with_bulk=stiffness.series_with_bulk,
+        assembly=with_its_cam(stiffness.assembly, cam),
+        diagnostics=dataclasses.replace(
+            diagnostics, slip_ratio=jnp.where(slides, 1.0, diagnostics.slip_ratio)
+        ),
+        rolling=with_duty_life(
+            turning(joint, contacts, creep, rolling),
+            conditions=joint.rolling,
+            bodies=bodies_of_contacts(joint),
+            planet_count=jnp.asarray(drive.sectors),
+            rolled=rolling_at(joint, contacts, Pressed(laws, states.rest)),
+        ),
+        contact_law_holds=stiffness.contact_law_holds,
+        walls_hold=stiffness.walls_hold,
+        solved=(standing.residual < STATE_TOLERANCE) & (rest.residual < STATE_TOLERANCE),
+        bodies=bodies_of_contacts(joint),
+        contact_names=joint.contact_names,
+        cam=cam,
+    )

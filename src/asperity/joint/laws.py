@@ -1,0 +1,248 @@
+"""What the drive of a joint is given: laws of its contacts, and the loads on its bodies."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.drive.layout.drive import CARRIER, speeds
+from asperity.drive.mechanism import NormalSprings
+from asperity.drive.state.equal_springs import rest_forces
+from asperity.drive.state.state import ContactLaws, DriveLoad
+from asperity.drive.state.supports import Supports, carrier_supports
+from asperity.joint.bodies import body_compliance
+from asperity.joint.contacts import (
+    JointContacts,
+    bulk_springs,
+    closure_springs,
+    rough_joint_contacts,
+    with_crowns,
+)
+from asperity.joint.crowned_contacts import crown_compressions, lateral_strain_compliance
+from asperity.joint.description import Joint
+from asperity.joint.interference import logarithmic_decrease
+from asperity.rolling.creep import ContactCreep, contact_creep
+from asperity.types import Real
+
+#: A force that is small for every wall: over Young's modulus times length times interference.
+_SMALL_FORCE = 1e-5
+_REFERENCE_STEPS, _CROWNED_STEPS = 4, 10
+
+
+def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
+    """Laws of the contacts of a joint around their forces without torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+
+    Returns
+    -------
+    ContactLaws
+        Approach, slip, and the creep of the assembled drive without torque.
+
+    Notes
+    -----
+    Where the preload is an interference, the laws are taken around the force that it makes by its work on the contacts.
+
+    References
+    ----------
+    Equations (A3), (B1) and (E3) of :doc:`/equations`.
+    """
+    reference = _reference_force(joint, contacts)
+    springs, coupling = _approach(joint, contacts, reference)
+    crowned = contacts.crown_curvature is not None
+    rough = rough_joint_contacts(
+        contacts=contacts, normal_force=reference, tangential_force=jnp.zeros_like(reference)
+    )
+    stiff = rough.tangential_stiffness > 0.0
+    laws = ContactLaws(
+        springs=with_crowns(springs, contacts=contacts, rest_force=reference),
+        reference_force=reference,
+        creep=creep_law(
+            joint, contacts, reference, jnp.zeros_like(reference), stiffness=rough.normal_stiffness
+        ).law,
+        asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
+        coupling=coupling,
+        lateral_strain_compliance=(
+            lateral_strain_compliance(contacts.driving, contacts.driven) if crowned else None
+        ),
+        rims=contacts.rims,
+        linear_compliance=ring_springs(joint),
+    )
+    if joint.closure_springs is None:
+        return laws
+    bulk = closure_springs(contacts=contacts, rest_force=reference, model="bulk")
+    asperities = 1.0 / rough.normal_stiffness if joint.closure_springs == "bulk_and_asperities" else None
+    closure = dataclasses.replace(laws, springs=bulk, coupling=None, linear_compliance=asperities)
+    return dataclasses.replace(laws, closure=closure)
+
+
+def _reference_force(joint: Joint, contacts: JointContacts) -> Array:
+    """Forces without torque around which the laws are taken [N]."""
+    if joint.unlike is not None:
+        return joint.unlike.reference_force
+    forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
+    given = joint.preload
+    preload = _expected_preload(joint, contacts, forces) if given is None else jnp.asarray(given)
+    return preload * forces
+
+
+def _expected_preload(joint: Joint, contacts: JointContacts, forces: Array) -> Array:
+    """Preload by the work of the interference: with the compliance at a small force, then with that at the result."""
+    young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
+    small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
+    return _preload_by_work(joint, contacts, forces, _preload_by_work(joint, contacts, forces, small))
+
+
+def _preload_by_work(joint: Joint, contacts: JointContacts, forces: Array, at: Array) -> Array:
+    """Preload by the work of the interference, with the compliance at a preload and its logarithm."""
+    springs, coupling = _approach(joint, contacts, at * forces)
+    share = jnp.sum(joint.working_pattern * forces) * jnp.asarray(joint.interference)
+    work = jnp.sum(springs.secant_compliance * forces**2)
+    work = work if coupling is None else work + forces @ coupling @ forces
+    rings = ring_springs(joint)
+    work = work if rings is None else work + jnp.sum(rings * forces**2)
+    # the work falls by this for each e-fold of the force
+    softer = jnp.sum((springs.secant_compliance - springs.incremental_compliance) * forces**2)
+
+    def even(preload: Array) -> Array:
+        return jnp.maximum(work - softer * jnp.log(preload / at), 0.2 * work)
+
+    curvature, preload = contacts.crown_curvature, at
+    if curvature is None:
+        for _ in range(_REFERENCE_STEPS):
+            preload = share / even(preload)
+        return preload
+
+    def improve(_: int, preload: Array) -> Array:
+        added = crown_compressions(
+            pairs=contacts.pairs, crown_curvature=curvature, normal_force=preload * forces
+        )
+        return share / (even(preload) + jnp.sum(added * forces) / preload)
+
+    found: Array = jax.lax.fori_loop(0, _CROWNED_STEPS, improve, at)
+    return found
+
+
+def _approach(joint: Joint, contacts: JointContacts, force: Array) -> tuple[NormalSprings, Array | None]:
+    """Normal springs of the contacts at given forces, and their coupling."""
+    width = jnp.asarray(contacts.pairs.half_width(force))
+    if joint.body_model == "springs":
+        return bulk_springs(contacts=contacts, half_width=width), None
+    whole = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=width)
+    normal = whole[: force.size, : force.size]
+    own = jnp.diag(normal)
+    bend = logarithmic_decrease(contacts=contacts, body_model=joint.body_model, plane_state=joint.plane_state)
+    springs = NormalSprings(secant_compliance=own + bend, incremental_compliance=own)
+    return springs, normal - jnp.diag(own)
+
+
+def creep_law(
+    joint: Joint,
+    contacts: JointContacts,
+    normal_force: Array,
+    tangential_force: Array,
+    *,
+    stiffness: Array | None = None,
+) -> ContactCreep:
+    """Creep of the contacts of a drive with the factors of asperities and skew around given forces.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    contacts : JointContacts
+        The contacts.
+    normal_force, tangential_force : Array
+        Forces, shape (contacts,) [N].
+    stiffness : Array or None, optional
+        Normal stiffness of the asperities under them, where it is known already, shape (contacts,) [N/m].
+
+    Returns
+    -------
+    ContactCreep
+        Of :func:`asperity.rolling.creep.contact_creep`.
+
+    References
+    ----------
+    Equations (B1) and (B3) of :doc:`/equations`.
+    """
+    found = contact_creep(
+        contacts=contacts,
+        skew=joint.rolling.skew,
+        normal_force=normal_force,
+        tangential_force=tangential_force,
+        asperity_normal_stiffness=stiffness,
+    )
+    friction = jnp.broadcast_to(found.law.friction_coefficient, normal_force.shape)
+    return found._replace(law=dataclasses.replace(found.law, friction_coefficient=friction))
+
+
+def ring_springs(joint: Joint) -> Array | None:
+    """Compliance of the springs in series with the contacts of rings, shape (contacts,) [m/N]; None for none."""
+    if joint.ring_bending_stiffness is None:
+        return None
+    inside = np.array([contact.internal for contact in joint.drive.contacts])
+    return jnp.where(inside, 1.0 / jnp.asarray(joint.ring_bending_stiffness, dtype=float), 0.0)
+
+
+def supports_of(joint: Joint) -> Supports | None:
+    """Springs that hold the rollers of a joint on the carrier besides its pins along their push; None for none."""
+    drive = joint.drive
+    central = () if joint.unlike is None else joint.unlike.central
+    planets = tuple(
+        body
+        for body in drive.floating
+        if drive.bodies[body].place == "free" and drive.bodies[body].name not in central
+    )
+    return carrier_supports(
+        drive=drive,
+        pin_transverse_stiffness=joint.pin_transverse_stiffness,
+        planet_support_stiffness=joint.planet_support_stiffness,
+        planets=planets,
+    )
+
+
+def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
+    r"""What acts on the drive of a joint: torque and the centrifugal forces :math:`m \omega_c^2 r`.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    masses : list of Real
+        Masses of its bodies [kg].
+    torque : Real
+        Output torque [N·m].
+
+    Returns
+    -------
+    DriveLoad
+        For :func:`asperity.drive.state.states.drive_states`.
+
+    References
+    ----------
+    Equations (2)–(4) of Zou et al. 2025 have the same forces.
+    """
+    drive = joint.drive
+    carrier = speeds(drive)[drive.members.index(CARRIER)] * joint.input_speed
+    forces = [masses[body] * carrier**2 * drive.centres[body] for body in drive.floating]
+    return DriveLoad(
+        output_torque=jnp.asarray(torque, dtype=float),
+        body_force=jnp.stack(forces) if forces else jnp.zeros((0, 2)),
+        pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
+        bearings=joint.bearings,
+        support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
+        supports=supports_of(joint),
+        rotation=jnp.asarray(joint.input_speed, dtype=float),
+        standing_rotation=jnp.asarray(joint.input_speed, dtype=float),
+        friction_on_carrier=joint.carrier_balance == "complete",
+    )

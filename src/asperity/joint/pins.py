@@ -1,0 +1,72 @@
+"""Pins that leave their rollers no room, or hold them fast by friction."""
+
+from __future__ import annotations
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.errors import InputError
+from asperity.joint.description import Joint, pin_names, tracks_of
+from asperity.units import format_quantity
+
+
+def pin_room(joint: Joint) -> tuple[Array, Array]:
+    r"""How thick pins are for their rollers, and how firmly their friction holds them.
+
+    .. math:: \frac{d}{2R}, \qquad \frac{\mu_b d}{2R \cos\gamma}
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    tuple of Array
+        Of each roller on a pin, shape (pins,) [-]: diameter of the pin over that of the roller's smallest track; and
+        the moment that the pin's friction takes over the largest that the traction at both sides of the roller makes
+        around the push at an angle gamma to the tangent. Both must be below 1.
+
+    References
+    ----------
+    Moment balance of a roller between two contacts, equations (3) and (4) of Zou et al. 2025 without the wedge.
+    """
+    drive, bearings = joint.drive, joint.bearings
+    if bearings is None or not drive.pinned:
+        return jnp.zeros(len(drive.pinned)), jnp.zeros(len(drive.pinned))
+    radius = jnp.stack(
+        [jnp.min(jnp.stack([track for track, _ in tracks_of(joint, body)])) for body in drive.pinned]
+    )
+    thick = jnp.asarray(bearings.pin_diameter) / (2.0 * radius)
+    held = thick * jnp.asarray(bearings.pin_friction_coefficient) / jnp.cos(jnp.asarray(drive.push_angles))
+    return thick, held
+
+
+def refuse_pins(joint: Joint) -> None:
+    """Refuse pins as thick as their rollers, and pins that lock.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Raises
+    ------
+    InputError
+        With the sizes.
+    """
+    thick, held = map(np.asarray, pin_room(joint))
+    for name, room, grip in zip(pin_names(joint.drive), thick, held, strict=True):
+        assert joint.bearings is not None or not (room or grip)
+        if room >= 1.0:
+            diameter = float(np.asarray(joint.bearings.pin_diameter))  # type: ignore[union-attr]
+            raise InputError(
+                f"the pin diameter {format_quantity(diameter, 'mm')} must be below the diameter of {name}, "
+                f"{format_quantity(diameter / float(room), 'mm')}"
+            )
+        if grip >= 1.0:
+            raise InputError(
+                f"the pins lock: the friction of {name} on its pin is {grip:.3g} times what its traction can overcome; "
+                "choose thinner pins or less pin_friction_coefficient"
+            )

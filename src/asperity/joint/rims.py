@@ -1,0 +1,150 @@
+"""Strength of the rings and hollow rollers of a planar drive that bend: stresses along their rims."""
+
+from __future__ import annotations
+
+import functools
+
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.joint.bodies import exact_bodies
+from asperity.joint.description import Joint, joint_contacts, places, tracks_of
+from asperity.joint.evaluation import JointResult
+from asperity.joint.rim_safety import BodyRims, body_rims, worse_rims
+from asperity.joint.unfolding import SectorSizes, unfolded_joint
+from asperity.rolling.turning import driving_sense
+
+
+def bends(joint: Joint) -> tuple[bool, ...]:
+    """Which bodies have one track and a rim that nothing rigid holds.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    tuple of bool
+        In the order of the drive's bodies. The tracks of a stepped roller lie in different planes: what bends it is not
+        part of plane elasticity.
+    """
+    return tuple(
+        (shape.kind == "hollow" or (shape.kind == "ring" and shape.support != "rigid_housing"))
+        and len(tracks_of(joint, number)) == 1
+        for number, shape in enumerate(joint.shapes)
+    )
+
+
+def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
+    """Strength of the bodies that bend; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    BodyRims
+        With the axis of the bodies last; nan for the others. Away from the contacts, whose own stresses are judged by
+        yield, shakedown and rolling fatigue.
+
+    Notes
+    -----
+    Exact plane elasticity. Where the input turns, the forces under the torque are those of rolling. The stress of the
+    pins' pressure on the bores and of rotation is not included.
+
+    References
+    ----------
+    Equation (L3) of :doc:`/equations`.
+    """
+    sense = driving_sense(joint.drive)
+    turns = jnp.asarray(joint.input_speed) != 0.0
+    moving, standing = result.rolling, result.forces
+    working = (
+        jnp.where(turns, moving.normal, standing.normal),
+        sense * jnp.where(turns, moving.tangential, standing.tangential),
+    )
+    states = (working, (result.rest.normal, result.rest.tangential))
+    width = jnp.asarray(result.diagnostics.hertz_half_width)
+    return _in_order(_each_body(joint, states, width), bends(joint))
+
+
+def branch_rims(sectors: int, joint: Joint, working: Array, rest: Array) -> BodyRims:
+    """Strength of the bodies that bend between sectors that differ; pure.
+
+    Parameters
+    ----------
+    sectors : int
+        Number of sectors.
+    joint : Joint
+        A joint with equal sectors.
+    working, rest : Array
+        Normal and tangential forces of the contacts of each sector, counter-clockwise as in
+        :class:`asperity.drive.state.state.DriveState`, under the torque and without it, shape (2, contacts, sectors)
+        [N].
+
+    Returns
+    -------
+    BodyRims
+        As :func:`joint_rims`: of a ring under all its forces, of a roller that of the sector where it is worst.
+
+    References
+    ----------
+    Equations (I4) and (L3) of :doc:`/equations`.
+    """
+    even = jnp.ones((sectors, len(joint.drive.contacts)))
+    sizes = SectorSizes(0.0 * even, even, 0.0)
+    whole = unfolded_joint(joint, sizes, sectors=sectors, floating=())
+    width = jax.vmap(joint_contacts(joint).largest_half_width, in_axes=1)(working[0]).ravel()
+    states = tuple(tuple(each.T.ravel() for each in state) for state in (working, rest))
+    found = iter(_each_body(whole, states, width, sectors))
+    central = [body.place == "axis" for body in joint.drive.bodies]
+    acts = bends(joint)
+    rings = {number: next(found) for number, held in enumerate(central) if held and acts[number]}
+    rollers = [number for number, held in enumerate(central) if not held and acts[number]]
+    copies: dict[int, list[BodyRims]] = {number: [] for number in rollers}
+    for _ in range(sectors):
+        for number in rollers:
+            copies[number].append(next(found))
+    worst = {number: functools.reduce(worse_rims, each) for number, each in copies.items()}
+    return _in_order([(rings | worst)[number] for number in sorted(rings | worst)], acts)
+
+
+def _each_body(
+    joint: Joint, states: tuple[tuple[Array, Array], ...], width: Array, sectors: int = 1
+) -> list[BodyRims]:
+    """Those that bend, under normal and tangential forces, the latter counter-clockwise."""
+    drive = joint.drive
+    first, _ = places(drive)
+    exact = [number for number in range(len(drive.bodies)) if len(tracks_of(joint, number)) == 1]
+    members = dict(zip(exact, exact_bodies(joint), strict=True))
+    found = []
+    for number, acts in enumerate(bends(joint)):
+        if not acts:
+            continue
+        member = members[number]
+        signs = tuple(
+            1.0 if first[k] != number and drive.contacts[k].internal else -1.0 for k in member.contacts
+        )
+        finer = sectors if drive.bodies[number].place == "held" else 1
+        found.append(body_rims(member, joint.materials[number], states, width, signs, finer))
+    return found
+
+
+def _in_order(found: list[BodyRims], there: tuple[bool, ...]) -> BodyRims:
+    """The bodies that bend in the order of all bodies; nan for the others."""
+    at = [number for number, acts in enumerate(there) if acts]
+    pair = jnp.full((2, len(there)), jnp.nan)
+    one = jnp.full(len(there), jnp.nan)
+    empty = BodyRims(pair, pair, pair, pair, one, one)
+
+    def placed(base: Array, *values: Array) -> Array:
+        return base.at[..., jnp.array(at)].set(jnp.stack(values, axis=-1)) if values else base
+
+    placed_rims: BodyRims = jax.tree.map(placed, empty, *found)
+    return placed_rims

@@ -1,0 +1,260 @@
+"""Solve one joint with a planar drive, and refuse one that cannot exist or does not hold its torque."""
+
+from __future__ import annotations
+
+import math
+
+import equinox as eqx
+import jax
+import numpy as np
+
+from asperity.compilation import compile_fast
+from asperity.drive.layout.existence import refuse_impossible
+from asperity.drive.state.state import ContactLaws, DriveState
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint.capacity import TorqueCapacities, torque_capacities
+from asperity.joint.description import Joint, track_lengths, tracks_of
+from asperity.joint.evaluation import JointResult, joint_result, laws_and_states
+from asperity.joint.looseness import refuse_loose
+from asperity.joint.motion import in_motion
+from asperity.joint.pins import refuse_pins
+from asperity.joint.refusal import refuse_short_contacts
+from asperity.joint.rims import bends, joint_rims
+from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
+from asperity.precision import require_double_precision
+from asperity.units import format_quantity
+
+
+class Solution(eqx.Module):
+    """A joint's result beside the torque that it can pass.
+
+    Parameters
+    ----------
+    result : JointResult
+        Forces, contacts, stiffness, diagnostics and rolling.
+    capacity, reverse_capacity : TorqueCapacity
+        Largest positive and largest negative output torque, standing [N·m], and what limits them.
+    rolling_capacity, reverse_rolling_capacity : TorqueCapacity
+        The same in rolling.
+    first_slip, reverse_first_slip : TorqueCapacity
+        Output torques at which the first contact slides while the joint stands, likewise.
+    """
+
+    result: JointResult
+    capacity: TorqueCapacity
+    reverse_capacity: TorqueCapacity
+    rolling_capacity: TorqueCapacity
+    reverse_rolling_capacity: TorqueCapacity
+    first_slip: TorqueCapacity
+    reverse_first_slip: TorqueCapacity
+
+
+def result_and_capacity(joint: Joint) -> tuple[JointResult, TorqueCapacities]:
+    """Everything about one joint, and its capacities, without a judgement whether it exists.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint of NumPy numbers.
+
+    Returns
+    -------
+    JointResult, TorqueCapacities
+        Results, and torque capacities in both directions, with leaves as NumPy arrays.
+    """
+    joint = in_motion(joint)
+    first = compile_fast(laws_and_states, joint)
+    laws, states = first.results
+    second = compile_fast(joint_result, joint, laws, states)
+    limits = compile_fast(_capacities, joint, states.rest, laws)
+    if any(bends(joint)):
+        compile_fast(joint_rims, joint, second.results)  # which every document asks for next
+    laws, states = jax.tree.map(np.asarray, first(joint))
+    result: JointResult = jax.tree.map(np.asarray, second(joint, laws, states))
+    capacity: TorqueCapacities = jax.tree.map(np.asarray, limits(joint, states.rest, laws))
+    return result, capacity
+
+
+def _capacities(joint: Joint, rest: DriveState, laws: ContactLaws) -> TorqueCapacities:
+    return torque_capacities(joint, rest, laws, first_slip=True)
+
+
+def solve_joint(joint: Joint) -> Solution:
+    """Solve one joint with a planar drive.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    Solution
+        Its result, with leaves as NumPy arrays, and its torque capacity.
+
+    Raises
+    ------
+    InputError
+        If the bodies do not fit, or the output torque exceeds the torque capacity; with the numbers.
+    NoSolutionError
+        If no balance was found.
+    PrecisionError
+        If JAX is in single precision.
+    """
+    require_double_precision()
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    refuse_impossible(numbers.drive)
+    refuse_loose(numbers.fit)
+    refuse_bores(numbers)
+    refuse_pins(numbers)
+    refuse_short_pins(numbers)
+    result, capacity = result_and_capacity(numbers)
+    both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacity for i in range(2)]
+    solution = Solution(result, *both)
+    _refuse_unsolved(numbers, solution)
+    return solution
+
+
+def refuse_bores(joint: Joint) -> None:
+    """Refuse a hollow roller without a wall.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Raises
+    ------
+    InputError
+        With the diameters.
+    """
+    for number, (body, shape) in enumerate(zip(joint.drive.bodies, joint.shapes, strict=True)):
+        radius = min(float(radius) for radius, _ in tracks_of(joint, number))
+        if shape.bore_diameter is not None and float(shape.bore_diameter) >= 2.0 * radius:
+            raise InputError(
+                f"the bore of {body.name}, {format_quantity(float(shape.bore_diameter), 'mm')}, leaves no wall in a "
+                f"roller of {format_quantity(2.0 * radius, 'mm')}; make the bore smaller"
+            )
+
+
+def refuse_short_pins(joint: Joint) -> None:
+    """Refuse pins that are shorter than their rollers.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Raises
+    ------
+    InputError
+        With the lengths.
+    """
+    if joint.pin is None:
+        return
+    for body in joint.drive.pinned:
+        length, free = float(sum(track_lengths(joint, body))), float(joint.pin.free_length)
+        if not free >= length:
+            raise InputError(
+                f"the pins have a free length of {format_quantity(free, 'mm')}, less than the "
+                f"{format_quantity(length, 'mm')} of {joint.drive.bodies[body].name}: lengthen the pins "
+                "(bearings.pin_length)"
+            )
+
+
+def _given(joint: Joint) -> str:
+    """What presses the contacts of a joint, as its file states it."""
+    if joint.interference is None:
+        return f"a preload of {format_quantity(float(np.asarray(joint.preload)), 'N')}"
+    given = f"an interference of {format_quantity(float(joint.interference), 'um')}"
+    if joint.fit is None:
+        return given
+    warm = format_quantity(float(joint.fit.working_temperature), "degC")
+    return f"{given} at the assembly and a working temperature of {warm}"
+
+
+def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
+    result, torque = solution.result, float(joint.output_torque)
+    capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
+    limit, kind = float(capacity.output_torque), LIMIT_KINDS[int(capacity.limit)]
+    pressed, pressed_by_cam = (
+        float(state.worst) < np.inf and bool(np.all(np.asarray(state.normal) > 0.0))
+        for state in (result.rest, result.pressed)
+    )
+    if pressed and joint.cam is not None and kind in MODEL_LIMITS and abs(torque) >= limit > 0.0:
+        raise InputError(_beyond_what_is_computed(joint, solution, capacity))
+    if not (pressed and pressed_by_cam):
+        raise NoSolutionError(
+            f"with {_given(joint)} no state was found in which every contact of the assembled drive is pressed; "
+            "check this value, the radii and the walls"
+        )
+    refuse_short_contacts(result)
+    if not bool(result.walls_hold):
+        raise InputError(
+            "a ring or a hollow roller has a wall thinner than five half-widths of its contacts or about 2 % of its "
+            "radius, for which its compliance is not known; make the wall thicker"
+        )
+    if bool(result.solved) and (abs(torque) < limit or kind == "no_solution"):
+        return
+    if bool(result.solved) or (math.isfinite(limit) and abs(torque) >= limit):
+        words = limit_words(capacity, contacts=result.contact_names)
+        remedy = (
+            "lower the torque, or change preload, friction coefficient or contact lengths"
+            if limit > 0.0
+            else "raise the preload, or lower the speed"
+        )
+        raise InputError(
+            f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity "
+            f"{format_quantity(math.copysign(limit, torque), 'N*m')}, at which {words}; {remedy}"
+        )
+    raise NoSolutionError(
+        f"no balance under {format_quantity(torque, 'N*m')} was found (residual "
+        f"{float(result.forces.balance_residual):.3g}); lower the torque or the speed"
+    )
+
+
+def _beyond_what_is_computed(joint: Joint, solution: Solution, capacity: TorqueCapacity) -> str:
+    """Why a joint is not computed that its cam presses too much, and what to change."""
+    assert joint.cam is not None
+    torque, limit = float(joint.output_torque), float(capacity.output_torque)
+    cam = float(joint.cam.force_per_torque)
+    least = float(np.asarray(solution.result.rest.normal)[0])
+    shown = [format_quantity(each, "N*m") for each in (torque, math.copysign(limit, torque))]
+    forces = [format_quantity(least + cam * abs(each), "N") for each in (torque, limit)]
+    return (
+        f"under the output torque {shown[0]} the loading cam presses with {forces[0]}; the joint is computed up to "
+        f"{forces[1]}, at {shown[1]}, where {limit_words(capacity, contacts=solution.result.contact_names)}; lower the "
+        "torque or load.cam_force_per_torque, or choose longer contacts or a thicker wall"
+    )
+
+
+def refuse_no_rolling(joint: Joint, solution: Solution) -> None:
+    """Refuse a joint that stands but has no steady rolling state.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    solution : Solution
+        What it does.
+
+    Raises
+    ------
+    NoSolutionError
+        With the torque up to which it rolls.
+    """
+    if np.isfinite(np.asarray(solution.result.rolling.residual)):
+        return
+    if not bool(solution.result.contact_law_holds):
+        raise NoSolutionError(
+            "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness; raise "
+            "fractal_dimension or hardness, or lower fractal_roughness"
+        )
+    torque = float(joint.output_torque)
+    found = solution.reverse_rolling_capacity if torque < 0.0 else solution.rolling_capacity
+    raise NoSolutionError(
+        f"no steady rolling under {format_quantity(torque, 'N*m')}: the joint rolls up to "
+        f"{format_quantity(math.copysign(float(found.output_torque), torque), 'N*m')}, at which "
+        f"{limit_words(found, contacts=solution.result.contact_names)}; lower the torque"
+        f"{'' if joint.rolling.skew is None else ' or the skew'}, or raise the preload or the friction coefficient"
+    )

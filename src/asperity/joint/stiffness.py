@@ -1,0 +1,199 @@
+"""Torsional stiffness of a joint with a planar drive on the three levels of the model."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.layout.drive import speed_ratio
+from asperity.drive.state.state import SLIP_TOLERANCE
+from asperity.drive.stiffness.assembly import Assembly
+from asperity.drive.stiffness.network import network_stiffness, with_shafts
+from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
+from asperity.joint.bodies import body_compliance, walls_known
+from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
+from asperity.joint.description import Joint
+from asperity.joint.elastic_bodies import springs_of_compliance, widths_of_bodies
+from asperity.joint.laws import ring_springs, supports_of
+from asperity.types import Real
+
+
+class LoadedStiffness(NamedTuple):
+    """Contacts of a joint under their forces, and its stiffness.
+
+    Parameters
+    ----------
+    contacts : LoadedContacts
+        The contacts.
+    published, series_with_bulk : TorsionalStiffness
+        Of the asperities alone, and with the bodies in series; the centres of all rollers held.
+    assembly : Assembly
+        The fullest model.
+    contact_law_holds, walls_hold : Array
+        Whether every loaded contact has an elastic spot; every wall a known compliance, and every crowned contact the
+        length that its slices need.
+    """
+
+    contacts: LoadedContacts
+    published: TorsionalStiffness
+    series_with_bulk: TorsionalStiffness
+    assembly: Assembly
+    contact_law_holds: Array
+    walls_hold: Array
+
+
+def loaded_stiffness(
+    joint: Joint, contacts: JointContacts, normal_force: Array, tangential_force: Array, slides: Array
+) -> LoadedStiffness:
+    """Stiffness of a joint under given forces; nan where a law does not hold.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+    normal_force, tangential_force : Array
+        Their forces, positive where the first body drives the second, shape (contacts,) [N].
+    slides : Array
+        Signs of those that slide as a whole, as in :class:`asperity.drive.state.state.DriveState`, shape (contacts,)
+        [-].
+
+    Returns
+    -------
+    LoadedStiffness
+        On three levels. A contact that slides has no tangential stiffness: its force follows its normal force, all over
+        the strip.
+
+    References
+    ----------
+    Equations (A8) and (M4) of :doc:`/equations`.
+    """
+    holds = slides == 0.0
+    most = (1.0 - SLIP_TOLERANCE) * contacts.pairs.friction_coefficient * normal_force
+    loaded = loaded_contacts(
+        contacts=contacts,
+        normal_force=normal_force,
+        # in series with a contact that slides another bears just its friction, and no more under a higher torque
+        tangential_force=jnp.where(holds, jnp.clip(tangential_force, -most, most), 0.0),
+    )
+    friction = slides * contacts.pairs.friction_coefficient
+    published, series, assembly = stiffness_levels(joint, contacts, loaded, friction)
+    loaded = loaded._replace(
+        traction=jnp.where(holds, loaded.traction, 1.0),
+        rough=dataclasses.replace(
+            loaded.rough, tangential_stiffness=jnp.where(holds, loaded.rough.tangential_stiffness, 0.0)
+        ),
+        interfaces=dataclasses.replace(
+            loaded.interfaces,
+            asperity_tangential=jnp.where(holds, loaded.interfaces.asperity_tangential, 0.0),
+            bulk_tangential=jnp.where(holds, loaded.interfaces.bulk_tangential, 0.0),
+        ),
+    )
+    law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (normal_force <= 0.0))
+    walls = walls_known(joint=joint, half_width=loaded.half_width)
+    if loaded.lines is not None:
+        walls = walls & jnp.all(loaded.lines.solved | (normal_force <= 0.0))
+    published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
+    assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
+    return LoadedStiffness(loaded, published, series, assembly, law_holds, walls)
+
+
+def stiffness_levels(
+    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, sliding_friction: Array
+) -> tuple[TorsionalStiffness, TorsionalStiffness, Assembly]:
+    """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+    loaded : LoadedContacts
+        Its contacts under their forces.
+    sliding_friction : Array
+        Of :func:`asperity.drive.stiffness.network.network_stiffness`.
+
+    Returns
+    -------
+    TorsionalStiffness, TorsionalStiffness, Assembly
+        The first two with the centres of all rollers held.
+
+    References
+    ----------
+    Equations (A8) and (M4) of :doc:`/equations`.
+    """
+    drive, ratio = joint.drive, jnp.asarray(speed_ratio(joint.drive))
+    interfaces = loaded.interfaces
+
+    def compliance(stiffness: Real) -> Array:
+        acts = jnp.asarray(stiffness) > 0.0
+        return jnp.where(acts, 1.0 / jnp.where(acts, stiffness, 1.0), jnp.nan)
+
+    def with_held_centres(tangential: Array) -> Array:
+        return network_stiffness(
+            drive=drive,
+            normal_compliance=None,
+            tangential_compliance=compliance(tangential),
+            sliding_friction=sliding_friction,
+        ).output
+
+    def at_both_ends(output: Array) -> TorsionalStiffness:
+        return TorsionalStiffness(sun=output / ratio**2, output=output)
+
+    held = jax.vmap(with_held_centres)(
+        jnp.stack([jnp.asarray(interfaces.asperity_tangential), jnp.asarray(interfaces.tangential)])
+    )
+    normal, tangential, coupling = interfaces.normal, interfaces.tangential, None
+    if joint.body_model == "exact":
+        width, stick = widths_of_bodies(contacts=contacts, loaded=loaded)
+        springs = springs_of_compliance(
+            compliance=body_compliance(
+                joint=joint, contacts=contacts, half_width=width, stick_half_width=stick
+            ),
+            half_width=width,
+            loaded=loaded,
+        )
+        normal, tangential = springs.normal_stiffness, springs.tangential_stiffness
+        coupling = springs.coupling
+    rings = ring_springs(joint)
+    whole = network_stiffness(
+        drive=drive,
+        normal_compliance=compliance(normal) if rings is None else compliance(normal) + rings,
+        tangential_compliance=compliance(tangential),
+        coupling=coupling,
+        pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
+        sliding_friction=sliding_friction,
+        support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
+        supports=supports_of(joint),
+    )
+    across = 0 if joint.pin_transverse_stiffness is None else len(drive.pinned)
+    bending = jnp.zeros(len(drive.contacts))
+    if rings is not None:
+        bending = rings * whole.normal_force**2 * jnp.asarray(drive.sectors) * whole.output
+    output, input_share, output_share = with_shafts(
+        stiffness=whole.output,
+        ratio=ratio,
+        input_shaft_stiffness=joint.input_shaft_stiffness,
+        output_shaft_stiffness=joint.output_shaft_stiffness,
+    )
+    rest = output / whole.output
+    return (
+        at_both_ends(held[0]),
+        at_both_ends(held[1]),
+        Assembly(
+            stiffness=at_both_ends(output),
+            tangential_share=whole.tangential_share * rest,
+            normal_share=(whole.normal_share - bending) * rest,
+            ring_bending_share=jnp.sum(bending) * rest,
+            pin_share=(whole.pin_share + jnp.sum(whole.support_share[:across])) * rest,
+            planet_support_share=jnp.sum(whole.support_share[across:]) * rest,
+            input_shaft_share=input_share,
+            output_shaft_share=output_share,
+        ),
+    )

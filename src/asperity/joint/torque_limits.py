@@ -1,0 +1,197 @@
+"""Torque capacity of a joint: the largest output torque before its first limit, and which limit that is (A9)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.state.first_limit import FirstLimit
+from asperity.units import format_quantity
+
+#: Kinds of limits, by the codes of :class:`TorqueCapacity`.
+LIMIT_KINDS = (
+    "none",
+    "pins_lock",
+    "gross_slip",
+    "lift_off",
+    "contact_too_wide",
+    "no_solution",
+    "wall_too_thin",
+)
+
+#: Those of them that end what is computed, not what the joint can do: its own capacity is not less.
+MODEL_LIMITS = ("contact_too_wide", "wall_too_thin")
+
+_SAME = 1e-6  # relative difference of torques that are said to be the same
+
+_PER_CONTACT = ("gross_slip", "lift_off", "contact_too_wide")  # these have a limit for each contact
+
+
+class TorqueCapacity(eqx.Module):
+    """How much torque a preloaded joint can pass in one direction.
+
+    Parameters
+    ----------
+    output_torque : Array
+        Largest output torque that keeps every limit [N·m]; infinite where none is ever reached, 0 where one is
+        reached without any torque.
+    limit : Array
+        Code of the first limit in :data:`LIMIT_KINDS`.
+    limiting_contact : Array
+        Number of the contact that reaches it; that of contacts for a limit that is not a contact's.
+    """
+
+    output_torque: Array
+    limit: Array
+    limiting_contact: Array
+
+
+def named_capacity(found: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
+    """The capacity with its kind of limit and contact, from the first of many limits.
+
+    Parameters
+    ----------
+    found : FirstLimit
+        First of: locked pins, slip, lift-off and width of every contact, wall at every contact, no solution.
+    contacts : int
+        Number of contacts.
+    walls : bool, optional
+        Whether walls are among the limits.
+
+    Returns
+    -------
+    TorqueCapacity
+        Its torque and limit.
+    """
+    each = (*_PER_CONTACT, "wall_too_thin") if walls else _PER_CONTACT
+    names = ["none", "pins_lock", *(name for name in each for _ in range(contacts)), "no_solution"]
+    kinds = [LIMIT_KINDS.index(name) for name in names]
+    places = [contacts, contacts, *list(range(contacts)) * len(each), contacts]
+    return TorqueCapacity(
+        output_torque=found.value,
+        limit=jnp.asarray(kinds)[1 + found.which],
+        limiting_contact=jnp.asarray(places)[1 + found.which],
+    )
+
+
+def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...]) -> str:
+    """What limits the capacity of one joint, in words.
+
+    Parameters
+    ----------
+    capacity : TorqueCapacity
+        Of one joint and one direction.
+    contacts : tuple of str
+        Names of the contacts.
+
+    Returns
+    -------
+    str
+        For example "contact sp slips".
+    """
+    contact = (*contacts, "none")[int(capacity.limiting_contact)]
+    texts = {
+        "none": "no limit is reached at any torque",
+        "gross_slip": f"contact {contact} slips",
+        "lift_off": f"contact {contact} lifts off",
+        "contact_too_wide": f"contact {contact} becomes too wide for line-contact theory",
+        "wall_too_thin": f"the wall at contact {contact} is five of its half-widths thick, the least that exact bodies "
+        "are computed with",
+        "pins_lock": "the pins of the loading rollers lock",
+        "no_solution": "the force balance has no solution",
+    }
+    return texts[LIMIT_KINDS[int(capacity.limit)]]
+
+
+def capacity_document(
+    capacity: TorqueCapacity,
+    *,
+    contacts: tuple[str, ...],
+    first_slip: TorqueCapacity | None = None,
+) -> dict[str, Any]:
+    """The capacity of one joint in one direction as a part of a JSON document.
+
+    Parameters
+    ----------
+    capacity : TorqueCapacity
+        Of one joint and one direction.
+    contacts : tuple of str
+        Names of the contacts.
+    first_slip : TorqueCapacity or None, optional
+        Where the first contact slides, while others may still hold; None for drives in which none is said to hold.
+
+    Returns
+    -------
+    dict
+        Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words; whether
+        the joint may carry more, because only what is computed ends there; with the torque and the contact of the first
+        slip.
+    """
+    torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
+    at_least = LIMIT_KINDS[int(capacity.limit)] in MODEL_LIMITS
+    found: dict[str, Any] = {
+        "output_torque_Nm": torque if math.isfinite(torque) else None,
+        "limit": LIMIT_KINDS[int(capacity.limit)],
+        "limiting_contact": contacts[contact] if contact < len(contacts) else None,
+        "meaning": limit_words(capacity, contacts=contacts)
+        + ("; the joint may carry more" if at_least else ""),
+        "is_lower_bound": at_least,
+    }
+    if first_slip is not None and LIMIT_KINDS[int(first_slip.limit)] == "gross_slip":
+        found["first_slip"] = {
+            "output_torque_Nm": float(first_slip.output_torque),
+            "contact": contacts[int(first_slip.limiting_contact)],
+        }
+    return found
+
+
+def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
+    """Whether a capacity in rolling is one at which only what is computed ends.
+
+    Parameters
+    ----------
+    both : dict
+        As for :func:`first_slip_words`.
+    torque : float or None
+        The capacity in rolling [N·m]; None where it is unlimited.
+
+    Returns
+    -------
+    bool
+        Where it is the lower bound of the capacity standing, in either direction.
+    """
+    bounds = [each["output_torque_Nm"] for each in (both, both["reverse"]) if each.get("is_lower_bound")]
+    return torque is not None and any(math.isclose(torque, bound, rel_tol=_SAME) for bound in bounds)
+
+
+def first_slip_words(both: dict[str, Any]) -> list[str]:
+    """Where a contact slips while others carry the rest, in words.
+
+    Parameters
+    ----------
+    both : dict
+        :func:`capacity_document` of positive torques, that of negative ones in its entry ``reverse``.
+
+    Returns
+    -------
+    list of str
+        One text; none where the first slip is the capacity.
+    """
+    early = [
+        (entry["first_slip"]["contact"], format_quantity(entry["first_slip"]["output_torque_Nm"], "N*m"))
+        for entry in (both, both["reverse"])
+        if "first_slip" in entry
+        and entry["first_slip"]["output_torque_Nm"]
+        < (1.0 - _SAME) * (math.inf if entry["output_torque_Nm"] is None else entry["output_torque_Nm"])
+    ]
+    if len(early) < 2:
+        return [f"{torque} at {contact}; others carry the rest" for contact, torque in early]
+    (contact, torque), (other, back) = early
+    way = "" if (contact, torque) == (other, back) else f" (reverse {other})"
+    if back != torque:
+        way = f" (reverse {back} at {other})"
+    return [f"{torque} at {contact}{way}; others carry the rest"]

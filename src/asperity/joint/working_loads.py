@@ -1,0 +1,158 @@
+"""Loads of the structure of a joint with a planar drive in the state in which it works, and speeds of its members."""
+
+from __future__ import annotations
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.drive.layout.creeping import creeping_speeds
+from asperity.drive.layout.drive import CARRIER, Drive
+from asperity.drive.state.loads import MemberLoads, member_loads
+from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
+from asperity.joint.description import Joint, track_lengths
+from asperity.joint.evaluation import JointResult
+from asperity.joint.laws import drive_load
+from asperity.rolling.turning import driving_sense
+
+
+def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
+    """Loads of the structure of a joint under its torque; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    MemberLoads
+        Of steady rolling where the input turns, else of the state standing under the torque; nan where there is none.
+
+    References
+    ----------
+    Equations (M1) and (M3) of :doc:`/equations`.
+    """
+    turns = jnp.asarray(joint.input_speed) != 0.0
+    moving, standing = result.rolling, result.forces
+    load = drive_load(joint, [result.masses[k] for k in range(len(joint.shapes))], joint.output_torque)
+    known = jnp.where(turns, jnp.isfinite(moving.residual), result.solved)
+    found = member_loads(
+        drive=joint.drive,
+        normal=jnp.where(turns, moving.normal, standing.normal),
+        tangential=driving_sense(joint.drive) * jnp.where(turns, moving.tangential, standing.tangential),
+        body_force=jnp.zeros((0, 2)) if load.body_force is None else load.body_force,
+    )
+    return MemberLoads(*(jnp.where(known, each, jnp.nan) for each in found))
+
+
+def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
+    """Loads of the structure of an assembled joint without torque; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    MemberLoads
+        From the preload alone.
+
+    References
+    ----------
+    Equations (M1) and (M3) of :doc:`/equations`.
+    """
+    return member_loads(
+        drive=joint.drive,
+        normal=jnp.asarray(result.rest.normal),
+        tangential=jnp.asarray(result.rest.tangential),
+        body_force=jnp.zeros((len(joint.drive.floating), 2)),
+    )
+
+
+def member_speeds(joint: Joint, result: JointResult) -> Array:
+    """Angular velocities of the members of a joint, creep taken off; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    Array
+        Counter-clockwise, shape (members,) [rad/s]; 0 where the input stands, nan where the joint does not roll.
+
+    References
+    ----------
+    Equation (M2) of :doc:`/equations`.
+    """
+    speed = jnp.asarray(joint.input_speed)
+    creepage = driving_sense(joint.drive) * jnp.sign(speed) * result.rolling.creepage
+    unit, _ = creeping_speeds(drive=joint.drive, creepage=creepage)
+    return jnp.where(speed != 0.0, unit * speed, 0.0)
+
+
+def pin_speeds(drive: Drive, speeds: Array) -> Array:
+    """Angular velocities of the rollers on pins relative to the carrier.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    speeds : Array
+        Angular velocities of its members, shape (members,) [rad/s].
+
+    Returns
+    -------
+    Array
+        Without signs, shape (pins,) [rad/s].
+
+    References
+    ----------
+    Difference of the angular velocities.
+    """
+    carrier = drive.members.index(CARRIER)
+    return jnp.abs(speeds[np.array(drive.pinned, dtype=int)] - speeds[carrier])
+
+
+def pin_bending(joint: Joint, force: Array) -> tuple[Array, Array]:
+    """Largest bending moment of each pin and its stress; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    force : Array
+        Forces of the rollers on their pins, of either sign, shape (pins, ...) [N].
+
+    Returns
+    -------
+    tuple of Array
+        Moments [N·m] and stresses [Pa], shape (pins, ...); nan where the pins have no length, or no diameter.
+
+    References
+    ----------
+    Equation (L1) of :doc:`/equations`.
+    """
+    if joint.pin is None:
+        unknown = jnp.full_like(force, jnp.nan)
+        return unknown, unknown
+    moments = [
+        pin_bending_moment(
+            force=jnp.abs(own),
+            free_length=joint.pin.free_length,
+            roller_length=sum(track_lengths(joint, body)),
+            support=joint.pin.support,
+        )
+        for own, body in zip(force, joint.drive.pinned, strict=True)
+    ]
+    moment = jnp.stack(moments) if moments else jnp.zeros_like(force)
+    return moment, pin_bending_stress(moment=moment, diameter=joint.pin.diameter)

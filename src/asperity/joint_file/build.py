@@ -1,0 +1,399 @@
+"""From the tables of a joint file in SI units to a :class:`asperity.joint.description.Joint`."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Collection
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.branches.sizes import SectorDeviations
+from asperity.drive.layout.drive import Drive
+from asperity.drive.layout.expansion import interference_of_sizes
+from asperity.drive.mechanism import Bearings
+from asperity.drive.stiffness.loading_cam import LoadingCam
+from asperity.drive.structure.pin_beam import PinBeam
+from asperity.joint.description import Joint
+from asperity.joint.temperature import contact_fit
+from asperity.joint_file.material_build import material_of, surface_of
+from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import (
+    CONTACTS,
+    TRACKS,
+    contacts_of,
+    material_key,
+    paths_of_track,
+    size_keys,
+    sized_tracks,
+    sizes_of_tracks,
+    type_of,
+)
+from asperity.joint_file.parts import layout_of
+from asperity.joint_file.section_build import entries, play_of, rated_bearing, rolling_conditions
+from asperity.joint_file.si_tables import Values, si_values
+
+if TYPE_CHECKING:
+    from asperity.branches.branches import BranchedJoint
+    from asperity.branches.results import BranchState, UnequalBranches
+    from asperity.joint.solve import Solution
+
+
+def joint_from_case(case: Case) -> Joint:
+    """The joint that a file describes.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    Joint
+        In SI units.
+    """
+    return joint_from_values(si_values(case))
+
+
+def joint_from_values(values: Values) -> Joint:
+    """The joint of nested tables of SI numbers; a function of its leaves that can be differentiated.
+
+    Parameters
+    ----------
+    values : dict
+        Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
+
+    Returns
+    -------
+    Joint
+        In SI units.
+    """
+    drive, shapes, pattern = layout_of(values)
+    load, model, springs = values["load"], values["model"], values.get("compliance", {})
+    names, cam = contacts_of(values), load.get("cam_force_per_torque")
+    rings = pattern
+    if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
+        pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
+    materials = {name: material_of(entry) for name, entry in values["materials"].items()}
+    joint = Joint(
+        type=type_of(values),
+        drive=drive,
+        shapes=shapes,
+        materials=tuple(materials[values["bodies"][material_key(body.name)]] for body in drive.bodies),
+        surfaces=tuple(
+            surface_of(entry, asperity_base=model["asperity_base"])
+            for entry in entries(values["surface"], names)
+        ),
+        contact_lengths=entries(values["drive"]["contact_length"], names),
+        friction_coefficients=entries(load["friction_coefficient"], names),
+        pattern=pattern,
+        preload=load.get("preload"),
+        interference=load.get("interference"),
+        output_torque=load["output_torque"],
+        input_speed=load["sun_speed"],
+        pin_stiffness=springs.get("pin_stiffness", math.inf),
+        input_shaft_stiffness=springs.get("input_shaft_stiffness", math.inf),
+        output_shaft_stiffness=springs.get("output_shaft_stiffness", math.inf),
+        contact_factor_model=model["contact_factor"],
+        body_model=model.get("bodies", "exact"),
+        plane_state=model.get("plane_state", "plane_strain"),
+        closure_springs=model.get("closure_springs"),
+        carrier_balance=model.get("carrier_balance", "complete"),
+        pin_transverse_stiffness=springs.get("pin_transverse_stiffness"),
+        planet_support_stiffness=springs.get("planet_support_stiffness"),
+        ring_bending_stiffness=springs.get("ring_bending_stiffness"),
+        rolling=rolling_conditions(values),
+        bearings=_bearings(values.get("bearings")),
+        pin=_pin(values.get("bearings", {})),
+        play=play_of(values),
+        pin_bearing=rated_bearing(values.get("pin_bearing")),
+        input_bearing=rated_bearing(values.get("input_bearing", values.get("sun_bearing"))),
+        output_bearing=rated_bearing(values.get("output_bearing", values.get("carrier_bearing"))),
+        crown_curvatures=_crown_curvatures(values),
+        cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
+    )
+    if "temperature" not in values or "interference" not in load:
+        return joint
+    temperature = values["temperature"]
+    fit = contact_fit(
+        joint,
+        assembly_temperature=temperature["assembly"],
+        working_temperature=temperature["working"],
+        housing_expansion=temperature.get("housing_expansion"),
+    )
+    return dataclasses.replace(joint, fit=fit)
+
+
+def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:
+    """Curvature of the crowns of both tracks of each contact; None where no track is crowned."""
+    if type_of(values) in TRACKS:
+        stated, tracks = values["drive"], tuple(TRACKS[type_of(values)].values())
+        radii = [[stated.get(f"{track}_crown_radius") for track in pair] for pair in tracks]
+    else:
+        each = values["contact"].values()
+        radii = [[entry.get(f"{side}_crown_radius") for side in ("first", "second")] for entry in each]
+    if all(radius is None for pair in radii for radius in pair):
+        return None
+    return tuple(sum((1.0 / radius for radius in pair if radius is not None), 0.0) for pair in radii)
+
+
+#: Keys of [bearings] in a file with the wedge drive that others call by the place of the bearing.
+_BEARINGS = {
+    "sun_torque": "input_torque",
+    "loading_roller_torque": "roller_torque",
+    "carrier_torque": "output_torque",
+}
+
+
+def _bearings(entry: Values | None) -> Bearings | None:
+    if entry is None:
+        return None
+    stated: dict[str, Any] = {_BEARINGS.get(key, key): value for key, value in entry.items()}
+    return Bearings(
+        sun_torque=stated.get("input_torque", 0.0),
+        loading_roller_torque=stated.get("roller_torque", 0.0),
+        carrier_torque=stated.get("output_torque", 0.0),
+        pin_friction_coefficient=entry.get("pin_friction_coefficient", 0.0),
+        pin_diameter=entry.get("pin_diameter", 0.0),
+    )
+
+
+def _pin(entry: Values) -> PinBeam | None:
+    if "pin_length" not in entry:
+        return None
+    return PinBeam(entry["pin_length"], entry.get("pin_support", "both_ends"), entry.get("pin_diameter", 0.0))
+
+
+def thermal_change_of(values: Values) -> float:
+    """Interference that the temperatures of a file add to that of its drive, whatever makes its preload.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units with temperatures; the expansions of all materials are known.
+
+    Returns
+    -------
+    float
+        Interference [m].
+    """
+    load = {name: value for name, value in values["load"].items() if name != "preload"}
+    fit = joint_from_values(values | {"load": load | {"interference": 1e-5}}).fit
+    assert fit is not None
+    return float(fit.thermal_change)
+
+
+def deviations_of(values: Values) -> SectorDeviations:
+    """Sizes of the sectors of a joint file, where they differ; equal ones without sections ``[[branch]]``.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    SectorDeviations
+        With the interference that they add to every contact.
+    """
+    drive, *_ = layout_of(values)
+    per_size = {name: _per_size(drive, sides) for name, sides in sized_tracks(values).items()}
+    equal: Values = {str(index): {} for index in range(round(float(drive.sectors)))}
+    entries = list(values.get("branch", equal).values())
+    listed = type_of(values) not in CONTACTS
+    deviations = {
+        name: np.array(
+            [
+                float(
+                    entry.get("deviation", {}).get(name, 0.0)
+                    if listed
+                    else entry.get(f"{name}_deviation", 0.0)
+                )
+                for entry in entries
+            ]
+        )
+        for name in per_size
+    }
+    added = [np.outer(each, per_size[name]) for name, each in deviations.items()]
+    return SectorDeviations(
+        deviations=deviations,
+        added=np.sum(added, axis=0),
+        per_size=next(iter(per_size.values())),
+        sun_support_stiffness=values.get("compliance", {}).get("sun_support_stiffness", math.inf),
+    )
+
+
+def _per_size(drive: Drive, sides: Collection[tuple[str, str]]) -> np.ndarray:
+    """Interference of each contact over the deviation of a radius, shape (contacts,) [-]."""
+    first, second = (
+        jnp.array([1.0 if (contact.name, side) in sides else 0.0 for contact in drive.contacts])
+        for side in ("first", "second")
+    )
+    return np.asarray(interference_of_sizes(drive=drive, first=first, second=second))
+
+
+class TolerancedTrack(NamedTuple):
+    """What a number of a joint file does to the interference of the contacts.
+
+    Parameters
+    ----------
+    path : str
+        Dotted path of the number.
+    own : bool
+        Whether every branch has a part of its own with this size.
+    per_size : ndarray
+        Interference of each contact over it, shape (contacts,) [-].
+    """
+
+    path: str
+    own: bool
+    per_size: np.ndarray
+
+
+def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[TolerancedTrack]:
+    """What numbers of a joint file do to the interference of its contacts, of those that do.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units, with ``load.interference``.
+    paths : tuple of str
+        Dotted paths of numbers.
+
+    Returns
+    -------
+    list of TolerancedTrack
+        One for each part that has the size: both loading rollers of a planet, for example. Of several paths of one
+        track the first.
+    """
+    drive, _, pattern = layout_of(values)
+    own = sized_tracks(values)
+    off_axis = {body.name for body in drive.bodies if body.place != "axis"}
+    known: list[TolerancedTrack] = []
+    seen: set[str] = set()
+    for path in paths:
+        section, *_, key = path.split(".")
+        name = key.removesuffix("_radius")
+        if path == "load.interference":
+            known.append(TolerancedTrack(path, False, np.asarray(pattern)))
+        elif section == "drive" and key.endswith("_radius") and name in size_keys(values):
+            parts = [track for track, size in sizes_of_tracks(values).items() if size == name]
+            known += [TolerancedTrack(path, True, _per_size(drive, own[track])) for track in parts]
+            if not parts:
+                sides = [
+                    (contact, side)
+                    for contact, pair in TRACKS[type_of(values)].items()
+                    for side, track in zip(("first", "second"), pair, strict=True)
+                    if track == name
+                ]
+                known.append(TolerancedTrack(path, False, _per_size(drive, sides)))
+        elif section == "contact" and key.endswith("_radius") and path not in seen:
+            same = paths_of_track(values, path)
+            seen.update(same)
+            steps = [each.split(".") for each in same]
+            sides = [
+                (values["contact"][number]["name"], side.removesuffix("_radius")) for _, number, side in steps
+            ]
+            body = values["contact"][steps[0][1]][sides[0][1]]
+            known.append(TolerancedTrack(path, body in off_axis, _per_size(drive, sides)))
+    return known
+
+
+def branched_joint(case: Case, joint: Joint, solution: Solution) -> BranchedJoint | None:
+    """The joint of a file with sections ``[[branch]]``, made ready for branches of any sizes.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    joint : Joint
+        Its joint.
+    solution : Solution
+        What the joint does with equal branches.
+
+    Returns
+    -------
+    BranchedJoint or None
+        None where there are no such sections.
+    """
+    if case.branch is None:
+        return None
+    from asperity.branches.branches import BranchedJoint
+
+    return BranchedJoint(joint, solution)
+
+
+def unequal_sectors(case: Case, joint: Joint, solution: Solution) -> UnequalBranches | None:
+    """What the sections ``[[branch]]`` of a joint file do to its joint.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    joint : Joint
+        Its joint.
+    solution : Solution
+        What the joint does with equal branches.
+
+    Returns
+    -------
+    UnequalBranches or None
+        None where there are no such sections.
+    """
+    branched = branched_joint(case, joint, solution)
+    if branched is None:
+        return None
+    from asperity.branches.bearings import with_duty
+    from asperity.branches.branches import BranchedJoint
+    from asperity.branches.equal_branches import solve_equal_branches
+    from asperity.results.branch_limits import refuse_beyond
+
+    sizes = deviations_of(si_values(case))
+    found = branched.branches(sizes)
+    refuse_beyond(found, float(joint.output_torque))
+
+    def working(there: Joint) -> BranchState | None:
+        equal, _ = solve_equal_branches(there)
+        return BranchedJoint(there, equal).branches(sizes).working(turns=float(there.sun_speed) != 0.0)
+
+    return with_duty(found, joint, working)
+
+
+def with_nominal_sizes(values: Values) -> Values:
+    """Tables in which changes of the radii are deviations from their present values.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    dict
+        Tables of which :func:`joint_from_values` adds to the interference by how much the rollers have grown
+        against their rings; unchanged where the preload is stated as a force, and for type ``planar``, whose rings have
+        radii of their own.
+    """
+    if "interference" not in values["load"] or type_of(values) not in CONTACTS:
+        return values
+    radii = {name: size for name, size in values["drive"].items() if name.endswith("_radius")}
+    return values | {"nominal": radii}
+
+
+def _grown(values: Values, drive: Drive) -> Array:
+    """Interference of each contact that the deviations of finished parts from their nominal sizes add, [m].
+
+    Rings whose radii follow from the rollers keep the nominal ones.
+    """
+    nominal, *_ = layout_of(values | {"drive": values["drive"] | values["nominal"]})
+    if "ring_radius" in values["drive"]:
+        return interference_of_sizes(
+            drive=drive,
+            first=drive.first_radius - nominal.first_radius,
+            second=drive.second_radius - nominal.second_radius,
+        )
+    inside = jnp.array([contact.internal for contact in drive.contacts])
+    return jnp.where(inside, drive.second_radius - nominal.second_radius, 0.0)

@@ -1,0 +1,339 @@
+"""Requirements that the worst of unequal branches has to meet, and what of a joint holds for equal branches only."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import numpy as np
+
+from asperity.branches.results import BranchCapacity, BranchState, UnequalBranches
+from asperity.errors import InputError, NoSolutionError
+from asperity.results import RESULTS, Limit, Result
+from asperity.results.limit_check import LimitCheck
+from asperity.unit_table import Dimension
+from asperity.units import format_quantity
+
+_EVEN = 1e-9  # relative difference of preloads up to which branches are alike
+
+
+def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, ...]:
+    """What unequal branches have to meet, each where it is met worst.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint, with their slip.
+    turns : bool
+        Whether the joint turns; first slip in rolling holds for no other.
+
+    Returns
+    -------
+    tuple of LimitCheck
+        First slip, preload of the loosest branch and Hertz pressure over first yield, standing; first slip and Hertz
+        pressure over the shakedown limit in rolling; and, where it is crossed, that equal branches carry the torque. A
+        value that does not exist is nan.
+    """
+    checks = [
+        _slip(found, found.capacity, found.standing, "standing"),
+        _looseness(found),
+        _worst(found, "pressure_over_first_yield", found.standing or found.rest),
+    ]
+    if turns:
+        checks.insert(1, _slip(found, found.rolling_capacity, found.rolling, "in rolling"))
+    if turns or found.rolling is not None:  # a joint that stands is judged as if it rolled slowly
+        checks.append(_worst(found, "shakedown_ratio", found.rolling))
+    if found.beyond_equal:
+        checks.append(_beyond_equal(found))
+    return tuple(checks)
+
+
+def _beyond_equal(found: UnequalBranches) -> LimitCheck:
+    """The torque over what equal branches carry."""
+    row = Result(
+        "equal_branches_torque",
+        "torque over the capacity of equal branches",
+        Dimension.DIMENSIONLESS,
+        "1",
+        "equal_branches_torque",
+        limit=Limit(
+            "accuracy",
+            "equal branches carry the torque",
+            "equal branches do not carry the torque: what is computed for equal branches alone is not known, nor are "
+            "its limits judged",
+            "lower the torque, or raise load.interference and state the deviations from those larger sizes",
+            highest=1.0,
+        ),
+    )
+    return LimitCheck(row, None, found.torque / found.capacity.equal)
+
+
+def _slip(
+    found: UnequalBranches, capacity: BranchCapacity, state: BranchState | None, when: str
+) -> LimitCheck:
+    """The torque over that at which the first branch slips."""
+    slips = format_quantity(capacity.first_slip, "N*m", 4)
+    first = f"contact {capacity.contact_name} of {found.noun} {capacity.branch + 1} {capacity.event} first, at {slips}"
+    if state is None:
+        last = capacity.all_slip
+        used = "steady rolling ends there"
+        if math.isfinite(last):
+            used = f"all branches slip at {format_quantity(last, 'N*m', 4)}"
+    else:
+        slipping = ", ".join(str(index + 1) for index in np.flatnonzero(state.slip_ratio >= 1.0))
+        used = f"under the torque T/(mu N) of the worst branch is {np.nanmax(state.slip_ratio):.3g}"
+        used += f" ({found.noun}s that slip: {slipping})" if slipping else ""
+    name = "branch_slip" if when == "standing" else "branch_slip_in_rolling"
+    row = Result(
+        name,
+        f"torque over first slip of a branch, {when}",
+        Dimension.DIMENSIONLESS,
+        "1",
+        name,
+        limit=Limit(
+            "function",
+            f"no branch slips under the torque: {first}; {used}",
+            f"a branch slips under the torque: {first}; {used}; "
+            f"equal branches pass {format_quantity(capacity.equal, 'N*m', 4)}",
+            "tighten the sizes of the rollers, let the sun float (compliance.sun_support_stiffness), raise the "
+            "interference, or lower the torque",
+            highest=1.0,
+        ),
+    )
+    return LimitCheck(row, f"{found.noun} {capacity.branch + 1}", found.torque / capacity.first_slip)
+
+
+def _looseness(found: UnequalBranches) -> LimitCheck:
+    """The preload of the loosest branch over that of equal ones."""
+    name = "branch_preload"
+    row = Result(
+        name,
+        "preload of a branch over that of equal ones",
+        Dimension.DIMENSIONLESS,
+        "1",
+        name,
+        limit=Limit(
+            "function",
+            "every branch has an interference",
+            "a branch is loose and passes no torque: the others pass its share",
+            "tighten the sizes of the rollers, or raise the interference",
+            lowest=0.0,
+        ),
+    )
+    branch = int(np.argmin(found.preload))
+    return LimitCheck(row, f"{found.noun} {branch + 1}", float(found.preload[branch]) / found.own_preload)
+
+
+def _worst(found: UnequalBranches, name: str, state: BranchState | None) -> LimitCheck:
+    """A limit of the contacts at the contact and branch where it is nearest or crossed most."""
+    known = RESULTS[name]
+    row = dataclasses.replace(known, name=f"branch_{name}", label=f"{known.label}, worst branch")
+    values = np.array([]) if state is None else state.limits.get(name, np.array([]))
+    if not np.any(np.isfinite(values)):
+        return LimitCheck(row, None, math.nan)
+    contact, branch = np.unravel_index(int(np.nanargmax(values)), values.shape)
+    place = f"{found.contact_names[int(contact)]} of {found.noun} {int(branch) + 1}"
+    return LimitCheck(row, place, float(values[contact, branch]))
+
+
+def pressed(found: UnequalBranches) -> str:
+    """How much harder the most loaded branch is pressed than equal ones, in words.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    str
+        A clause without a full stop.
+    """
+    branch = int(np.argmax(found.preload))
+    if np.ptp(found.preload) <= _EVEN * found.preload[branch]:
+        return f"every {found.noun} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
+    loose = ", ".join(str(index + 1) for index in np.flatnonzero(found.preload <= 0.0))
+    return (
+        f"{found.noun} {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
+        + (f", and loose is {found.noun} {loose}" if loose else "")
+    )
+
+
+def refuse_beyond(found: UnequalBranches, output_torque: float) -> None:
+    """Refuse a torque that the branches do not carry together.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+    output_torque : float
+        Its output torque [N·m].
+
+    Raises
+    ------
+    InputError
+        With the largest torque.
+    """
+    most = found.capacity.all_slip
+    if abs(output_torque) > most:
+        raise InputError(
+            f"the output torque {format_quantity(output_torque, 'N*m')} is beyond what the branches carry together, "
+            f"{format_quantity(most, 'N*m')}: all of them slip; lower the torque, state smaller deviations in "
+            "[[branch]], or raise load.interference"
+        )
+
+
+def refuse_no_rolling_together(found: UnequalBranches) -> None:
+    """Refuse branches that do not roll steadily under the joint's torque.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Raises
+    ------
+    NoSolutionError
+        With the torque up to which they roll.
+    """
+    refused = no_rolling_together(found)
+    if refused:
+        raise NoSolutionError(refused)
+
+
+def no_rolling_together(found: UnequalBranches) -> str:
+    """Why branches do not roll steadily under the joint's torque.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    str
+        With the torque up to which they roll; empty where they do.
+    """
+    if found.rolling is not None:
+        return ""
+    capacity = found.rolling_capacity
+    return (
+        f"no steady rolling under {format_quantity(found.torque, 'N*m')}: the branches of the file, [[branch]], roll "
+        f"up to {format_quantity(capacity.first_slip, 'N*m')}, at which contact {capacity.contact_name} of "
+        f"{found.noun} {capacity.branch + 1} {capacity.event}; lower the torque, state smaller deviations, or raise "
+        "load.interference"
+    )
+
+
+def equal_branches_note(found: UnequalBranches) -> str:
+    """What of a joint is that of equal branches, and by how much the most loaded branch differs.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    str
+        Sentences.
+    """
+    what = "Forces, pressures, stiffness, drift, losses and lives of rollers outside the section on branches"
+    note = f"{what} are those of equal branches; {pressed(found)}."
+    if found.beyond_equal:
+        sums = ["torques", *(["drift", "losses"] if found.turning else [])]
+        sums += ["the assembled stiffness"] if found.stiffness else []
+        named = " and ".join((", ".join(sums[:-1]), sums[-1])) if sums[1:] else sums[0]
+        note = (
+            f"Outside the section on branches, {named} are those of these branches together; what one contact does, "
+            "and lives of rollers, do not exist there: they would be those of equal branches, which carry "
+            f"{format_quantity(found.capacity.equal, 'N*m', 4)} at most; {pressed(found)}."
+        )
+    life = least_life(found)
+    if math.isfinite(life):
+        hours = f"{format_quantity(life, '1')} h"
+        note += f" Were all loaded like the worst branch, the fatigue life under the torque would be {hours}."
+    return note
+
+
+def capacity_words(document: dict[str, Any], name: str) -> str:
+    """Torque at which the worst branch slips, as the first words about the capacity of a joint.
+
+    Parameters
+    ----------
+    document : dict
+        What :func:`asperity.results.branch_document.branch_document` says about the branches.
+    name : str
+        Which of its torque capacities.
+
+    Returns
+    -------
+    str
+        With the branch and its contact.
+    """
+    entry = document[name]
+    return (
+        f"first slip {format_quantity(entry['first_slip_Nm'], 'N*m', 4)}, {document['branch_is']} "
+        f"{entry['first_branch']} (contact {entry['first_contact']})"
+    )
+
+
+def least_life(found: UnequalBranches) -> float:
+    """Life of a drive all of whose branches are loaded like the one that lives shortest.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    float
+        Life under the joint's torque [h]; nan where it is not known.
+    """
+    return shortest_life(found.rolling)
+
+
+def shortest_life(state: BranchState | None) -> float:
+    """Life of a drive all of whose branches are loaded like the one that lives shortest in a state.
+
+    Parameters
+    ----------
+    state : BranchState or None
+        The branches in rolling; None where they do not roll.
+
+    Returns
+    -------
+    float
+        Life in this state [h]; nan where that of a branch that is pressed is not known, as where it slips.
+    """
+    if state is None or "life_hours" not in state.limits:
+        return math.nan
+    lives = state.limits["life_hours"][state.preload > 0.0]
+    return float(np.min(lives)) if lives.size else math.nan
+
+
+def slipping_in_rolling(found: UnequalBranches) -> str:
+    """Which branches slip as a whole in rolling while others carry the rest.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    str
+        A clause without a full stop; empty where none does.
+    """
+    if found.rolling is None:
+        return ""
+    slips = [str(index + 1) for index in np.flatnonzero(found.rolling.slip_ratio >= 1.0)]
+    if not slips:
+        return ""
+    named = f"{found.noun} {slips[0]} slips" if len(slips) == 1 else f"{found.noun}s {', '.join(slips)} slip"
+    return (
+        f"drift and losses are not known: in rolling under {format_quantity(found.torque, 'N*m')} {named} as a whole "
+        "while the others carry the rest"
+    )

@@ -1,0 +1,264 @@
+"""Notes on one contact of any drive: friction, length, oil film, size, crown, compared with what is usual."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from asperity.joint.diagnostics import Diagnostics
+from asperity.unit_table import Dimension
+from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from asperity.results import Severity
+
+#: Friction coefficients above are those of dry or tacky surfaces; traction fluids end near 0.12 [-].
+FRICTION_LIMIT = 0.3
+#: Contact length over the smaller roller's diameter above which a roller skews rather than bears evenly [-].
+SLENDERNESS_LIMIT = 3.0
+#: Width over loaded length of a crowned contact above which its slices err by more than 2 % in the peak pressure [-].
+WIDTH_OVER_LENGTH_LIMIT = 0.25
+#: Oil film over roughness above which the film carries a part of the load, and all of it [-]; Tallian 1967.
+MIXED_FILM, FULL_FILM = 1.0, 3.0
+#: The paper's pairs of rollers, Tables 1 and 2: effective radius and contact length [m].
+PAPER_EFFECTIVE_RADII = (3.0e-3, 8.4e-3)
+PAPER_CONTACT_LENGTHS = (5e-3, 30e-3)
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """One comparison with what is usual, for a contact or for the whole drive.
+
+    Parameters
+    ----------
+    name, label : str
+        What is compared, for machines and for people.
+    contact : str or None
+        Which contact; None for the whole drive.
+    value, limit : float
+        The value and the limit it is compared with [SI].
+    ok : bool
+        Whether the value is on the good side of its limit.
+    severity : {"function", "damage", "accuracy", "state", "model"}
+        How serious it is if it is not.
+    meaning : str
+        What that means.
+    remedy : str or None
+        What to do if it is not.
+    dimension : Dimension
+        What value and limit measure.
+    display_unit : str
+        Their unit for people.
+    state : str
+        In which state the contact is, in a few words, where that has a consequence.
+    """
+
+    name: str
+    label: str
+    contact: str | None
+    value: float
+    limit: float
+    ok: bool
+    severity: Severity
+    meaning: str
+    remedy: str | None
+    dimension: Dimension = Dimension.DIMENSIONLESS
+    display_unit: str = "1"
+    state: str = ""
+
+
+def film_band(ratio: float) -> str:
+    """Who carries the load at an oil film over roughness: the asperities, both, or the film; empty for nan.
+
+    References
+    ----------
+    T. E. Tallian, ASLE Trans. 10 (1967) 418.
+    """
+    if math.isnan(ratio):
+        return ""
+    return "boundary" if ratio < MIXED_FILM else "mixed" if ratio < FULL_FILM else "full"
+
+
+def contact_notes(
+    name: str,
+    *,
+    friction_coefficient: float,
+    contact_length: float,
+    smaller_radius: float,
+    effective_radius: float,
+    film_ratio: float,
+    contact_factor_model: str,
+) -> list[Note]:
+    """Notes on the friction, length, oil film and size of one contact of any drive.
+
+    Parameters
+    ----------
+    name : str
+        Name of the contact.
+    friction_coefficient : float
+        mu [-].
+    contact_length, smaller_radius, effective_radius : float
+        Length, radius of the smaller roller and effective radius [m].
+    film_ratio : float
+        Oil film over roughness [-]; nan where it is not known.
+    contact_factor_model : str
+        Model of the contact factor.
+
+    Returns
+    -------
+    list of Note
+        Those that are not ok are warnings.
+    """
+    notes = [
+        _note(
+            "friction_coefficient",
+            "friction coefficient",
+            name,
+            friction_coefficient,
+            FRICTION_LIMIT,
+            ("a usual friction coefficient", "traction fluids reach 0.12, clean dry steel 0.3"),
+            "measure a coefficient this high before relying on it",
+        ),
+        _note(
+            "contact_length_over_diameter",
+            "contact length over diameter",
+            name,
+            contact_length / (2.0 * smaller_radius),
+            SLENDERNESS_LIMIT,
+            (
+                "a usual length of a contact line",
+                "the contact line is long for its roller: a slight skew or bending loads one end, and the even line "
+                "load of the model is lost",
+            ),
+            "shorten it, or crown the rollers",
+        ),
+    ]
+    if math.isfinite(film_ratio):
+        notes.append(_film(name, film_ratio))
+    if contact_factor_model != "unity":
+        notes.append(_size(contact_factor_model, name, effective_radius, contact_length))
+    return notes
+
+
+def crown_notes(name: str, diagnostics: Diagnostics, index: int) -> list[Note]:
+    """Whether a crowned contact of any drive is long enough for its slices, and whether its ends are free.
+
+    Parameters
+    ----------
+    name : str
+        Name of the contact.
+    diagnostics : Diagnostics
+        Of one joint with crowned rollers.
+    index : int
+        Number of the contact.
+
+    Returns
+    -------
+    list of Note
+        Those that are not ok are warnings; none for an open contact.
+    """
+    ratio = float(np.asarray(diagnostics.loaded_length_over_width)[index])
+    if math.isnan(ratio):
+        return []
+    share, end, peak = (
+        float(np.asarray(getattr(diagnostics, each))[index])
+        for each in ("loaded_length_share", "end_line_load_ratio", "peak_line_load_ratio")
+    )
+    return [
+        _note(
+            "contact_width_over_length",
+            "contact width over loaded length",
+            name,
+            1.0 / ratio,
+            WIDTH_OVER_LENGTH_LIMIT,
+            (
+                "the contact is long enough for its slices: the peak pressure is within 2 % of Hertz's",
+                "the contact is short for its slices: the peak pressure is 2 to 5 % too high, the creep up to 11 %"
+                " too high",
+            ),
+            "choose a larger crown radius",
+        ),
+        _note(
+            "crowned_end_load",
+            "line load at the ends over mean line load",
+            name,
+            end,
+            0.0,
+            (
+                f"the ends are free: {100.0 * share:.3g} % of the contact length is loaded, with {peak:.3g} times the "
+                "mean line load in the middle",
+                "the load reaches the ends of the rollers: their edges raise the stress there, which is not computed",
+            ),
+            "choose a smaller crown radius or a shorter contact line, or relieve and round the ends",
+        ),
+    ]
+
+
+def _note(
+    name: str, label: str, contact: str, value: float, limit: float, words: tuple[str, str], remedy: str
+) -> Note:
+    ok = value <= limit
+    meaning = words[0] if ok else words[1]
+    return Note(name, label, contact, value, limit, ok, "accuracy", meaning, None if ok else remedy)
+
+
+def _film(contact: str, ratio: float) -> Note:
+    """The lubrication of a contact: a state with a consequence, never a limit that is kept."""
+    band = film_band(ratio)
+    oil = "friction, creep, drift, torque capacity and stiffness are computed for surfaces that touch, not for the oil"
+    meaning = {
+        "boundary": "boundary lubrication: the asperities carry the load, as the contact law assumes, and wear; a life "
+        "without a factor for the film is too long",
+        "mixed": f"mixed lubrication: the oil film carries a part of the load; {oil}; a life without a factor for the "
+        "film is too long",
+        "full": f"full lubrication: the oil film carries the load; {oil}",
+    }[band]
+    remedy = (
+        "lower the life by a factor for the film, or choose a thicker oil, smoother surfaces or a higher speed"
+        if band == "boundary"
+        else "use the friction coefficient measured with this oil at this film, or choose a thinner oil or a lower "
+        "speed"
+    )
+    return Note(
+        "film_ratio",
+        "oil film over roughness lambda",
+        contact,
+        ratio,
+        FULL_FILM if band == "full" else MIXED_FILM,
+        False,
+        "state" if band == "boundary" else "accuracy",
+        meaning,
+        remedy,
+        state=f"{band} lubrication",
+    )
+
+
+def _size(model: str, contact: str, radius: float, length: float) -> Note:
+    """Whether a pair of rollers is of the paper's sizes; told by whichever of radius and length is farther outside."""
+    ranges = ((radius, PAPER_EFFECTIVE_RADII), (length, PAPER_CONTACT_LENGTHS))
+    value, (low, high) = max(ranges, key=lambda entry: max(entry[1][0] / entry[0], entry[0] / entry[1][1]))
+    ok = low <= value <= high
+    inside = "the sizes are those for which the paper uses lambda"
+    mm = [format_quantity(bound, "mm", 2) for bound in (*PAPER_EFFECTIVE_RADII, *PAPER_CONTACT_LENGTHS)]
+    outside = (
+        f'contact_factor = "{model}" contains a length in mm, so that it depends on the size of the drive: the paper '
+        f"uses it for effective radii of {mm[0]} to {mm[1]} and contact lengths of {mm[2]} to {mm[3]}. By this alone "
+        'the published stiffness of the paper\'s joint would gain 28 % at ten times its size ("printed"), and lose '
+        "93 % at a tenth"
+    )
+    return Note(
+        "contact_factor_size",
+        "size of the contact",
+        contact,
+        value,
+        low if value < low else high,
+        ok,
+        "model",
+        inside if ok else outside,
+        None if ok else 'use contact_factor = "unity", which has no such scale',
+        Dimension.LENGTH,
+        "mm",
+    )

@@ -1,0 +1,206 @@
+"""Rows of the table of results: forces, and what they do to each contact."""
+
+from __future__ import annotations
+
+import functools
+import operator
+from typing import Any
+
+import numpy as np
+
+from asperity.arrays import namespace
+from asperity.results.result import Result
+from asperity.results.solved import SolvedJoint
+from asperity.unit_table import Dimension
+
+_force = functools.partial(Result, group="forces")
+_contact = functools.partial(Result, group="contacts", axis="contact")
+
+_FORCE, _TORQUE, _STIFFNESS = Dimension.FORCE, Dimension.TORQUE, Dimension.STIFFNESS
+_AREA, _NUMBER = Dimension.AREA, Dimension.DIMENSIONLESS
+_PLASTIC = "nan where every spot of the contact is plastic"
+
+
+def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, note: str = "") -> Result:
+    """A stiffness of the asperities: the contact law has none where every spot of a loaded contact is plastic."""
+
+    def value(solved: SolvedJoint) -> Any:
+        result = solved.result
+        plastic = (result.forces.normal > 0.0) & (result.contacts.normal_stiffness <= 0.0)
+        return namespace(plastic).where(plastic, np.nan, operator.attrgetter(path)(result))
+
+    note = f"{note}; {_PLASTIC}" if note else _PLASTIC
+    return _contact(name, label, dimension, unit, value, note=note)
+
+
+def _crowned(name: str, label: str, path: str, note: str) -> Result:
+    """A number of crowned contacts; nan for contacts between cylinders in a joint without any crown."""
+
+    def value(solved: SolvedJoint) -> Any:
+        found = operator.attrgetter(path)(solved.result)
+        normal = solved.result.forces.normal
+        return namespace(normal).full_like(normal, np.nan) if found is None else found
+
+    return _contact(
+        name,
+        label,
+        _NUMBER,
+        "1",
+        value,
+        note=f"{note}; nan where no roller of the joint is crowned",
+    )
+
+
+ROWS = (
+    _force(
+        "preload",
+        "normal force of the first contact in the assembled drive",
+        _FORCE,
+        "N",
+        "preload",
+        needs="geometry",
+        note="with a loading cam, that under the output torque",
+    ),
+    _force(
+        "interference",
+        "interference that makes the preload",
+        Dimension.LENGTH,
+        "um",
+        "result.interference",
+        needs="geometry",
+        note="of smooth bodies: by how much the ring's inner radius lies below that at which all contacts just touch",
+    ),
+    _force(
+        "thermal_interference",
+        "interference added by temperature",
+        Dimension.LENGTH,
+        "um",
+        lambda solved: 0.0 if solved.joint.fit is None else solved.joint.fit.thermal_change,
+        needs="geometry",
+        positive=False,
+        note="by the working temperature, to that at the assembly; 0 without [temperature], or where load.preload is a "
+        "force",
+    ),
+    _force(
+        "cam_angle",
+        "angle at the output by which the loading cam has turned",
+        Dimension.ANGLE,
+        "arcmin",
+        "result.cam_angle",
+        needs="geometry",
+        positive=False,
+        note="of a cam without friction; 0 without one",
+    ),
+    _force(
+        "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"
+    ),
+    _force(
+        "tangential_force",
+        "tangential force of the contact",
+        _FORCE,
+        "N",
+        "result.forces.tangential",
+        axis="contact",
+        positive=False,
+    ),
+    _force(
+        "pin_force",
+        "force of a roller on its pin along the push",
+        _FORCE,
+        "N",
+        "result.forces.pins",
+        axis="pin",
+        positive=False,
+    ),
+    _force(
+        "input_torque",
+        "torque at the input",
+        _TORQUE,
+        "N*m",
+        "result.forces.input_torque",
+        positive=False,
+        note="without losses in rolling",
+    ),
+    _elastic(
+        "asperity_tangential_stiffness",
+        "tangential stiffness of the contact's asperities",
+        "interfaces.asperity_tangential",
+        _STIFFNESS,
+        "N/um",
+    ),
+    _elastic(
+        "asperity_normal_stiffness",
+        "normal stiffness of the contact's asperities",
+        "interfaces.asperity_normal",
+        _STIFFNESS,
+        "N/um",
+    ),
+    _contact(
+        "bulk_tangential_stiffness",
+        "tangential stiffness of the contact's bodies",
+        _STIFFNESS,
+        "N/um",
+        "result.interfaces.bulk_tangential",
+    ),
+    _contact(
+        "bulk_normal_stiffness",
+        "normal stiffness of the contact's bodies",
+        _STIFFNESS,
+        "N/um",
+        "result.interfaces.bulk_normal",
+    ),
+    _elastic(
+        "contact_torsional_stiffness",
+        "torsional stiffness of the contact's asperities",
+        "contact_torsional_stiffness",
+        Dimension.TORSIONAL_STIFFNESS,
+        "N*m/rad",
+        note="at the contact's driven roller",
+    ),
+    _contact(
+        "hertz_half_width",
+        "half-width of the Hertzian contact",
+        Dimension.LENGTH,
+        "mm",
+        "result.diagnostics.hertz_half_width",
+    ),
+    _contact(
+        "hertz_pressure",
+        "Hertz pressure",
+        Dimension.PRESSURE,
+        "MPa",
+        "result.diagnostics.hertz_pressure",
+        note="peak pressure of the smooth line contact, in the middle of a crowned one",
+    ),
+    _crowned(
+        "loaded_length_share",
+        "loaded share of the contact length",
+        "diagnostics.loaded_length_share",
+        "below 1 the ends are free",
+    ),
+    _crowned(
+        "peak_line_load_ratio",
+        "peak line load over mean line load",
+        "diagnostics.peak_line_load_ratio",
+        "the mean is the normal force over the whole contact length",
+    ),
+    _crowned(
+        "end_line_load_ratio",
+        "line load at the ends over mean line load",
+        "diagnostics.end_line_load_ratio",
+        "0 where the ends are free; without the stress concentration of an edge",
+    ),
+    _contact("largest_area", "largest contact spot", _AREA, "mm^2", "result.contacts.largest_area"),
+    _contact("critical_area", "critical contact spot", _AREA, "mm^2", "result.contacts.critical_area"),
+    _contact("real_contact_area", "real area of contact", _AREA, "mm^2", "result.contacts.real_contact_area"),
+    _contact("elastic_load", "load carried by elastic spots", _FORCE, "N", "result.contacts.elastic_load"),
+    _contact("plastic_load", "load carried by plastic spots", _FORCE, "N", "result.contacts.plastic_load"),
+    _contact(
+        "domain_extension_factor",
+        "domain extension factor psi",
+        _NUMBER,
+        "1",
+        "result.contacts.domain_extension_factor",
+    ),
+    _contact("contact_factor", "contact factor lambda", _NUMBER, "1", "result.contacts.contact_factor"),
+)

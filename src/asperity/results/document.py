@@ -1,0 +1,447 @@
+"""A solved joint as one JSON document: SI units, the unit at the end of every key."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import jax
+import numpy as np
+
+import asperity
+from asperity.drive.layout.drive import Drive
+from asperity.drive.layout.wedge import wedge_angles, wedges
+from asperity.drive.state.loads import pin_components
+from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
+from asperity.joint.evaluation import JointResult
+from asperity.joint.loading_cam import loading_cam_document
+from asperity.joint.rims import bends
+from asperity.joint.solve import Solution
+from asperity.joint.temperature import assembly_document
+from asperity.joint.torque_limits import capacity_document
+from asperity.results import GROUPS, RESULTS, SEVERITIES
+from asperity.results.all_limits import all_checks
+from asperity.results.branch_document import branch_document
+from asperity.results.contact_notes import Note
+from asperity.results.limit_check import LimitCheck
+from asperity.results.solved import SolvedJoint
+from asperity.results.strength_document import bearing_entries, rim_entry
+from asperity.results.surface_averages import surface_averages
+from asperity.rolling.document import losses, rolling_document
+from asperity.units import format_quantity
+
+Document = dict[str, Any]
+
+#: Below this share of the compliance a spring is only the rounding of the others.
+NO_SHARE = 1e-12
+
+#: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
+LEVEL_WORDS = (
+    ("assembly", "assembled: asperities, bodies, rollers free to move, structure"),
+    ("series_with_bulk", "asperities and bodies in series, roller centres held"),
+    ("published", "as in Zou et al. 2025: asperities alone, an upper bound"),
+)
+
+
+#: What the shares of the compliance by spring do not show, where the bodies of a joint are elastic rather than springs.
+WHOLE_BODIES = (
+    "the springs of a contact include how its bodies deform as a whole: a free ring's bending, for example"
+)
+
+
+def has_whole_bodies(document: Document) -> bool:
+    """Whether :data:`WHOLE_BODIES` is true for the joint of a document.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`joint_document` makes it.
+
+    Returns
+    -------
+    bool
+        False where the joint file has springs in place of bodies.
+    """
+    return (document["input"].get("model") or {}).get("bodies") != "springs"
+
+
+def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]) -> list[Document]:
+    """All limits of a joint and all notes on it, the most serious first.
+
+    Parameters
+    ----------
+    checks : tuple of LimitCheck
+        Its limits.
+    notes : tuple of Note
+        What is usual, and what is not.
+
+    Returns
+    -------
+    list of dict
+        One entry each, with the same keys; ``infinite`` tells an infinite value, which is None in a document, from one
+        that is not known. ``unit`` is that of value and limit, ``shown`` and ``limit_shown`` are what people read.
+    """
+    entries = [*map(_limit_document, checks), *map(_note_document, notes)]
+    for entry in entries:
+        value, unit = entry["value"], entry.pop("display_unit")
+        entry["infinite"] = math.isinf(value)
+        entry["shown"] = (
+            "infinite" if entry["infinite"] else "-" if math.isnan(value) else format_quantity(value, unit)
+        )
+        entry["limit_shown"] = format_quantity(entry["limit"], unit)
+    return sorted(entries, key=lambda entry: SEVERITIES.index(entry["severity"]))
+
+
+def _limit_document(entry: LimitCheck) -> Document:
+    """Value, limit and words of one limit of a joint, kept or crossed."""
+    return {
+        "name": entry.result.name,
+        "label": entry.result.label,
+        "contact": entry.contact,
+        "value": entry.value,
+        "limit": entry.limit,
+        "ok": entry.ok,
+        "severity": entry.rule.severity,
+        "state": "" if entry.ok else entry.rule.state,
+        "meaning": entry.meaning,
+        "remedy": None if entry.ok else entry.rule.remedy,
+        "unit": entry.result.si_unit,
+        "display_unit": entry.result.display_unit,
+    }
+
+
+def _note_document(note: Note) -> Document:
+    words = dataclasses.asdict(note)
+    return words | {"unit": words.pop("dimension").si_unit}
+
+
+def contact_documents(solved: SolvedJoint) -> Document:
+    """Every result of the contacts of a joint that stands but their forces, with its unit behind its name.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        One joint.
+
+    Returns
+    -------
+    dict
+        Contact → its results.
+    """
+    columns = {
+        f"{name}{_suffix(RESULTS[name].si_unit)}": RESULTS[name].of(solved) for name in GROUPS["contacts"]
+    }
+    return {
+        contact: {
+            name: np.broadcast_to(values, (len(solved.result.contact_names),))[index]
+            for name, values in columns.items()
+        }
+        for index, contact in enumerate(solved.result.contact_names)
+    }
+
+
+def _suffix(unit: str) -> str:
+    """A unit as the end of a key: N*m/rad is _Nm_per_rad."""
+    return "" if unit == "1" else "_" + unit.replace("*", "").replace("^", "").replace("/", "_per_")
+
+
+def torsional_stiffness_document(result: JointResult) -> Document:
+    """Torsional stiffness on all levels of the model.
+
+    Parameters
+    ----------
+    result : JointResult
+        Result of one joint.
+
+    Returns
+    -------
+    dict
+        Level → stiffness at sun and output.
+    """
+    return {
+        "published": _stiffness(result.published),
+        "series_with_bulk": _stiffness(result.series_with_bulk),
+        "assembly": _stiffness(result.assembly.stiffness),
+    }
+
+
+def input_member(document: Document) -> str:
+    """Name of the member that drives, in words.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`joint_document` or :func:`asperity.results.document.joint_document` makes it.
+
+    Returns
+    -------
+    str
+        Such as "sun".
+    """
+    return str(document["geometry"]["input"]).replace("_", " ")
+
+
+def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
+    """Torsional stiffness of a joint, of any type of drive, as rows to show.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`joint_document` or :func:`asperity.results.document.joint_document` makes it.
+
+    Returns
+    -------
+    list of tuple
+        Words and stiffness of each level (keys as in :func:`torsional_stiffness_document`), the fullest first; of a
+        joint with a loading cam also of the assembly whose cam is held by its friction.
+    """
+    rows = [(words, document["torsional_stiffness"][level]) for level, words in LEVEL_WORDS]
+    cam = document["preload"]["loading_cam"]
+    if cam is not None:
+        output = cam["held_stiffness_output_Nm_per_rad"]
+        squared = document["geometry"]["speed_ratio"] ** 2
+        held = {
+            "input_Nm_per_rad": None if output is None else output / squared,
+            "output_Nm_per_rad": output,
+            "output_Nm_per_arcmin": None if output is None else output * math.pi / 10800.0,
+        }
+        rows.append(("assembled, the loading cam held by its friction", held))
+    return rows
+
+
+def stiffness_unknown_because(result: JointResult) -> str | None:
+    """Why a joint has no stiffness.
+
+    Parameters
+    ----------
+    result : JointResult
+        Result of one joint.
+
+    Returns
+    -------
+    str or None
+        The contacts that are the cause, and what to do; None if there is a stiffness.
+    """
+    if bool(result.contact_law_holds):
+        return None
+    normal, elastic = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)
+    plastic = [
+        name for name, force, k in zip(result.contact_names, normal, elastic, strict=True) if force > 0.0 >= k
+    ]
+    return (
+        f"every spot of {', '.join(plastic)} is plastic, where the contact law has no stiffness; real surfaces keep "
+        "one, so that no level of the model has a value: raise fractal_dimension or hardness, or lower "
+        "fractal_roughness, or use boundary elements"
+    )
+
+
+def _stiffness(stiffness: TorsionalStiffness) -> Document:
+    return {
+        "input_Nm_per_rad": stiffness.sun,
+        "output_Nm_per_rad": stiffness.output,
+        "output_Nm_per_arcmin": stiffness.output_per_arcminute,
+    }
+
+
+def stiffness_budget(result: JointResult) -> Document:
+    """Shares of the assembly's compliance; they add up to 1.
+
+    Parameters
+    ----------
+    result : JointResult
+        Result of one joint.
+
+    Returns
+    -------
+    dict
+        Spring → share; springs that only the paper's drive has are left out for other drives.
+    """
+    shares = vars(result.assembly).items()
+    return {
+        name: dict(zip(result.contact_names, np.asarray(share), strict=True)) if np.ndim(share) else share
+        for name, share in shares
+        if name.endswith("_share") and (isinstance(result, JointResult) or not RESULTS[name].needs_wedges)
+    }
+
+
+def plain_document(document: Document) -> Document:
+    """A document of Python numbers, with None for numbers that are not finite.
+
+    Parameters
+    ----------
+    document : dict
+        Nested tables of numbers, arrays and text.
+
+    Returns
+    -------
+    dict
+        Ready for :func:`json.dumps`.
+    """
+    cleaned: Document = _plain(document)
+    return cleaned
+
+
+def _plain(node: Any) -> Any:
+    """Python numbers instead of arrays, None instead of what JSON cannot say."""
+    if isinstance(node, dict):
+        return {name: _plain(value) for name, value in node.items()}
+    if isinstance(node, list):
+        return [_plain(value) for value in node]
+    if isinstance(node, str | bool | None):
+        return node
+    number = float(node)
+    return number if math.isfinite(number) else None
+
+
+Document = dict[str, Any]
+
+
+def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
+    """Everything that is known about a joint, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        The joint, and what came out.
+    inputs : dict
+        Tables of the joint file in SI units.
+    assumptions : tuple of str
+        What the file leaves out, one sentence each.
+
+    Returns
+    -------
+    dict
+        Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
+    """
+    joint, solution, branches = solved.joint, solved.solution, solved.branches
+    result, drive = solution.result, joint.drive
+    forward = float(joint.output_torque) >= 0.0
+    pinned = [drive.bodies[body].name for body in drive.pinned]
+    names = result.contact_names
+    checks = all_checks(solved)
+    document = plain_document(
+        {
+            "asperity_version": asperity.__version__,
+            "input": inputs,
+            "assumptions": list(assumptions),
+            "geometry": {
+                "speed_ratio": result.speed_ratio,
+                "sectors": round(float(drive.sectors)),
+                "input": drive.input,
+                "output": drive.output,
+                "grounded": drive.grounded,
+                "centres_m": {
+                    body.name: [float(x) for x in centre]
+                    for body, centre in zip(drive.bodies, np.asarray(drive.centres), strict=True)
+                },
+                "track_radii_m": {
+                    contact.name: {contact.first: one, contact.second: two}
+                    for contact, one, two in zip(
+                        drive.contacts,
+                        np.asarray(drive.first_radius),
+                        np.asarray(drive.second_radius),
+                        strict=True,
+                    )
+                },
+                **_wedge_document(drive),
+                "clearances": [
+                    {"name": name, "gap_m": gap}
+                    for name, gap in zip(solved.row_names("clearance"), solved.clearances, strict=True)
+                ],
+                "speeds_over_input": dict(zip(drive.members, np.asarray(result.speeds), strict=True)),
+            },
+            "preload": {
+                "force_N": result.preload,
+                "interference_m": result.interference,
+                "at_assembly": assembly_document(joint),
+                "loading_cam": loading_cam_document(
+                    result,
+                    least_preload=result.rest.normal[0],
+                    force_per_torque=None if joint.cam is None else joint.cam.force_per_torque,
+                ),
+            },
+            "standing": {
+                "forces": {
+                    "normal_without_torque_N": dict(zip(names, np.asarray(result.rest.normal), strict=True)),
+                    "normal_N": dict(zip(names, np.asarray(result.forces.normal), strict=True)),
+                    "tangential_N": dict(zip(names, np.asarray(result.forces.tangential), strict=True)),
+                    "pin_N": {
+                        name: {"radial": radial, "tangential": tangential}
+                        for name, radial, tangential in zip(
+                            pinned, *pin_components(drive=drive, force=result.forces.pins), strict=True
+                        )
+                    },
+                    "input_torque_Nm": result.forces.input_torque,
+                    "output_torque_Nm": result.forces.output_torque,
+                    "body_mass_kg": dict(zip(result.body_names, np.asarray(result.masses), strict=True)),
+                    "output_speed_rad_per_s": result.output_speed,
+                    "balance_residual": result.forces.balance_residual,
+                    "closure_residual": result.forces.closure_residual,
+                },
+                "contacts": contact_documents(solved),
+            },
+            "torque_capacity": capacities_document(solution, solution),
+            "surfaces": surface_averages(joint, inputs.get("surface", {})),
+            "bearings": bearing_entries(solved),
+            "rims": _rims(solved),
+            "torsional_stiffness": torsional_stiffness_document(result),
+            "stiffness_unknown_because": solved.no_equal_state or stiffness_unknown_because(result),
+            "stiffness_budget": stiffness_budget(result),
+            "speed_loss": result.rolling.speed_loss,
+            "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
+            "efficiency": result.rolling.power.efficiency,
+            "losses_W": losses(result.rolling),
+            "life_hours": result.rolling.life_hours.drive,
+            "rolling": {
+                **rolling_document(joint, result, solved.no_equal_state, unlike=branches is not None),
+                "torque_capacity_Nm": (
+                    solution.rolling_capacity if forward else solution.reverse_rolling_capacity
+                ).output_torque,
+            },
+            "diagnostics": diagnostic_documents(checks, solved.notes),
+        }
+    )
+    return document | ({} if branches is None else {"branches": branch_document(branches)})
+
+
+def _wedge_document(drive: Drive) -> Document:
+    """Angles of the wedges of a drive that has them [rad]."""
+    if not wedges(drive):
+        return {}
+    angles = wedge_angles(drive)
+    return {"alpha_rad": angles.polar, "theta_rad": angles.direction, "wedge_angle_rad": angles.wedge}
+
+
+def capacities_document(forward: Solution, reverse: Solution) -> Document:
+    """Torque capacity of a joint that stands, in both directions.
+
+    Parameters
+    ----------
+    forward, reverse : Solution
+        What the joint does under a positive and under a negative torque.
+
+    Returns
+    -------
+    dict
+        As :func:`asperity.joint.torque_limits.capacity_document` says them, with the torque of the first slip.
+    """
+    names = forward.result.contact_names
+    return {
+        **capacity_document(forward.capacity, contacts=names, first_slip=forward.first_slip),
+        "reverse": capacity_document(
+            reverse.reverse_capacity, contacts=names, first_slip=reverse.reverse_first_slip
+        ),
+    }
+
+
+def _rims(solved: SolvedJoint) -> Document:
+    """Stresses and safeties of the rings and hollow rollers that bend, by the name of the body."""
+    if not any(bends(solved.joint)):
+        return {}
+    names, found = solved.row_names("body"), solved.rims
+    return {
+        names[number]: rim_entry(jax.tree.map(lambda leaf, number=number: leaf[..., number], found))
+        for number, acts in enumerate(bends(solved.joint))
+        if acts
+    }

@@ -1,0 +1,77 @@
+"""Every limit of one solved joint: kept or crossed, what that means, and what to do."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from asperity.joint.held_by_pins import with_pins
+from asperity.results import SEVERITIES, Limit, Result
+from asperity.results.drive_table import results_of_joint
+from asperity.results.solved import SolvedJoint
+
+
+@dataclass(frozen=True, slots=True)
+class LimitCheck:
+    """One limit of the model at one contact, or of the whole drive.
+
+    Parameters
+    ----------
+    result : Result
+        What is judged: a row of the table of results, with its label and its limit.
+    contact : str or None
+        Which contact; None for the whole drive.
+    value : float
+        Its value.
+    """
+
+    result: Result
+    contact: str | None
+    value: float
+
+    @property
+    def rule(self) -> Limit:
+        """The limit with its words."""
+        assert self.result.limit is not None
+        return self.result.limit
+
+    @property
+    def limit(self) -> float:
+        """The bound that the value is nearer to."""
+        return self.rule.nearer_bound(self.value)
+
+    @property
+    def ok(self) -> bool:
+        """Whether the limit is kept; never where the value is nan."""
+        return self.rule.is_kept(self.value)
+
+    @property
+    def meaning(self) -> str:
+        """What it means that the limit is kept or crossed."""
+        if math.isnan(self.value):
+            return self.rule.unknown
+        return self.rule.kept if self.ok else self.rule.crossed
+
+
+def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
+    """Every limit of one solved joint, contact by contact, the most serious first.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        One joint, without batch axes.
+
+    Returns
+    -------
+    tuple of LimitCheck
+        One for each judged result of the joint and each of its rows; where only its own branches carry the torque, not
+        for those that are not known.
+    """
+    judged = [with_pins(row, solved) for row in results_of_joint(solved).values() if row.limit is not None]
+    judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
+    return tuple(
+        LimitCheck(row, name or None, value)
+        for row in judged
+        for name, value in row.rows_of(solved).items()
+        if not (solved.no_equal_state and math.isnan(value))
+    )

@@ -1,0 +1,218 @@
+"""Rows of the table of results that are judged: the limits of the joint and of its model, and safety factors."""
+
+from __future__ import annotations
+
+import functools
+
+import jax.numpy as jnp
+
+from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
+from asperity.drive.layout.wedge import self_locking_ratio
+from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE
+from asperity.joint.description import each_contact
+from asperity.results.result import Limit, Result
+from asperity.results.solved import SolvedJoint
+from asperity.unit_table import Dimension
+
+_ratio = functools.partial(Result, dimension=Dimension.DIMENSIONLESS, display_unit="1", group="diagnostics")
+_residual = functools.partial(
+    Result,
+    dimension=Dimension.DIMENSIONLESS,
+    display_unit="1",
+    group="residuals",
+    needs="geometry",
+    differentiable=False,
+)
+_UNSOLVED = functools.partial(
+    Limit,
+    "function",
+    "the equations are solved",
+    "the equations are not solved",
+    "do not use these numbers; check radii, preload and torque",
+    highest=BALANCE_TOLERANCE,
+)
+_TRUST_THE_ASSEMBLY = "use the assembled stiffness; the published one, without the bodies, is an upper bound"
+
+
+def _fractal_dimensions(solved: SolvedJoint) -> list[object]:
+    surfaces = solved.joint.surfaces
+    count = len(solved.result.contact_names)
+    return [s.fractal_dimension for s in (surfaces if len(surfaces) > 1 else surfaces * count)]
+
+
+ROWS = (
+    _ratio(
+        "slip_ratio",
+        "slip ratio T/(mu N)",
+        value="result.diagnostics.slip_ratio",
+        axis="contact",
+        needs="balance",
+        highest_limit=1.0,
+        limit=Limit(
+            "function",
+            "the tangential force is below what friction holds",
+            "the contact slips: it has no tangential stiffness",
+            "raise the preload or the friction coefficient, or lower the torque",
+            highest=1.0,
+        ),
+    ),
+    _ratio(
+        "self_locking_ratio",
+        "self-locking ratio tan(beta/2)/mu",
+        value=lambda solved: self_locking_ratio(
+            solved.joint.drive, each_contact(solved.joint, solved.joint.friction_coefficients)
+        ),
+        needs="geometry",
+        needs_wedges=True,
+        limit=Limit(
+            "state",
+            "the wedge holds itself by friction",
+            "the friction coefficient is below tan(beta/2): the wedge does not hold itself by friction, and the "
+            "carrier pins keep the loading rollers in it",
+            "make sure that the pins can (see the pin forces), or raise the friction coefficient, or make the wedge "
+            "angle beta smaller: smaller loading rollers or planets, or a larger ring",
+            highest=1.0,
+            state="held by the pins",
+        ),
+    ),
+    _ratio(
+        "normal_force_over_preload",
+        "normal force over preload",
+        value="result.diagnostics.normal_force_over_preload",
+        axis="contact",
+        positive=False,
+        lowest_limit=0.0,
+        note="each contact's normal force over its value without torque",
+        limit=Limit(
+            "function",
+            "the contact is loaded",
+            "the contact has lifted off",
+            "raise the preload, or lower the torque or the speed",
+            lowest=0.0,
+        ),
+    ),
+    _ratio(
+        "pressure_over_first_yield",
+        "Hertz pressure over first yield",
+        value="result.diagnostics.pressure_over_first_yield",
+        axis="contact",
+        limit=Limit(
+            "damage",
+            "the bodies stay elastic under the contact",
+            "the Hertz pressure exceeds first yield, 1.67 times the yield strength: the bodies deform plastically",
+            "choose a material of higher yield strength, longer contact lines or less preload",
+            highest=1.0,
+        ),
+    ),
+    _ratio(
+        "critical_over_largest_spot",
+        "critical over largest spot",
+        value="result.diagnostics.critical_over_largest_spot",
+        axis="contact",
+        limit=Limit(
+            "accuracy",
+            "some contact spots are elastic",
+            "every contact spot is plastic: the contact law has no stiffness",
+            "check D, G and hardness; a smoother surface, a harder material or more preload makes spots elastic",
+            highest=1.0,
+        ),
+    ),
+    _ratio(
+        "fractal_dimension",
+        "fractal dimension D",
+        value=_fractal_dimensions,
+        axis="contact",
+        needs="geometry",
+        limit=Limit(
+            "accuracy",
+            f"D is inside the verified range of the contact law, {' to '.join(map(str, VERIFIED_FRACTAL_DIMENSIONS))}",
+            f"D is outside the verified range of the contact law, {' to '.join(map(str, VERIFIED_FRACTAL_DIMENSIONS))}",
+            "check the measured D; the results are extrapolated",
+            lowest=VERIFIED_FRACTAL_DIMENSIONS[0],
+            highest=VERIFIED_FRACTAL_DIMENSIONS[1],
+            inclusive=True,
+        ),
+    ),
+    _ratio(
+        "real_area_over_hertz_area",
+        "real area over Hertz area",
+        value="result.diagnostics.real_area_over_hertz_area",
+        axis="contact",
+        limit=Limit(
+            "model",
+            "the real area of contact is part of the Hertz area 2bB",
+            "the real area of contact exceeds the Hertz area 2bB: the contact law is used beyond its validity",
+            _TRUST_THE_ASSEMBLY,
+            highest=1.0,
+        ),
+    ),
+    _ratio(
+        "largest_spot_over_hertz_area",
+        "largest spot over Hertz area",
+        value="result.diagnostics.largest_spot_over_hertz_area",
+        axis="contact",
+        limit=Limit(
+            "model",
+            "the largest contact spot is part of the Hertz area 2bB",
+            "one contact spot exceeds the Hertz area 2bB: the contact law is used beyond its validity",
+            _TRUST_THE_ASSEMBLY,
+            highest=1.0,
+        ),
+    ),
+    _ratio(
+        "asperity_over_bulk_stiffness",
+        "asperity over bulk stiffness",
+        value="result.diagnostics.asperity_over_bulk_stiffness",
+        axis="contact",
+        limit=Limit(
+            "model",
+            "the asperities are at least ten times softer than the bodies under them",
+            "the bodies are not much stiffer than the asperities: the published stiffness, without the bodies, is only "
+            "an upper bound",
+            _TRUST_THE_ASSEMBLY,
+            highest=0.1,
+        ),
+    ),
+    _ratio(
+        "slip_safety",
+        "safety factor against slip",
+        value=lambda solved: 1.0 / solved.result.diagnostics.slip_ratio,
+        axis="contact",
+        needs="balance",
+        lowest_limit=1.0,
+        note="mu N/T",
+    ),
+    _ratio(
+        "yield_safety",
+        "safety factor against yield",
+        value=lambda solved: 1.0 / solved.result.diagnostics.pressure_over_first_yield,
+        axis="contact",
+        note="first yield, 1.67 times the yield strength, over Hertz pressure",
+    ),
+    _ratio(
+        "torque_safety",
+        "safety factor of the torque",
+        value=lambda solved: (
+            solved.capacity_of_direction.output_torque / jnp.abs(jnp.asarray(solved.joint.output_torque))
+        ),
+        needs="geometry",
+        lowest_limit=1.0,
+        note="torque capacity in the direction of the output torque, over that torque; at least this where the limit "
+        "is contact_too_wide or wall_too_thin, at which only what is computed ends",
+    ),
+    _residual(
+        "balance_residual",
+        "residual of the force balance",
+        value="result.forces.balance_residual",
+        note="of the forces and torques on every body, relative to the largest force; equations (1) to (5) of the "
+        "paper's drive",
+        limit=_UNSOLVED(),
+    ),
+    _residual(
+        "closure_residual",
+        "residual of the closure",
+        value="result.forces.closure_residual",
+        note="of the lengths that the preload presses together, relative; equation (A3) of the paper's drive",
+        limit=_UNSOLVED(),
+    ),
+)

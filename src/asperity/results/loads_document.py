@@ -1,0 +1,271 @@
+"""Loads of pins, bearings, shafts and housing of a joint with a planar drive, as rows for their supplier."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+import asperity
+from asperity.branches.loads import BranchLoads
+from asperity.drive.layout.drive import CARRIER
+from asperity.drive.state.loads import MemberLoads, pin_components
+from asperity.joint.description import Joint, tracks_of
+from asperity.joint.evaluation import JointResult
+from asperity.joint.working_loads import (
+    loads_without_torque,
+    member_speeds,
+    pin_bending,
+    pin_speeds,
+    working_loads,
+)
+from asperity.results.branch_limits import pressed
+from asperity.results.solved import SolvedJoint
+from asperity.rolling.document import unknown_because
+
+_DIRECTIONS = (
+    "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
+    "turns; torques count in the same sense. Forces act on the part that is named: loads of pins and rollers are those "
+    "of each, loads of the members on the axis those of all sectors together."
+)
+_EQUAL = (
+    "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and a "
+    "torque remains, so that their bearings carry no force. Weights, unequal sectors and forces from outside are not "
+    "counted; only the loads of rated bearings contain the outside_force of their section."
+)
+_STATES = (
+    "Where the input turns the forces are those of steady rolling, otherwise those of the joint standing under the "
+    "torque."
+)
+_FREE = "Rollers without a pin are held by their contacts alone."
+_IN_ONE_PLANE = (
+    "The tracks of stepped rollers are taken in one plane: where they are not arranged symmetrically, their bearings "
+    "also carry a tilting moment."
+)
+
+_AXIAL = (
+    "Axial forces are those of skewed contacts in rolling; those of rollers on pins act on the carrier as well. "
+    "Rollers without a pin need flanges or a cage, which are not described."
+)
+_BEARINGS = (
+    "Torques are those of the rollers and pins; the friction torques of the bearings are not among them."
+)
+
+
+def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
+    """Loads of the structure as a document, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        One joint.
+    bearings : list of dict
+        Its :func:`asperity.results.strength_document.bearing_entries`.
+
+    Returns
+    -------
+    dict
+        Without torque, under the working torque, and under every load of the duty; None where a value is not known.
+    """
+    joint, result, branches = solved.joint, solved.result, solved.branches
+    cases = [case_entry("without torque", 0.0, 0.0, None, None)]
+    loads = [loads_without_torque(joint, result)]
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    loaded: list[tuple[str, float | None, Joint, JointResult]] = [("working torque", None, numbers, result)]
+    for index, state in enumerate(solved.duty_states):
+        loaded.append((f"duty {index + 1}", float(numbers.rolling.duty[index].share), *state))
+    drive = joint.drive
+    speeds = [np.zeros(len(drive.members))]
+    for name, share, there, under in loaded:
+        loads.append(working_loads(there, under))
+        speeds.append(np.asarray(member_speeds(there, under)))
+        unknown = bool(np.any(np.isnan(np.asarray(loads[-1].moments))))
+        why = unknown_because(there, under)[0] if unknown else None
+        cases.append(case_entry(name, float(there.output_torque), float(there.input_speed), share, why))
+    stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
+    balance = _EQUAL if branches is None else UNEQUAL.format(pressed=pressed(branches))
+    notes = [_DIRECTIONS, balance, _STATES]
+    if len(drive.pinned) < len(drive.floating):
+        notes.append(_FREE)
+    if stepped:
+        notes.append(_IN_ONE_PLANE)
+    if joint.bearings is not None:
+        notes.append(_BEARINGS)
+    if bearings:
+        notes.append(RATED)
+    thrust: np.ndarray | None = None
+    if joint.rolling.skew is not None:
+        notes.append(_AXIAL)
+        none = np.zeros(len(drive.bodies))
+        turning = [
+            under.rolling.axial_thrust if there.input_speed > 0.0 else none for *_, there, under in loaded
+        ]
+        thrust = np.stack([none, *turning], axis=-1)
+    unlike = BranchLoads(branches, turns=float(joint.input_speed) > 0.0, cases=len(loads))
+    cases, said = unlike.entries(cases, skewed=joint.rolling.skew is not None)
+    return document_of_rows(
+        cases, _rows(joint, loads, speeds, thrust, unlike), bearings=bearings, notes=[*notes, *said]
+    )
+
+
+def _rows(
+    joint: Joint,
+    loads: list[MemberLoads],
+    speeds: list[np.ndarray],
+    thrust: np.ndarray | None,
+    unlike: BranchLoads,
+) -> Iterator[Row]:
+    """Part, position, quantity, SI unit, and a value for each case."""
+    drive, members = joint.drive, joint.drive.members
+    turned = np.abs(np.stack(speeds, axis=-1))
+    relative = unlike.speed_on_pins(
+        np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
+    )
+    pins = [pin_components(drive=drive, force=load.pin) for load in loads]
+    radial, tangential = unlike.pins(np.moveaxis(np.asarray(pins), 0, -1))
+    moment, stress = map(np.asarray, pin_bending(joint, jnp.hypot(radial, tangential)))
+    for k, body in enumerate(drive.pinned):
+        part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
+        yield *part, "radial force", "N", radial[k]
+        yield *part, "tangential force", "N", tangential[k]
+        yield *part, "resultant force", "N", np.hypot(radial[k], tangential[k])
+        if thrust is not None:
+            yield *part, "axial force", "N", thrust[body]
+        if joint.pin is not None:
+            yield *part, "bending moment", "N*m", moment[k]
+            if float(joint.pin.diameter) > 0.0:
+                yield *part, "bending stress", "Pa", stress[k]
+        yield *part, "speed, roller on pin", "rad/s", relative[k]
+    for number, name in enumerate(members):
+        if name != CARRIER and drive.bodies[number].place != "axis":
+            if thrust is not None and number not in drive.pinned:
+                yield name.replace("_", " "), "roller without a pin", "axial force", "N", thrust[number]
+            continue
+        if name == CARRIER and not drive.pinned:
+            continue
+        role = {drive.input: "input", drive.output: "output", drive.grounded: "grounded"}.get(name, "idle")
+        part = (name.replace("_", " "), f"on the axis, {role}")
+        moment = unlike.torque_on(name, drive.sense * np.array([load.moments[number] for load in loads]))
+        yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
+        yield *part, "resultant force", "N", unlike.force_on(name)
+        if thrust is not None:
+            pushed = (
+                drive.sectors * np.sum(thrust[list(drive.pinned)], axis=0)
+                if name == CARRIER
+                else thrust[number]
+            )
+            yield *part, "axial force", "N", pushed
+        yield *part, "speed in the housing", "rad/s", unlike.speed_of(name, turned[number])
+
+
+#: A load below this share of the largest one of its unit is what the sums of larger ones leave.
+_ROUNDING = 1e-12
+Document = dict[str, Any]
+Row = tuple[str, str, str, str, Any]
+
+#: What the lives of rolling bearings are.
+RATED = (
+    "Bearings: ISO 281 basic rating life, which nine in ten reach, by radial load and relative speed. Lubrication and "
+    "cleanliness (a_ISO), axial loads and misalignment are yours to judge; the life holds for loads up to C/2."
+)
+
+#: What a table of loads says of branches that differ.
+UNEQUAL = (
+    "Branches of unequal sizes, [[branch]]: the bearings of the members on the axis carry what the branches leave "
+    "unbalanced, rated ones the whole of it and the outside_force of their section as if both acted in one direction. "
+    "Forces of the pins and lives of their bearings are those of the branch that loads them most; {pressed}. Weights "
+    "and forces from outside are not counted."
+)
+
+
+def case_entry(
+    name: str, output_torque: float, sun_speed: float, share: float | None, unknown_because: str | None
+) -> Document:
+    """One load of the joint as an entry of the document.
+
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    output_torque, sun_speed : float
+        Torque at the output [N·m] and speed of the input [rad/s].
+    share : float or None
+        Share of the time; None outside a duty.
+    unknown_because : str or None
+        Why there are no loads; None where there are.
+
+    Returns
+    -------
+    dict
+        With units at the end of its keys.
+    """
+    return {
+        "name": name,
+        "output_torque_Nm": output_torque,
+        "sun_speed_rad_per_s": sun_speed,
+        "share": share,
+        "unknown_because": unknown_because,
+    }
+
+
+def document_of_rows(
+    cases: list[Document], rows: Iterable[Row], *, bearings: list[Document], notes: list[str]
+) -> Document:
+    """The document of loads, whatever the drive.
+
+    Parameters
+    ----------
+    cases : list of dict
+        From :func:`case_entry`.
+    rows : iterable of tuple
+        Part, position, quantity, SI unit, and one value for each case or one for all.
+    bearings : list of dict
+        Rolling bearings.
+    notes : list of str
+        What the numbers mean.
+
+    Returns
+    -------
+    dict
+        None where a value is not known or infinite, as every load of an unknown case; 0 where it is the rounding of
+        larger ones of its unit.
+    """
+    unknown = np.array([case["unknown_because"] is not None for case in cases])
+    whole = [
+        (*words, unit, np.where(unknown & (unit != "rad/s"), math.nan, np.asarray(values, dtype=float)))
+        for *words, unit, values in rows
+    ]
+    largest = {
+        unit: max(
+            (abs(x) for *_, other, each in whole if other == unit for x in each if np.isfinite(x)),
+            default=0.0,
+        )
+        for unit in {row[-2] for row in whole}
+    }
+    return {
+        "asperity_version": asperity.__version__,
+        "cases": cases,
+        "loads": [
+            {
+                "part": part,
+                "position": position,
+                "quantity": quantity,
+                "unit": unit,
+                "values": [_plain(value, _ROUNDING * largest[unit]) for value in values],
+            }
+            for part, position, quantity, unit, values in whole
+        ],
+        "bearings": bearings,
+        "notes": notes,
+    }
+
+
+def _plain(value: Any, rounding: float) -> float | None:
+    number = float(value)
+    if not math.isfinite(number):
+        return None
+    return number if abs(number) > rounding else 0.0

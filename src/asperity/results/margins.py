@@ -1,0 +1,140 @@
+"""Safety margins of one solved joint: what is required, what there is, and whether that is enough."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity.joint.held_by_pins import with_pins
+from asperity.results import SEVERITIES, Limit, Result, Severity
+from asperity.results.all_limits import further_checks
+from asperity.results.contact_notes import Note
+from asperity.results.drive_table import results_of_joint
+from asperity.results.limit_check import LimitCheck
+from asperity.results.solved import SolvedJoint
+
+#: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
+_MUST_EXCEED = ("clearance", "torque_safety")
+
+
+@dataclass(frozen=True, slots=True)
+class Margin:
+    """One requirement of a joint, at the contact or clearance where it is met worst.
+
+    Parameters
+    ----------
+    result : Result
+        The row of the table of results.
+    place : str
+        Which contact or clearance; empty for the whole drive.
+    actual : float
+        Its value [SI].
+    lowest, highest : float
+        The value must lie between these [SI].
+    passes : bool
+        Whether it does; never where the value is nan.
+    severity : {"function", "damage", "accuracy", "state", "model"}
+        How serious it is if it does not.
+    """
+
+    result: Result
+    place: str
+    actual: float
+    lowest: float
+    highest: float
+    passes: bool
+    severity: Severity
+
+    @property
+    def state(self) -> str:
+        """The state of the joint where it is no failure that the limit is crossed; otherwise empty."""
+        return "" if self.passes or self.result.limit is None else self.result.limit.state
+
+    @property
+    def utilisation(self) -> float:
+        """Share of the limit that is used [-]: beyond 1 it is crossed; nan where a share has no meaning."""
+        if math.isinf(self.lowest) and self.highest > 0.0:
+            return self.actual / self.highest
+        if math.isinf(self.highest) and self.lowest > 0.0 and self.actual > 0.0:
+            return self.lowest / self.actual
+        return math.nan
+
+
+def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
+    """Every requirement of a joint, the most serious first: what its diagnostics judge, and what must exceed a bound.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        One joint, without batch axes.
+
+    Returns
+    -------
+    tuple of Margin
+        One for each judged result that the joint has and for each name of its notes, where it is met worst; and those
+        of unequal branches and of a duty.
+    """
+    table = results_of_joint(solved).values()
+    judged = [with_pins(row, solved) for row in table if row.limit or row.name in _MUST_EXCEED]
+    found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
+    if solved.no_equal_state:
+        found = [
+            each for each in found if not math.isnan(each.actual) and each.result.name != "torque_safety"
+        ]
+    found += map(_further, further_checks(solved))
+    by_name: dict[str, list[Note]] = {}
+    for note in solved.notes:
+        by_name.setdefault(note.name, []).append(note)
+    found += map(_worst_note, by_name.values())
+    return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
+
+
+def _further(check: LimitCheck) -> Margin:
+    rule = check.rule
+    place = check.contact or ""
+    return Margin(check.result, place, check.value, rule.lowest, rule.highest, check.ok, rule.severity)
+
+
+def _worst_note(notes: list[Note]) -> Margin:
+    """The note that is farthest beyond its limit, or else nearest to it."""
+    note = max(
+        notes,
+        key=lambda each: (
+            not each.ok,
+            -SEVERITIES.index(each.severity),
+            each.value - each.limit if each.ok else abs(each.value - each.limit),
+        ),
+    )
+    below = note.value < note.limit and not note.ok
+    lowest, highest = (note.limit, math.inf) if below else (-math.inf, note.limit)
+    rule = Limit(
+        note.severity,
+        note.meaning,
+        note.meaning,
+        note.remedy or "",
+        lowest,
+        highest,
+        inclusive=True,
+        state=note.state,
+    )
+    row = Result(note.name, note.label, note.dimension, note.display_unit, note.name, limit=rule)
+    return Margin(row, note.contact or "", note.value, lowest, highest, note.ok, note.severity)
+
+
+def _worst(row: Result, rows: dict[str, float]) -> Margin:
+    values = np.array(list(rows.values()))
+    if row.limit is None:
+        lowest, highest, severity = row.lowest_limit, math.inf, SEVERITIES[0]
+    else:
+        lowest, highest, severity = row.limit.lowest, row.limit.highest, row.limit.severity
+    room = np.where(np.isnan(values), np.nan, np.inf)  # an infinite bound is infinitely far away
+    if math.isfinite(lowest):
+        room = np.minimum(room, values - lowest)
+    if math.isfinite(highest):
+        room = np.minimum(room, highest - values)
+    index = int(np.argmin(np.where(np.isnan(room), -np.inf, room)))
+    actual = float(values[index])
+    passes = row.limit.is_kept(actual) if row.limit else actual > lowest
+    return Margin(row, list(rows)[index], actual, lowest, highest, bool(passes), severity)

@@ -1,0 +1,114 @@
+"""Where the output of a joint is: drift beside stiffness, and the torque up to which both hold, for people to read."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from asperity.joint.torque_limits import may_carry_more
+from asperity.units import format_quantity
+
+Document = dict[str, Any]
+
+
+class PositionRow(NamedTuple):
+    """One number about the position of the output.
+
+    Parameters
+    ----------
+    label : str
+        What it is called.
+    value : float or None
+        Its value [SI]; None where there is none.
+    unit : str
+        The unit to show.
+    meaning : str
+        What it says.
+    """
+
+    label: str
+    value: float | None
+    unit: str
+    meaning: str
+
+
+def position_rows(document: Document) -> list[PositionRow]:
+    """Drift and stiffness, two numbers that do not replace each other, and the capacity in rolling.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.results.document.joint_document` makes it.
+
+    Returns
+    -------
+    list of PositionRow
+        In the order in which they are read.
+    """
+    rolling = document["rolling"]
+    capacity = _finite(rolling["torque_capacity_Nm"])
+    rows = [
+        PositionRow(
+            "drift per output turn",
+            rolling["drift_rad_per_output_turn"],
+            "arcmin",
+            "adds up with every turn and does not come back",
+        ),
+        PositionRow("speed loss", rolling["speed_loss"], "%", "the same, as a share of the output speed"),
+        PositionRow(
+            "stiffness, standing",
+            document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"],
+            "N*m/arcmin",
+            "assembled, at this torque",
+        ),
+        _comes_back(document),
+        PositionRow("torque capacity, rolling", capacity, "N*m", _beyond(document)),
+    ]
+    if "branches" in document:
+        rows.append(
+            PositionRow(
+                "that of the worst branch",
+                document["branches"]["rolling_torque_capacity"]["first_slip_Nm"],
+                "N*m",
+                "by its own size; the row above is that of equal branches",
+            )
+        )
+    return rows
+
+
+def _comes_back(document: Document) -> PositionRow:
+    """The torque over the stiffness there, unless a branch that slips leaves the rest of the stiffness to others."""
+    torque = document["standing"]["forces"]["output_torque_Nm"]
+    spring = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    standing = document.get("branches", {}).get("standing") or {"slip_ratio": []}
+    label = "torque over stiffness"
+    if any(ratio is not None and ratio >= 1.0 for ratio in standing["slip_ratio"]):
+        return PositionRow(
+            label, None, "arcmin", "a branch slips: see 'asperity windup' for what comes back without torque"
+        )
+    return PositionRow(
+        label,
+        torque / spring if spring else None,
+        "arcmin",
+        "about what comes back without torque; 'asperity windup' integrates it",
+    )
+
+
+def _beyond(document: Document) -> str:
+    """What ends the rolling, or what is computed of it, and the capacity of the joint that stands."""
+    capacity, torque = document["torque_capacity"], _finite(document["rolling"]["torque_capacity_Nm"])
+    if torque is None:
+        ends = "not limited by friction"
+    elif may_carry_more(capacity, torque):
+        ends = "at least: what is computed ends there"
+    else:
+        ends = "beyond, a contact slips"
+    reverse = document["standing"]["forces"]["output_torque_Nm"] < 0.0
+    found = _finite((capacity["reverse"] if reverse else capacity)["output_torque_Nm"])
+    standing = "not limited by friction" if found is None else format_quantity(found, "N*m")
+    return f"{ends}; standing: {standing}"
+
+
+def _finite(value: float | None) -> float | None:
+    """A number, or None where it is infinite or unknown."""
+    return None if value is None or not math.isfinite(value) else float(value)

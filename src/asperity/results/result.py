@@ -1,0 +1,173 @@
+"""What a result is: a named number of a solved joint, its unit, and the limit by which it is judged."""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from asperity.joint.status import Needs
+from asperity.unit_table import Dimension
+
+if TYPE_CHECKING:
+    from asperity.results.solved import SolvedJoint
+    from asperity.windup.windup import StiffnessLevel
+
+#: How serious it is that a limit is crossed: the joint does not work as it should; it is damaged; the numbers cannot be
+#: trusted; the joint is in a state that works, with a consequence that has to be known; the published model is used
+#: outside its range, which is so for most joints.
+Severity = Literal["function", "damage", "accuracy", "state", "model"]
+
+#: Severities, the most serious first.
+SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "state", "model")
+
+
+@dataclass(frozen=True)
+class Limit:
+    """The limit by which a result is judged, and what to do where it is crossed.
+
+    Parameters
+    ----------
+    severity : {"function", "damage", "accuracy", "state", "model"}
+        How serious it is.
+    kept, crossed : str
+        What it means that the limit is kept or crossed.
+    remedy : str
+        What to do where it is crossed.
+    lowest, highest : float
+        The result must lie between these [SI].
+    inclusive : bool
+        Whether the bounds themselves are allowed.
+    unknown : str
+        What it means that the result is not known, nan.
+    state : str
+        Of severity ``state``: in which state the joint is where the limit is crossed, in a few words.
+    """
+
+    severity: Severity
+    kept: str
+    crossed: str
+    remedy: str
+    lowest: float = -math.inf
+    highest: float = math.inf
+    inclusive: bool = False
+    unknown: str = "no value here: the contact slips, has lifted off or has plastic spots only"
+    state: str = ""
+
+    def is_kept(self, value: float) -> bool:
+        """Whether a value keeps the limit; nan never does."""
+        if self.inclusive:
+            return self.lowest <= value <= self.highest
+        return self.lowest < value < self.highest
+
+    def nearer_bound(self, value: float) -> float:
+        """The bound that a value is nearer to, or has crossed."""
+        low = math.isinf(self.highest) or (
+            not math.isinf(self.lowest) and value < 0.5 * (self.lowest + self.highest)
+        )
+        return self.lowest if low else self.highest
+
+
+@dataclass(frozen=True)
+class Result:
+    """One result of a joint.
+
+    Parameters
+    ----------
+    name : str
+        Its name in files, options and datasets.
+    label : str
+        What it is, in a few words.
+    dimension : Dimension
+        What it measures.
+    display_unit : str
+        Unit in tables and figures; datasets and JSON documents are in SI units.
+    value : str or callable
+        Where it is in a :class:`SolvedJoint`: a dotted path, or a function of the solved joint. Results with rows may
+        be sequences of arrays.
+    axis : {"one", "contact", "clearance", "body", "pin", "bearing"}
+        Whether it is one number, or one for each contact, clearance, body, pin or bearing of the drive.
+    needs : {"geometry", "balance", "operation"}
+        What must hold for it to mean anything; elsewhere it is nan in datasets.
+    group : str
+        The group by which it can be asked for.
+    level : {"published", "series_with_bulk", "assembly"} or None
+        Which model of the stiffness it belongs to.
+    differentiable : bool
+        Whether its derivatives by the numbers of a joint file mean anything.
+    positive : bool
+        Whether it is always positive: designs then compare it with a limit by its ratio, otherwise by its difference.
+    lowest_limit, highest_limit : float
+        Range of the limits that a design may set [SI].
+    limit : Limit or None
+        The limit of the model by which it is judged, if there is one.
+    categories : tuple of str
+        What its values number, from 0, where it is no quantity: such a result has no mean.
+    note : str
+        What else has to be said about it.
+    present : callable or None
+        Which of its rows a joint has; the others are not judged. None: all of them.
+    needs_wedges : bool
+        Whether only a drive with wedges between planets and ring has it.
+    rows : tuple of str
+        Names of its rows; empty in the table of all drives, :mod:`asperity.results.drive_table` fills them in.
+    """
+
+    name: str
+    label: str
+    dimension: Dimension
+    display_unit: str
+    value: str | Callable[[SolvedJoint], Any]
+    axis: Literal["one", "contact", "clearance", "body", "pin", "bearing"] = "one"
+    needs: Needs = "operation"
+    group: str = ""
+    level: StiffnessLevel | None = None
+    differentiable: bool = True
+    positive: bool = True
+    lowest_limit: float = -math.inf
+    highest_limit: float = math.inf
+    limit: Limit | None = None
+    categories: tuple[str, ...] = ()
+    note: str = ""
+    present: Callable[[SolvedJoint], tuple[bool, ...]] | None = None
+    needs_wedges: bool = False
+    rows: tuple[str, ...] = ()
+
+    @property
+    def si_unit(self) -> str:
+        """SI unit; ``"1"`` for a ratio."""
+        return self.dimension.si_unit
+
+    @property
+    def of_rims(self) -> bool:
+        """Whether it is read from the rims of a solved joint."""
+        return isinstance(self.value, str) and self.value.startswith("rims.")
+
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """Names of its rows; one empty text for a single number."""
+        return ("",) if self.axis == "one" else self.rows
+
+    @property
+    def row_shape(self) -> tuple[int, ...]:
+        """Shape of its rows: nothing for a single number."""
+        return () if self.axis == "one" else (len(self.row_names),)
+
+    def rows_of(self, solved: SolvedJoint) -> dict[str, float]:
+        """Name → value [SI] of the rows that one joint has, without batch axes."""
+        names = self.row_names if self.axis == "one" else solved.row_names(self.axis)
+        present = (True,) * len(names) if self.present is None else self.present(solved)
+        found = self.of(solved) if any(present) else None
+        if found is None:
+            return {}
+        values = np.broadcast_to(np.asarray(found, dtype=float), (len(present),))
+        named = zip(names, values, present, strict=True)
+        return {name: float(value) for name, value, there in named if there}
+
+    def of(self, solved: SolvedJoint) -> Any:
+        """Its value [SI]: an array, with the axis of its rows first, or a sequence of its rows."""
+        return operator.attrgetter(self.value)(solved) if isinstance(self.value, str) else self.value(solved)

@@ -1,0 +1,296 @@
+"""A solved joint with a planar drive, with what is worth computing only when it is asked for."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.branches.bearings import branch_bearing_lives
+from asperity.branches.results import NO_EQUAL_STATE, UnequalBranches
+from asperity.compilation import call_compiled, compile_fast
+from asperity.drive.layout.drive import sectors_of_members
+from asperity.drive.layout.existence import neighbour_gaps, neighbours
+from asperity.drive.state.loads import MemberLoads
+from asperity.drive.state.state import ContactLaws
+from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
+from asperity.joint.capacity import capacity_both_ways
+from asperity.joint.description import Joint, each_contact, pin_names, tracks_of
+from asperity.joint.evaluation import JointResult, joint_result, laws_and_states
+from asperity.joint.motion import in_motion
+from asperity.joint.rims import branch_rims, joint_rims
+from asperity.joint.solve import Solution
+from asperity.joint.torque_limits import TorqueCapacity
+from asperity.joint.working_loads import working_loads
+from asperity.results.contact_notes import Note
+from asperity.results.loss_note import loss_notes, skew_notes
+from asperity.results.plausibility import plausibility
+
+
+class JointSize(eqx.Module):
+    """Size and mass of the rolling parts of a drive.
+
+    Parameters
+    ----------
+    envelope_diameter : Array
+        Outer diameter of the largest body on the axis [m].
+    envelope_length : Array
+        Length of the longest roller [m]; nan with stepped rollers: how far their tracks lie apart along the axis is not
+        part of their description.
+    mass : Array
+        Mass of all rolling parts [kg].
+    """
+
+    envelope_diameter: Array
+    envelope_length: Array
+    mass: Array
+
+    @property
+    def envelope_volume(self) -> Array:
+        """Volume of the cylinder around the rolling parts [m^3]."""
+        return 0.25 * jnp.pi * self.envelope_diameter**2 * self.envelope_length
+
+
+def joint_size(joint: Joint, result: JointResult) -> JointSize:
+    """Size and mass of the rolling parts.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    JointSize
+        Diameter [m] and mass [kg]; a track of unknown length is as long as its longest contact.
+    """
+    outer = []
+    for number, shape in enumerate(joint.shapes):
+        if joint.drive.bodies[number].place == "axis":
+            wall = 0.0 if shape.kind != "ring" or shape.size is None else shape.size
+            outer += [radius + wall for radius, _ in tracks_of(joint, number)]
+    copies = jnp.asarray(joint.drive.sectors) / sectors_of_members(joint.drive)[:-1]
+    stepped = any(len(tracks_of(joint, number)) > 1 for number in range(len(joint.shapes)))
+    stated = [jnp.asarray(shape.length) for shape in joint.shapes if shape.length is not None]
+    length = (
+        jnp.nan if stepped else jnp.max(jnp.stack([*each_contact(joint, joint.contact_lengths), *stated]))
+    )
+    return JointSize(2.0 * jnp.max(jnp.stack(outer)), jnp.asarray(length), jnp.sum(copies * result.masses))
+
+
+class SolvedJoint:
+    """A solved joint, with what is worth computing only when it is asked for.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        What :func:`asperity.joint.evaluation.evaluated_with_laws` says about it.
+    laws : ContactLaws or None
+        Likewise; None where the capacities are known.
+    notes : tuple of Note, optional
+        Comparisons with what is usual, which are requirements too.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ.
+    """
+
+    joint: Joint
+    result: JointResult
+    #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
+    required_life: float | None = None
+    #: Of one joint that was solved on its own: what came out.
+    solution: Solution
+
+    def __init__(
+        self,
+        joint: Joint,
+        result: JointResult,
+        laws: ContactLaws | None,
+        notes: tuple[Note, ...] = (),
+        branches: UnequalBranches | None = None,
+    ) -> None:
+        self.joint = joint
+        self.result = result
+        self.branches = branches
+        self.notes = notes
+        self._laws = laws
+
+    @property
+    def no_equal_state(self) -> str | None:
+        """Why all results of equal branches under its torque are nan, where only its own carry it; else None."""
+        return None if self.branches is None or bool(self.result.solved) else NO_EQUAL_STATE
+
+    @functools.cached_property
+    def bearings(self) -> BearingLives:
+        """Lives of the rolling bearings; nothing to compute where none has ratings."""
+        if not any(self.has_bearings):
+            nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
+            return BearingLives(nothing, nothing, nothing, nothing, nothing)
+        if self.branches is not None:
+            return branch_bearing_lives(self.joint, self.branches)
+        lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
+        return lives
+
+    @functools.cached_property
+    def rims(self) -> Any:
+        """Stresses of ring and hollow rollers."""
+        if self.branches is None:
+            return self._rims(self.joint, self.result)
+        working = self.branches.working(turns=float(self.joint.sun_speed) != 0.0)
+        return self._branch_rims(*self.branches.contact_forces(working))
+
+    @functools.cached_property
+    def duty_rims(self) -> tuple[Any, ...]:
+        """As ``rims`` under each load of the duty; nan where the joint does not carry it. Of one joint alone."""
+        if self.branches is None:
+            return tuple(self._rims(*each) for each in self.duty_states)
+        return tuple(self._branch_rims(*self.branches.contact_forces(each)) for each in self.branches.duty)
+
+    @property
+    def has_bearings(self) -> tuple[bool, ...]:
+        """Which rolling bearings have ratings."""
+        return tuple(bearing is not None for bearing in self.joint.rated_bearings)
+
+    @functools.cached_property
+    def _standing(self) -> TorqueCapacity:
+        """Both directions; a study that asks for no other does not search for those in rolling."""
+        assert self._laws is not None
+        return capacity_both_ways(self.joint, self.result.rest, self._laws, rolls=False)
+
+    @functools.cached_property
+    def _rolling(self) -> TorqueCapacity:
+        assert self._laws is not None
+        return capacity_both_ways(self.joint, self.result.rest, self._laws, rolls=True)
+
+    def _capacity(self, *, rolls: bool, index: Any) -> TorqueCapacity:
+        return jax.tree.map(lambda leaf: leaf[index], self._rolling if rolls else self._standing)
+
+    @functools.cached_property
+    def capacity(self) -> TorqueCapacity:
+        """Torque capacity of positive torques, and what limits it."""
+        return self._capacity(rolls=False, index=0)
+
+    @functools.cached_property
+    def reverse_capacity(self) -> TorqueCapacity:
+        """Torque capacity of negative torques, and what limits it."""
+        return self._capacity(rolls=False, index=1)
+
+    @functools.cached_property
+    def capacity_of_direction(self) -> TorqueCapacity:
+        """Torque capacity in the direction of the output torque."""
+        backwards = (jnp.asarray(self.joint.output_torque) < 0.0).astype(int)
+        return self._capacity(rolls=False, index=backwards)
+
+    @functools.cached_property
+    def rolling_capacity(self) -> Any:
+        """Largest positive output torque under which the joint rolls [N·m]."""
+        return self._capacity(rolls=True, index=0).output_torque
+
+    @functools.cached_property
+    def reverse_rolling_capacity(self) -> Any:
+        """Largest negative output torque under which the joint rolls, as a positive number [N·m]."""
+        return self._capacity(rolls=True, index=1).output_torque
+
+    _bearing_lives = staticmethod(joint_bearing_lives)
+
+    @functools.cached_property
+    def duty_states(self) -> tuple[tuple[Joint, JointResult], ...]:
+        """The joint under each load of its duty, and its result, with equal sectors."""
+        numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), self.joint)
+        found = []
+        for point in numbers.rolling.duty:
+            there = dataclasses.replace(
+                numbers, output_torque=point.output_torque, input_speed=point.sun_speed
+            )
+            moving = in_motion(there)
+            laws, states = compile_fast(laws_and_states, moving)(moving)
+            result: JointResult = compile_fast(joint_result, moving, laws, states)(moving, laws, states)
+            found.append((there, jax.tree.map(np.asarray, result)))
+        return tuple(found)
+
+    def _rims(self, joint: Joint, result: JointResult) -> Any:
+        """The bodies along the last axis."""
+        return call_compiled(joint_rims, in_motion(joint), result)
+
+    def _branch_rims(self, working: np.ndarray, rest: np.ndarray) -> Any:
+        given = (self.joint, working, rest)
+        program = compile_fast(branch_rims, *given, options=(working.shape[-1],))
+        return jax.tree.map(np.asarray, program(*given))
+
+    @property
+    def preload(self) -> Any:
+        """Normal force of the first contact without torque [N]."""
+        return self.result.preload
+
+    def row_names(self, axis: str) -> tuple[str, ...]:
+        """Names of the contacts, bodies, bearings or clearances of this joint's drive."""
+        if axis == "bearing":
+            names: tuple[str, ...] = self.joint.bearing_names
+            return names
+        if axis == "pin":
+            return pin_names(self.joint.drive)
+        if axis == "clearance":
+            return tuple("_to_".join(pair) for pair in neighbours(self.joint.drive))
+        names_of: tuple[str, ...] = self.result.contact_names if axis == "contact" else self.result.body_names
+        return names_of
+
+    @functools.cached_property
+    def clearances(self) -> list[Any]:
+        """Clearances between rollers that must not touch [m]."""
+        return list(neighbour_gaps(self.joint.drive).values())
+
+    @functools.cached_property
+    def loads(self) -> MemberLoads:
+        """Loads of the structure under the joint's torque."""
+        return working_loads(self.joint, self.result)
+
+    @functools.cached_property
+    def size(self) -> Any:
+        """Size and mass of the rolling parts."""
+        return joint_size(self.joint, self.result)
+
+
+def solved_planar_joint(
+    joint: Joint, solution: Solution, branches: UnequalBranches | None = None
+) -> SolvedJoint:
+    """A joint whose capacities are known already, for the table of results.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint that was solved.
+    solution : Solution
+        What came out.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ.
+
+    Returns
+    -------
+    SolvedJoint
+        For margins and figures.
+    """
+    joint, result = jax.tree.map(np.asarray, joint), solution.result
+    notes = (
+        *plausibility(joint, result),
+        *loss_notes(result.rolling, result.contact_names),
+        *skew_notes(result.rolling, result.contact_names),
+    )
+    solved = SolvedJoint(joint, result, None, notes, branches)
+    solved.solution = solution
+    solved._standing, solved._rolling = (
+        jax.tree.map(lambda *leaves: np.stack(leaves), *both)
+        for both in (
+            (solution.capacity, solution.reverse_capacity),
+            (solution.rolling_capacity, solution.reverse_rolling_capacity),
+        )
+    )
+    return solved

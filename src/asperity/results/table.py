@@ -1,0 +1,261 @@
+"""All rows of the table of results, by name and by group."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.errors import InputError
+from asperity.results import (
+    bearing_rows,
+    contact_rows,
+    drive_rows,
+    limit_rows,
+    load_rows,
+    rolling_rows,
+    stiffness_rows,
+    stress_rows,
+)
+from asperity.results.result import Result
+from asperity.results.solved import SolvedJoint
+
+if TYPE_CHECKING:
+    from asperity.windup.windup import StiffnessLevel
+
+#: Every result of any drive by name.
+RESULTS: dict[str, Result] = {
+    row.name: row
+    for row in (
+        *stiffness_rows.ROWS,
+        *contact_rows.ROWS,
+        *limit_rows.ROWS,
+        *rolling_rows.ROWS,
+        *load_rows.ROWS,
+        *bearing_rows.ROWS,
+        *stress_rows.ROWS,
+        *drive_rows.ROWS,
+    )
+}
+
+#: Levels of the stiffness, the fullest model first.
+LEVELS: tuple[StiffnessLevel, ...] = ("assembly", "series_with_bulk", "published")
+
+#: Group that takes more time than all others together, and is therefore asked for by its own name.
+_APART = "stresses"
+
+#: Groups of results that can be asked for by one word; ``all`` is everything but the stresses of rims.
+GROUPS: dict[str, tuple[str, ...]] = {
+    "all": tuple(name for name, row in RESULTS.items() if row.group != _APART),
+    "stiffness": tuple(name for name in RESULTS if name.endswith(("_stiffness_output", "_stiffness_input"))),
+    **{
+        group: tuple(name for name, row in RESULTS.items() if row.group == group)
+        for group in dict.fromkeys(row.group for row in RESULTS.values())
+    },
+}
+
+#: Former names of results, and what they are called now.
+RENAMED = {
+    "gross_slip": "slip_ratio",
+    "self_locking": "self_locking_ratio",
+    "normal_over_rest": "normal_force_over_preload",
+    "hertz_peak_pressure": "hertz_pressure",
+    "carrier_speed": "output_speed",
+    "rolling_carrier_speed": "rolling_output_speed",
+    "slip_margin": "slip_ratio",
+    "pressure_margin": "pressure_over_first_yield",
+    "self_locking_margin": "self_locking_ratio",
+    "left_pin_force": "pin_force_left_loading_roller",
+    "right_pin_force": "pin_force_right_loading_roller",
+    "planet_mass": "body_mass_planet",
+    "loading_roller_mass": "body_mass_right_loading_roller",
+    **{
+        f"{body}_{kind}": f"rim_{kind}_{rows}"
+        for body, rows in (("ring", "ring"), ("planet", "planet"), ("loading_roller", "right_loading_roller"))
+        for kind in ("stress", "stress_at_rest", "stress_amplitude", "yield_safety", "fatigue_safety")
+    },
+    "life_hours": "drive_life",
+    "contact_life_hours": "contact_life",
+    "body_life_hours": "body_life",
+    "duty_life_hours": "duty_life",
+    **{f"{level}_stiffness_sun": f"{level}_stiffness_input" for level in LEVELS},
+}
+
+_MOST_LISTED = 20
+_WHERE_LISTED = "the page 'Results' of the documentation lists all of them"
+
+#: What an engineer may call a result whose name is another.
+_ALSO_CALLED = {
+    "ratio": "speed_ratio",
+    "pressure": "hertz_pressure",
+    "torque": "torque_capacity",
+    "life": "drive_life",
+}
+
+
+def known_result(name: object, *, among: Sequence[str] = (), what: str = "result") -> str:
+    """A name of a result, checked.
+
+    Parameters
+    ----------
+    name : str
+        The name.
+    among : sequence of str, optional
+        Names that are allowed; by default all of :data:`RESULTS`.
+    what : str, optional
+        What the name is called in the message.
+
+    Returns
+    -------
+    str
+        The name.
+
+    Raises
+    ------
+    InputError
+        If there is no such result: with its new name where it was renamed, or the nearest one.
+    """
+    known = tuple(among) or tuple(RESULTS)
+    if not isinstance(name, str):
+        raise InputError(f"expected the name of a {what} as text, got {name!r}")
+    if name in known:
+        return name
+    if what.endswith("result"):
+        _refuse_for_the_drive(name)
+    listed = f"known are {', '.join(known)}" if len(known) <= _MOST_LISTED else _WHERE_LISTED
+    hint = _hint(name, known) or f"; {listed}"
+    raise InputError(f"there is no {what} '{name}'{hint}")
+
+
+def _refuse_for_the_drive(name: str) -> None:
+    """Raise if only another kind of drive has these results; called where a drive lacks them."""
+    rows = [RESULTS[each] for each in GROUPS.get(name, (name,)) if each in RESULTS]
+    if rows and all(row.needs_wedges for row in rows):
+        raise InputError(
+            f"a drive of this type has no result '{name}': only one with wedges between planets and ring has it"
+        )
+
+
+def _hint(name: str, known: Sequence[str]) -> str:
+    for old, new in RENAMED.items():
+        if name == old or name.startswith(f"{old}_"):
+            return f"; it was renamed to '{new}{name[len(old) :]}'"
+    other = _ALSO_CALLED.get(name)
+    near = [other] if other in known else difflib.get_close_matches(name, known, n=1, cutoff=0.5)
+    return f"; did you mean '{near[0]}'?" if near else ""
+
+
+def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = RESULTS) -> tuple[str, ...]:
+    """Names of single results from names of results and groups.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Results, or the groups of :data:`GROUPS`, which stand for those of their results that the drive has.
+    table : mapping, optional
+        Results of the drive; by default those of all drives.
+
+    Returns
+    -------
+    tuple of str
+        Names of :data:`RESULTS`, each once.
+
+    Raises
+    ------
+    InputError
+        If a name is neither, or nothing is asked for.
+    """
+    wanted: dict[str, None] = {}
+    for name in names:
+        group = tuple(each for each in GROUPS.get(name, (name,)) if each in table)
+        if not group:
+            _refuse_for_the_drive(name)
+            groups = [each for each, members in GROUPS.items() if any(member in table for member in members)]
+            hint = _hint(name, [*groups, *table])
+            raise InputError(f"there is no result '{name}'{hint} (groups: {', '.join(groups)})")
+        wanted.update(dict.fromkeys(group))
+    if not wanted:
+        raise InputError(f"no results are asked for; choose among {', '.join(GROUPS)}")
+    return tuple(wanted)
+
+
+def name_at_level(name: str, level: StiffnessLevel) -> str:
+    """The full name of a result.
+
+    Parameters
+    ----------
+    name : str
+        A name of :data:`RESULTS`, or ``stiffness``, ``stiffness_per_mass``, ``stiffness_per_volume``.
+    level : {"published", "series_with_bulk", "assembly"}
+        Which stiffness is meant by these.
+
+    Returns
+    -------
+    str
+        A name of :data:`RESULTS`.
+    """
+    if name == "stiffness":
+        return f"{level}_stiffness_output"
+    return name if name in RESULTS else f"{level}_{name}"
+
+
+def row_name(name: str, row: str) -> str:
+    """Name of one row of a result: ``slip_ratio_sp``.
+
+    Parameters
+    ----------
+    name : str
+        A name of :data:`RESULTS`.
+    row : str
+        One of its row names; empty for a single number.
+
+    Returns
+    -------
+    str
+        The name, with the row behind it if there are several.
+    """
+    return f"{name}_{row}" if row else name
+
+
+def display_unit(name: str) -> str:
+    """Unit in which a result is shown.
+
+    Parameters
+    ----------
+    name : str
+        A name of :data:`RESULTS`, or of one row of it as :func:`row_name` makes it.
+
+    Returns
+    -------
+    str
+        The unit.
+    """
+    rows = [known for known in RESULTS if name == known or name.startswith(f"{known}_")]
+    return RESULTS[max(rows, key=len)].display_unit
+
+
+def result_values(names: Sequence[str], solved: SolvedJoint) -> dict[str, Array]:
+    """The chosen results of a solved joint; the rest costs nothing, because the compiler drops it.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Names of :data:`RESULTS`.
+    solved : SolvedJoint
+        One joint, or many along trailing batch axes.
+
+    Returns
+    -------
+    dict
+        Name → float array that broadcasts to the batch shape, with the axis of the rows first where there are several.
+    """
+    found = {}
+    for name in names:
+        value = RESULTS[name].of(solved)
+        if isinstance(value, list | tuple):
+            value = jnp.stack(jnp.broadcast_arrays(*value))
+        found[name] = jnp.asarray(value, dtype=float)
+    return found

@@ -1,0 +1,1 @@
+"""The joint that turns: creep, drift, losses, life."""

@@ -1,0 +1,278 @@
+"""The creep law of the contacts of a joint: Carter's, with the asperities as a layer and with skew."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact import carter
+from asperity.contact.creep_layer import layer_creepage_factor, layer_ratio
+from asperity.contact.skew import (
+    lateral_compliance_ratio,
+    longitudinal_capacity_ratio,
+    skewed_contact,
+    skewed_slip_ratios,
+)
+from asperity.contact.strip_theory import strip_creepage
+from asperity.drive.state.creep import CreepLaw
+from asperity.joint.contacts import JointContacts, rough_joint_contacts
+from asperity.joint.crowned_contacts import rough_slices, slice_friction
+from asperity.joint.fit import per_contact
+from asperity.types import Real
+
+# slip ratios between which the factors on Carter's creepage are taken
+_LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
+
+
+class ContactCreep(NamedTuple):
+    """The creep law of the contacts with what went into it, shape (contacts, ...) [-].
+
+    Parameters
+    ----------
+    law : CreepLaw
+        For :func:`asperity.drive.state.creep.rolling_state`.
+    layer_ratio, layer_factor, skew_factor : Array
+        Yield of the asperities over that of the bodies, in the middle of crowned contacts; factors of the asperities
+        and of skew on Carter's creepage.
+    crown_factor : Array or None
+        Factor of the crowns on Carter's creepage; None where no roller is crowned.
+    lateral_ratio : Array
+        Creepage across over creepage along, both at gross slip.
+    skew : Array
+        Creepage across.
+    parallel : bool
+        Whether no skew is given.
+    """
+
+    law: CreepLaw
+    layer_ratio: Array
+    layer_factor: Array
+    skew_factor: Array
+    lateral_ratio: Real
+    skew: Array
+    parallel: bool
+    crown_factor: Array | None = None
+
+
+def contact_creep(
+    *,
+    contacts: JointContacts,
+    skew: tuple[Real, ...] | None,
+    normal_force: Array,
+    tangential_force: Array,
+    asperity_normal_stiffness: Array | None = None,
+) -> ContactCreep:
+    r"""Carter's creep of the contacts with their asperities as a layer between the bodies, and with skew.
+
+    .. math::
+        \kappa = \frac{\mu a}{R\sqrt N}\, f_{layer}(s, q)\, f_{skew}(q, \gamma), \qquad
+        s = \frac{\pi E^* B}{4 K_n}
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts of a joint.
+    skew : tuple of Real or None
+        Angles by which the axes are out of parallel, one or one for each contact [rad]; None for parallel axes.
+    normal_force, tangential_force : Array
+        Forces around which the law is taken, shape (contacts, ...) [N].
+    asperity_normal_stiffness : Array or None, optional
+        Normal stiffness of the asperities under them, shape (contacts, ...) [N/m]; None for that of the contact law.
+
+    Returns
+    -------
+    ContactCreep
+        The law, with the growth of the factors around these forces.
+
+    Notes
+    -----
+    A state found with this law changes its forces a little, and the law around those is exact there:
+    :data:`asperity.drive.state.states.CREEP_PASSES`. The asperities' tangential over their normal stiffness is
+    :math:`4G^*/E^*`. Their yield per e-fold of pressure is :math:`u_0 = N/K_n` of the contact law in use; the published
+    law has no local form, so that its :math:`u_0` is taken to act at every place of the contact. Across the rolling
+    direction the same asperities lie on bodies that are softer in the ratio of the creepages at gross slip. The slices
+    of a crowned contact share one creepage; their widths give one more factor, and the layer's is then that on all.
+
+    References
+    ----------
+    Equations (A6), (B1), (B3) and (B4) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
+    """
+    if asperity_normal_stiffness is None:
+        asperity_normal_stiffness = rough_joint_contacts(
+            contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
+        ).normal_stiffness
+    stiffness = jnp.asarray(asperity_normal_stiffness)
+    friction = jnp.asarray(contacts.pairs.friction_coefficient)
+    limit = friction * jnp.where(normal_force > 0.0, normal_force, 1.0)
+    q = jnp.clip(jnp.abs(tangential_force) / limit, _LEAST_SLIP, _MOST_SLIP)
+
+    def around(q: Array) -> tuple[Array, ContactCreep]:
+        found = _creep_at(contacts, skew, normal_force, q, stiffness)
+        return jnp.log(jnp.asarray(found.law.gross_slip_scale)), found
+
+    _, growth, found = jax.jvp(around, (q,), (1.0 - q,), has_aux=True)
+    # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
+    law = CreepLaw(friction, *jax.lax.optimization_barrier((found.law.gross_slip_scale, q, growth)))
+    return found._replace(law=law)
+
+
+def _creep_at(
+    contacts: JointContacts,
+    skew: tuple[Real, ...] | None,
+    normal_force: Array,
+    q: Array,
+    asperity_normal_stiffness: Array,
+) -> ContactCreep:
+    """The law at slip ratios."""
+    pairs = contacts.pairs
+    normal = jnp.where(normal_force > 0.0, normal_force, 1.0)
+    friction = pairs.friction_coefficient
+    kappa = 4.0 * pairs.moduli.tangential_contact_modulus / pairs.moduli.contact_modulus
+    ratio = _layer_ratio(contacts, asperity_normal_stiffness)
+    layer = layer_creepage_factor(layer_ratio=ratio, slip_ratio=q, stiffness_ratio=kappa)
+    smooth = carter.gross_slip_creepage(
+        friction_coefficient=friction,
+        half_width=pairs.half_width(normal),
+        effective_radius=pairs.effective_radius,
+    )
+    elastic: Real = 1.0
+    softer = layer
+    if skew is not None:
+        elastic = lateral_compliance_ratio(
+            youngs_modulus_1=contacts.driving.youngs_modulus,
+            youngs_modulus_2=contacts.driven.youngs_modulus,
+            poisson_ratio_1=contacts.driving.poisson_ratio,
+            poisson_ratio_2=contacts.driven.poisson_ratio,
+        )
+        softer = layer_creepage_factor(layer_ratio=ratio, slip_ratio=q, stiffness_ratio=kappa * elastic)
+    lateral_ratio = elastic * softer / layer
+    crown: Array | None = None
+    if contacts.crown_curvature is not None:
+        crown, layer, ratio = _sliced(contacts, normal, q, smooth)
+        smooth = smooth * crown
+    across, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
+    if skew is not None:
+        across = jnp.broadcast_to(per_contact(skew), layer.shape)
+        skewed = skewed_contact(
+            longitudinal_slip_ratio=q,
+            lateral_creepage=across,
+            gross_slip_creepage=smooth * layer,
+            lateral_gross_slip_creepage=smooth * layer * lateral_ratio,
+        )
+        alone = carter.creepage(slip_ratio=q, gross_slip_creepage=smooth * layer)
+        skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
+    scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, normal_force.shape)
+    return ContactCreep(
+        CreepLaw(friction, scale), ratio, layer, skew_factor, lateral_ratio, across, skew is None, crown
+    )
+
+
+def _layer_ratio(contacts: JointContacts, asperity_normal_stiffness: Array) -> Array:
+    """Yield of the asperities over that of the bodies; nan where no asperity is elastic."""
+    stiff = asperity_normal_stiffness > 0.0
+    ratio = layer_ratio(
+        contact_modulus=contacts.pairs.moduli.contact_modulus,
+        contact_length=contacts.pairs.contact_length,
+        normal_stiffness=jnp.where(stiff, asperity_normal_stiffness, 1.0),
+    )
+    return jnp.where(stiff, ratio, jnp.nan)
+
+
+def _sliced(
+    contacts: JointContacts, normal: Array, slip_ratio: Array, even_limit: Real
+) -> tuple[Array, Array, Array]:
+    """Factors of the crowns and of the asperities on the creepage that all slices share; layer ratio in the middle."""
+    pairs = contacts.pairs
+    lines = contacts.loads_along(normal)
+    assert lines is not None
+    rough = rough_slices(
+        pairs=pairs,
+        model=contacts.contact_factor_model,
+        lines=lines,
+        normal_force=normal,
+        tangential_force=jnp.zeros_like(normal),
+    )
+    ratio = _layer_ratio(contacts, rough.normal_stiffness)
+    known = jnp.isfinite(ratio)
+    moduli = pairs.moduli
+    factor = layer_creepage_factor(
+        layer_ratio=jnp.where(known, ratio, 0.0),
+        slip_ratio=slip_ratio,
+        stiffness_ratio=4.0 * moduli.tangential_contact_modulus / moduli.contact_modulus,
+    )
+    # slices so lightly loaded that every spot is plastic have no stiffness to count
+    factor = jnp.where(known, factor, 1.0)
+    capacity, limits = slice_friction(pairs=pairs, lines=lines)
+    smooth, rough_creepage = (
+        strip_creepage(slip_ratio=slip_ratio, capacity=capacity, gross_slip_creepage=limit)
+        for limit in (limits, limits * factor)
+    )
+    even = carter.creepage(slip_ratio=slip_ratio, gross_slip_creepage=even_limit)
+    return jnp.asarray(smooth / even), jnp.asarray(rough_creepage / smooth), ratio[0]
+
+
+def lateral_slip_ratio(
+    *, creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real, creepage: Array
+) -> Array:
+    """Axial force of the contacts over their friction; 0 for parallel axes.
+
+    Parameters
+    ----------
+    creep : ContactCreep
+        The law of the contacts.
+    friction_coefficient, width_over_radius : Real
+        mu and half-width over effective radius [-].
+    creepage : Array
+        Creepages along the rolling direction, shape (contacts, ...) [-].
+
+    Returns
+    -------
+    Array
+        Ratios, shape (contacts, ...) [-].
+
+    References
+    ----------
+    Equation (B6) of :doc:`/equations`.
+    """
+    if creep.parallel:
+        return jnp.zeros_like(creepage)
+    limits = _gross_slip_creepages(creep, friction_coefficient, width_over_radius)
+    _, lateral = skewed_slip_ratios(longitudinal_creepage=creepage, lateral_creepage=creep.skew, **limits)
+    return jnp.asarray(lateral)
+
+
+def capacity_loss(*, creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real) -> Array:
+    """Share of the friction of the contacts that skew takes from the tangential force at gross slip.
+
+    Parameters
+    ----------
+    creep : ContactCreep
+        The law of the contacts.
+    friction_coefficient, width_over_radius : Real
+        mu and half-width over effective radius [-].
+
+    Returns
+    -------
+    Array
+        Shares, shape (contacts, ...) [-]; 0 for parallel axes, 1 where skew alone causes gross slip.
+
+    References
+    ----------
+    Equation (B6) of :doc:`/equations`.
+    """
+    if creep.parallel:
+        return jnp.zeros_like(creep.skew)
+    limits = _gross_slip_creepages(creep, friction_coefficient, width_over_radius)
+    return jnp.asarray(1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits))
+
+
+def _gross_slip_creepages(
+    creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real
+) -> dict[str, Real]:
+    limit = jnp.broadcast_to(friction_coefficient * width_over_radius * creep.layer_factor, creep.skew.shape)
+    if creep.crown_factor is not None:
+        limit = limit * creep.crown_factor
+    return {"gross_slip_creepage": limit, "lateral_gross_slip_creepage": limit * creep.lateral_ratio}

@@ -1,0 +1,119 @@
+"""A joint that turns over a range of creepages, torques and speeds: what its pictures show."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.rolling.creep_curves import creep_curves
+from asperity.rolling.over_loads import rolling_over_loads
+from asperity.rolling.rolling import RollingResult
+
+_TORQUES, _SPEEDS = 49, 17
+_OVER_TORQUE, _OVER_SPEED = 2.0, 1.5  # ends of the axes over the joint's own numbers
+
+
+class RollingCurves(eqx.Module):
+    """Curves and map of one joint that turns. SI units; nan where a contact slips or nothing turns.
+
+    Parameters
+    ----------
+    torque_capacity : Array
+        Torque capacity; not finite if friction does not limit it [N·m].
+    contact_traction, contact_creepage : Array
+        Creep curve of each contact under its normal force: T/N and creepage, shape (5, n) [-].
+    torque : Array
+        Output torques of the curves over torque, shape (m,) [N·m].
+    drift_per_output_turn : Array
+        Over torque, shape (m,) [rad].
+    life_turns, life_hours : Array
+        Life of the drive over torque, shape (m,) [-], [h].
+    map_torque, map_speed : Array
+        Output torques [N·m] and speeds of the sun [rad/s] of the map, shapes (m - 1,) and (k,); no speeds where the sun
+        stands.
+    efficiency : Array
+        Efficiency over speed and torque, shape (k, m - 1) [-].
+    """
+
+    torque_capacity: Array
+    contact_traction: Array
+    contact_creepage: Array
+    torque: Array
+    drift_per_output_turn: Array
+    life_turns: Array
+    life_hours: Array
+    map_torque: Array
+    map_speed: Array
+    efficiency: Array
+
+
+def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float) -> RollingCurves:
+    """Creep curves of the contacts; drift, life and efficiency of the joint over torque and speed.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        What it does under its own torque and speed.
+    torque_capacity : float
+        Its torque capacity; infinite or nan if friction does not limit it [N·m].
+
+    Returns
+    -------
+    RollingCurves
+        From 0 to the capacity, or to twice the joint's torque if there is no capacity; speeds up to 1.5 times the
+        joint's.
+    """
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
+    own, speed = float(numbers.output_torque), float(numbers.sun_speed)
+    limited = math.isfinite(torque_capacity)
+    towards = np.linspace(0.0, 1.0, _TORQUES)
+    # the curves are steep near gross slip
+    torque = torque_capacity * towards * (2.0 - towards) if limited else _OVER_TORQUE * own * towards
+    speeds = np.linspace(0.0, _OVER_SPEED * speed, _SPEEDS + 1)[1:] if speed > 0.0 else np.zeros(0)
+    grid_speed, grid_torque = np.meshgrid(speeds, torque[1:], indexing="ij")
+    loads = (
+        jnp.concatenate([torque, grid_torque.ravel()]),
+        jnp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
+    )
+    given = (numbers, jax.tree.map(np.asarray, result.rest), *loads)
+    over = compile_fast(_over_loads, *given)(*given)
+    drift, turns, hours, efficiency = jax.tree.map(np.asarray, over)
+    traction, creepage = creep_curves(joint, result)
+    return RollingCurves(
+        torque_capacity=jnp.asarray(torque_capacity),
+        contact_traction=traction,
+        contact_creepage=creepage,
+        torque=jnp.asarray(torque),
+        drift_per_output_turn=drift[:_TORQUES],
+        life_turns=turns[:_TORQUES],
+        life_hours=hours[:_TORQUES],
+        map_torque=jnp.asarray(torque[1:]),
+        map_speed=jnp.asarray(speeds),
+        efficiency=efficiency[_TORQUES:].reshape(grid_torque.shape),
+    )
+
+
+def _over_loads(*given: Any) -> tuple[Array, Array, Array, Array]:
+    return _shown(rolling_over_loads(*given))
+
+
+def _shown(found: RollingResult) -> tuple[Array, Array, Array, Array]:
+    return (
+        found.drift_per_output_turn,
+        found.life_turns.drive,
+        found.life_hours.drive,
+        found.power.efficiency,
+    )

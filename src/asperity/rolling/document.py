@@ -1,0 +1,233 @@
+"""The joint that turns as part of the JSON document: SI units, the unit at the end of every key."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.rolling.life import DriveLives
+from asperity.rolling.power import rolling_input_torque
+from asperity.rolling.rolling import RollingResult
+
+Document = dict[str, Any]
+
+
+def rolling_document(
+    joint: Joint,
+    result: JointResult,
+    absent_because: str | None = None,
+    *,
+    unlike: bool = False,
+) -> Document:
+    """Creep, drift, axial forces, losses and life of a solved joint.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+    absent_because : str or None, optional
+        Why there is none, if its state under the torque does not exist.
+    unlike : bool, optional
+        Whether the joint has branches of unlike sizes, so that these numbers are those of equal ones.
+
+    Returns
+    -------
+    dict
+        Numbers that are not finite mean that there is none; ``unknown_because`` says why.
+    """
+    found = result.rolling
+    return {
+        "unknown_because": [absent_because]
+        if absent_because
+        else unknown_because(joint, result, unlike=unlike),
+        "speed_loss": found.speed_loss,
+        "drift_rad_per_output_turn": found.drift_per_output_turn,
+        "drift_rad_per_hour": 3600.0 * found.drift_rate,
+        "output_speed_rad_per_s": found.output_speed,
+        "efficiency": found.power.efficiency,
+        "input_torque_Nm": rolling_input_torque(
+            power=found.power,
+            output_torque=joint.output_torque,
+            output_speed=found.output_speed,
+            input_speed=joint.sun_speed,
+        ),
+        "input_power_W": found.power.input,
+        "output_power_W": found.power.output,
+        "losses_W": losses(found),
+        "axial_thrust_N": dict(zip(result.body_names, np.asarray(found.axial_thrust), strict=True)),
+        "reliability": np.asarray(joint.rolling.reliability),
+        "no_life_because": no_life_because(result),
+        "life_hours": found.life_hours.drive,
+        "life_output_turns": found.life_turns.drive,
+        "body_life_hours": _by_body(result.body_names, found.life_hours),
+        "body_life_output_turns": _by_body(result.body_names, found.life_turns),
+        "duty_life_hours": found.duty_life_hours,
+        "duty_life_output_turns": found.duty_life_turns,
+        "duty": {
+            str(index): {"damage_share": share, "life_hours": hours, "shakedown_ratio": pressure}
+            for index, (share, hours, pressure) in enumerate(
+                zip(
+                    np.asarray(found.duty_damage_shares),
+                    np.asarray(found.duty_load_hours),
+                    np.asarray(found.duty_shakedown_ratios),
+                    strict=True,
+                ),
+                start=1,
+            )
+        },
+        "contacts": {name: _contact(found, k) for k, name in enumerate(result.contact_names)},
+        "residual": found.residual,
+    }
+
+
+def losses(found: RollingResult) -> Document:
+    """Losses by cause, all contacts together [W].
+
+    Parameters
+    ----------
+    found : RollingResult
+        The joint that turns.
+
+    Returns
+    -------
+    dict
+        Cause → power, and their sum ``total``; nan for a loss that the joint leaves out.
+    """
+    power = found.power
+    by_contact = {
+        name: np.sum(np.asarray(getattr(power, name))) for name in ("creep", "skew", "hysteresis", "oil")
+    }
+    return {**by_contact, "bearings": power.bearings, "total": power.loss}
+
+
+def _contact(found: RollingResult, k: int) -> Document:
+    power = found.power
+    return {
+        "creepage": found.creepage[k],
+        "traction_coefficient": found.traction_coefficient[k],
+        "hertz_pressure_Pa": found.hertz_pressure[k],
+        "shakedown_ratio": found.shakedown_ratio[k],
+        "life_hours": found.life_hours.contact[k],
+        "slip_ratio": found.slip_ratio[k],
+        "flash_temperature_K": found.flash_temperature[k],
+        "film_thickness_m": found.film_thickness[k],
+        "film_ratio": found.film_ratio[k],
+        "normal_N": found.normal[k],
+        "tangential_N": found.tangential[k],
+        "stick_fraction": np.asarray(found.stick_fraction)[k],
+        "layer_ratio": found.layer_ratio[k],
+        "layer_creepage_factor": found.layer_creepage_factor[k],
+        "rough_half_width_m": found.rough_half_width[k],
+        "rough_peak_pressure_Pa": found.rough_peak_pressure[k],
+        "crown_creepage_factor": None
+        if found.crown_creepage_factor is None
+        else found.crown_creepage_factor[k],
+        "skew_creepage_factor": found.skew_creepage_factor[k],
+        "capacity_loss": found.capacity_loss[k],
+        "axial_force_N": found.axial_force[k],
+        "losses_W": {
+            **{name: np.asarray(getattr(power, name))[k] for name in ("creep", "skew", "hysteresis", "oil")},
+            "total": np.asarray(power.contact)[k],
+        },
+        "life_output_turns": found.life_turns.contact[k],
+        "life_stress_cycles": {"driving": found.cycles[0][k], "driven": found.cycles[1][k]},
+        "stress_cycles_per_output_turn": {
+            "driving": found.cycles_per_turn[0][k],
+            "driven": found.cycles_per_turn[1][k],
+        },
+    }
+
+
+def _by_body(names: tuple[str, ...], lives: DriveLives) -> Document:
+    return dict(zip(names, np.asarray(lives.body), strict=True))
+
+
+def unknown_because(joint: Joint, result: JointResult, *, unlike: bool = False) -> list[str]:
+    """Why results of the rolling are absent.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+    unlike : bool, optional
+        Whether the result is that of equal branches, although those of the joint differ.
+
+    Returns
+    -------
+    list of str
+        One sentence for each reason; empty if everything is there.
+    """
+    found, slip = result.rolling, np.asarray(result.diagnostics.slip_ratio)
+    if not bool(np.isfinite(np.asarray(found.residual))):
+        named = [name for name, ratio in zip(result.contact_names, slip, strict=True) if not ratio < 1.0]
+        if named:
+            verbs = "slips or has lifted off" if len(named) == 1 else "slip or have lifted off"
+            return [f"no steady rolling: {', '.join(named)} {verbs}"]
+        if not bool(result.contact_law_holds):
+            return [
+                "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness"
+            ]
+        return [
+            "no steady rolling: a contact slips or lifts off when the creepages share the torque between the contacts"
+            + ("" if joint.rolling.skew is None else ", or skew alone makes it slip")
+        ]
+    reasons = absent_in_rolling(joint, result)
+    if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
+        who = "equal branches do" if unlike else "the joint does"
+        reasons.append(f"no life under the duty: {who} not roll under one of its loads")
+    return reasons
+
+
+def no_life_because(result: JointResult) -> str | None:
+    """Why a joint that rolls has no fatigue life; None where it has one, or does not roll.
+
+    Parameters
+    ----------
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    str or None
+        One sentence, with the contacts.
+    """
+    ratio = np.asarray(result.rolling.shakedown_ratio)
+    beyond = [name for name, each in zip(result.contact_names, ratio, strict=True) if each >= 1.0]
+    if not beyond:
+        return None
+    return (
+        f"no fatigue life: at {', '.join(beyond)} the Hertz pressure is above the shakedown limit, so that the surface "
+        "flows at every passage, and the law of fatigue holds for elastic tracks only"
+    )
+
+
+def absent_in_rolling(joint: Joint, result: JointResult) -> list[str]:
+    """Why results of a joint are absent although it rolls steadily.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    list of str
+        One sentence for each reason; empty if everything is there.
+    """
+    if float(np.asarray(joint.sun_speed)) == 0.0:
+        return [
+            f"the {joint.ends[0]} stands: drift and life are given per turn, for slow rolling; there is nothing per "
+            "time, and no powers, efficiency, temperatures or oil film"
+        ]
+    if not bool(np.isfinite(np.asarray(result.rolling.power.efficiency))):
+        return ["no efficiency: the output torque drives the rotation, but less than the losses take"]
+    return []

@@ -1,0 +1,150 @@
+"""Life of a drive under a duty: loads, speeds and their shares of the time."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.rolling_fatigue import damage_shares, life_at_reliability, spectrum_life
+from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.joint.fit import per_contact
+from asperity.rolling.conditions import RollingConditions
+from asperity.rolling.life import drive_lives, failure_shares
+from asperity.rolling.rolling import RollingResult
+from asperity.types import Real
+
+
+class DutyLife(eqx.Module):
+    """Life of a drive under its duty, and what each load does to it.
+
+    Parameters
+    ----------
+    hours, turns : Array
+        Life in hours and in turns of the output; nan where a contact slips or lifts off under one of the loads,
+        infinite where nothing turns.
+    damage_shares : Array
+        Share of each load in the damage of the drive, loads first [-]; they add up to 1.
+    load_hours : Array
+        Life under each load alone, loads first [h].
+    shakedown_ratios, slip_ratios : Array
+        Hertz pressure over the shakedown limit, and traction over what friction and skew leave, of the worst contact
+        under each load, loads first [-]; nan where it does not roll.
+    """
+
+    hours: Array
+    turns: Array
+    damage_shares: Array
+    load_hours: Array
+    shakedown_ratios: Array
+    slip_ratios: Array
+
+
+def with_duty_life(
+    found: RollingResult,
+    *,
+    conditions: RollingConditions,
+    bodies: BodiesOfContacts,
+    planet_count: Real,
+    rolled: Callable[[Array, Array], RollingResult],
+) -> RollingResult:
+    """The joint that turns with its life under its duty, if it has one.
+
+    Parameters
+    ----------
+    found : RollingResult
+        The joint at its own torque and speed.
+    conditions, bodies, planet_count, rolled
+        As for :func:`duty_life`.
+
+    Returns
+    -------
+    RollingResult
+        The same without a duty.
+
+    References
+    ----------
+    Equation (B8) of :doc:`/equations`.
+    """
+    if not conditions.duty:
+        return found
+    life = duty_life(conditions=conditions, bodies=bodies, planet_count=planet_count, rolled=rolled)
+    return dataclasses.replace(
+        found,
+        duty_life_hours=life.hours,
+        duty_life_turns=life.turns,
+        duty_damage_shares=life.damage_shares,
+        duty_load_hours=life.load_hours,
+        duty_shakedown_ratios=life.shakedown_ratios,
+        duty_slip_ratios=life.slip_ratios,
+    )
+
+
+def duty_life(
+    *,
+    conditions: RollingConditions,
+    bodies: BodiesOfContacts,
+    planet_count: Real,
+    rolled: Callable[[Array, Array], RollingResult],
+) -> DutyLife:
+    r"""Life of the drive under its duty, in hours and in turns of the output.
+
+    .. math:: \frac1{T_i} = \sum_j \varphi_j \frac{f_{ij}}{L_{ij}}, \qquad
+              D_j = \sum_i s_i\,T_i\,\varphi_j \frac{f_{ij}}{L_{ij}}
+
+    for every track i under the loads j, then the tracks of all bodies together. :math:`s_i` is the share of the
+    failures that begin on track i, :func:`asperity.rolling.life.failure_shares`.
+
+    Parameters
+    ----------
+    conditions : RollingConditions
+        The duty, with at least one load, and the reliability.
+    bodies : BodiesOfContacts
+        Bodies of the contacts.
+    planet_count : Real
+        Number of branches [-].
+    rolled : callable
+        Steady rolling of the joint at an output torque [N·m] and a speed of the sun [rad/s].
+
+    Returns
+    -------
+    DutyLife
+        Lives, and the share of each load in the damage.
+
+    Notes
+    -----
+    The life of the drive falls by :math:`D_j` per cent where the damage by load j rises by one per cent.
+
+    References
+    ----------
+    Equation (B8) of :doc:`/equations`.
+    """
+    points = per_contact(conditions.duty)
+    found = jax.vmap(rolled)(points.output_torque, points.sun_speed)
+    turns_a_second = found.output_speed / (2.0 * jnp.pi)
+    spectrum = {
+        "lives": found.cycles,
+        "cycle_rates": found.cycles_per_turn * turns_a_second[:, None, None],
+        "time_shares": points.share[:, None, None],
+    }
+    tracks = spectrum_life(**spectrum)
+    hours = drive_lives(
+        bodies=bodies,
+        tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / 3600.0,
+        planet_count=planet_count,
+    ).drive
+    shares = damage_shares(**spectrum) * failure_shares(
+        bodies=bodies, tracks=tracks, planet_count=planet_count
+    )
+    return DutyLife(
+        hours=hours,
+        turns=hours * 3600.0 * jnp.sum(points.share * turns_a_second, axis=0),
+        damage_shares=jnp.sum(shares, axis=(1, 2)),
+        load_hours=found.life_hours.drive,
+        shakedown_ratios=jnp.max(found.shakedown_ratio, axis=1),
+        slip_ratios=jnp.max(found.slip_ratio, axis=1),
+    )

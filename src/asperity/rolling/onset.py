@@ -1,0 +1,251 @@
+r"""From wind-up to drift: how far the output falls behind after a step of torque while the joint turns.
+
+The angle behind is the wind-up plus the creep of the contacts since they began to roll:
+
+.. math::
+    \varphi(\psi) = \varphi_0 + \frac{D}{2\pi} \sum_k c_k \left[\psi - \frac{L_k}{v_k}\,
+    \varphi_{ri}\!\left(\frac{v_k \psi}{s_{0,k}}\right)\right], \qquad \sum_k c_k = 1
+
+with the drift D per output turn, the angle psi turned by the output, the distance v rolled per angle of the output, the
+onset of rolling of each contact (:mod:`asperity.contact.rolling_in`) and its share c of the drift.
+"""
+
+from __future__ import annotations
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift
+from asperity.contact.rolling_swing import still_stroke, swing_drift_share
+from asperity.drive.layout.drive import Drive
+from asperity.errors import InputError
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.rolling.contacts_in_series import ContactsInSeries, contacts_in_series
+from asperity.rolling.rolling import RollingResult
+from asperity.types import Real
+
+_POINTS = 241
+_HALVINGS = 60
+
+
+class RollingOnset(eqx.Module):
+    """Up to which angle a wind-up holds, and the curve beyond. SI units; angles of the output, without sign.
+
+    Parameters
+    ----------
+    contacts : ContactsInSeries
+        The contacts.
+    windup : Array
+        Angle of the static curve at the torque [rad].
+    creep_share : Array
+        Creep over wind-up up to which the static curve is said to hold [-].
+    static_angle : Array
+        Angle turned by then [rad].
+    width_angle : Array
+        Angle in which each contact rolls its own width 2a, shape (contacts,) [rad].
+    steady_angle : Array
+        The largest of them, from which the creep of the joint is steady [rad].
+    missing_angle : Array
+        Angle by which the drift line starts below the static angle [rad].
+    still_angle : Array
+        Largest swing to and fro in which no contact drifts [rad].
+    angle : Array
+        Angles turned, from 0, shape (n,) [rad].
+    lag : Array
+        Angle behind after turning by them, shape (n,) [rad].
+    swing_drift : Array
+        Angle lost in each swing by them, to and fro, once the swings repeat, shape (n,) [rad].
+    """
+
+    contacts: ContactsInSeries
+    windup: Array
+    creep_share: Array
+    static_angle: Array
+    width_angle: Array
+    steady_angle: Array
+    missing_angle: Array
+    still_angle: Array
+    angle: Array
+    lag: Array
+    swing_drift: Array
+
+
+def creep_lag(*, contacts: ContactsInSeries, angle: Real) -> Array:
+    r"""Angle by which the output falls behind by creep after a step of torque, from rest or in rolling.
+
+    .. math::
+        \frac{D}{2\pi} \sum_k c_k \left[\psi - \frac{L_k}{v_k}\,
+        \varphi_{ri}\!\left(\frac{v_k \psi}{s_{0,k}}\right)\right]
+
+    Parameters
+    ----------
+    contacts : ContactsInSeries
+        The contacts.
+    angle : Real
+        Angle psi turned by the output, not negative, shape (...) [rad].
+
+    Returns
+    -------
+    Array
+        Angle, shape (...) [rad].
+
+    Notes
+    -----
+    Starts with half the drift per angle and goes over into the drift line, whose slope is exact. The forces of steady
+    rolling are taken from the start.
+
+    References
+    ----------
+    Equation (B10) of :doc:`/equations`; :func:`asperity.contact.rolling_in.rolling_in_shift`.
+    """
+    turned = jnp.asarray(angle)
+
+    def along(values: Array) -> Array:
+        return values.reshape(-1, *(1,) * turned.ndim)
+
+    distance = along(contacts.distance)
+    rolled = rolling_in_shift(
+        rolled_distance=distance * turned,
+        half_width=along(contacts.half_width),
+        slip_ratio=along(contacts.slip_ratio),
+        creepage=1.0,
+    )
+    per_angle = contacts.drift_per_output_turn / (2.0 * jnp.pi)
+    return per_angle * jnp.sum(along(contacts.share) * rolled / distance, axis=0)
+
+
+def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
+    r"""Angle that the output loses in each swing to and fro under a constant torque, once the swings repeat.
+
+    .. math:: \frac{D}{2\pi}\, 2\psi \sum_k c_k\, g(v_k \psi, q_k)
+
+    Parameters
+    ----------
+    contacts : ContactsInSeries
+        The contacts.
+    angle : Real
+        Stroke psi of the output in one direction, not negative, shape (...) [rad].
+
+    Returns
+    -------
+    Array
+        Angle, shape (...) [rad].
+
+    Notes
+    -----
+    The forces of steady rolling are taken throughout; g is :func:`asperity.contact.rolling_swing.swing_drift_share`.
+
+    References
+    ----------
+    Equation (B10) of :doc:`/equations`.
+    """
+    turned = jnp.asarray(angle)
+
+    def along(values: Array) -> Array:
+        return values.reshape(-1, *(1,) * turned.ndim)
+
+    kept = swing_drift_share(
+        stroke=along(contacts.distance) * turned,
+        half_width=along(contacts.half_width),
+        slip_ratio=along(contacts.slip_ratio),
+    )
+    per_angle = contacts.drift_per_output_turn / (2.0 * jnp.pi)
+    return 2.0 * turned * per_angle * jnp.sum(along(contacts.share) * kept, axis=0)
+
+
+def rolling_onset(
+    *,
+    joint: Joint,
+    result: JointResult,
+    windup: Real,
+    creep_share: float,
+) -> RollingOnset | None:
+    """Up to which angles of a joint that turns its wind-up holds, and the curve beyond.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result under the torque of the step.
+    windup : Real
+        Angle of its static curve at that torque, without sign [rad].
+    creep_share : float
+        Creep over wind-up up to which the static curve is said to hold [-], above 0.
+
+    Returns
+    -------
+    RollingOnset or None
+        None where the joint has no steady rolling.
+
+    Raises
+    ------
+    InputError
+        If the share is not positive and finite.
+
+    References
+    ----------
+    Equation (B10) of :doc:`/equations`.
+    """
+    if not (np.isfinite(creep_share) and creep_share > 0.0):
+        raise InputError(f"the creep share {creep_share:g} is not allowed; it must be positive, e.g. 0.05")
+    if not np.all(np.isfinite(np.asarray(result.rolling.residual))):
+        return None
+    grown = np.sqrt(np.asarray(result.rolling.normal) / np.asarray(result.forces.normal))  # Hertz
+    width = np.asarray(result.diagnostics.hertz_half_width) * grown
+    numbers = jax.tree.map(
+        lambda leaf: np.asarray(leaf, dtype=float),
+        (
+            joint.drive,
+            result.rolling,
+            width,
+            windup,
+            creep_share,
+        ),
+    )
+    found: RollingOnset = jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
+    return found
+
+
+def _onset(
+    drive: Drive,
+    rolling: RollingResult,
+    half_width: Array,
+    windup: Array,
+    creep_share: Array,
+) -> RollingOnset:
+    contacts = contacts_in_series(drive=drive, rolling=rolling, half_width=half_width)
+    allowed = creep_share * windup
+    drift = contacts.drift_per_output_turn / (2.0 * jnp.pi)
+
+    def halve(_: int, ends: tuple[Array, Array]) -> tuple[Array, Array]:
+        middle = 0.5 * (ends[0] + ends[1])
+        below = creep_lag(contacts=contacts, angle=middle) < allowed
+        return jnp.where(below, middle, ends[0]), jnp.where(below, ends[1], middle)
+
+    # the creep grows with the angle and is never below half the drift
+    ends = jnp.zeros_like(allowed), 2.01 * allowed / drift
+    static = jax.lax.fori_loop(0, _HALVINGS, halve, ends)[1]
+    width = 2.0 * contacts.half_width / contacts.distance
+    steady = jnp.max(width)
+    lag = rolling_in_lag(half_width=contacts.half_width, slip_ratio=contacts.slip_ratio)
+    still = still_stroke(half_width=contacts.half_width, slip_ratio=contacts.slip_ratio)
+    angle = jnp.maximum(3.0 * steady, 1.2 * static) * jnp.linspace(0.0, 1.0, _POINTS)
+    return RollingOnset(
+        contacts=contacts,
+        windup=windup,
+        creep_share=creep_share,
+        static_angle=static,
+        width_angle=width,
+        steady_angle=steady,
+        missing_angle=drift * jnp.sum(contacts.share * lag / contacts.distance),
+        still_angle=jnp.min(still / contacts.distance),
+        angle=angle,
+        lag=windup + creep_lag(contacts=contacts, angle=angle),
+        swing_drift=swing_drift(contacts=contacts, angle=angle),
+    )

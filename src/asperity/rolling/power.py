@@ -1,0 +1,269 @@
+"""Power of a joint that rolls: what goes in, what comes out, and where the rest becomes heat."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.arrays import namespace
+from asperity.contact.crowned_line import CrownedLine
+from asperity.contact.roller_pairs import RollerPairs
+from asperity.contact.rolling_losses import (
+    creep_power,
+    hysteresis_power,
+    inlet_rolling_force,
+    inlet_rolling_power,
+)
+from asperity.drive.state.rolling_speeds import RollingSpeeds
+from asperity.drive.state.state import DriveState
+from asperity.rolling.conditions import RollingConditions
+from asperity.types import Real
+
+
+class RollingLosses(NamedTuple):
+    """Losses of a rolling joint, all branches together [W]; contact axis first.
+
+    Parameters
+    ----------
+    creep, skew, hysteresis, oil, bearings, contact
+        As of :class:`RollingPower`.
+    """
+
+    creep: Real
+    skew: Real
+    hysteresis: Real
+    oil: Real
+    bearings: Array
+    contact: Array
+
+
+class RollingPower(eqx.Module):
+    """Powers of a rolling joint, all branches together [W]; contact axis first. nan where the sun stands.
+
+    Parameters
+    ----------
+    creep, skew, hysteresis, oil : Array
+        Losses of each contact by creep along the rolling direction, by creep across it, by elastic hysteresis and by
+        the oil at the inlet, shape (5, ...); nan for a loss that the joint leaves out.
+    bearings : Array
+        Loss in the bearings of sun, loading rollers and carrier, and at the pins.
+    contact : Array
+        Loss of each contact, the sum of those that the joint counts, shape (5, ...).
+    loss : Array
+        Loss of the joint.
+    input, output : Array
+        Power that enters and leaves: at sun and carrier, or at carrier and sun where the output torque drives the
+        rotation. Where the losses exceed what then enters, nothing leaves: nan.
+    efficiency : Array
+        Output over input [-]; nan where nothing leaves because the output torque drives the rotation but not the
+        losses.
+    """
+
+    creep: Real
+    skew: Real
+    hysteresis: Real
+    oil: Real
+    bearings: Array
+    contact: Real
+    loss: Array
+    input: Array
+    output: Array
+    efficiency: Array
+
+
+def rolling_power(
+    *,
+    branches: Real,
+    pairs: RollerPairs,
+    conditions: RollingConditions,
+    state: DriveState,
+    half_width: Real,
+    speeds: RollingSpeeds,
+    axial_force: Real,
+    lateral_creepage: Array,
+    bearing_power: Array,
+    output_torque: Real,
+    lines: CrownedLine | None = None,
+) -> RollingPower:
+    r"""Losses by cause and contact, and the efficiency.
+
+    .. math:: \eta = \frac{P_{out}}{P_{out} + P_{creep} + P_{skew} + P_{bearings} + P_{hysteresis} + P_{oil}}
+
+    Parameters
+    ----------
+    branches : Real
+        Number of branches of the drive [-].
+    pairs : RollerPairs
+        Its contacts.
+    conditions : RollingConditions
+        Which losses are counted.
+    state : DriveState
+        Forces and creepages.
+    half_width : Real
+        Half-widths of the contacts, shape (contacts, ...) [m]; of crowned ones the mean by load.
+    speeds : RollingSpeeds
+        Speeds of the bodies.
+    axial_force : Real
+        Axial forces of the contacts, shape (contacts, ...) [N].
+    lateral_creepage : Array
+        Their creepages across [-].
+    bearing_power : Array
+        Power lost in bearings and pins [W].
+    output_torque : Real
+        Torque at the output [N·m].
+    lines : CrownedLine, optional
+        Loads along crowned contacts.
+
+    Returns
+    -------
+    RollingPower
+        The budget.
+
+    Notes
+    -----
+    Without friction at the loading rollers' pins, creep and bearings equal :math:`T_{in}\omega_s - T_{out}\omega_c` of
+    the rolling state. With it they are larger by :math:`2n(T_{Bl} + T_{Br})\,\omega_c`: equation (5) leaves out that
+    these bearings brake the carrier that holds them. Skew, hysteresis and oil are in no balance of forces; all losses
+    add to the power at the output. Churning of the oil is left out.
+
+    References
+    ----------
+    Equations (B3) and (B9) of :doc:`/equations`.
+    """
+    count, rolling = branches, speeds.rolling
+    creep = count * creep_power(
+        tangential_force=state.tangential, creepage=state.creepage, rolling_speed=rolling
+    )
+    skew = count * creep_power(tangential_force=axial_force, creepage=lateral_creepage, rolling_speed=rolling)
+    absent = jnp.full_like(creep, jnp.nan)
+    counted = creep + skew
+    hysteresis: Real = absent
+    oil: Real = absent
+    if conditions.hysteresis_loss_factor is not None:
+        hysteresis = count * hysteresis_power(
+            loss_factor=conditions.hysteresis_loss_factor,
+            normal_force=state.normal,
+            half_width=half_width,
+            effective_radius=pairs.effective_radius,
+            rolling_speed=rolling,
+        )
+        counted = counted + hysteresis
+    if conditions.viscosity is not None:
+        oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling, lines)
+        counted = counted + oil
+    losses = RollingLosses(creep, skew, hysteresis, oil, bearing_power, jnp.asarray(counted))
+    return power_budget(losses, output_power=output_torque * speeds.output)
+
+
+def losses_of(power: RollingPower) -> RollingLosses:
+    """The losses of a rolling joint, without what goes in and comes out.
+
+    Parameters
+    ----------
+    power : RollingPower
+        Its powers.
+
+    Returns
+    -------
+    RollingLosses
+        Losses by cause [W]; those of unlike branches are the mean of joints all of whose branches are like one.
+    """
+    return RollingLosses(
+        power.creep, power.skew, power.hysteresis, power.oil, power.bearings, jnp.asarray(power.contact)
+    )
+
+
+def power_budget(losses: RollingLosses, *, output_power: Real) -> RollingPower:
+    r"""What goes in and comes out of a rolling joint, from its losses.
+
+    .. math:: P_{in} = P_{out} + P_{loss}
+
+    Parameters
+    ----------
+    losses : RollingLosses
+        Losses by cause [W].
+    output_power : Real
+        Output torque times the size of the output's speed, creep taken off; negative where the torque drives [W].
+
+    Returns
+    -------
+    RollingPower
+        The budget.
+
+    References
+    ----------
+    Balance of powers; equations (B3) and (B9) of :doc:`/equations`.
+    """
+    at_output = jnp.asarray(output_power)
+    loss = jnp.sum(losses.contact, axis=0) + losses.bearings
+    drives = at_output >= 0.0
+    entering = jnp.where(drives, at_output + loss, -at_output)
+    leaving = jnp.where(drives, at_output, -at_output - loss)
+    works = (leaving >= 0.0) & (entering > 0.0)
+    return RollingPower(
+        **losses._asdict(),
+        loss=loss,
+        input=entering,
+        output=jnp.where(leaving >= 0.0, leaving, jnp.nan),
+        efficiency=jnp.where(works, leaving / jnp.where(works, entering, 1.0), jnp.nan),
+    )
+
+
+def rolling_input_torque(
+    *, power: RollingPower, output_torque: Real, output_speed: Real, input_speed: Real
+) -> Array:
+    r"""Torque at the input in rolling, all losses counted: what a motor needs.
+
+    .. math:: T_{in} = \frac{T_{out}\,\omega_{out} + P_{loss}}{\omega_{in}}
+
+    Parameters
+    ----------
+    power : RollingPower
+        Losses of the joint.
+    output_torque : Real
+        Torque at the output [N·m].
+    output_speed, input_speed : Real
+        Angular velocities of output, reduced by creep, and input; only their sizes count [rad/s].
+
+    Returns
+    -------
+    Array
+        In the sense of rotation; negative where the output torque drives the input [N·m]. nan where the input stands.
+
+    References
+    ----------
+    Balance of powers; the losses are those of equations (B3) and (B9) of :doc:`/equations`.
+    """
+    xp = namespace(power.loss, output_torque, output_speed, input_speed)
+    speed = xp.abs(xp.asarray(input_speed))
+    turns = speed > 0.0
+    entering = output_torque * xp.abs(output_speed) + power.loss
+    return xp.where(turns, entering / xp.where(turns, speed, 1.0), xp.nan)
+
+
+def _oil(
+    pairs: RollerPairs,
+    viscosity: Real,
+    normal_force: Array,
+    rolling_speed: Array,
+    lines: CrownedLine | None,
+) -> Array:
+    turns = rolling_speed > 0.0
+    speed = jnp.where(turns, rolling_speed, 1.0)
+    pressed = jnp.where(normal_force > 0.0, normal_force, 1.0)
+    force = inlet_rolling_force(
+        viscosity=viscosity,
+        entrainment_speed=speed,
+        line_load=pressed / pairs.contact_length if lines is None else lines.line_load,
+        effective_radius=pairs.effective_radius,
+        contact_modulus=pairs.moduli.contact_modulus,
+    )
+    power = inlet_rolling_power(
+        rolling_force=force, contact_length=pairs.contact_length, entrainment_speed=speed
+    )
+    if lines is not None:
+        power = jnp.sum(lines.length_share * power, axis=0)
+    return jnp.where(turns, power, 0.0)

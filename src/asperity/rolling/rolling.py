@@ -1,0 +1,317 @@
+"""A joint that turns: creep, drift, axial forces, losses, shakedown and life, from what the chain already derived."""
+
+from __future__ import annotations
+
+import functools
+import operator
+from collections.abc import Sequence
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.creep_layer import peak_pressure_factor, width_factor
+from asperity.contact.hertz_line import peak_pressure
+from asperity.contact.rolling_fatigue import life_at_reliability
+from asperity.contact.skew import axial_force, stick_fraction
+from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
+from asperity.drive.state.rolling_speeds import BodiesOfContacts, RollingSpeeds
+from asperity.drive.state.state import DriveState
+from asperity.joint.contacts import JointContacts
+from asperity.materials import Material
+from asperity.rolling.conditions import RollingConditions
+from asperity.rolling.creep import ContactCreep, capacity_loss, lateral_slip_ratio
+from asperity.rolling.life import DriveLives, cycle_rates, drive_lives
+from asperity.rolling.power import RollingPower, rolling_power
+from asperity.rolling.strips import rolling_strips
+from asperity.rolling.surface import flash_temperatures, oil_film
+from asperity.types import Real
+
+
+class RollingResult(eqx.Module):
+    """What a joint does in steady rolling. SI units; contact axis first. nan where a contact has lifted off or slips.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Forces of the contacts, shape (5, ...) [N]; the tangential ones are those of equal creep on both sides.
+    creepage : Array
+        Creepages, shape (5, ...) [-].
+    traction_coefficient : Array
+        T/N, shape (5, ...) [-].
+    slip_ratio : Array
+        Tangential force over what friction and skew leave for it, shape (5, ...) [-].
+    stick_fraction : Array
+        Share of the contact width that sticks under tangential and axial traction, shape (5, ...) [-].
+    layer_ratio, layer_creepage_factor : Array
+        Yield of the asperities over that of the bodies, and by how much the asperities change the creepage, shape
+        (5, ...) [-].
+    hertz_pressure : Array
+        Peak pressure of smooth bodies, where a crowned contact carries most, shape (contacts,) [Pa].
+    rough_half_width, rough_peak_pressure : Array
+        Half-width of the ellipse whose root mean square the load's places have, and peak pressure, both with the
+        asperities and in the middle of crowned contacts, shape (5, ...) [m] and [Pa]; life and shakedown take Hertz's.
+    skew_creepage_factor : Array
+        By how much skew raises the creepage, shape (5, ...) [-]; 1 without skew.
+    capacity_loss : Array
+        Share of the friction that skew takes from the tangential force, shape (5, ...) [-].
+    axial_force : Array
+        Axial force of one contact on its driven body, shape (5, ...) [N].
+    axial_thrust : Array
+        Sum of the axial forces on each body of a sector, on a body on the axis those of all sectors, shape
+        (bodies, ...) [N].
+    speed_loss : Array
+        Share of the output speed that creep takes [-].
+    drift_per_output_turn : Array
+        Angle by which the output has fallen behind after one turn of its own [rad].
+    drift_rate : Array
+        The same per time [rad/s]; nan where the sun stands.
+    power : RollingPower
+        Losses and efficiency; nan where the sun stands.
+    flash_temperature : Array
+        Rise of the surfaces above the temperature of the bodies, shape (5, ...) [K]; nan where the sun stands or a
+        material has no thermal properties.
+    film_thickness, film_ratio : Array
+        Smallest thickness of the oil film, as if it carried the whole load [m], and its ratio to the roughness [-],
+        shape (5, ...); nan where the sun stands or the joint lacks a number for them.
+    shakedown_ratio : Array
+        Peak pressure over the shakedown limit at the contact's traction coefficient, shape (5, ...) [-].
+    output_speed : Array
+        Angular velocity of the output, creep taken off [rad/s]; without its sign.
+    cycles : Array
+        Life of the tracks of driving and driven bodies at 90 % survival, in stress cycles, shape (2, 5, ...) [-].
+    cycles_per_turn : Array
+        Their stress cycles in one turn of the output, shape (2, 5, ...) [-].
+    life_turns : DriveLives
+        Lives in turns of the output [-].
+    life_hours : DriveLives
+        Lives in hours of rolling at the joint's speed [h]; nan where the sun stands.
+    duty_life_hours, duty_life_turns : Array
+        Life of the drive under its duty, in hours and in turns of the output; nan without a duty.
+    duty_damage_shares, duty_load_hours, duty_shakedown_ratios, duty_slip_ratios : Array
+        Share of each load of the duty in the damage [-], life under it alone [h], and Hertz pressure over shakedown
+        limit and slip ratio of the worst contact under it [-], loads first; empty without a duty.
+    residual : Array
+        Residual of the rolling state, :data:`asperity.drive.state.creep.ROLLING_TOLERANCE` at most [-].
+    crown_creepage_factor : Array or None
+        By how much the crowns change the creepage of smooth rollers, shape (5, ...) [-]; None where none is crowned.
+    """
+
+    normal: Array
+    tangential: Array
+    creepage: Array
+    traction_coefficient: Array
+    slip_ratio: Array
+    stick_fraction: Real
+    layer_ratio: Array
+    layer_creepage_factor: Array
+    hertz_pressure: Array
+    rough_half_width: Array
+    rough_peak_pressure: Array
+    skew_creepage_factor: Array
+    capacity_loss: Array
+    axial_force: Array
+    axial_thrust: Array
+    speed_loss: Array
+    drift_per_output_turn: Array
+    drift_rate: Array
+    power: RollingPower
+    flash_temperature: Array
+    film_thickness: Array
+    film_ratio: Array
+    shakedown_ratio: Array
+    output_speed: Array
+    cycles: Array
+    cycles_per_turn: Array
+    life_turns: DriveLives
+    life_hours: DriveLives
+    duty_life_hours: Array
+    duty_life_turns: Array
+    duty_damage_shares: Array
+    duty_load_hours: Array
+    duty_shakedown_ratios: Array
+    duty_slip_ratios: Array
+    residual: Array
+    crown_creepage_factor: Array | None = None
+
+
+def turning_result(
+    *,
+    contacts: JointContacts,
+    conditions: RollingConditions,
+    materials: Sequence[tuple[Material, Material]],
+    bodies: BodiesOfContacts,
+    branches: Real,
+    creep: ContactCreep,
+    state: DriveState,
+    unit_speeds: RollingSpeeds,
+    input_speed: Real,
+    bearing_power: Array,
+    output_torque: Real,
+) -> RollingResult:
+    """What the rolling state of any drive means: drift, losses, surfaces, shakedown and life.
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts of one branch.
+    conditions : RollingConditions
+        Losses that are counted, oil and reliability.
+    materials : sequence of tuple of Material
+        Materials of the driving and the driven body of each contact.
+    bodies : BodiesOfContacts
+        Bodies of the contacts.
+    branches : Real
+        Number of branches [-].
+    creep : ContactCreep
+        Creep law of the contacts.
+    state : DriveState
+        Forces, creepages and speed loss of one branch.
+    unit_speeds : RollingSpeeds
+        Speeds for one unit of the input's speed.
+    input_speed : Real
+        Angular velocity of the input, not negative [rad/s].
+    bearing_power : Array
+        Power lost in bearings and pins [W].
+    output_torque : Real
+        Torque at the output [N·m].
+
+    Returns
+    -------
+    RollingResult
+        nan where the equations are not solved; without a duty.
+
+    References
+    ----------
+    Equations (B1)–(B11) of :doc:`/equations`.
+    """
+    pairs = contacts.pairs
+    solved = state.residual < ROLLING_TOLERANCE
+    normal = jnp.where(state.normal > 0.0, state.normal, 1.0)
+    friction = pairs.friction_coefficient
+    traction = state.tangential / normal
+    strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)
+    # above the shakedown limit the surface flows at every passage, and no law of elastic fatigue holds
+    tracks = jnp.where(strips.shakedown_ratio < 1.0, strips.tracks, jnp.nan)
+    speeds = jax.tree.map(lambda speed: speed * input_speed, unit_speeds)
+    width = strips.even_half_width / pairs.effective_radius
+    lateral = lateral_slip_ratio(
+        creep=creep, friction_coefficient=friction, width_over_radius=width, creepage=state.creepage
+    )
+    lost = capacity_loss(creep=creep, friction_coefficient=friction, width_over_radius=width)
+    axial = jnp.asarray(
+        axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral)
+    )
+    turns = jnp.asarray(input_speed) > 0.0
+    drift = drift_per_turn(state.speed_loss)
+    per_turn = cycle_rates(bodies=bodies, speeds=unit_speeds, planet_count=branches) * (
+        2.0 * jnp.pi / unit_speeds.output
+    )
+    lives = drive_lives(
+        bodies=bodies,
+        tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / per_turn,
+        planet_count=branches,
+    )
+    turns_an_hour = 3600.0 * speeds.output / (2.0 * jnp.pi)
+    power = rolling_power(
+        branches=branches,
+        pairs=pairs,
+        conditions=conditions,
+        state=state,
+        half_width=strips.mean_half_width,
+        speeds=speeds,
+        axial_force=axial,
+        lateral_creepage=creep.skew,
+        bearing_power=bearing_power,
+        output_torque=output_torque,
+        lines=strips.lines,
+    )
+    stuck = jnp.asarray(
+        stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral)
+    )
+    flash_power = jnp.asarray((power.creep + power.skew) / (branches * pairs.contact_length))
+    flash_stuck = stuck
+    if strips.middle_power_ratio is not None:
+        flash_power = flash_power * strips.middle_power_ratio
+        flash_stuck = jnp.asarray(
+            stick_fraction(
+                longitudinal_slip_ratio=strips.middle_traction / friction, lateral_slip_ratio=lateral
+            )
+        )
+    pressure = jnp.asarray(
+        peak_pressure(
+            normal_force=strips.largest_load,
+            contact_length=pairs.contact_length,
+            half_width=strips.largest_half_width,
+        )
+    )
+    film, film_over_roughness = oil_film(
+        conditions=conditions,
+        pairs=pairs,
+        normal_force=strips.largest_load,
+        rolling_speed=speeds.rolling,
+    )
+    found = RollingResult(
+        normal=state.normal,
+        tangential=state.tangential,
+        creepage=state.creepage,
+        traction_coefficient=traction,
+        slip_ratio=jnp.abs(traction) / (friction * (1.0 - lost)),
+        stick_fraction=stuck,
+        layer_ratio=creep.layer_ratio,
+        layer_creepage_factor=creep.layer_factor,
+        hertz_pressure=pressure,
+        rough_half_width=strips.largest_half_width * width_factor(layer_ratio=creep.layer_ratio),
+        rough_peak_pressure=pressure * peak_pressure_factor(layer_ratio=creep.layer_ratio),
+        skew_creepage_factor=creep.skew_factor,
+        capacity_loss=lost,
+        axial_force=axial,
+        axial_thrust=_thrust(bodies, axial, branches),
+        speed_loss=state.speed_loss,
+        drift_per_output_turn=drift,
+        drift_rate=_where(turns, drift * speeds.output / (2.0 * jnp.pi)),
+        power=_where(turns, power),
+        flash_temperature=flash_temperatures(
+            materials=materials,
+            friction_power=flash_power,
+            speeds=speeds,
+            half_width=strips.largest_half_width,
+            stick_fraction=flash_stuck,
+        ),
+        film_thickness=film,
+        film_ratio=film_over_roughness,
+        shakedown_ratio=strips.shakedown_ratio,
+        output_speed=speeds.output,
+        cycles=tracks,
+        cycles_per_turn=per_turn,
+        life_turns=lives,
+        life_hours=_where(
+            turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)
+        ),
+        duty_life_hours=jnp.full_like(state.speed_loss, jnp.nan),
+        duty_life_turns=jnp.full_like(state.speed_loss, jnp.nan),
+        duty_damage_shares=jnp.zeros((0, *state.speed_loss.shape)),
+        duty_load_hours=jnp.zeros((0, *state.speed_loss.shape)),
+        duty_shakedown_ratios=jnp.zeros((0, *state.speed_loss.shape)),
+        duty_slip_ratios=jnp.zeros((0, *state.speed_loss.shape)),
+        residual=state.residual,
+        crown_creepage_factor=creep.crown_factor,
+    )
+    shaped: RollingResult = jax.tree.map(lambda value: jnp.where(solved, value, jnp.nan), found)
+    return shaped
+
+
+def _where(condition: Array, values: Array | RollingPower | DriveLives):  # type: ignore[no-untyped-def]
+    return jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
+
+
+def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:
+    """Axial forces on the bodies; a contact pushes its two bodies oppositely."""
+    found = []
+    for number, shared in enumerate(bodies.shared):
+        pushed = [axial[k] for k, body in enumerate(bodies.driven) if body == number]
+        pushed += [-axial[k] for k, body in enumerate(bodies.driving) if body == number]
+        force = functools.reduce(operator.add, pushed, jnp.zeros_like(axial[0]))
+        found.append(branches * force if shared else force)
+    return jnp.stack(jnp.broadcast_arrays(*found))

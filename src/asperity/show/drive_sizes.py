@@ -1,0 +1,286 @@
+"""The sizes of a planar drive: what is said of each, and where in the view it can be shown."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from asperity.drive.layout.existence import neighbours
+from asperity.joint.description import Joint, places
+from asperity.show.dimension_lines import dimension, distance_mark, made_bore
+from asperity.show.drive_view import RingOfBody, copies_of, pin_diameter_of, radii_of, rings_of
+from asperity.show.leader_places import Place, around
+from asperity.show.sheet import Circle, Line, Point
+from asperity.show.taken import distance
+from asperity.show.view_parts import MOST_GAPS
+
+_MOST_COPIES = 8
+_OF_ROLLER, _OF_AXES, _OF_WALL = 24, 72, 36  # places around a circle
+
+
+class Size(NamedTuple):
+    """A size that the drawing shows or the list says.
+
+    Parameters
+    ----------
+    of : str
+        Whose size, in the list.
+    listed, label : str
+        What the list says after that, and what the view says.
+    places : tuple of Place
+        Where a leader to it may begin.
+    radius : float or None, optional
+        Of a circle about the axis whose diameter can stand below the view [mm].
+    """
+
+    of: str
+    listed: str
+    label: str
+    places: tuple[Place, ...]
+    radius: float | None = None
+
+
+class Clearance(NamedTuple):
+    """The free distance between two rollers off the axis, or between one and a ring.
+
+    Parameters
+    ----------
+    words : str
+        Between which rollers.
+    size : float
+        Free distance [mm].
+    places : tuple of Place
+        Where a line can be drawn between them; none where other rollers lie between.
+    alike : bool, optional
+        Whether they are copies of one roller in neighbouring sectors.
+    """
+
+    words: str
+    size: float
+    places: tuple[Place, ...]
+    alike: bool = False
+
+
+def sizes(joint: Joint, scale: float, interference: float | None = None) -> list[Size]:
+    """Diameters of the tracks, bores and circles of axes, inner diameters and walls of the rings, each kind once.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    scale : float
+        Length on paper over true length [-].
+    interference : float or None, optional
+        That of the drive where the joint states a force [m]; None where it is not known.
+
+    Returns
+    -------
+    list of Size
+        Those of one body after each other. The inner diameter of a ring is that with which it is made, smaller by the
+        interference than the one that is drawn.
+    """
+    found: list[Size] = []
+    count, rings = round(float(joint.drive.sectors)), rings_of(joint)
+    for kind in _kinds(joint):
+        name = _together([_words(joint, number) for number in kind])
+        mine = [ring for ring in rings if ring.body == kind[0]]
+        for ring in mine:
+            wall = dimension(ring.outer - ring.inner)
+            circle = around((0.0, 0.0), ring.inner, 0.0, _OF_WALL)
+            text = _made_inside(joint, ring, interference)
+            found.append(Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner))
+            marks = [] if ring.shown < ring.outer else _walls(circle, ring.inner, ring.outer, scale)
+            broken = ", broken off at the wavy line" if ring.shown < ring.outer else ""
+            found.append(Size(name, f"wall {wall}{broken}", f"wall of {name} {wall}", tuple(marks)))
+        if mine:
+            continue
+        on_axis = joint.drive.bodies[kind[0]].place == "axis"
+        counted = name if on_axis else f"{count} × {name}"
+        for radius in radii_of(joint, kind[0]):
+            text = f"⌀{dimension(2.0 * radius)}"
+            found.append(Size(counted, text, f"{counted} {text}", _on(joint, kind, radius)))
+        bore = joint.shapes[kind[0]].bore_diameter
+        if bore is not None:
+            text = f"bore ⌀{dimension(1e3 * float(bore))}"
+            found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5e3 * float(bore))))
+        pin = pin_diameter_of(joint, kind[0])
+        if pin:
+            text = f"pin ⌀{dimension(pin)}"
+            found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5 * pin)))
+        if not on_axis:
+            x, y = copies_of(joint, kind[0])[0]
+            orbit, text = math.hypot(x, y), f"⌀{dimension(2.0 * math.hypot(x, y))}"
+            circle = around((0.0, 0.0), orbit, math.atan2(y, x), _OF_AXES)
+            found.append(Size(counted, f"axes on {text}", f"axes of {name} {text}", tuple(circle)))
+    return found
+
+
+def contact_interferences(joint: Joint, interference: float | None = None) -> list[float | None]:
+    """By how much the radius of the ring in each contact is too small.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    interference : float or None, optional
+        That of the drive where the joint states a force [m]; None where it is not known.
+
+    Returns
+    -------
+    list of float or None
+        For each contact [m]: 0 without a ring, None where it is not known.
+    """
+    drive = interference if joint.interference is None else float(joint.interference)
+    shares = [float(share) for share in np.asarray(joint.pattern)]
+    return [0.0 if share == 0.0 else None if drive is None else share * drive for share in shares]
+
+
+def _made_inside(joint: Joint, ring: RingOfBody, interference: float | None) -> str:
+    """Inner diameter of a ring as it must be made."""
+    _, second = places(joint.drive)
+    less = next(
+        each
+        for number, each in enumerate(contact_interferences(joint, interference))
+        if second[number] == ring.body
+        and math.isclose(1e3 * float(joint.drive.second_radius[number]), ring.inner)
+    )
+    return made_bore(ring.inner, less)
+
+
+def drive_clearances(joint: Joint) -> list[Clearance]:
+    """Free distances between copies of one roller in neighbouring sectors, and the smallest between different rollers.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    list of Clearance
+        The smallest first.
+    """
+    names = [body.name for body in joint.drive.bodies]
+    rings = {ring.body for ring in rings_of(joint)}
+    discs = [
+        Circle(centre, max(radii_of(joint, number)))
+        for number in range(len(names))
+        if number not in rings
+        for centre in copies_of(joint, number)
+    ]
+    found = []
+    for one, other in neighbours(joint.drive):
+        i, j = names.index(one), names.index(other)
+        if j in rings:
+            if all(len(radii_of(joint, number)) == 1 for number in (i, j)):
+                found.append(_to_ring(joint, i, j, discs))
+            continue
+        if any(joint.drive.bodies[number].place == "axis" for number in (i, j)):
+            continue
+        if i != j and any(len(radii_of(joint, number)) > 1 for number in (i, j)):
+            continue  # their tracks may lie in different planes
+        radii = max(radii_of(joint, i)), max(radii_of(joint, j))
+        pairs = [
+            (math.dist(a, b), a, b)
+            for a in copies_of(joint, i)
+            for b in copies_of(joint, j)
+            if math.dist(a, b) > 0.0
+        ]
+        if not pairs:
+            continue
+        nearest = min(pairs)[0]
+        between = [_gap(a, b, radii) for far, a, b in pairs if far < nearest * (1.0 + 1e-9)]
+        size = nearest - sum(radii)
+        open_ones = [ends for ends in between if size > 0.0 and not _blocked(ends, discs)]
+        marks = tuple(Place(_middle(ends), None, (Line(ends, "break"),)) for ends in open_ones)
+        words = f"{_words(joint, i)} to {_words(joint, j)}"
+        found.append(Clearance(words, size, marks, i == j))
+    found.sort(key=lambda each: each.size)
+    return [each for rank, each in enumerate(found) if rank < MOST_GAPS or each.alike]
+
+
+def _to_ring(joint: Joint, number: int, ring: int, discs: list[Circle]) -> Clearance:
+    """Free distance between a roller and a ring that it does not touch."""
+    (radius,), (inner,) = radii_of(joint, number), radii_of(joint, ring)
+    orbit = math.hypot(*copies_of(joint, number)[0])
+    between = [
+        tuple((x * reach / orbit, y * reach / orbit) for reach in (orbit + radius, inner))
+        for x, y in copies_of(joint, number)
+    ]
+    size = inner - orbit - radius
+    open_ones = [(one, two) for one, two in between if size > 0.0 and not _blocked((one, two), discs)]
+    marks = tuple(Place(_middle(ends), None, (Line(ends, "break"),)) for ends in open_ones)
+    return Clearance(f"{_words(joint, number)} to {_words(joint, ring)}", size, marks)
+
+
+def _words(joint: Joint, number: int) -> str:
+    return joint.drive.bodies[number].name.replace("_", " ")
+
+
+def _together(names: list[str]) -> str:
+    """Names of alike rollers as one, with the words in which they all end said once."""
+    words = [name.split() for name in names]
+    tail: list[str] = []
+    while len(names) > 1 and all(len(each) > 1 for each in words) and len({each[-1] for each in words}) == 1:
+        tail.insert(0, words[0][-1])
+        words = [each[:-1] for each in words]
+    return " ".join([" and ".join(" ".join(each) for each in words), *tail])
+
+
+def _kinds(joint: Joint) -> list[tuple[int, ...]]:
+    """Numbers of the bodies, those of one size and orbit together."""
+    rings = {ring.body for ring in rings_of(joint)}
+    found: dict[tuple[object, ...], tuple[int, ...]] = {}
+    for number, body in enumerate(joint.drive.bodies):
+        bore = joint.shapes[number].bore_diameter
+        orbit = math.hypot(*copies_of(joint, number)[0])
+        key: tuple[object, ...] = (
+            tuple(dimension(radius) for radius in sorted(radii_of(joint, number))),
+            None if bore is None else dimension(1e3 * float(bore)),
+            dimension(orbit),
+        )
+        if body.place == "axis" or number in rings:
+            key = (number,)
+        found[key] = (*found.get(key, ()), number)
+    return list(found.values())
+
+
+def _on(joint: Joint, kind: tuple[int, ...], radius: float) -> tuple[Place, ...]:
+    """Places on a circle of some copies of a kind, those at the sides of the view."""
+    centres = sorted((centre for n in kind for centre in copies_of(joint, n)), key=lambda each: -abs(each[0]))
+    return tuple(
+        place
+        for x, y in centres[:_MOST_COPIES]
+        for place in around((x, y), radius, math.atan2(y, x), _OF_ROLLER)
+    )
+
+
+def _walls(circle: list[Place], inner: float, outer: float, scale: float) -> list[Place]:
+    """Dimension lines across a wall."""
+    found = []
+    for tip, _, _ in circle:
+        end = (tip[0] * outer / inner, tip[1] * outer / inner)
+        found.append(Place(_middle((tip, end)), None, distance_mark((tip, end), scale=scale)))
+    return found
+
+
+def _middle(ends: tuple[Point, Point]) -> Point:
+    return 0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1])
+
+
+def _gap(a: Point, b: Point, radii: tuple[float, float]) -> tuple[Point, Point]:
+    """Where two circles are closest."""
+    far = math.dist(a, b)
+    e, f = (b[0] - a[0]) / far, (b[1] - a[1]) / far
+    return (a[0] + radii[0] * e, a[1] + radii[0] * f), (b[0] - radii[1] * e, b[1] - radii[1] * f)
+
+
+def _blocked(ends: tuple[Point, Point], discs: list[Circle]) -> bool:
+    """Whether other rollers lie between the ends."""
+    inset = 0.01
+    (x, y), (u, v) = ends
+    e, f = inset * (u - x), inset * (v - y)
+    line = (x + e, y + f), (u - e, v - f)
+    return any(distance((disc.centre, disc.centre), line) < disc.radius for disc in discs)

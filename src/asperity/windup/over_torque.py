@@ -1,0 +1,371 @@
+"""A joint with a planar drive over its output torque: stiffness, standing, with and without slip, drift in rolling."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.drive.layout.creeping import creeping_speeds
+from asperity.drive.state.creep import drift_per_turn
+from asperity.drive.state.first_limit import slip_ratio
+from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
+from asperity.drive.state.states import loaded_states, standing_state
+from asperity.joint.contacts import JointContacts
+from asperity.joint.description import Joint, body_masses, joint_contacts
+from asperity.joint.evaluation import laws_and_states
+from asperity.joint.laws import contact_laws, creep_law, drive_load
+from asperity.joint.loading_cam import (
+    CamOfJoint,
+    Pressed,
+    assembled,
+    pressed_at,
+    turned_cam,
+    with_its_cam,
+)
+from asperity.joint.motion import in_motion
+from asperity.joint.stiffness import loaded_stiffness
+from asperity.rolling.turning import driving_sense, turning
+from asperity.types import Real
+
+#: Torques of one call: one program serves curves of any number of points. Those of the page fill it: 49 of its curves
+#: over the torque, and 150 of its wind-up in three calls.
+BATCH = 50
+
+
+class StandingOverTorque(NamedTuple):
+    """A joint that stands, at torques of either sign. SI units, torques along the first axis.
+
+    Parameters
+    ----------
+    balanced, solved, slip_ratio, published, series_with_bulk, assembly : Array
+        As of :class:`OverTorque`.
+    """
+
+    balanced: Array
+    solved: Array
+    slip_ratio: Array
+    published: Array
+    series_with_bulk: Array
+    assembly: Array
+
+
+class OverTorque(NamedTuple):
+    """A joint at torques of either sign. SI units, torques along the first axis.
+
+    Parameters
+    ----------
+    balanced : Array
+        Whether the forces of the joint that stands balance.
+    solved : Array
+        Whether they also stay within friction.
+    slip_ratio : Array
+        Its T/(mu N), 1 where a contact slides while others hold, shape (torques, contacts) [-].
+    published, series_with_bulk, assembly : Array
+        Incremental stiffness at the output: as it is, and under the same normal forces with so much friction that no
+        contact slips, shape (torques, 2) [N·m/rad].
+    drift : Array
+        Angle by which the output gives way to the torque in one turn of its own, with the sign of the torque, in
+        rolling with the torque and against it, shape (torques, 2) [rad]; nan where there is no steady rolling.
+    efficiency : Array
+        Output power over input power, as the input turns [-].
+    total_loss : Array
+        Power lost [W].
+    life_hours, life_turns : Array
+        Fatigue life of the drive [h], and in turns of the output [-].
+    lost_speed_slope : Array
+        Change of the lost share of the output speed with the torque [1/(N·m)].
+    """
+
+    balanced: Array
+    solved: Array
+    slip_ratio: Array
+    published: Array
+    series_with_bulk: Array
+    assembly: Array
+    drift: Array
+    efficiency: Array
+    total_loss: Array
+    life_hours: Array
+    life_turns: Array
+    lost_speed_slope: Array
+
+
+def over_torque(
+    joint: Joint, torques: np.ndarray, *, no_slip_friction: float, rest: DriveState | None = None
+) -> OverTorque:
+    """What a joint does at torques, as NumPy arrays.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint; its own output torque is replaced.
+    torques : ndarray
+        Output torques of either sign, shape (torques,) [N·m].
+    no_slip_friction : float
+        A friction coefficient under which no contact slips [-].
+    rest : DriveState, optional
+        Its assembled state without torque, where it is known.
+
+    Returns
+    -------
+    OverTorque
+        Results of states that do not balance have no meaning.
+    """
+    found: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction, rest)
+    return found
+
+
+def standing_over_torque(
+    joint: Joint, torques: np.ndarray, *, no_slip_friction: float, rest: DriveState | None = None
+) -> StandingOverTorque:
+    """What a joint that stands does at torques, as NumPy arrays.
+
+    Parameters
+    ----------
+    joint, torques, no_slip_friction, rest
+        As of :func:`over_torque`.
+
+    Returns
+    -------
+    StandingOverTorque
+        Results of states that do not balance have no meaning.
+    """
+    found: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction, rest)
+    return found
+
+
+def _in_batches(
+    program: Callable[..., Any],
+    joint: Joint,
+    torques: np.ndarray,
+    no_slip_friction: float,
+    known_rest: DriveState | None,
+) -> Any:
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    if known_rest is None:
+        moving = in_motion(numbers)  # the program that solves one joint
+        known_rest = compile_fast(laws_and_states, moving)(moving)[1].rest
+    rest = jax.tree.map(np.asarray, known_rest)
+    asked = np.asarray(torques, dtype=float)
+    filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
+    friction = np.asarray(no_slip_friction)
+    found = []
+    for part in filled.reshape(-1, BATCH):
+        arguments = (numbers, rest, part, friction)
+        found.append(jax.tree.map(np.asarray, compile_fast(program, *arguments)(*arguments)))
+    return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *found)
+
+
+def standing_program(
+    joint: Joint, rest: DriveState, torques: Array, no_slip_friction: Real
+) -> StandingOverTorque:
+    """What is compiled to wind a joint up.
+
+    Parameters
+    ----------
+    joint, rest, torques, no_slip_friction
+        As of :func:`over_torque_program`.
+
+    Returns
+    -------
+    StandingOverTorque
+        At these torques.
+
+    References
+    ----------
+    Equations (A9) and (M3) of :doc:`/equations`.
+    """
+    contacts = joint_contacts(joint)
+    unloaded = _with_its_torque(joint)
+    pressed = pressed_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
+
+    def at(torque: Array) -> StandingOverTorque:
+        load = dataclasses.replace(unloaded, output_torque=torque)
+        laws, there = pressed(torque)
+        state = standing_state(drive=joint.drive, laws=laws, rest=there, load=load)
+        cam = turned_cam(joint, contacts, rest, there)
+        return _standing(joint, contacts, no_slip_friction, state, cam)
+
+    return jax.vmap(at)(torques)
+
+
+def over_torque_program(joint: Joint, rest: DriveState, torques: Array, no_slip_friction: Real) -> OverTorque:
+    """What is compiled to follow a joint over its torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    rest : DriveState
+        Its assembled state without torque.
+    torques : Array
+        Output torques, shape (torques,) [N·m].
+    no_slip_friction : Real
+        A friction coefficient under which no contact slips [-].
+
+    Returns
+    -------
+    OverTorque
+        At these torques.
+
+    References
+    ----------
+    Equations (A9), (B3) and (M4) of :doc:`/equations`.
+    """
+    contacts, sense = joint_contacts(joint), driving_sense(joint.drive)
+    states = _states(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
+
+    def at(torque: Array) -> OverTorque:
+        def lost(torque: Array) -> tuple[Array, _Under]:
+            under = states(torque)
+            return under.rolling.speed_loss, under
+
+        _, slope, under = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
+        rolls = under.rolling
+        creep = creep_law(joint, contacts, rolls.normal, rolls.tangential)
+        shown = dataclasses.replace(
+            rolls, tangential=sense * rolls.tangential, creepage=sense * rolls.creepage
+        )
+        turned = turning(dataclasses.replace(joint, output_torque=torque), contacts, creep, shown)
+        works = rolls.residual < STATE_TOLERANCE
+        return OverTorque(
+            **_shown(joint, contacts, no_slip_friction, torque, under),
+            efficiency=jnp.where(works, turned.power.efficiency, jnp.nan),
+            total_loss=jnp.where(works, turned.power.loss, jnp.nan),
+            life_hours=jnp.where(works, turned.life_hours.drive, jnp.nan),
+            life_turns=jnp.where(works, turned.life_turns.drive, jnp.nan),
+            lost_speed_slope=jnp.where(works, slope, jnp.nan),
+        )
+
+    return jax.vmap(at)(torques)
+
+
+def curve_program(joint: Joint, torques: Array, no_slip_friction: Real) -> dict[str, Array]:
+    """What a measured curve shows of a joint, assembled within the same program; for derivatives by its numbers.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    torques : Array
+        Output torques, shape (torques,) [N·m].
+    no_slip_friction : Real
+        A friction coefficient under which no contact slips [-].
+
+    Returns
+    -------
+    dict
+        The fields of :class:`OverTorque` from ``balanced`` to ``drift``.
+
+    References
+    ----------
+    Equations (A9), (B3), (M3) and (M4) of :doc:`/equations`.
+    """
+    contacts = joint_contacts(joint)
+    states = _states(joint, contacts, assembled(joint, contacts))
+
+    def at(torque: Array) -> dict[str, Array]:
+        return _shown(joint, contacts, no_slip_friction, torque, states(torque))
+
+    return jax.vmap(at)(torques)
+
+
+class _Under(NamedTuple):
+    """A joint under a torque: standing, rolling, and what its cam does."""
+
+    standing: DriveState
+    rolling: DriveState
+    cam: CamOfJoint | None
+
+
+def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> Callable[[Array], _Under]:
+    """The joint under an output torque [N·m]."""
+    unloaded = _with_its_torque(joint)
+    pressed = pressed_at(joint, contacts, without_torque)
+
+    def under(torque: Array) -> _Under:
+        laws, rest = pressed(torque)
+        standing, rolling = loaded_states(
+            drive=joint.drive,
+            laws=laws,
+            rest=rest,
+            load=dataclasses.replace(unloaded, output_torque=torque),
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+        )
+        return _Under(standing, rolling, turned_cam(joint, contacts, without_torque.rest, rest))
+
+    return under
+
+
+def _with_its_torque(joint: Joint) -> DriveLoad:
+    """Loads of a joint that stands and begins to move with its torque, as in a wind-up; the torque is to be put in."""
+    return dataclasses.replace(drive_load(joint, body_masses(joint), 0.0), standing_rotation=jnp.zeros(()))
+
+
+def _standing(
+    joint: Joint,
+    contacts: JointContacts,
+    no_slip_friction: Real,
+    state: DriveState,
+    cam: CamOfJoint | None,
+) -> StandingOverTorque:
+    """Stiffness of the joint that stands, with and without slip."""
+    sense = driving_sense(joint.drive)
+    own = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
+    frictions = jnp.stack([own, jnp.full_like(own, no_slip_friction)])
+
+    def levels(friction: Array) -> tuple[Array, Array, Array]:
+        pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
+        found = loaded_stiffness(
+            joint,
+            dataclasses.replace(contacts, pairs=pairs),
+            state.normal,
+            sense * state.tangential,
+            jnp.where(friction == own, state.slides, 0.0),
+        )
+        return (
+            jnp.asarray(found.published.output),
+            jnp.asarray(found.series_with_bulk.output),
+            jnp.asarray(with_its_cam(found.assembly, cam).stiffness.output),
+        )
+
+    slip = slip_ratio(normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=own)
+    published, series, assembly = jax.vmap(levels)(frictions)
+    return StandingOverTorque(
+        balanced=state.worst < STATE_TOLERANCE,
+        solved=state.residual < STATE_TOLERANCE,
+        slip_ratio=jnp.where(state.slides == 0.0, slip, 1.0),
+        published=published,
+        series_with_bulk=series,
+        assembly=assembly,
+    )
+
+
+def _shown(
+    joint: Joint, contacts: JointContacts, no_slip_friction: Real, torque: Array, under: _Under
+) -> dict[str, Array]:
+    """The joint that stands, and the drift of the one that rolls."""
+    drive, rolls = joint.drive, under.rolling
+    out = drive.members.index(drive.output)
+
+    def drift(creepage: Array) -> Array:
+        """Angle lost in one turn of the output, (B3); negative where the creep runs ahead."""
+        ideal, speed = (
+            jnp.abs(creeping_speeds(drive=drive, creepage=each)[0][out])
+            for each in (jnp.zeros_like(creepage), creepage)
+        )
+        return drift_per_turn(1.0 - speed / ideal)
+
+    with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
+    both = jnp.stack([drift(way * with_torque * rolls.creepage) * way for way in (1.0, -1.0)])
+    return {
+        **_standing(joint, contacts, no_slip_friction, under.standing, under.cam)._asdict(),
+        "drift": jnp.where(rolls.residual < STATE_TOLERANCE, with_torque * both, jnp.nan),
+    }

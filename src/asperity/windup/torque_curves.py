@@ -1,0 +1,89 @@
+"""A joint over its output torque: stiffness on every level, drift, efficiency and slip from one compiled program."""
+
+from __future__ import annotations
+
+import math
+
+import equinox as eqx
+import numpy as np
+
+from asperity.drive.state.state import DriveState
+from asperity.joint.description import Joint
+from asperity.windup.over_torque import over_torque
+from asperity.windup.standing import LEVELS, NO_SLIP_FRICTION
+
+_TORQUES = 49
+_OVER_TORQUE = 2.0  # end of the axis over the joint's own torque, where there is no capacity
+
+
+class TorqueCurves(eqx.Module):
+    """One joint over its output torque. SI units; shape (n,); nan where a contact slips or nothing turns.
+
+    Parameters
+    ----------
+    torque : ndarray
+        Output torques [N·m].
+    published, series_with_bulk, assembly : ndarray
+        Torsional stiffness at the output on the three levels [N·m/rad].
+    drift_per_output_turn : ndarray
+        Angle lost in one turn of the output [rad].
+    efficiency : ndarray
+        Output power over input power [-].
+    total_loss : ndarray
+        Power lost, without what the file has no numbers for [W].
+    life_hours, life_turns : ndarray
+        Fatigue life of the drive [h], and in turns of the output [-].
+    slip_ratio : ndarray
+        The largest T/(mu N) of all contacts [-].
+    """
+
+    torque: np.ndarray
+    published: np.ndarray
+    series_with_bulk: np.ndarray
+    assembly: np.ndarray
+    drift_per_output_turn: np.ndarray
+    efficiency: np.ndarray
+    total_loss: np.ndarray
+    life_hours: np.ndarray
+    life_turns: np.ndarray
+    slip_ratio: np.ndarray
+
+
+def torque_curves(*, joint: Joint, torque_capacity: float, rest: DriveState | None = None) -> TorqueCurves:
+    """Stiffness, drift and efficiency of a joint from no torque to its capacity.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, without batch axes.
+    torque_capacity : float
+        Capacity in the direction of the joint's torque, without sign; not finite if friction does not limit it [N·m].
+    rest : DriveState, optional
+        The assembled state of a planar drive without torque, where it is known.
+
+    Returns
+    -------
+    TorqueCurves
+        In the direction of the joint's torque; up to twice the torque, or 1 N·m, if there is no capacity.
+    """
+    own = float(joint.output_torque)
+    limited = math.isfinite(torque_capacity) and torque_capacity > 0.0
+    largest = torque_capacity if limited else _OVER_TORQUE * abs(own) or 1.0
+    towards = np.linspace(0.0, 1.0, _TORQUES)
+    # the curves are steep near gross slip
+    torque = math.copysign(largest, own) * (towards * (2.0 - towards) if limited else towards)
+    found = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION, rest=rest)
+    slip = np.max(np.asarray(found.slip_ratio), axis=1)
+    holds = np.asarray(found.solved)
+    levels = {name: np.where(holds, np.asarray(getattr(found, name))[:, 0], np.nan) for name in LEVELS}
+    with_torque, against = np.asarray(found.drift).T
+    return TorqueCurves(
+        torque=torque,
+        **levels,
+        drift_per_output_turn=np.where(torque < 0.0, against, with_torque),
+        efficiency=np.asarray(found.efficiency),
+        total_loss=np.asarray(found.total_loss),
+        life_hours=np.asarray(found.life_hours),
+        life_turns=np.asarray(found.life_turns),
+        slip_ratio=np.where(holds, slip, np.nan),
+    )

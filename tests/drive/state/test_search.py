@@ -1,0 +1,175 @@
+"""Contacts that slide keep their friction: two planets of one sector side by side, by hand, and the wedge drive."""
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.drive.layout.drive import CARRIER, Body, Contact, Drive, incidence
+from asperity.drive.mechanism import NormalSprings
+from asperity.drive.state.creep import CreepLaw
+from asperity.drive.state.loads import member_moments
+from asperity.drive.state.smooth_laws import smooth_contact_laws
+from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveLoad
+from asperity.drive.state.states import loaded_state, state_at_rest
+
+SUN, PLANET, ORBIT, COUNT = 20e-3, 10e-3, 30e-3, 3
+NORMAL, COMPLIANCE = 1000.0, (4e-9, 6e-9)  # of the contacts with sun and ring [m/N]
+WEAK, STRONG = 0.06, 0.1  # friction of the two planets
+PATH = COUNT * 2.0 * ORBIT  # output torque over the tangential force of one planet at sun and ring [m]
+FIRST = 2.0 * PATH * WEAK * NORMAL  # both planets are equally stiff, and share the torque until one slides
+WHOLE = PATH * (WEAK + STRONG) * NORMAL
+STIFFNESS = (
+    PATH**2 / COUNT / sum(COMPLIANCE)
+)  # of one planet: the carrier turns by the slips over twice the orbit
+
+
+@pytest.fixture(scope="module")
+def pair():
+    """Two planets of one size in each sector, on rigid pins."""
+    angle = jnp.array([jnp.pi / 2.0, jnp.pi / 6.0])
+    places = ORBIT * jnp.stack([jnp.cos(angle), jnp.sin(angle)], axis=1)
+    axis, planet = jnp.zeros((1, 2)), jnp.full(1, PLANET)
+    return Drive(
+        bodies=(Body("sun", "axis"), Body("one", "pin"), Body("two", "pin"), Body("ring", "axis")),
+        contacts=(
+            Contact("s1", "sun", "one"),
+            Contact("r1", "one", "ring", internal=True),
+            Contact("s2", "sun", "two"),
+            Contact("r2", "two", "ring", internal=True),
+        ),
+        centres=jnp.concatenate([axis, places, axis]),
+        first_radius=jnp.concatenate([jnp.full(1, SUN), planet, jnp.full(1, SUN), planet]),
+        second_radius=jnp.concatenate([planet, jnp.full(1, SUN + 2.0 * PLANET)] * 2),
+        push_angles=jnp.zeros(2),
+        sectors=COUNT,
+        input="sun",
+        output=CARRIER,
+        grounded="ring",
+    )
+
+
+@pytest.fixture(scope="module")
+def standing(pair):
+    """States under torques, with the friction of both planets."""
+
+    @eqx.filter_jit
+    def states(torques, weak, strong):
+        compliance = jnp.array(COMPLIANCE * 2)
+        laws = ContactLaws(
+            springs=NormalSprings(compliance, compliance),
+            reference_force=jnp.full(4, NORMAL),
+            creep=CreepLaw(jnp.array([weak, weak, strong, strong]), jnp.full(4, 3e-5)),
+        )
+        rest = state_at_rest(drive=pair, laws=laws, pattern=jnp.array([0.0, 1.0, 0.0, 1.0]), preload=NORMAL)
+
+        def at(torque):
+            return loaded_state(
+                drive=pair, laws=laws, rest=rest, load=DriveLoad(torque), rolls=jnp.asarray(False)
+            )
+
+        return jax.vmap(at)(torques)
+
+    def of(torques, weak=WEAK, strong=STRONG):
+        """One shape for all calls, so that they share a program."""
+        filled = jnp.zeros(4).at[: len(torques)].set(jnp.asarray(torques))
+        found = states(filled, jnp.asarray(weak), jnp.asarray(strong))
+        return jax.tree.map(lambda leaf: leaf[: len(torques)], found)
+
+    return of
+
+
+@pytest.mark.slow
+def test_a_planet_that_slides_keeps_its_friction_and_the_other_carries_the_rest(standing):
+    torques = np.array([0.5, 1.0 - 1e-9, 1.2, 1.3]) * FIRST
+    found = standing(torques)
+    assert np.all(np.asarray(found.residual) < STATE_TOLERANCE)
+    weak = np.minimum(torques / (2.0 * PATH), WEAK * NORMAL)
+    strong = torques / PATH - weak
+    expected = np.stack([weak, weak, strong, strong], axis=1)
+    np.testing.assert_allclose(np.abs(found.tangential), expected, rtol=1e-9)
+    np.testing.assert_array_equal(np.any(np.asarray(found.slides) != 0.0, axis=1), [False, False, True, True])
+
+
+@pytest.mark.slow
+def test_the_carrier_turns_by_the_planets_that_hold(standing):
+    """Half as stiff from the first slip on, and the same in both directions."""
+    torques = np.array([0.5, 1.2, -1.2]) * FIRST
+    turned = np.abs(np.asarray(standing(torques).rotation)[:, -1])
+    beyond = FIRST / (2.0 * STIFFNESS) + 0.2 * FIRST / STIFFNESS
+    np.testing.assert_allclose(turned, [0.5 * FIRST / (2.0 * STIFFNESS), beyond, beyond], rtol=1e-9)
+
+
+def test_no_state_beyond_the_friction_of_both(standing):
+    found = standing(np.array([1.0 - 1e-9, 1.0 + 1e-9, 1.5]) * WHOLE)
+    np.testing.assert_array_equal(np.asarray(found.residual) < STATE_TOLERANCE, [True, False, False])
+    # one contact holds more than its friction there: the planet that slides is known, and the other limits
+    assert np.all(np.asarray(found.worst) < STATE_TOLERANCE)
+    used = np.abs(found.tangential) / (np.array([WEAK, WEAK, STRONG, STRONG]) * np.asarray(found.normal))
+    assert np.all(used[1:].max(axis=1) > 1.0)
+    assert set(np.argmax(used[1:], axis=1)) <= {2, 3}
+
+
+def test_equal_planets_slide_together(standing):
+    """No rest is left to carry: the first slip is the end."""
+    both = 2.0 * PATH * STRONG * NORMAL
+    found = standing(np.array([1.0 - 1e-9, 1.0 + 1e-9]) * both, STRONG, STRONG)
+    np.testing.assert_array_equal(np.asarray(found.residual) < STATE_TOLERANCE, [True, False])
+
+
+@pytest.mark.long
+def test_derivatives_are_those_of_what_holds(standing):
+    """Beyond the first slip the strong planet alone turns the carrier: by the torque less the friction of the weak."""
+
+    def turned(torque, weak):
+        return jnp.abs(standing(torque[None], weak).rotation[0, -1])
+
+    by_torque, by_friction = jax.grad(turned, argnums=(0, 1))(jnp.asarray(1.2 * FIRST), jnp.asarray(WEAK))
+    assert float(by_torque) == pytest.approx(1.0 / STIFFNESS, rel=1e-9)
+    assert float(by_friction) == pytest.approx(-PATH * NORMAL / STIFFNESS, rel=1e-9)
+
+
+@pytest.mark.slow
+def test_the_wedge_drive_balances_with_a_roller_that_slides(drives):
+    """Forces and moments from the contacts; the sliding one follows its normal force, and slips beyond its law."""
+    drive = drives["wedge"]
+
+    @eqx.filter_jit
+    def states(torques):
+        laws = smooth_contact_laws(
+            drive=drive,
+            youngs_modulus=206e9,
+            poisson_ratio=0.3,
+            friction_coefficient=0.12,
+            contact_length=5e-3,
+            ring_wall_thickness=60e-3,
+            reference_force=500.0,
+        )
+        rest = state_at_rest(
+            drive=drive, laws=laws, pattern=jnp.array([0.0, 0.0, 0.0, 1.0, 1.0]), preload=1000.0
+        )
+        return rest, jax.vmap(
+            lambda torque: loaded_state(
+                drive=drive, laws=laws, rest=rest, load=DriveLoad(torque), rolls=jnp.asarray(False)
+            )
+        )(torques)
+
+    torques = np.array([8.0, 11.0, 12.5, -12.5, 14.0])
+    _, found = states(jnp.asarray(torques))
+    holds = np.asarray(found.residual) < STATE_TOLERANCE
+    np.testing.assert_array_equal(holds, [True, True, True, True, False])
+    slides = np.asarray(found.slides)
+    assert np.array_equal(np.abs(slides)[1:3], [[0.0, 0.0, 0.0, 0.0, 1.0]] * 2)
+    assert np.array_equal(np.abs(slides)[3], [0.0, 0.0, 0.0, 1.0, 0.0])  # the mirror image
+    matrices = incidence(drive)
+    for k, torque in enumerate(torques[:4]):
+        normal, tangential = found.normal[k], found.tangential[k]
+        force = matrices.approach.T @ normal + matrices.sliding.T @ tangential
+        np.testing.assert_allclose(force + matrices.pins.T @ found.pin_force[k], 0.0, atol=1e-8)
+        moments = member_moments(drive, matrices, tangential, found.pin_force[k])
+        np.testing.assert_allclose(moments[1:4], 0.0, atol=1e-11)
+        assert abs(float(moments[-1])) == pytest.approx(abs(torque), rel=1e-9)
+        used = np.abs(np.asarray(tangential)) / (0.12 * np.asarray(normal))
+        assert np.all(used <= 1.0 + 1e-12)
+        np.testing.assert_allclose(used[slides[k] != 0.0], 1.0, rtol=1e-12)

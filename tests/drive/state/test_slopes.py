@@ -1,0 +1,150 @@
+"""Slopes of the equations of a state against forward differentiation, and the step with the contacts eliminated."""
+
+import dataclasses
+import functools
+
+import jax
+import jax.flatten_util
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.drive.layout.drive import Closure
+from asperity.drive.layout.drives import (
+    EQUAL_COEFFICIENTS,
+    SPRING_LOADED_PINS,
+    planetary_drive,
+    stepped_planet_drive,
+    two_row_multiroller,
+    wedge_drive,
+)
+from asperity.drive.layout.unfolding import unfolded
+from asperity.drive.mechanism import Bearings
+from asperity.drive.state.equations import (
+    ASSEMBLED,
+    ROLLING,
+    STANDING,
+    Task,
+    Unknowns,
+    machine_of,
+    no_displacement,
+    no_force,
+    state_misfits,
+    turning_members,
+)
+from asperity.drive.state.slopes import newton_step, state_slopes, whole_matrix
+from asperity.drive.state.smooth_laws import smooth_contact_laws
+from asperity.drive.state.state import DriveLoad
+from asperity.drive.state.supports import carrier_supports
+from asperity.drive.wedge.geometry import DriveGeometry
+
+GEOMETRY = DriveGeometry(
+    sun_radius=4e-3,
+    planet_radius=13.5e-3,
+    loading_roller_radius=5e-3,
+    ring_radius=40e-3,
+    planet_count=3.0,
+    left_push_angle=0.1,
+    right_push_angle=-0.05,
+)
+PAPERS = Closure(equal_coefficients=EQUAL_COEFFICIENTS, constant_pins=SPRING_LOADED_PINS)
+DRIVES = {
+    "wedge": wedge_drive(GEOMETRY, planet_count=3.0),
+    "published closures": wedge_drive(GEOMETRY, planet_count=3.0, closure=PAPERS),
+    "unfolded": unfolded(
+        wedge_drive(GEOMETRY, planet_count=3.0, closure=PAPERS), sectors=3, floating=("sun",)
+    ),
+    "planetary": planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=3.0),
+    "multiroller": two_row_multiroller(
+        sun_radius=8e-3, first_row_radii=(20e-3, 8e-3), second_row_radii=(20e-3, 8e-3), roller_count=4.0
+    ),
+    "stepped": stepped_planet_drive(sun_radius=10e-3, planet_radii=(20e-3, 18e-3), planet_count=3.0),
+}
+BEARINGS = Bearings(
+    sun_torque=1e-3,
+    loading_roller_torque=5e-4,
+    carrier_torque=2e-3,
+    pin_friction_coefficient=2e-3,
+    pin_diameter=4e-3,
+)
+
+
+def described(name, *, coupled):
+    drive = DRIVES[name]
+    count = len(drive.contacts)
+    laws = smooth_contact_laws(
+        drive=drive,
+        contact_length=5e-3,
+        friction_coefficient=np.linspace(0.1, 0.14, count),
+        youngs_modulus=206e9,
+        poisson_ratio=0.3,
+        ring_wall_thickness=20e-3,
+        reference_force=np.linspace(800.0, 1100.0, count),
+    )
+    if coupled:
+        pattern = 1e-10 * np.random.default_rng(3).uniform(-1.0, 1.0, (count, count))
+        laws = dataclasses.replace(laws, coupling=jnp.asarray(pattern - np.diag(np.diag(pattern))))
+    held = [number for number, body in enumerate(drive.bodies) if body.place == "free"]
+    supports = carrier_supports(
+        drive=drive, pin_transverse_stiffness=3e7, planet_support_stiffness=2e7, planets=tuple(held[:1])
+    )
+    load = DriveLoad(
+        jnp.asarray(4.0),
+        pin_compliance=1e-9,
+        bearings=BEARINGS,
+        support_stiffness=jnp.full(len(drive.floating), 1e6),
+        rotation=-1.0,
+        supports=supports if held else None,
+    )
+    machine = machine_of(drive, laws, jnp.linspace(0.2, 1.0, count), None, load.supports)
+    return drive, machine, load
+
+
+def unknowns(drive, machine, load, seed):
+    random = np.random.default_rng(seed)
+    pins = len(drive.pinned) + (0 if load.supports is None else load.supports.compliance.size)
+    return Unknowns(
+        normal=jnp.asarray(random.uniform(0.6, 1.3, len(drive.contacts))),
+        tangential=jnp.asarray(random.uniform(-0.5, 0.5, len(drive.contacts))),
+        pin=jnp.asarray(random.uniform(-0.5, 0.5, pins)),
+        displacement=jnp.asarray(random.uniform(-0.5, 0.5, 2 * len(drive.floating))),
+        turn=jnp.asarray(random.uniform(-1e-3, 1e-3, len(turning_members(drive)))),
+        interference=jnp.asarray(random.uniform(0.5, 1.0, 1)),
+    )
+
+
+@functools.partial(jax.jit, static_argnames="by_force")
+def both(machine, task, by_force, slides, x):
+    flat, shape = jax.flatten_util.ravel_pytree(x)
+
+    def residual(at):
+        return jax.flatten_util.ravel_pytree(state_misfits(machine, task, by_force, slides, shape(at)).all)[0]
+
+    slopes = state_slopes(machine, task, by_force, slides, x)
+    step = newton_step(slopes, shape(residual(flat)))
+    return (
+        jax.jacfwd(residual)(flat),
+        whole_matrix(slopes, x),
+        residual(flat),
+        jax.flatten_util.ravel_pytree(step)[0],
+    )
+
+
+@pytest.mark.parametrize("kind", [ASSEMBLED, STANDING, ROLLING])
+@pytest.mark.parametrize("name", DRIVES)
+def test_slopes_are_those_of_the_equations(name, kind):
+    drive, machine, load = described(name, coupled=name == "planetary")
+    task = Task(jnp.asarray(kind), jnp.asarray(1e-5), load, no_displacement(drive), no_force(drive))
+    x = unknowns(drive, machine, load, seed=kind)
+    for by_force in (True, False):
+        for slides in (jnp.zeros(len(drive.contacts)), jnp.eye(len(drive.contacts))[0]):
+            expected, found, residual, step = (
+                np.asarray(each) for each in both(machine, task, by_force, slides, x)
+            )
+            np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-12)
+            condition = np.linalg.cond(expected)
+            if condition < 1e12:  # a torque that nothing holds leaves a rotation open
+                exact = np.linalg.solve(expected, residual)
+                np.testing.assert_allclose(step, exact, rtol=1e-9, atol=1e-14 * condition)
+            else:
+                assert np.any(np.asarray(slides) != 0.0)

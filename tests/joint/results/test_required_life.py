@@ -1,0 +1,180 @@
+"""Lives compared with the life that is required: from numbers made by hand, and by two routes in solved joints."""
+
+import dataclasses
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.joint_file.reader import parse_case
+from asperity.joint_file.solved_document import solved_case
+from asperity.results import RESULTS
+from asperity.results import required_life as module
+from asperity.results.all_limits import further_checks
+from asperity.results.margins import margins
+from asperity.results.required_life import life_checks
+from asperity.rolling.conditions import DutyPoint
+
+DUTY = (DutyPoint(5.0, 50.0, 0.5), DutyPoint(9.0, 100.0, 0.25), DutyPoint(-4.0, 0.0, 0.25))
+BEARINGS = '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_rating = "9 kN"\ncount = 1\n'
+LOADS = (("10 N*m", "1500 rpm", 0.3), ("6 N*m", "3000 rpm", 0.5), ("8 N*m", "0 rpm", 0.2))
+
+
+@pytest.fixture
+def rows(monkeypatch):
+    """Of all results those of bearings."""
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: RESULTS)
+
+
+def solved(*, life=math.nan, under_duty=math.nan, duty=(), branches=None, required=3600.0 * 500.0, films=()):
+    rolling = SimpleNamespace(
+        life_hours=SimpleNamespace(drive=life), duty_life_hours=under_duty, film_ratio=np.array(films)
+    )
+    joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty))
+    return SimpleNamespace(
+        joint=joint,
+        result=SimpleNamespace(rolling=rolling),
+        branches=branches,
+        required_life=required,
+        has_bearings=(False,) * 4,
+        row_names=lambda axis: ("right", "left", "sun", "carrier"),
+    )
+
+
+def rolling(unequal_branches, *hours):
+    return dataclasses.replace(unequal_branches().standing, limits={"life_hours": np.array(hours)})
+
+
+@pytest.mark.usefixtures("rows")
+def test_nothing_is_judged_where_nothing_is_required():
+    assert life_checks(solved(life=10.0, required=None)) == ()
+
+
+@pytest.mark.usefixtures("rows")
+@pytest.mark.parametrize(("hours", "ok"), [(499.0, False), (500.0, True), (501.0, True)])
+def test_a_life_is_compared_with_what_is_required(hours, ok):
+    (check,) = life_checks(solved(life=hours, under_duty=7.0))
+    assert (check.ok, check.limit, check.contact) == (ok, 1.8e6, None)
+    assert check.value == pytest.approx(3600.0 * hours, rel=1e-15)
+    assert check.result.label == "fatigue life of the drive"
+    assert ("before" in check.meaning) is not ok
+    (check,) = life_checks(solved(life=1.0, under_duty=hours, duty=DUTY))
+    assert check.ok is ok
+    assert check.result.label == "fatigue life of the drive under its duty"
+
+
+@pytest.mark.usefixtures("rows")
+@pytest.mark.parametrize(
+    ("films", "beside"),
+    [
+        ((math.nan, 0.16, 4.0), ", without a factor for the film (boundary lubrication, lambda 0.16)"),
+        ((1.2, 4.0), ", without a factor for the film (mixed lubrication, lambda 1.2)"),
+        ((3.5, 4.0), ""),
+        ((math.nan,), ""),
+    ],
+)
+def test_a_life_says_beside_its_verdict_what_the_film_leaves_of_it(films, beside):
+    (check,) = life_checks(solved(life=600.0, films=films))
+    assert check.ok
+    assert check.result.label == f"fatigue life of the drive{beside}"
+
+
+def test_a_joint_that_stands_or_slips_has_no_life_to_compare():
+    (check,) = life_checks(solved())
+    assert not check.ok
+    assert "no life to compare" in check.meaning
+    assert "slips, or stands" in check.meaning
+    assert check.rule.severity == "damage"
+
+
+@pytest.mark.usefixtures("rows")
+def test_a_duty_that_the_joint_does_not_carry_is_the_reason_why_its_life_is_unknown():
+    (check,) = life_checks(solved(life=600.0, duty=DUTY))
+    assert not check.ok
+    assert check.meaning.endswith("the joint does not carry every load of its [[duty]]")
+
+
+@pytest.mark.usefixtures("rows")
+def test_unequal_branches_live_as_long_as_the_worst_of_them(unequal_branches):
+    own = dataclasses.replace(unequal_branches(), rolling=rolling(unequal_branches, 400.0, 900.0, math.nan))
+    (check,) = life_checks(solved(life=2000.0, branches=own))
+    assert check.value == pytest.approx(3600.0 * 400.0, rel=1e-15)
+    assert check.result.label.endswith("as if every branch were loaded like the worst")
+    (check,) = life_checks(solved(life=2000.0, branches=dataclasses.replace(own, rolling=None)))
+    assert math.isnan(check.value)
+
+
+@pytest.mark.usefixtures("rows")
+def test_damage_of_unequal_branches_adds_up_under_a_duty(unequal_branches):
+    """Half the time 400 h, a quarter of it 100 h, else standing: 1/(0.5/400 + 0.25/100) = 800/3 h."""
+    first, second = (
+        rolling(unequal_branches, *hours) for hours in ((700.0, 400.0, math.nan), (100.0, 300.0, math.nan))
+    )
+    stands = unequal_branches().standing
+    own = dataclasses.replace(unequal_branches(), duty=(first, second, stands))
+    (check,) = life_checks(solved(branches=own, duty=DUTY))
+    assert check.value == pytest.approx(3600.0 * 800.0 / 3.0, rel=1e-14)
+    (check,) = life_checks(solved(branches=dataclasses.replace(own, duty=(first, None, stands)), duty=DUTY))
+    assert math.isnan(check.value)
+    parked = tuple(dataclasses.replace(point, sun_speed=0.0) for point in DUTY)
+    (check,) = life_checks(solved(branches=dataclasses.replace(own, duty=(stands,) * 3), duty=parked))
+    assert check.value == math.inf
+    assert check.ok
+
+
+@pytest.fixture(scope="module")
+def text(zou_file):
+    return zou_file.with_name("planetary.toml").read_text(encoding="utf-8") + BEARINGS
+
+
+def with_life(text, hours, *, duty=LOADS, branches=0):
+    loads = "".join(
+        f'\n[[duty]]\noutput_torque = "{torque}"\nsun_speed = "{speed}"\nshare = {share}\n'
+        for torque, speed, share in duty
+    )
+    return f'{text}\n[rolling]\nrequired_life = "{hours} h"\n' + loads + branches * "\n[[branch]]\n"
+
+
+def solved_text(text):
+    return solved_case(parse_case(text, source="mine.toml"))
+
+
+@pytest.mark.slow
+def test_margins_of_drive_and_bearings_are_in_the_list(text):
+    joint = solved_text(with_life(text, 1000.0))
+    found = {each.result.name: each for each in margins(joint)}
+    drive, bearing = found["required_duty_life"], found["required_bearing_duty_life"]
+    assert drive.actual == pytest.approx(3600.0 * float(joint.result.rolling.duty_life_hours), rel=1e-15)
+    assert bearing.actual == float(np.nanmin(joint.bearings.duty_life))
+    assert bearing.place == "planet_pin"
+    assert (drive.lowest, drive.highest, drive.severity, drive.result.display_unit) == (
+        3.6e6,
+        math.inf,
+        "damage",
+        "h",
+    )
+    assert drive.utilisation == pytest.approx(3.6e6 / drive.actual)
+    without = with_life(text, 1000.0).replace('required_life = "1000.0 h"', "")
+    without = {each.result.name for each in further_checks(solved_text(without))}
+    assert not any(name.startswith("required") for name in without)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "duty",
+    [
+        pytest.param(LOADS, id="duty", marks=pytest.mark.long),
+        pytest.param(LOADS[:1], id="one load", marks=pytest.mark.long),
+        pytest.param((), id="no duty"),
+    ],
+)
+def test_branches_without_deviations_live_at_least_as_long_as_the_bound(text, duty):
+    """Equal for one load, where the bound is exact; two routes through the contact law."""
+    shares = sum(share for *_, share in duty)
+    duty = tuple((torque, speed, share / shares) for torque, speed, share in duty)
+    alike, own = (
+        life_checks(solved_text(with_life(text, 1.0, duty=duty, branches=each)))[0] for each in (0, 3)
+    )
+    assert own.value <= alike.value * (1.0 + 1e-9)
+    assert own.value == pytest.approx(alike.value, rel=1e-9 if len(duty) < 2 else 0.02)

@@ -1,0 +1,188 @@
+"""Creep of the contacts: Carter's limit, the layer's compliance by hand, and skew."""
+
+import math
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from asperity.contact import carter
+from asperity.contact.creep_layer import layer_creepage_factor
+from asperity.contact.skew import skewed_slip_ratios
+from asperity.drive.state.creep import creepages
+from asperity.joint.contacts import rough_joint_contacts
+from asperity.joint.crowned_contacts import rough_slices
+from asperity.joint.description import joint_contacts
+from asperity.rolling.creep import capacity_loss, contact_creep, lateral_slip_ratio
+
+NORMAL = np.array([1000.0, 600.0, 500.0, 600.0, 500.0])
+RADIUS = np.array([4.0 * 13.5 / 17.5, *[13.5 * 5.0 / 18.5] * 2, *[5.0 * 40.0 / 35.0] * 2]) * 1e-3
+LENGTH, MODULUS, FRICTION = 5e-3, 206e9 / (2.0 * 0.91), 0.12
+WIDTH = np.sqrt(4.0 * NORMAL * RADIUS / (math.pi * LENGTH * MODULUS))
+KAPPA = 2.0 * 0.7 / 1.7  # tangential over normal stiffness of the asperities (Mindlin)
+CARTER = FRICTION * WIDTH / RADIUS  # creepage at gross slip
+
+
+@pytest.fixture(scope="module")
+def creep(paper_joint):
+    def of(stiffness, skew=None, slip_ratio=0.4, crown=None):
+        crowned = {} if crown is None else {"drive__planet_crown_radius": 1.0 / crown}
+        return contact_creep(
+            contacts=joint_contacts(paper_joint(**crowned)),
+            skew=skew,
+            normal_force=jnp.asarray(NORMAL),
+            tangential_force=jnp.asarray(slip_ratio * FRICTION * NORMAL),
+            asperity_normal_stiffness=None if stiffness is None else jnp.full(5, stiffness),
+        )
+
+    return of
+
+
+def test_stiff_asperities_leave_carters_creep(creep):
+    found = creep(1e20)
+    np.testing.assert_allclose(found.layer_factor, 1.0, rtol=1e-6)
+    np.testing.assert_allclose(found.law.gross_slip_scale * np.sqrt(NORMAL), CARTER, rtol=1e-6)
+    np.testing.assert_array_equal(found.skew_factor, 1.0)
+    assert found.parallel
+    assert found.crown_factor is None
+
+
+def test_ratio_of_the_layer(creep):
+    """u_0 R/a^2 with u_0 = N/K_n and Hertz's half-width."""
+    stiffness = 3e9
+    found = creep(stiffness)
+    np.testing.assert_allclose(found.layer_ratio, NORMAL / stiffness * RADIUS / WIDTH**2, rtol=1e-12)
+    factor = layer_creepage_factor(layer_ratio=found.layer_ratio, slip_ratio=0.4, stiffness_ratio=KAPPA)
+    np.testing.assert_allclose(found.layer_factor, factor, rtol=1e-12)
+    # a soft layer makes the strip creep more
+    assert np.all(np.asarray(creep(3e8).layer_factor) > np.asarray(found.layer_factor))
+
+
+@pytest.mark.parametrize("skew", [None, (5e-4,)])
+def test_the_law_grows_as_the_law_around_neighbouring_forces(creep, skew):
+    """Of the first order: taken at 0.4 of friction, it misses the law of 0.4 + d by d squared."""
+    found = creep(1e9, skew=skew)
+    misses = []
+    for d in (0.04, 0.02):
+        there = creep(1e9, skew=skew, slip_ratio=0.4 + d).law
+        force = {"normal": NORMAL, "tangential": (0.4 + d) * FRICTION * NORMAL}
+        misses.append(creepages(law=found.law, **force) / creepages(law=there, **force) - 1.0)
+    np.testing.assert_allclose(np.abs(misses[1]), 0.0, atol=2e-4)
+    np.testing.assert_allclose(misses[0] / misses[1], 4.0, rtol=0.1)
+    for q in (0.0, 1.5):  # around rest, and around a contact that slides while the drive stands
+        assert np.all(np.isfinite(creep(1e9, skew=skew, slip_ratio=q).law.growth))
+
+
+def test_stiffness_of_the_contact_law_where_none_is_given(creep, paper_joint):
+    rough = rough_joint_contacts(
+        contacts=joint_contacts(paper_joint()),
+        normal_force=jnp.asarray(NORMAL),
+        tangential_force=jnp.zeros(5),
+    )
+    found = creep(None)
+    np.testing.assert_allclose(
+        found.layer_ratio, math.pi * MODULUS * LENGTH / (4.0 * rough.normal_stiffness), rtol=1e-12
+    )
+
+
+def test_contacts_without_an_elastic_spot_have_no_creep(creep):
+    assert np.all(np.isnan(np.asarray(creep(0.0).law.gross_slip_scale)))
+
+
+def test_skew_adds_creep_and_takes_friction(creep):
+    """Small angles: friction acts along the creepage's direction, so that the axial force grows in proportion."""
+    stiff = {"friction_coefficient": FRICTION, "width_over_radius": WIDTH / RADIUS}
+    parallel = creep(1e20)
+    along = 0.4 * jnp.asarray(CARTER)
+    np.testing.assert_array_equal(lateral_slip_ratio(creep=parallel, creepage=along, **stiff), 0.0)
+    np.testing.assert_array_equal(capacity_loss(creep=parallel, **stiff), 0.0)
+    little, twice = (creep(1e20, skew=(angle,)) for angle in (1e-6, 2e-6))
+    assert not little.parallel
+    first, second = (lateral_slip_ratio(creep=skewed, creepage=along, **stiff) for skewed in (little, twice))
+    lost = capacity_loss(creep=little, **stiff)
+    np.testing.assert_allclose(np.asarray(second) / np.asarray(first), 2.0, rtol=1e-3)
+    assert np.all(np.asarray(lost) >= 0.0)
+    assert np.all(np.asarray(lost) < 1e-3)
+    strong = creep(1e20, skew=(5e-3,))
+    assert np.all(np.asarray(strong.skew_factor) > 1.0)
+
+
+def test_skewed_contacts_on_a_soft_layer_carry_their_force(creep):
+    """The law's creepage gives back the slip ratio; bodies are softer across in the ratio 1/(1 - nu)."""
+    q, skew = 0.4, 5e-4
+    found = creep(3e9, skew=(skew,))
+    layer, elastic = np.asarray(found.layer_factor), 1.0 / 0.7
+    softer = layer_creepage_factor(
+        layer_ratio=found.layer_ratio, slip_ratio=q, stiffness_ratio=KAPPA * elastic
+    )
+    lateral = elastic * softer / layer
+    np.testing.assert_allclose(found.lateral_ratio, lateral, rtol=1e-12)
+    along = carter.creepage(slip_ratio=q, gross_slip_creepage=found.law.gross_slip_scale * np.sqrt(NORMAL))
+    ratio, _ = skewed_slip_ratios(
+        longitudinal_creepage=along,
+        lateral_creepage=skew,
+        gross_slip_creepage=CARTER * layer,
+        lateral_gross_slip_creepage=CARTER * layer * lateral,
+    )
+    np.testing.assert_allclose(ratio, q, rtol=1e-9)
+    np.testing.assert_allclose(
+        found.law.gross_slip_scale * np.sqrt(NORMAL), CARTER * layer * found.skew_factor, rtol=1e-12
+    )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("crown", [None, 2.0])
+def test_what_skew_takes_by_its_own_formulas(creep, crown):
+    """z = gamma/xi_y,max leaves sqrt((1 - z^2)/(1 - z^2 + rho z^2)) at gross slip, with rho = xi_y,max/xi_x,max."""
+    skew = 1e-3
+    found = creep(3e9, skew=(skew,), crown=crown)
+    limit = CARTER * np.asarray(found.layer_factor)
+    limit = limit if crown is None else limit * np.asarray(found.crown_factor)
+    ratio = np.asarray(found.lateral_ratio)
+    zeta = skew / (limit * ratio)
+    given = {"friction_coefficient": FRICTION, "width_over_radius": WIDTH / RADIUS}
+    left = np.sqrt((1.0 - zeta**2) / (1.0 - zeta**2 + ratio * zeta**2))
+    np.testing.assert_allclose(capacity_loss(creep=found, **given), 1.0 - left, rtol=1e-9)
+    assert np.all(left < 0.99)
+    along = 0.3 * limit
+    length = np.hypot(0.3, zeta)
+    turned = zeta * ratio ** (length / (4.0 - 2.0 * length))
+    expected = (1.0 - (1.0 - length) ** 2) * turned / np.hypot(0.3, turned)
+    lateral = lateral_slip_ratio(creep=found, creepage=jnp.asarray(along), **given)
+    np.testing.assert_allclose(lateral, expected, rtol=1e-9)
+
+
+@pytest.mark.slow
+def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
+    """Smooth: where Carter's slices carry 0.4 of friction, by bisection. Rough: the even contacts as before."""
+    q, crown = 0.4, 2.0
+    found = creep(1.0, crown=crown)  # the asperities of every slice are those of its load
+    joint = paper_joint(drive__planet_crown_radius=1.0 / crown)
+    contacts = joint_contacts(joint)
+    lines = contacts.loads_along(jnp.asarray(NORMAL))
+    load = np.asarray(lines.line_load * lines.length_share) * LENGTH
+    limit = FRICTION * np.asarray(lines.half_width) / RADIUS
+    for place in range(5):
+        share, at_slip = load[:, place] / NORMAL[place], limit[:, place]
+
+        def missing(xi, share=share, at_slip=at_slip):
+            return np.sum(share * (1.0 - np.maximum(1.0 - xi / at_slip, 0.0) ** 2)) - q
+
+        even = CARTER[place] * (1.0 - math.sqrt(1.0 - q))
+        expected = brentq(missing, 0.0, at_slip.max(), rtol=1e-13) / even
+        assert float(found.crown_factor[place]) == pytest.approx(expected, rel=1e-8)
+    assert float(found.crown_factor[0]) > 1.01  # narrower on average
+    rough = rough_slices(
+        pairs=contacts.pairs,
+        model=contacts.contact_factor_model,
+        lines=lines,
+        normal_force=jnp.asarray(NORMAL),
+        tangential_force=jnp.zeros(5),
+    ).normal_stiffness[0]
+    for place in (3, 4):
+        even = creep(float(rough[place])).layer_factor[place]
+        assert even > 1.01
+        assert float(found.layer_factor[place]) == pytest.approx(float(even), rel=1e-9)
+    scale = CARTER * np.asarray(found.crown_factor * found.layer_factor)
+    np.testing.assert_allclose(found.law.gross_slip_scale * np.sqrt(NORMAL), scale, rtol=1e-9)

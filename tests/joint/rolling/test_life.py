@@ -1,0 +1,123 @@
+"""Lives of tracks, bodies and drive, by counting every body of the drive one by one."""
+
+from types import SimpleNamespace
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
+from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.rolling.life import cycle_rates, drive_lives, failure_shares, track_lives
+
+#: The paper's drive.
+WEDGE_DRIVE = BodiesOfContacts(
+    names=("sun", "planet", "right", "left", "ring"),
+    shared=(True, False, False, False, True),
+    driving=(0, 1, 1, 2, 3),
+    driven=(1, 2, 3, 4, 4),
+)
+SLOPE = 10.0 / 9.0  # Lundberg and Palmgren 1947, line contact
+TRACKS = np.array([[3.0, 5.0, 7.0, 11.0, 13.0], [17.0, 19.0, 23.0, 29.0, 31.0]])
+#: The bodies of a drive of two planets with their tracks: (side, contact) of the first branch and of the second.
+BODIES = {
+    "sun": [(0, 0)] * 2,
+    "planet": [(1, 0), (0, 1), (0, 2)],
+    "right": [(1, 1), (0, 3)],
+    "left": [(1, 2), (0, 4)],
+    "ring": [(1, 3), (1, 4)] * 2,
+}
+
+
+def life(lives):
+    return sum(each**-SLOPE for each in lives) ** (-1.0 / SLOPE)
+
+
+def test_bodies_and_drive_fail_with_the_first_of_their_tracks():
+    """A track of the sun is one track, however many planets roll on it."""
+    found = drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(TRACKS), planet_count=2.0)
+    own = {name: [TRACKS[place] for place in dict.fromkeys(tracks)] for name, tracks in BODIES.items()}
+    np.testing.assert_allclose(found.body, [life(each) for each in own.values()], rtol=1e-12)
+    every = own["sun"] + 2 * (own["planet"] + own["right"] + own["left"]) + own["ring"]
+    assert float(found.drive) == pytest.approx(life(every), rel=1e-12)
+    contacts = [
+        [TRACKS[0, 0]] + 2 * [TRACKS[1, 0]],
+        2 * [TRACKS[0, 1], TRACKS[1, 1]],
+        2 * [TRACKS[0, 2], TRACKS[1, 2]],
+        2 * [TRACKS[0, 3]] + [TRACKS[1, 3]],
+        2 * [TRACKS[0, 4]] + [TRACKS[1, 4]],
+    ]
+    np.testing.assert_allclose(found.contact, [life(each) for each in contacts], rtol=1e-12)
+
+
+def test_shares_of_the_failures_are_the_slopes_of_the_life():
+    r"""A track's share is :math:`\partial \ln L / \partial \ln L_i`, here by differences."""
+    shares = np.asarray(failure_shares(bodies=WEDGE_DRIVE, tracks=jnp.asarray(TRACKS), planet_count=3.0))
+    assert shares.sum() == pytest.approx(1.0, rel=1e-14)
+    for place in np.ndindex(2, 5):
+        longer, shorter = TRACKS.copy(), TRACKS.copy()
+        longer[place] *= 1.0001
+        shorter[place] /= 1.0001
+        lives = [
+            float(drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(each), planet_count=3.0).drive)
+            for each in (longer, shorter)
+        ]
+        assert np.log(lives[0] / lives[1]) / (2.0 * np.log(1.0001)) == pytest.approx(shares[place], rel=1e-6)
+
+
+def test_a_track_without_stress_never_fails():
+    endless = np.full((2, 5), np.inf)
+    found = drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(endless), planet_count=3.0)
+    assert np.isinf(found.drive)
+    assert np.all(np.isinf(found.body))
+    endless[1, 2] = 4.0
+    assert float(
+        drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(endless), planet_count=3.0).drive
+    ) == pytest.approx(life([4.0] * 3), rel=1e-12)
+
+
+def test_passes_of_a_turning_drive():
+    """A point of the sun meets every planet in a turn against the carrier, a point of a roller each contact once."""
+    body = jnp.array([60.0, 20.0, 10.0, 12.0, 2.0]) * 2.0 * jnp.pi
+    speeds = SimpleNamespace(body=body)
+    found = cycle_rates(bodies=WEDGE_DRIVE, speeds=speeds, planet_count=3.0)
+    np.testing.assert_allclose(found[0], [180.0, 20.0, 20.0, 10.0, 12.0], rtol=1e-14)
+    np.testing.assert_allclose(found[1], [20.0, 10.0, 12.0, 6.0, 6.0], rtol=1e-14)
+
+
+def test_each_track_counts_its_own_stressed_volume():
+    """Track by track from the law of one track; the two bodies of a contact differ by their radii."""
+    radii = (np.array([4e-3, 13.5e-3, 13.5e-3, 5e-3, 5e-3]), np.array([13.5e-3, 5e-3, 5e-3, 40e-3, 40e-3]))
+    width, pressure = np.linspace(6e-5, 1e-4, 5), np.linspace(1e9, 2e9, 5)
+    pairs = SimpleNamespace(radius_1=radii[0], radius_2=radii[1], contact_length=5e-3)
+    found = track_lives(pairs=pairs, half_width=width, peak_pressure=pressure)
+    for side, radius in enumerate(radii):
+        expected = 1e6 * line_contact_life(
+            peak_pressure=pressure,
+            half_width=width,
+            contact_length=5e-3,
+            track_radius=radius,
+            material_constant=BEARING_STEEL,
+        )
+        np.testing.assert_allclose(found[side], expected, rtol=1e-12)
+
+
+def test_contacts_of_all_branches_on_one_track_add_their_damage():
+    """Two branches, each a roller between a sun and a ring: Miner's rule on the tracks of both, Weibull over them."""
+    both = BodiesOfContacts(
+        ("sun", "ring", "roller_1", "roller_2"),
+        (True, True, False, False),
+        (0, 2, 0, 3),
+        (2, 1, 3, 1),
+        sectors=2,
+    )
+    tracks = np.array([[3.0, 5.0, 6.0, 7.0], [4.0, 9.0, 8.0, 18.0]])
+    found = drive_lives(bodies=both, tracks=jnp.asarray(tracks), planet_count=1.0)
+    sun, ring = 1.0 / (1.0 / 3.0 + 1.0 / 6.0), 1.0 / (1.0 / 9.0 + 1.0 / 18.0)
+    own = [life([sun]), life([ring]), life([4.0, 5.0]), life([8.0, 7.0])]
+    np.testing.assert_allclose(found.body, own, rtol=1e-12)
+    assert float(found.drive) == pytest.approx(life([sun, ring, 4.0, 5.0, 8.0, 7.0]), rel=1e-12)
+    shares = np.asarray(failure_shares(bodies=both, tracks=jnp.asarray(tracks), planet_count=1.0))
+    assert shares.sum() == pytest.approx(1.0, rel=1e-14)
+    # both contacts of the sun have half of its share
+    assert shares[0, 0] == shares[0, 2] == pytest.approx(0.5 * (float(found.drive) / sun) ** SLOPE, rel=1e-12)

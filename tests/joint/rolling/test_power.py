@@ -1,0 +1,115 @@
+"""The budget of losses, loss by loss from the powers of single contacts added up by hand."""
+
+import dataclasses
+from types import SimpleNamespace
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.rolling.conditions import PLAIN_ROLLING
+from asperity.rolling.power import rolling_input_torque, rolling_power
+
+NORMAL = jnp.array([1000.0, 660.0, 465.0, 647.0, 449.0])
+TANGENTIAL = jnp.array([46.0, 25.0, 21.0, 25.0, 21.0])
+CREEPAGE = jnp.array([7e-4, 4.6e-4, 3.9e-4, 3.7e-4, 3.1e-4])
+AXIAL, SKEW = jnp.array([40.0, 0.0, 0.0, -10.0, 0.0]), jnp.array([1e-3, 0.0, 0.0, -2e-3, 0.0])
+ROLLING = jnp.array([2.0, 2.0, 2.0, 2.0, 2.0])  # the speed at which every contact rolls [m/s]
+WIDTH = jnp.array([8e-5, 7e-5, 6e-5, 9e-5, 8e-5])
+RADIUS = jnp.array([3e-3, 3.6e-3, 3.6e-3, 5.7e-3, 5.7e-3])
+COUNT, CARRIER, SUN, BEARINGS = 3.0, 60.0, 600.0, 36.0
+
+
+def budget(*, output_torque=5.0, rolling=ROLLING, carrier=CARRIER, **conditions):
+    state = SimpleNamespace(
+        normal=NORMAL,
+        tangential=TANGENTIAL,
+        creepage=CREEPAGE,
+    )
+    speeds = SimpleNamespace(
+        rolling=rolling, body=jnp.array([660.0, 200.0, 540.0, 530.0, 60.0]), output=jnp.asarray(carrier)
+    )
+    return rolling_power(
+        branches=COUNT,
+        pairs=SimpleNamespace(
+            effective_radius=RADIUS, contact_length=5e-3, moduli=SimpleNamespace(contact_modulus=1.13e11)
+        ),
+        conditions=dataclasses.replace(PLAIN_ROLLING, **conditions),
+        state=state,
+        half_width=WIDTH,
+        speeds=speeds,
+        axial_force=AXIAL,
+        lateral_creepage=SKEW,
+        bearing_power=jnp.asarray(BEARINGS),
+        output_torque=output_torque,
+    )
+
+
+def test_creep_and_skew_are_force_times_creepage_times_speed():
+    found = budget()
+    np.testing.assert_allclose(found.creep, COUNT * TANGENTIAL * CREEPAGE * 2.0, rtol=1e-12)
+    np.testing.assert_allclose(found.skew, COUNT * AXIAL * SKEW * 2.0, rtol=1e-12)
+    assert np.all(np.isnan(found.hysteresis))
+    assert np.all(np.isnan(found.oil))
+    np.testing.assert_allclose(found.contact, found.creep + found.skew, rtol=1e-12)
+
+
+def test_hysteresis_and_oil_count_where_they_are_asked_for():
+    """alpha 2 N a V / (3 pi R) (Johnson 1985, section 9.6); the oil by Biboulet and Houpert's force in full."""
+    found = budget(hysteresis_loss_factor=0.01, viscosity=0.03)
+    expected = COUNT * 0.01 * NORMAL * 2.0 * WIDTH * 2.0 / (3.0 * np.pi * RADIUS)
+    np.testing.assert_allclose(found.hysteresis, expected, rtol=1e-12)
+    modulus = 2.0 * 1.13e11
+    speed = 2.0 * 0.03 * 2.0 / (modulus * RADIUS)
+    load = NORMAL / 5e-3 / (modulus * RADIUS)
+    ratio = load / np.sqrt(speed)
+    force = (
+        1.42 * np.sqrt(speed * load) / (1.0 + ((1.4 / 1.45) * np.sqrt(ratio)) ** 10) ** 0.1 * modulus * RADIUS
+    )
+    np.testing.assert_allclose(found.oil, COUNT * 2.0 * force * 5e-3 * 2.0, rtol=1e-12)
+    np.testing.assert_allclose(
+        found.contact, found.creep + found.skew + found.hysteresis + found.oil, rtol=1e-12
+    )
+    assert float(found.loss) == pytest.approx(float(np.sum(found.contact) + found.bearings), rel=1e-12)
+
+
+def test_what_enters_is_what_leaves_and_the_losses():
+    for torque in (5.0, -5.0):
+        found = budget(output_torque=torque)
+        assert float(found.input) == pytest.approx(float(found.output + found.loss), rel=1e-12)
+        assert float(found.efficiency) == pytest.approx(float(found.output / found.input), rel=1e-12)
+    assert float(budget().output) == pytest.approx(5.0 * CARRIER, rel=1e-12)
+    assert float(budget(output_torque=-5.0).input) == pytest.approx(5.0 * CARRIER, rel=1e-12)
+
+
+def test_a_torque_that_drives_less_than_the_losses_leaves_nothing():
+    losses = float(budget().loss)
+    found = budget(output_torque=-0.5 * losses / CARRIER)
+    assert np.isnan(found.output)
+    assert np.isnan(found.efficiency)
+    assert float(budget(output_torque=-2.0 * losses / CARRIER).efficiency) == pytest.approx(0.5, rel=1e-9)
+
+
+def test_oil_of_a_contact_that_stands_or_is_open_takes_no_power():
+    standing = budget(rolling=ROLLING.at[1].set(0.0), viscosity=0.03)
+    assert float(standing.oil[1]) == 0.0
+    assert np.all(np.asarray(standing.oil)[[0, 2, 3, 4]] > 0.0)
+
+
+def test_the_motor_feeds_or_is_fed_all_that_passes_the_input():
+    """Power at the input over its speed, of either sign; a torque too small to drive the losses needs the motor."""
+    for output_torque, sign in ((5.0, 1.0), (-5.0, -1.0)):
+        power = budget(output_torque=output_torque)
+        at_input = power.input if sign > 0.0 else power.output
+        found = rolling_input_torque(
+            power=power, output_torque=output_torque, output_speed=-CARRIER, input_speed=SUN
+        )
+        assert float(found) == pytest.approx(sign * float(at_input) / SUN, rel=1e-12)
+    weak = -0.01
+    power = budget(output_torque=weak)
+    assert np.isnan(power.output)
+    speeds = {"output_speed": CARRIER, "input_speed": SUN}
+    found = rolling_input_torque(power=power, output_torque=weak, **speeds)
+    assert float(found) == pytest.approx((float(power.loss) - 0.01 * CARRIER) / SUN, rel=1e-12)
+    still = rolling_input_torque(power=power, output_torque=5.0, output_speed=0.0, input_speed=0.0)
+    assert np.isnan(still)

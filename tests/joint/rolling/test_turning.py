@@ -1,0 +1,44 @@
+"""A joint that turns: the sense of its forces by hand, and rolling at a stated torque and speed."""
+
+import dataclasses
+
+import jax
+import numpy as np
+import pytest
+
+from asperity.drive.layout.drives import planetary_drive, two_row_multiroller
+from asperity.joint.description import joint_contacts
+from asperity.joint.evaluation import evaluate, laws_and_states
+from asperity.joint.loading_cam import Pressed
+from asperity.rolling.turning import driving_sense, rolling_at
+
+
+def test_rollers_between_sun_and_ring_turn_against_the_sun():
+    """Relative to the carrier each roller turns against its neighbour outside it, and like the ring around it."""
+    planetary = planetary_drive(
+        sun_radius=np.asarray(10e-3), planet_radius=np.asarray(20e-3), planet_count=np.asarray(3.0)
+    )
+    np.testing.assert_array_equal(driving_sense(planetary), [1.0, -1.0])
+    two_rows = two_row_multiroller(
+        sun_radius=np.asarray(12e-3),
+        first_row_radii=(np.asarray(14e-3), np.asarray(7e-3)),
+        second_row_radii=(np.asarray(21e-3), np.asarray(9.4e-3)),
+        roller_count=np.asarray(4.0),
+    )
+    np.testing.assert_array_equal(driving_sense(two_rows), [1.0, -1.0, -1.0, 1.0])
+
+
+@pytest.mark.long
+def test_rolling_at_another_torque_is_that_of_a_joint_with_this_torque(planar_joint):
+    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint("planetary"))
+
+    def both(torque, speed):
+        laws, states = laws_and_states(joint)
+        rolled = rolling_at(joint, joint_contacts(joint), Pressed(laws, states.rest))
+        there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
+        return rolled(torque, speed), evaluate(there).rolling
+
+    found, expected = jax.jit(both)(4.0, 50.0)
+    for name in ("tangential", "creepage", "speed_loss", "flash_temperature"):
+        np.testing.assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-9)
+    assert float(expected.speed_loss) > 0.0

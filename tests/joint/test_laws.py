@@ -1,0 +1,172 @@
+"""Laws of the contacts of a planar joint: the force that an interference makes, and what turns with the carrier."""
+
+import dataclasses
+import math
+from types import SimpleNamespace
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from asperity.contact.crowned_line import crown_compression
+from asperity.drive.mechanism import NormalSprings, whole_approach
+from asperity.drive.state.creep import creepages
+from asperity.joint.contacts import rough_joint_contacts
+from asperity.joint.description import body_masses, joint_contacts
+from asperity.joint.laws import _approach, _expected_preload, contact_laws, creep_law, drive_load
+
+YOUNG, POISSON, LENGTH = 203e9, 0.29, 10e-3  # of the example
+SPRINGS = {
+    'bodies = "exact"': 'bodies = "springs"',
+    'plane_state = "plane_strain"': "",
+    'ring_support = "free"': "",
+}
+
+
+def test_reference_force_of_an_interference(planar_joint):
+    """30 um are the compressions of both contacts: two cylinders, and a cylinder against a wall of 8 mm."""
+    unit, modulus = (1.0 - POISSON**2) / (math.pi * YOUNG * LENGTH), YOUNG / (2.0 * (1.0 - POISSON**2))
+
+    def compression(force):
+        one, two = (
+            math.sqrt(4.0 * force * radius / (math.pi * LENGTH * modulus))
+            for radius in (20e-3 / 3.0, 100e-3 / 3.0)
+        )
+        sun = sum(2.0 * math.log(4.0 * radius / one) - 1.0 for radius in (10e-3, 20e-3))
+        planet = 2.0 * math.log(4.0 * 20e-3 / two) - 1.0
+        ring = 2.0 * (math.log(2.0 * 8e-3 / two) - POISSON / (2.0 * (1.0 - POISSON)))
+        return force * unit * (sun + planet + ring)
+
+    joint = planar_joint("planetary", SPRINGS)
+    laws = contact_laws(joint, joint_contacts(joint))
+    expected = brentq(lambda force: compression(force) - 30e-6, 10.0, 1e6)
+    np.testing.assert_allclose(laws.reference_force, expected, rtol=1e-3)
+    assert laws.coupling is None
+    force = float(laws.reference_force[0])
+    secants = np.asarray(laws.springs.secant_compliance)
+    assert force * secants.sum() == pytest.approx(compression(force), rel=1e-12)
+
+
+@pytest.mark.slow
+def test_crowns_take_from_the_force_of_an_interference(planar_joint):
+    """30 um are the approaches of both contacts, that of the crowned planet's track included."""
+    crown = {'contact_length = "10 mm"': 'planet_crown_radius = "1 m"\ncontact_length = "10 mm"'}
+    even, joint = planar_joint("planetary", SPRINGS), planar_joint("planetary", SPRINGS | crown)
+    laws = contact_laws(joint, joint_contacts(joint))
+    force = float(laws.reference_force[0])
+    np.testing.assert_allclose(laws.reference_force, force, rtol=1e-12)
+    of_cylinders = contact_laws(
+        dataclasses.replace(even, interference=None, preload=force), joint_contacts(even)
+    )
+    approach = force * float(np.sum(of_cylinders.springs.secant_compliance))
+    approach += sum(
+        float(
+            crown_compression(
+                normal_force=force,
+                crown_curvature=1.0,
+                contact_length=LENGTH,
+                effective_radius=radius,
+                contact_modulus=YOUNG / (2.0 * (1.0 - POISSON**2)),
+            )
+        )
+        for radius in (20e-3 / 3.0, 100e-3 / 3.0)
+    )
+    assert approach == pytest.approx(30e-6, rel=1e-3)
+    found = whole_approach(
+        springs=laws.springs, normal_force=laws.reference_force, rest_force=laws.reference_force
+    )
+    assert float(jnp.sum(found)) == pytest.approx(approach, rel=1e-12)
+
+
+def test_a_given_preload_is_the_reference(planar_joint):
+    joint = planar_joint("planetary", SPRINGS | {'interference = "30 um"': 'preload = "700 N"'})
+    laws = contact_laws(joint, joint_contacts(joint))
+    np.testing.assert_allclose(laws.reference_force, 700.0, rtol=1e-12)
+    rough = rough_joint_contacts(
+        contacts=joint_contacts(joint), normal_force=jnp.full(2, 700.0), tangential_force=jnp.zeros(2)
+    )
+    np.testing.assert_allclose(laws.asperity_compliance * rough.tangential_stiffness, 1.0, rtol=1e-12)
+
+
+def test_springs_and_coupling_of_exact_bodies(planar_joint, monkeypatch):
+    """Half-widths grow with the root of the force: of each body an e-fold takes (1 - nu^2)/(pi E L)."""
+    joint = planar_joint("planetary")
+    whole = 1e-9 * jnp.array(
+        [[3.0, 0.5, 9.0, 9.0], [0.5, 4.0, 9.0, 9.0], [9.0, 9.0, 9.0, 9.0], [9.0, 9.0, 9.0, 9.0]]
+    )
+    monkeypatch.setattr("asperity.joint.laws.body_compliance", lambda **_: whole)
+    springs, coupling = _approach(joint, joint_contacts(joint), jnp.full(2, 700.0))
+    fall = 2.0 * (1.0 - POISSON**2) / (math.pi * YOUNG * LENGTH)
+    np.testing.assert_allclose(springs.incremental_compliance, [3e-9, 4e-9], rtol=1e-12)
+    np.testing.assert_allclose(springs.secant_compliance, [3e-9 + fall, 4e-9 + fall], rtol=1e-9)
+    np.testing.assert_allclose(coupling, [[0.0, 0.5e-9], [0.5e-9, 0.0]], rtol=1e-12, atol=1e-24)
+
+
+@pytest.mark.parametrize("coupled", [False, True])
+def test_unlike_forces_do_the_work_of_the_interference(monkeypatch, coupled):
+    """Made-up springs whose secants fall with the logarithm of the force: the root of the work, by Brent's method."""
+    forces, pattern = np.array([1.0, 0.6, 0.6, 0.8]), np.array([0.0, 0.0, 0.0, 1.0])
+    at_one, fall = np.array([1.1e-8, 1.3e-8, 1.2e-8, 1e-8]), 3e-10
+    between = 5e-10 * (np.ones((4, 4)) - np.eye(4)) if coupled else None
+
+    def approach(joint, contacts, force):
+        secant = at_one - fall * jnp.log(force)
+        return NormalSprings(secant_compliance=secant, incremental_compliance=secant - fall), between
+
+    monkeypatch.setattr("asperity.joint.laws._approach", approach)
+    joint = SimpleNamespace(
+        materials=(SimpleNamespace(youngs_modulus=YOUNG),),
+        interference=40e-6,
+        working_pattern=pattern,
+        ring_bending_stiffness=None,
+    )
+    contacts = SimpleNamespace(pairs=SimpleNamespace(contact_length=np.full(4, LENGTH)), crown_curvature=None)
+
+    def left(preload):
+        compressed = preload * forces * (at_one - fall * np.log(preload * forces))
+        if between is not None:
+            compressed = compressed + between @ (preload * forces)
+        return forces @ compressed - 40e-6 * (pattern @ forces)
+
+    expected = brentq(left, 10.0, 1e5)
+    assert float(_expected_preload(joint, contacts, jnp.asarray(forces))) == pytest.approx(expected, rel=1e-5)
+
+
+def test_creep_of_skewed_contacts_by_hand(planar_joint):
+    """(B3): creepages over those of gross slip are a vector z, and 1 - (1 - z)^2 of friction acts nearly along it."""
+    skewed = {"[lubrication]": '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\n\n[lubrication]'}
+    joint = planar_joint("planetary", SPRINGS | skewed)
+    normal, friction = np.array([3000.0, 3000.0]), 0.08
+    tangential = 0.25 * friction * normal
+    found = creep_law(joint, joint_contacts(joint), normal, tangential)
+    creepage = np.asarray(creepages(law=found.law, normal=normal, tangential=tangential))
+    modulus = YOUNG / (2.0 * (1.0 - POISSON**2))
+    for k, (angle, radius) in enumerate(((0.5e-3, 20e-3 / 3.0), (-0.8e-3, 100e-3 / 3.0))):
+        width = math.sqrt(4.0 * normal[k] * radius / (math.pi * LENGTH * modulus))
+        smooth, asperities = friction * width / radius, float(found.layer_factor[k])
+        # across, the bodies are softer; of the asperities only the sideways part counts as along
+        most = smooth * np.array([asperities, asperities * float(found.lateral_ratio[k])])
+        assert 1.0 < float(found.lateral_ratio[k]) < 1.0 / (1.0 - POISSON)
+
+        def along(x, angle=angle, most=most):
+            vector = np.array([x, angle]) / most
+            share = np.hypot(*vector)
+            turned = vector[0], vector[1] * (most[1] / most[0]) ** (share / (4.0 - 2.0 * share))
+            return (1.0 - (1.0 - share) ** 2) * turned[0] / np.hypot(*turned)
+
+        expected = brentq(lambda x, along=along: along(x) - 0.25, 0.0, 0.5 * most[0])
+        assert expected / most[0] > 1.03 * (1.0 - math.sqrt(0.75))
+        assert creepage[k] == pytest.approx(expected, rel=5e-3)
+
+
+def test_centrifugal_force_and_pin(planar_joint):
+    """m omega^2 r outwards at 1500 rpm over the ratio 6; the pin is the reciprocal of its stiffness."""
+    joint = dataclasses.replace(planar_joint("planetary"), pin_stiffness=1e8)
+    load = drive_load(joint, body_masses(joint), 7.0)
+    mass, omega = 7833.0 * math.pi * 20e-3**2 * LENGTH, 1500.0 * math.pi / 30.0 / 6.0
+    np.testing.assert_allclose(load.body_force, [[0.0, mass * omega**2 * 30e-3]], rtol=1e-12, atol=1e-12)
+    assert float(load.pin_compliance) == pytest.approx(1e-8)
+    assert float(load.output_torque) == 7.0
+    rigid = drive_load(planar_joint("planetary"), body_masses(joint), 7.0)
+    assert float(rigid.pin_compliance) == 0.0

@@ -1,0 +1,138 @@
+"""Dynamics of the paper's joint: its own stiffness, creep and masses by hand."""
+
+import dataclasses
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.errors import AsperityError
+from asperity.joint.solve import solve_joint
+from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
+from asperity.joint_file.build import joint_from_case
+from asperity.windup.dynamics import Inertias, _over_torque, dynamics
+
+COUPLED = Inertias(2e-6, 0.05, 0.02)
+
+
+@pytest.fixture(scope="module")
+def found(paper_joint):
+    return dynamics(paper_joint(), COUPLED)
+
+
+@pytest.mark.slow
+def test_inertias_by_hand(found):
+    """Steel cylinders of 5 mm: sun 4, planets 13.5, rollers 5 mm; the ratio is 9."""
+    mass = {r: 7850.0 * math.pi * r**2 * 5e-3 for r in (4e-3, 13.5e-3, 5e-3)}
+    sun = 0.5 * mass[4e-3] * 4e-3**2
+    assert float(found.at_torque.input_inertia) == pytest.approx(81.0 * (2e-6 + sun), rel=1e-12)
+    planet = mass[13.5e-3] * (17.5e-3**2 + 0.5 * 13.5e-3**2 * (40 / 13.5 + 1) ** 2)
+    roller = mass[5e-3] * (35e-3**2 + 0.5 * 5e-3**2 * 7.0**2)
+    assert float(found.at_torque.output_inertia) == pytest.approx(0.05 + 3 * (planet + 2 * roller), rel=1e-12)
+
+
+@pytest.mark.slow
+def test_stiffness_and_frequency_are_those_of_the_solved_joint(paper_joint, found):
+    k = float(solve_joint(paper_joint()).result.assembly.stiffness.output)
+    assert float(found.at_torque.stiffness) == pytest.approx(k, rel=1e-9)
+    at = found.at_torque
+    assert float(at.locked_frequency) == pytest.approx(
+        math.sqrt(k / at.output_inertia) / (2 * math.pi), rel=1e-9
+    )
+    both = 1.0 / float(at.input_inertia) + 1.0 / float(at.output_inertia)
+    assert float(at.free_frequency) == pytest.approx(math.sqrt(k * both) / (2 * math.pi), rel=1e-9)
+
+
+@pytest.mark.slow
+def test_creep_damping_is_the_slope_of_the_lost_speed(paper_joint, found):
+    torques = np.array([4.999, 5.001])
+    lost = [
+        float(solve_joint(paper_joint(output_torque=t)).result.rolling.speed_loss) * 6000 * math.pi / 30 / 9
+        for t in torques
+    ]
+    by_difference = np.diff(torques)[0] / (lost[1] - lost[0])
+    assert float(found.at_torque.creep_damping) == pytest.approx(by_difference, rel=1e-6)
+    corner = float(found.at_torque.stiffness) / by_difference / (2 * math.pi)
+    assert float(found.at_torque.corner_frequency) == pytest.approx(corner, rel=1e-6)
+
+
+@pytest.mark.slow
+def test_a_joint_that_stands_has_no_creep(paper_joint):
+    found = dynamics(paper_joint(sun_speed=0.0), COUPLED)
+    assert np.isinf(found.at_torque.creep_damping)
+    assert float(found.at_torque.corner_frequency) == 0.0
+    np.testing.assert_array_equal(found.turning_load, found.standing_load)
+
+
+@pytest.mark.slow
+def test_over_torque_up_to_nearly_the_capacity(paper_joint, found):
+    over = found.over_torque
+    assert over.output_torque[0] == 0.0
+    capacity = float(solve_joint(paper_joint()).capacity.output_torque)
+    assert over.output_torque[-1] == pytest.approx(0.98 * capacity, rel=1e-9)
+    assert np.all(np.diff(over.locked_frequency) < 0.0)
+    reverse = dynamics(dataclasses.replace(paper_joint(), output_torque=np.asarray(-5.0)), COUPLED)
+    assert reverse.over_torque.output_torque[-1] < 0.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("torque", "limit", "kind", "largest"),
+    [
+        (5.0, 10.0, "gross_slip", 9.8),
+        (-5.0, 10.0, "gross_slip", -6.86),
+        (5.0, math.inf, "none", 5.0),
+        (5.0, 2e4, MODEL_LIMITS[0], 10.0),
+        (5.0, 6.0, MODEL_LIMITS[0], 5.88),
+    ],
+)
+def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
+    paper_joint, monkeypatch, torque, limit, kind, largest
+):
+    """At 98 % of 10 N·m forwards or of 7 N·m backwards, at the torque itself, or at twice where only the model ends."""
+    limits = {"capacity": limit, "reverse_capacity": 7.0}
+    known = {
+        name: SimpleNamespace(output_torque=value, limit=LIMIT_KINDS.index(kind))
+        for name, value in limits.items()
+    }
+    solution = SimpleNamespace(result=solve_joint(paper_joint()).result, **known)
+    monkeypatch.setattr("asperity.windup.dynamics.solve_joint", lambda joint: solution)
+    found = dynamics(paper_joint(output_torque=torque), COUPLED)
+    assert float(found.over_torque.output_torque[-1]) == pytest.approx(largest, rel=1e-12)
+    assert float(found.at_torque.output_torque) == torque
+
+
+@pytest.mark.slow
+def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monkeypatch):
+    """A share of 2e-3 and 0 of 1500 rpm over 6 for each N·m; nan where a contact slips, infinite without creep."""
+    made_up = SimpleNamespace(
+        solved=np.array([True, True, False]),
+        assembly=np.array([[9000.0, 1.0], [8000.0, 1.0], [7000.0, 1.0]]),
+        lost_speed_slope=np.array([2e-3, 0.0, 2e-3]),
+    )
+    monkeypatch.setattr("asperity.windup.dynamics.over_torque", lambda *_, **__: made_up)
+    monkeypatch.setattr("asperity.windup.dynamics.joint_inertias", lambda _: (1e-6, 0.01))
+    found = _over_torque(joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0]))
+    lost = 2e-3 * 1500.0 * math.pi / 30.0 / 6.0
+    np.testing.assert_allclose(found.creep_damping, [1.0 / lost, math.inf, 1.0 / lost], rtol=1e-12)
+    np.testing.assert_allclose(found.stiffness, [9000.0, 8000.0, math.nan], rtol=1e-12)
+    corner = 9000.0 * lost / (2.0 * math.pi)
+    np.testing.assert_allclose(found.corner_frequency, [corner, 0.0, math.nan], rtol=1e-12)
+    np.testing.assert_allclose(found.input_inertia, 36.0 * (2e-6 + 1e-6), rtol=1e-12)
+    np.testing.assert_allclose(found.output_inertia, 0.05 + 0.01, rtol=1e-12)
+
+
+@pytest.mark.slow
+def test_far_below_the_resonance_two_masses_move_as_one(found):
+    assert np.angle(complex(found.standing_motor[0]), deg=True) % 360.0 == pytest.approx(180.0, abs=0.1)
+    slow = abs(complex(found.standing_load[0])) * (2 * math.pi * float(found.frequency[0])) ** 2
+    both = float(found.at_torque.input_inertia + found.at_torque.output_inertia)
+    assert slow * both == pytest.approx(1.0, rel=1e-3)
+    assert found.over_torque.locked_frequency.shape == (25,)
+
+
+@pytest.mark.slow
+def test_a_joint_that_slips_is_refused(paper_joint):
+    with pytest.raises(AsperityError, match="beyond the torque capacity"):
+        dynamics(paper_joint(output_torque=50.0), COUPLED)
