@@ -15,11 +15,21 @@ import pytest
 import asperity.body
 import asperity.contact
 import asperity.drive
+import asperity.drive.stiffness
+import asperity.drive.structure
+import asperity.drive.wedge
 import asperity.materials
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
-FORMULA_ROOMS = (asperity.body, asperity.contact, asperity.drive)
+FORMULA_ROOMS = (
+    asperity.body,
+    asperity.contact,
+    asperity.drive,
+    asperity.drive.stiffness,
+    asperity.drive.structure,
+    asperity.drive.wedge,
+)
 #: Equations of the paper, and our own: how many of each letter.
 OURS = {"A": 9, "B": 12, "D": 3, "E": 4, "L": 3, "M": 4}
 NUMBERS = {str(n) for n in range(1, 31)} | {
@@ -30,7 +40,8 @@ NUMBERS = {str(n) for n in range(1, 31)} | {
 def _formula_modules():
     for room in FORMULA_ROOMS:
         for module in pkgutil.iter_modules(room.__path__, f"{room.__name__}."):
-            yield importlib.import_module(module.name)
+            if not module.ispkg:
+                yield importlib.import_module(module.name)
     yield asperity.materials
 
 

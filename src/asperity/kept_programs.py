@@ -145,20 +145,7 @@ def _load_lapack() -> None:
 
 
 def kept(request: Request, choices: Choices) -> KeptProgram | None:
-    """The machine code of a program, if an earlier process has kept it.
-
-    Parameters
-    ----------
-    request : Request
-        The program.
-    choices : tuple of dict
-        Options of XLA.
-
-    Returns
-    -------
-    KeptProgram or None
-        None where there is none that can be read, or no cache.
-    """
+    """The machine code of a program, if an earlier process has kept it."""
     file = _file(request, choices)
     if file is None:
         return None
@@ -184,23 +171,7 @@ def kept(request: Request, choices: Choices) -> KeptProgram | None:
 
 
 def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> None:
-    """Keep the machine code of a program for the next process.
-
-    Parameters
-    ----------
-    request : Request
-        The program.
-    choices : tuple of dict
-        Options of XLA.
-    compiled : jax.stages.Compiled
-        What XLA made of it with these, outside JAX's cache.
-    results : object
-        What it returns, each leaf with its ``shape`` and ``dtype``.
-
-    Notes
-    -----
-    It does nothing where there is no cache, or where the program cannot be stored.
-    """
+    """Keep the machine code of a program for the next process."""
     file = _file(request, choices)
     if file is None:
         return

@@ -20,22 +20,7 @@ from asperity.joint.description import Joint
 def with_duty(
     found: UnequalBranches, joint: Joint, working: Callable[[Any], BranchState | None]
 ) -> UnequalBranches:
-    """Branches with their states under the loads of a duty.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches under the joint's torque.
-    joint : Joint
-        The joint.
-    working : callable
-        The state in which they work in a joint under another torque and speed.
-
-    Returns
-    -------
-    UnequalBranches
-        None for a load that they do not carry, or under which they do not roll.
-    """
+    """Branches with their states under the loads of a duty."""
     states: list[BranchState | None] = []
     speed = "input_speed"
     rolling = dataclasses.replace(joint.rolling, duty=())
@@ -49,25 +34,7 @@ def with_duty(
 
 
 def branch_bearing_lives(joint: Joint, branches: UnequalBranches) -> BearingLives:
-    """Lives, static safeties and load ratios of the bearings of one joint whose branches differ.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    branches : UnequalBranches
-        Its branches.
-
-    Returns
-    -------
-    BearingLives
-        Of the pins those of the branch that loads them most; of the two on the axis with the whole force that the
-        branches leave on the member, added to the force from outside as if both acted in one direction.
-
-    References
-    ----------
-    Equations (I4) and (L2) of :doc:`/equations`.
-    """
+    """Lives, static safeties and load ratios of the bearings of one joint whose branches differ."""
     names = joint.bearing_names
 
     def state(found: BranchState | None) -> BearingState:

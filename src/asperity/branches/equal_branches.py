@@ -65,24 +65,7 @@ def solve_equal_branches(joint: Joint) -> tuple[Solution, bool]:
 
 
 def without_state(solution: Solution, output_torque: float, own: UnequalBranches) -> Solution:
-    """A solution of equal branches under a torque that only a joint's own branches carry.
-
-    Parameters
-    ----------
-    solution : Solution
-        What a joint does under a smaller torque.
-    output_torque : float
-        Its own torque, which equal branches do not carry [N·m].
-    own : UnequalBranches
-        What its own branches do under it.
-
-    Returns
-    -------
-    Solution
-        Geometry, masses, the state without torque and the capacities; of its own branches, where they have a state, the
-        torque at the input, drift and powers of the joint that turns, and the assembled stiffness where it was
-        computed. nan for all else that depends on the torque.
-    """
+    """A solution of equal branches under a torque that only a joint's own branches carry."""
 
     def unknown(leaf: Any) -> Any:
         array = np.asarray(leaf)

@@ -121,24 +121,7 @@ def branch_rolling(
     output_speed: float,
     input_speed: float,
 ) -> BranchRolling:
-    """What a joint does whose unequal branches roll.
-
-    Parameters
-    ----------
-    losses : RollingLosses
-        Losses of all branches [W].
-    speed_loss, drift_per_output_turn
-        As of :class:`BranchRolling`.
-    output_torque : float
-        Torque at the output [N·m].
-    output_speed, input_speed : float
-        Speeds without sign, that of the output with creep taken off [rad/s].
-
-    Returns
-    -------
-    BranchRolling
-        Its powers are those of :func:`asperity.rolling.power.power_budget`.
-    """
+    """What a joint does whose unequal branches roll."""
     power = power_budget(losses, output_power=output_torque * output_speed)
     turns = input_speed > 0.0
     power = jax.tree.map(lambda leaf: np.asarray(leaf) if turns else np.full_like(leaf, np.nan), power)

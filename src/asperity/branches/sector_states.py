@@ -93,31 +93,7 @@ class SectorStates(NamedTuple):
 def sector_states(
     sectors: int, floating: tuple[str, ...], joint: Joint, sizes: SectorSizes, rest: DriveState
 ) -> SectorStates:
-    """What is compiled to solve a joint whose sectors differ.
-
-    Parameters
-    ----------
-    sectors : int
-        Number of sectors.
-    floating : tuple of str
-        Names of the bodies on the axis whose centres can move.
-    joint : Joint
-        A joint with equal sectors.
-    sizes : SectorSizes
-        What differs between them.
-    rest : DriveState
-        The assembled joint, of :func:`assembled_sectors`.
-
-    Returns
-    -------
-    SectorStates
-        Everything about its sectors. The standing state is that of the largest torque up to the joint's own that it
-        carries.
-
-    References
-    ----------
-    Equations (I4) and (M3) of :doc:`/equations`.
-    """
+    """What is compiled to solve a joint whose sectors differ."""
     whole = unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
     contacts, masses = joint_contacts(whole), body_masses(whole)
     laws, sense = contact_laws(whole, contacts), driving_sense(whole.drive)

@@ -47,23 +47,7 @@ class SizeErrorCurves:
 def size_error_curves(
     drive: BranchedJoint, sizes: SectorDeviations, deviation: np.ndarray
 ) -> SizeErrorCurves:
-    """What a wrong size of one planet does.
-
-    Parameters
-    ----------
-    drive : BranchedJoint
-        The joint.
-    sizes : SectorDeviations
-        Sizes of its branches, of the same kind.
-    deviation : ndarray
-        Added to the radius of the first planet, or to that track of the first sector which is named first, shape (m,)
-        [m].
-
-    Returns
-    -------
-    SizeErrorCurves
-        At each deviation.
-    """
+    """What a wrong size of one planet does."""
     found = [_solved(drive, sizes.with_first(each)) for each in deviation]
     nothing = np.full(drive.count, np.nan)
 

@@ -22,18 +22,7 @@ INSTEAD_OF_CAM = (
 
 
 def refuse_loading_cam(cam: object | None) -> None:
-    """Refuse branches of their own sizes in a joint with a loading cam.
-
-    Parameters
-    ----------
-    cam : object or None
-        The cam of the joint; None without one.
-
-    Raises
-    ------
-    InputError
-        With what to do.
-    """
+    """Refuse branches of their own sizes in a joint with a loading cam."""
     if cam is not None:
         raise InputError(
             "branches of their own sizes and a loading cam (load.cam_force_per_torque) cannot be combined: how a cam "
@@ -42,20 +31,7 @@ def refuse_loading_cam(cam: object | None) -> None:
 
 
 def refuse_wide(interference: np.ndarray, nominal: float) -> None:
-    """Refuse branches that are pressed much more than the equal ones around which their laws are taken.
-
-    Parameters
-    ----------
-    interference : ndarray
-        Of the branches, which are its last axis [m].
-    nominal : float
-        That of equal branches [m].
-
-    Raises
-    ------
-    InputError
-        With the largest one.
-    """
+    """Refuse branches that are pressed much more than the equal ones around which their laws are taken."""
     if np.any(interference > WIDEST * nominal):
         branch = int(np.argmax(interference)) % interference.shape[-1] + 1
         raise InputError(

@@ -192,18 +192,7 @@ def _quantiles(values: Any) -> dict[str, float]:
 
 
 def interval_digits(lower: float, upper: float) -> int:
-    """Significant digits with which both ends of an interval show its width to two digits; four at least.
-
-    Parameters
-    ----------
-    lower, upper : float
-        The ends, in any unit; nan where there is no interval.
-
-    Returns
-    -------
-    int
-        From 4 to 15.
-    """
+    """Significant digits with which both ends of an interval show its width to two digits; four at least."""
     import math
 
     width, size = upper - lower, max(abs(lower), abs(upper))

@@ -53,13 +53,7 @@ def read_for_own_branches(file: str) -> AnyCase:
 
 
 def say_whose_branches(*, own: bool) -> None:
-    """Say whose results follow.
-
-    Parameters
-    ----------
-    own : bool
-        Whether those of the file's own branches, or those of equal ones.
-    """
+    """Say whose results follow."""
     said = (
         "the results are those of the branches of the file, [[branch]]; contacts and rollers have the number of theirs"
         if own

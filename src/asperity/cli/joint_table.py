@@ -34,17 +34,7 @@ Rows = tuple[tuple[str, str], ...]
 
 
 def show_joint(target: Console, document: Document, *, source: str) -> None:
-    """Print what a joint document says.
-
-    Parameters
-    ----------
-    target : Console
-        Where to print.
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-    source : str
-        Name of the joint file.
-    """
+    """Print what a joint document says."""
     show_heading(target, document, source)
     _show_stiffness(target, document)
     _show_drift(target, document)
@@ -310,18 +300,7 @@ def _rolling_capacity(document: Document) -> str:
 
 
 def capacity_text(capacity: Document) -> str:
-    """Torque capacity of both directions in words.
-
-    Parameters
-    ----------
-    capacity : dict
-        Entry ``torque_capacity`` of a joint document.
-
-    Returns
-    -------
-    str
-        One text where both directions have the same capacity, else one for each.
-    """
+    """Torque capacity of both directions in words."""
 
     def one(entry: Document) -> str:
         torque = entry["output_torque_Nm"]

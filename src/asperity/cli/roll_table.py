@@ -27,17 +27,7 @@ _CAUSES = ("creep", "skew", "hysteresis", "oil")
 
 
 def show_rolling(target: Console, document: Document, *, source: str) -> None:
-    """Print what a joint document says about the joint that turns.
-
-    Parameters
-    ----------
-    target : Console
-        Where to print.
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-    source : str
-        Name of the joint file.
-    """
+    """Print what a joint document says about the joint that turns."""
     show_heading(target, document, source)
     _show_output(target, document)
     _show_losses(target, document)

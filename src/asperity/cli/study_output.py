@@ -57,18 +57,7 @@ def _points_beyond(values: xarray.DataArray, limit: float) -> int:
 
 
 def status_counts(found: xarray.Dataset) -> dict[int, int]:
-    """How many points have each status.
-
-    Parameters
-    ----------
-    found : xarray.Dataset
-        Evaluated points; a lazy one is read chunk by chunk.
-
-    Returns
-    -------
-    dict
-        Code → number of points.
-    """
+    """How many points have each status."""
     data = found["status"].data
     if hasattr(data, "to_delayed"):  # chunks of a store: never all at once
         parts = [part.compute(scheduler="synchronous") for part in data.to_delayed().ravel()]
@@ -83,13 +72,7 @@ def status_counts(found: xarray.Dataset) -> dict[int, int]:
 
 
 def show_points(found: xarray.Dataset) -> None:
-    """Print the points of a small sweep: coordinates, results (main ones, if many), status where one is unsolved.
-
-    Parameters
-    ----------
-    found : xarray.Dataset
-        Evaluated points.
-    """
+    """Print the points of a small sweep: coordinates, results (main ones, if many), status where one is unsolved."""
     from asperity.cli.terminal import console, table
     from asperity.joint.status import STATUS_NAMES
     from asperity.joint_file.si_tables import key_at

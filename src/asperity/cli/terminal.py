@@ -146,13 +146,7 @@ class CheckedStream:
 
 
 def silence(stream: Any) -> None:
-    """Send what is still waiting in a stream nowhere, so that Python does not try to write it at its end.
-
-    Parameters
-    ----------
-    stream : file
-        Standard output or error.
-    """
+    """Send what is still waiting in a stream nowhere, so that Python does not try to write it at its end."""
     with suppress(OSError, ValueError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, stream.fileno())
@@ -180,18 +174,7 @@ def checked_output() -> Iterator[None]:
 
 
 def rich_console(*, stderr: bool = False) -> Console:
-    """A console of rich whose styles reach the terminal and whose texts cannot style it themselves.
-
-    Parameters
-    ----------
-    stderr : bool, optional
-        Whether it writes to standard error.
-
-    Returns
-    -------
-    Console
-        On the present standard output or error.
-    """
+    """A console of rich whose styles reach the terminal and whose texts cannot style it themselves."""
     stream = sys.stderr if stderr else sys.stdout
     if isinstance(stream, CheckedStream):
         stream = stream.unescaped()
@@ -278,18 +261,7 @@ def say_written(path: str | Path) -> None:
 
 @contextmanager
 def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
-    """A counter on standard error for work of unknown length; nothing is shown if that is not a terminal.
-
-    Parameters
-    ----------
-    unit : str
-        What is counted.
-
-    Yields
-    ------
-    callable
-        Takes the number done so far.
-    """
+    """A counter on standard error for work of unknown length; nothing is shown if that is not a terminal."""
     target = rich_console(stderr=True)
     if not target.is_terminal:
         yield lambda done: None

@@ -63,22 +63,7 @@ def solve(matrix: Array, right_side: Array) -> Array:
 
 
 def solve_with(linear: Callable[[Array], Array], matrix: Array, right_side: Array) -> Array:
-    r"""Solve :math:`A x = b` with the derivatives of a linear function.
-
-    Parameters
-    ----------
-    linear : callable
-        From x to A x; what is differentiated.
-    matrix : Array
-        A as fixed numbers, shape (n, n).
-    right_side : Array
-        b, shape (n,).
-
-    Returns
-    -------
-    Array
-        x, shape (n,); not finite where A is singular.
-    """
+    r"""Solve :math:`A x = b` with the derivatives of a linear function, shape (n,)."""
     return jax.lax.custom_linear_solve(
         linear,
         right_side,
@@ -91,22 +76,7 @@ def solve_with(linear: Callable[[Array], Array], matrix: Array, right_side: Arra
 def solve_in_turn(matrix: Array, right_side: Array) -> Array:
     r"""Solve :math:`A x = b` in a step of an iteration: one system by elimination, a batch of them by LAPACK.
 
-    Parameters
-    ----------
-    matrix : Array
-        A, shape (n, n).
-    right_side : Array
-        b, shape (n,).
-
-    Returns
-    -------
-    Array
-        x, shape (n,); not finite where A is singular.
-
-    Notes
-    -----
-    Without derivatives; no two calls may run at once. LAPACK makes batches of multirollers 20 % faster. One system is
-    not worth the import of SciPy (0.1 s), from which JAX takes it.
+    Shape (n,).
     """
     return _eliminated(matrix, right_side)
 

@@ -227,18 +227,7 @@ def _whose_branches(content: ExportContent) -> list[str]:
 
 
 def drift_sentence(content: ExportContent) -> str:
-    """The drift at the largest torque, or why there is none.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-
-    Returns
-    -------
-    str
-        One sentence.
-    """
+    """The drift at the largest torque, or why there is none."""
     torque = format_quantity(content.largest_torque, "N*m")
     if content.no_drift_because:
         return f"Drift per output turn at {torque}: unknown; {content.no_drift_because[0]}"
@@ -249,18 +238,7 @@ def drift_sentence(content: ExportContent) -> str:
 
 
 def play_sentence(content: ExportContent) -> str:
-    """The play of the joint.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-
-    Returns
-    -------
-    str
-        One sentence.
-    """
+    """The play of the joint."""
     angle, torque = float(content.play.angle), float(content.play.take_up_torque)
     if angle == 0.0:
         return "Play: none."
@@ -272,18 +250,7 @@ def play_sentence(content: ExportContent) -> str:
 
 
 def friction_sentence(content: ExportContent) -> str:
-    """The friction at the motor, or why it is unknown.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-
-    Returns
-    -------
-    str
-        One sentence.
-    """
+    """The friction at the motor, or why it is unknown."""
     friction = content.parts.friction
     if not np.isfinite(friction):
         stands = f"because the {content.ends[0]} stands in the joint file"

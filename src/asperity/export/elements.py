@@ -41,25 +41,7 @@ class FittedElements:
 
 
 def fitted_elements(content: ExportContent, *, program: str) -> FittedElements:
-    """Fit elements to what is exported.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-    program : str
-        Name of the program they are for.
-
-    Returns
-    -------
-    FittedElements
-        Elements and the error of the fit.
-
-    Raises
-    ------
-    InputError
-        If the joint has play, which parallel elements cannot carry.
-    """
+    """Fit elements to what is exported."""
     if float(content.play.angle) > 0.0:
         raise InputError(
             f"the joint has a play of {format_quantity(float(content.play.angle), 'arcmin')}, in series with its "

@@ -73,23 +73,7 @@ class FmuParts:
 
 
 def fmu_parts(content: ExportContent) -> FmuParts:
-    """Model description and data of a joint.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-
-    Returns
-    -------
-    FmuParts
-        Texts.
-
-    Raises
-    ------
-    InputError
-        If the joint does not roll steadily at every torque of the table.
-    """
+    """Model description and data of a joint."""
     drifts = [np.asarray(each) for each in (content.curves.driving_drift, content.curves.braking_drift)]
     if not all(np.all(np.isfinite(each)) for each in drifts):
         torque = np.asarray(content.windup.torque)[~np.isfinite(drifts[0] + drifts[1])]
@@ -120,20 +104,7 @@ def fmu_parts(content: ExportContent) -> FmuParts:
 
 
 def fmu_file(content: ExportContent, parts: FmuParts) -> bytes:
-    """The FMU: a ZIP file with description, source and a page of documentation.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-    parts : FmuParts
-        Its texts.
-
-    Returns
-    -------
-    bytes
-        The same content gives the same bytes.
-    """
+    """The FMU: a ZIP file with description, source and a page of documentation."""
     source = files("asperity.export").joinpath("fmu_source.c").read_text(encoding="utf-8")
     lines = "".join(f"<p>{html.escape(line)}</p>\n" for line in heading(content, what="FMU"))
     texts = {

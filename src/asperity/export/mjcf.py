@@ -17,20 +17,7 @@ _LONGEST_STEP = 2e-3  # s, MuJoCo's own
 
 
 def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
-    """The MJCF file of a joint.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-    fitted : FittedElements
-        Its wind-up as parallel elements.
-
-    Returns
-    -------
-    bytes
-        XML; the same content gives the same bytes.
-    """
+    """The MJCF file of a joint."""
     parts, elements = content.parts, fitted.elements
     damping = _damping(content)
     tendons = [_tendon(content, "spring", stiffness=elements.spring, damping=damping)]

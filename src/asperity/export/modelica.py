@@ -14,25 +14,7 @@ from asperity.export.elements import FittedElements
 
 
 def modelica_file(content: ExportContent, fitted: FittedElements) -> bytes:
-    """The Modelica package of a joint.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-    fitted : FittedElements
-        Its wind-up as parallel elements.
-
-    Returns
-    -------
-    bytes
-        Text; the same content gives the same bytes.
-
-    Raises
-    ------
-    InputError
-        If the joint does not roll steadily at every torque of the table.
-    """
+    """The Modelica package of a joint."""
     curves, elements = content.curves, fitted.elements
     drifts = [np.asarray(each) for each in (curves.driving_drift, curves.braking_drift)]
     if not all(np.all(np.isfinite(each)) for each in drifts):
@@ -63,18 +45,7 @@ def modelica_file(content: ExportContent, fitted: FittedElements) -> bytes:
 
 
 def package_name(source: str) -> str:
-    """Name of the package of a joint file.
-
-    Parameters
-    ----------
-    source : str
-        Name of the joint file.
-
-    Returns
-    -------
-    str
-        A name of Modelica.
-    """
+    """Name of the package of a joint file."""
     name = re.sub(r"\W", "_", Path(source).stem, flags=re.ASCII)
     if not re.match("[A-Za-z]", name):
         name = f"Joint_{name}"

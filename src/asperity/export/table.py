@@ -26,18 +26,7 @@ _COLUMNS = (
 
 
 def table_columns(content: ExportContent) -> dict[str, np.ndarray]:
-    """The curves at the torques of the wind-up.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-
-    Returns
-    -------
-    dict
-        Name, with the unit at its end → array of shape (n,).
-    """
+    """The curves at the torques of the wind-up, shape (n,)."""
     curve, found = content.windup, content.curves
     columns = {
         "torque_Nm": curve.torque,
@@ -56,34 +45,12 @@ def table_columns(content: ExportContent) -> dict[str, np.ndarray]:
 
 
 def table_text(content: ExportContent) -> list[str]:
-    """What is said about the columns, one line each.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-
-    Returns
-    -------
-    list of str
-        The heading and the meaning of the columns.
-    """
+    """What is said about the columns, one line each."""
     return [*heading(content, what="Table"), *_COLUMNS]
 
 
 def csv_file(content: ExportContent) -> bytes:
-    """The table as CSV: comment lines that begin with #, the names of the columns, numbers in full precision.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-
-    Returns
-    -------
-    bytes
-        The file.
-    """
+    """The table as CSV: comment lines that begin with #, the names of the columns, numbers in full precision."""
     columns = table_columns(content)
     lines = [f"# {line}" for line in table_text(content)]
     lines.append(",".join(columns))
@@ -92,18 +59,7 @@ def csv_file(content: ExportContent) -> bytes:
 
 
 def mat_file(content: ExportContent) -> bytes:
-    """The table as a MAT file: a column vector for every column, and the text ``about``.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-
-    Returns
-    -------
-    bytes
-        The file; the same content gives the same bytes.
-    """
+    """The table as a MAT file: a column vector for every column, and the text ``about``."""
     from scipy.io import savemat
 
     target = io.BytesIO()

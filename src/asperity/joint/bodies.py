@@ -73,21 +73,7 @@ def _exact_sides(joint: Joint) -> np.ndarray:
 def one_sided_secants(contacts: JointContacts, half_width: Array) -> tuple[Array, Array]:
     """Secant compliance of the first and of the second body of each contact as springs.
 
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    half_width : Array
-        Their half-widths, shape (contacts,) [m].
-
-    Returns
-    -------
-    tuple of Array
-        Compliances, shape (contacts,) [m/N].
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, 1985, section 5.6; C. Weber and K. Banaschek 1953.
+    Shape (contacts,) [m/N].
     """
     pairs = contacts.pairs
     one, two = (
@@ -170,39 +156,13 @@ def body_compliance(
 
 
 def with_rims(joint: Joint, contacts: JointContacts) -> JointContacts:
-    """The contacts of a joint, with what its exact bodies do at every load.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    contacts : JointContacts
-        Its contacts.
-
-    Returns
-    -------
-    JointContacts
-        The same contacts, for :func:`body_compliance`.
-    """
+    """The contacts of a joint, with what its exact bodies do at every load."""
     bodies = exact_bodies(joint) if joint.body_model == "exact" else []
     return dataclasses.replace(contacts, rims=machine_kernel(bodies)) if bodies else contacts
 
 
 def walls_known(*, joint: Joint, half_width: Array) -> Array:
-    """Whether every ring and hollow roller has a wall for which its exact compliance is known.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    half_width : Array
-        Half-widths of the contacts, shape (contacts,) [m].
-
-    Returns
-    -------
-    Array
-        Truth value; true where the bodies are springs.
-    """
+    """Whether every ring and hollow roller has a wall for which its exact compliance is known."""
     holds = jnp.ones((), dtype=bool)
     if joint.body_model == "springs":
         return holds

@@ -76,11 +76,7 @@ def smaller_sizes(joint: Joint) -> Array:
 
 
 def _widths_of_walls(joint: Joint) -> Array | None:
-    """Half-widths up to which the compliance of the walls at the contacts is known, shape (contacts,) [m].
-
-    None without a loading cam, where the laws of the contacts are taken once, without torque, and with bodies as
-    springs.
-    """
+    """Half-widths up to which the compliance of the walls at the contacts is known, shape (contacts,) [m]."""
     if joint.cam is None or joint.body_model == "springs":
         return None
     widths = jnp.full(len(joint.drive.contacts), jnp.inf)
@@ -133,21 +129,7 @@ def torque_capacities(
 def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:
     """Torque capacity of a joint in both directions, at rest or in rolling: a half of :func:`torque_capacities`.
 
-    Parameters
-    ----------
-    joint, rest, laws
-        As of :func:`torque_capacities`.
-    rolls : bool
-        Whether the joint rolls.
-
-    Returns
-    -------
-    TorqueCapacity
-        Positive and negative torque along the first axis, as positive torques [N·m].
-
-    References
-    ----------
-    Equations (A9) and (M3) of :doc:`/equations`.
+    [N·m].
     """
     return limiting_torques(
         joint,
@@ -170,33 +152,7 @@ def limiting_torques(
 ) -> TorqueCapacity:
     """Largest output torques that keep every limit: slip, lift-off, widths of strips and walls, a solution.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    rest : DriveState
-        Its assembled state without torque.
-    laws : ContactLaws
-        Laws of its contacts there.
-    direction : Array
-        +1 for positive torques, −1 for negative ones, shape (searches,) [-].
-    rolls, at_first : Array
-        Whether the joint rolls, and whether the first slip already is a limit while it stands, shape (searches,).
-
-    Returns
-    -------
-    TorqueCapacity
-        As positive torques, shape (searches,) [N·m].
-
-    Notes
-    -----
-    Every torque of the search is a state of its own. A contact that slides keeps the force of its friction, so that the
-    limit of slip is the one beyond which the others cannot hold the rest: there is no balance in which the contact
-    that limits slides too.
-
-    References
-    ----------
-    Equations (A9), (B3) and (M3) of :doc:`/equations`.
+    Shape (searches,) [N·m].
     """
     joint = in_motion(joint)
     drive, contacts = joint.drive, dataclasses.replace(joint_contacts(joint), rims=laws.rims)

@@ -123,18 +123,7 @@ class LoadedContacts(NamedTuple):
 
 
 def elastic_material(material: Material) -> Material:
-    """A material without its thermal properties, which not every material has.
-
-    Parameters
-    ----------
-    material : Material
-        A material.
-
-    Returns
-    -------
-    Material
-        Its elastic and plastic properties.
-    """
+    """A material without its thermal properties, which not every material has."""
     return Material(
         youngs_modulus=material.youngs_modulus,
         poisson_ratio=material.poisson_ratio,
@@ -180,22 +169,7 @@ def bulk_springs(*, contacts: JointContacts, half_width: Real) -> NormalSprings:
 
 
 def with_crowns(springs: NormalSprings, *, contacts: JointContacts, rest_force: Array) -> NormalSprings:
-    """Normal springs of even contacts with what the crowns of their rollers add.
-
-    Parameters
-    ----------
-    springs : NormalSprings
-        Of the even contacts.
-    contacts : JointContacts
-        The contacts.
-    rest_force : Array
-        Normal forces at rest, shape (contacts, ...) [N].
-
-    Returns
-    -------
-    NormalSprings
-        The same springs where no roller is crowned.
-    """
+    """Normal springs of even contacts with what the crowns of their rollers add."""
     if contacts.crown_curvature is None:
         return springs
     lines = crowned_lines(pairs=contacts.pairs, crown_curvature=contacts.crown_curvature)
@@ -257,20 +231,7 @@ def _rough_crowned(
 def loaded_contacts(
     *, contacts: JointContacts, normal_force: Array, tangential_force: Array
 ) -> LoadedContacts:
-    """Strips, spots and stiffnesses of the contacts of a joint under their forces.
-
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    normal_force, tangential_force : Array
-        Forces, shape (contacts, ...) [N].
-
-    Returns
-    -------
-    LoadedContacts
-        Incremental stiffnesses at these forces.
-    """
+    """Strips, spots and stiffnesses of the contacts of a joint under their forces."""
     touching = normal_force > 0.0
     width = contacts.pairs.half_width(normal_force)
     springs = bulk_springs(contacts=contacts, half_width=width)
@@ -316,23 +277,7 @@ def loaded_contacts(
 
 
 def closure_springs(*, contacts: JointContacts, rest_force: Array, model: ClosureSprings) -> NormalSprings:
-    """Normal springs of the elastic closure around the state at rest.
-
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    rest_force : Array
-        Normal forces at rest, shape (contacts, ...) [N].
-    model : {"bulk", "bulk_and_asperities"}
-        Whether the asperities' normal compliance is added.
-
-    Returns
-    -------
-    NormalSprings
-        Compliances, shape (contacts, ...) [m/N]; infinite, and the balance without solution, where the asperities are
-        asked for and every spot is plastic at rest.
-    """
+    """Normal springs of the elastic closure around the state at rest, shape (contacts, ...) [m/N]."""
     bulk = with_crowns(
         bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(rest_force)),
         contacts=contacts,

@@ -38,20 +38,7 @@ class CrownCompliance(NamedTuple):
 
 
 def crowned_lines(*, pairs: RollerPairs, crown_curvature: Array) -> CrownedLines:
-    """What the approach of crowned contacts depends on, in one shape.
-
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    crown_curvature : Array
-        Their curvatures, shape (contacts, ...) [1/m].
-
-    Returns
-    -------
-    CrownedLines
-        Shape (contacts, ...).
-    """
+    """What the approach of crowned contacts depends on, in one shape."""
     return CrownedLines(
         *jnp.broadcast_arrays(
             crown_curvature, pairs.contact_length, pairs.effective_radius, pairs.moduli.contact_modulus
@@ -60,26 +47,7 @@ def crowned_lines(*, pairs: RollerPairs, crown_curvature: Array) -> CrownedLines
 
 
 def loads_along(*, pairs: RollerPairs, crown_curvature: Array, normal_force: Array) -> CrownedLine:
-    """How the loads of crowned contacts spread over their lines, each under one newton where it is open.
-
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    crown_curvature : Array
-        Their curvatures, shape (contacts, ...) [1/m].
-    normal_force : Array
-        Normal forces, shape (contacts, ...) [N].
-
-    Returns
-    -------
-    CrownedLine
-        Slices first.
-
-    References
-    ----------
-    Equation (B12) of :doc:`/equations`.
-    """
+    """How the loads of crowned contacts spread over their lines, each under one newton where it is open."""
     lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
     return crowned_line(normal_force=_pressed(normal_force), **vars(lines))
 
@@ -89,22 +57,7 @@ def _pressed(normal_force: Array) -> Array:
 
 
 def crown_compressions(*, pairs: RollerPairs, crown_curvature: Array, normal_force: Array) -> Array:
-    """Approach that the crowns add.
-
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    crown_curvature : Array
-        Their curvatures, shape (contacts, ...) [1/m].
-    normal_force : Array
-        Normal forces, shape (contacts, ...) [N].
-
-    Returns
-    -------
-    Array
-        Shape (contacts, ...) [m]; for one newton where a contact is open.
-    """
+    """Approach that the crowns add [m]."""
     lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
     return crown_compression(normal_force=_pressed(normal_force), **vars(lines))
 
@@ -112,19 +65,7 @@ def crown_compressions(*, pairs: RollerPairs, crown_curvature: Array, normal_for
 def lateral_strain_compliance(driving: Material, driven: Material) -> Array:
     r"""What the sideways strain of two bodies adds to their compliance in shear, :math:`\sum \nu_i (1+\nu_i)/E_i`.
 
-    Parameters
-    ----------
-    driving, driven : Material
-        Materials of the bodies.
-
-    Returns
-    -------
-    Array
-        Compliance [1/Pa].
-
-    References
-    ----------
-    Equation (B12) of :doc:`/equations`.
+    [1/Pa].
     """
     one, two = (
         jnp.asarray(body.poisson_ratio * (1.0 + body.poisson_ratio) / body.youngs_modulus)
@@ -142,28 +83,7 @@ def crown_compliances(
     normal_force: Array,
     tangential_force: Array,
 ) -> CrownCompliance:
-    """Compliance that the crowns add to the bodies of the contacts.
-
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    crown_curvature : Array
-        Their curvatures, shape (contacts, ...) [1/m].
-    driving, driven : Material
-        Materials of their bodies.
-    normal_force, tangential_force : Array
-        Forces, shape (contacts, ...) [N].
-
-    Returns
-    -------
-    CrownCompliance
-        Incremental; without a tangential part beyond gross slip, where the contact has no stiffness.
-
-    References
-    ----------
-    Equation (B12) of :doc:`/equations`.
-    """
+    """Compliance that the crowns add to the bodies of the contacts."""
     lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
     touching = normal_force > 0.0
     stick = normal_force - jnp.abs(tangential_force) / pairs.friction_coefficient
@@ -214,20 +134,7 @@ def rough_slices(
 
 
 def whole_contact(*, slices: FractalContact, lines: CrownedLine) -> FractalContact:
-    """Spots and stiffnesses of contacts from those of their slices.
-
-    Parameters
-    ----------
-    slices : FractalContact
-        Of :func:`rough_slices`, shape (slices, contacts, ...).
-    lines : CrownedLine
-        Loads along the contacts.
-
-    Returns
-    -------
-    FractalContact
-        Areas, loads and stiffnesses add; the largest spot is that of the middle, where the factors are taken too.
-    """
+    """Spots and stiffnesses of contacts from those of their slices."""
     added: FractalContact = jax.tree.map(lambda value: jnp.sum(lines.length_share * value, axis=0), slices)
     middle = jax.tree.map(lambda value: value[0], slices)
     return FractalContact(
@@ -244,20 +151,7 @@ def whole_contact(*, slices: FractalContact, lines: CrownedLine) -> FractalConta
 
 
 def slice_friction(*, pairs: RollerPairs, lines: CrownedLine) -> tuple[Array, Array]:
-    """Friction of each slice per contact length, and the creepage at which it slips altogether.
-
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    lines : CrownedLine
-        Loads along them.
-
-    Returns
-    -------
-    tuple of Array
-        Shape (slices, contacts, ...) [N/m] and [-].
-    """
+    """Friction of each slice per contact length, and the creepage at which it slips altogether."""
     limit = gross_slip_creepage(
         friction_coefficient=pairs.friction_coefficient,
         half_width=lines.half_width,
@@ -268,26 +162,7 @@ def slice_friction(*, pairs: RollerPairs, lines: CrownedLine) -> tuple[Array, Ar
 
 
 def slice_slip_ratios(*, pairs: RollerPairs, lines: CrownedLine, slip_ratio: Array) -> Array:
-    """Tangential force over friction of each slice, with one creepage for all; without asperities.
-
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    lines : CrownedLine
-        Loads along them.
-    slip_ratio : Array
-        Tangential force over friction of the contacts, of either sign, shape (contacts, ...) [-].
-
-    Returns
-    -------
-    Array
-        Shape (slices, contacts, ...) [-].
-
-    References
-    ----------
-    Equation (B4) of :doc:`/equations`.
-    """
+    """Tangential force over friction of each slice, with one creepage for all; without asperities [-]."""
     capacity, limits = slice_friction(pairs=pairs, lines=lines)
     creepage = strip_creepage(slip_ratio=slip_ratio, capacity=capacity, gross_slip_creepage=limits)
     return jnp.asarray(slip_ratio_at_creepage(creepage=creepage, gross_slip_creepage=limits))

@@ -210,18 +210,7 @@ class Joint(eqx.Module):
 
 
 def bearing_names(drive: Drive) -> tuple[str, ...]:
-    """Names of the rolling bearings of a drive.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    tuple of str
-        Those of the rollers on pins, then of input and output.
-    """
+    """Names of the rolling bearings of a drive."""
     return (*(f"{name}_pin" for name in pin_names(drive)), drive.input, drive.output)
 
 
@@ -381,21 +370,7 @@ def track_lengths(joint: Joint, body: int) -> list[Real]:
 
 
 def cylinders(joint: Joint, body: int) -> list[tuple[Real, Real, Real]]:
-    """The cylinders that make a body, one for each of its tracks.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    body : int
-        Number of the body.
-
-    Returns
-    -------
-    list of tuple
-        Mass [kg], outer radius and diameter of the bore [m]; every track is as long as its longest contact, that of a
-        body with a length of its own as long as the body.
-    """
+    """The cylinders that make a body, one for each of its tracks."""
     shape, material = joint.shapes[body], joint.materials[body]
     found: list[tuple[Real, Real, Real]] = []
     for (radius, _), length in zip(tracks_of(joint, body), track_lengths(joint, body), strict=True):

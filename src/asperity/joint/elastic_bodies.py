@@ -35,25 +35,7 @@ class AssemblySprings(NamedTuple):
 
 
 def widths_of_bodies(*, contacts: JointContacts, loaded: LoadedContacts) -> tuple[Array, Array]:
-    r"""Half-widths at which the compliance of exact bodies is taken.
-
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    loaded : LoadedContacts
-        The contacts under their forces.
-
-    Returns
-    -------
-    tuple of Array
-        Half-widths of the strips and of their stick zones, shape (contacts, ...) [m]; those of an open contact stand
-        for it only.
-
-    References
-    ----------
-    Cattaneo's stick zone, :math:`c = b\sqrt{1 - T/(\mu N)}`.
-    """
+    r"""Half-widths at which the compliance of exact bodies is taken, shape (contacts, ...) [m]."""
     touching = jnp.asarray(loaded.interfaces.normal) > 0.0
     sticking = jnp.asarray(loaded.interfaces.tangential) > 0.0
     width = jnp.where(touching, loaded.half_width, _CLOSED * contacts.pairs.effective_radius)
@@ -61,26 +43,7 @@ def widths_of_bodies(*, contacts: JointContacts, loaded: LoadedContacts) -> tupl
 
 
 def springs_of_compliance(*, compliance: Array, half_width: Array, loaded: LoadedContacts) -> AssemblySprings:
-    """Springs of the contacts from the compliance of their bodies, the asperities in series.
-
-    Parameters
-    ----------
-    compliance : Array
-        Of the bodies, shape (2 contacts, 2 contacts, ...) [m/N].
-    half_width : Array
-        Half-widths for which it holds [m].
-    loaded : LoadedContacts
-        The contacts under their forces.
-
-    Returns
-    -------
-    AssemblySprings
-        With the coupling between the contacts.
-
-    References
-    ----------
-    Equation (E3) of :doc:`/equations`.
-    """
+    """Springs of the contacts from the compliance of their bodies, the asperities in series."""
     interfaces = loaded.interfaces
     touching = jnp.asarray(interfaces.normal) > 0.0
     sticking = jnp.asarray(interfaces.tangential) > 0.0

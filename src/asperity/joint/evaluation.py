@@ -168,22 +168,7 @@ def evaluate(joint: Joint) -> JointResult:
 
 
 def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
-    """The chain, and the laws of the contacts that it has derived.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    JointResult, ContactLaws
-        Results of :func:`evaluate`; laws for :mod:`asperity.joint.capacity`.
-
-    References
-    ----------
-    Equations (M1)–(M4) of :doc:`/equations`.
-    """
+    """The chain, and the laws of the contacts that it has derived."""
     joint = in_motion(joint)
     laws, states = laws_and_states(joint)
     return joint_result(joint, laws, states), laws

@@ -16,23 +16,7 @@ from asperity.types import Real
 def logarithmic_decrease(*, contacts: JointContacts, body_model: BodyModel, plane_state: PlaneState) -> Array:
     """Decrease of the contacts' secant compliance with the logarithm of their force.
 
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    body_model : {"exact", "springs"}
-        Their bodies; the springs are in plane strain.
-    plane_state : {"plane_strain", "plane_stress"}
-        Of the exact bodies.
-
-    Returns
-    -------
-    Array
-        Sum over both bodies, shape (contacts, ...) [m/N].
-
-    References
-    ----------
-    :func:`asperity.contact.hertz_line.logarithmic_compliance`.
+    Shape (contacts, ...) [m/N].
     """
 
     def of_body(body: Material) -> Real:

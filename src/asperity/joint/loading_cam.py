@@ -123,24 +123,7 @@ def _by_force(
 
 
 def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
-    """A joint under its preload or interference alone.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-
-    Returns
-    -------
-    Pressed
-        Without torque.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """A joint under its preload or interference alone."""
     laws = contact_laws(joint, contacts)
     rest = state_at_rest(
         drive=joint.drive,
@@ -156,28 +139,7 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
 def states_under_torque(
     joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf
 ) -> tuple[ContactLaws, DriveStates]:
-    """A joint assembled, standing and rolling under its torque.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-    load : DriveLoad
-        Its torque, forces on its bodies, and pins.
-    creep_of : callable
-        Creep law of its contacts, as of :func:`asperity.drive.state.states.drive_states`.
-
-    Returns
-    -------
-    ContactLaws, DriveStates
-        The laws of its contacts without torque, and the states.
-
-    References
-    ----------
-    Equations (I3) and (M3) of :doc:`/equations`.
-    """
+    """A joint assembled, standing and rolling under its torque."""
     if joint.cam is None:  # one program finds all three states
         laws = contact_laws(joint, contacts)
         states = drive_states(
@@ -267,22 +229,7 @@ def with_its_cam(assembly: Assembly, cam: CamOfJoint | None) -> Assembly:
 def loading_cam_document(
     result: JointResult, *, least_preload: Real, force_per_torque: Real | None
 ) -> dict[str, Any] | None:
-    """What a loading cam does under the torque.
-
-    Parameters
-    ----------
-    result : JointResult
-        Result of one joint.
-    least_preload : Real
-        Its preload without torque [N].
-    force_per_torque : Real or None
-        What each unit of output torque adds to it [N/(N·m)]; None without a cam.
-
-    Returns
-    -------
-    dict or None
-        Preload, angle at the output, and stiffness with the cam held; None without a cam.
-    """
+    """What a loading cam does under the torque."""
     if force_per_torque is None:
         return None
     return {

@@ -19,37 +19,14 @@ HOTTEST = 3000.0
 
 
 def loose_temperature(fit: Fit) -> Array:
-    """Temperature from which a joint has no interference.
-
-    Parameters
-    ----------
-    fit : Fit
-        How it was assembled.
-
-    Returns
-    -------
-    Array
-        Temperature [degC]; infinite where none between absolute zero and :data:`HOTTEST` takes the interference: bodies
-        that expand alike leave a change that is rounding.
-    """
+    """Temperature from which a joint has no interference [degC]."""
     rise = loosening_rise(interference=fit.interference, change_per_kelvin=fit.change_per_kelvin)
     found = jnp.asarray(fit.assembly_temperature + rise)
     return jnp.where((found >= -273.15) & (found <= HOTTEST), found, math.inf)
 
 
 def refuse_loose(fit: Fit | None) -> None:
-    """Refuse a joint whose working temperature has left no interference.
-
-    Parameters
-    ----------
-    fit : Fit or None
-        How it was assembled; None where its preload does not depend on temperature.
-
-    Raises
-    ------
-    InputError
-        With what the temperature takes from the interference, and where the joint comes loose.
-    """
+    """Refuse a joint whose working temperature has left no interference."""
     if fit is None or float(fit.interference) + float(fit.thermal_change) > 0.0:
         return
     loose = float(loose_temperature(fit))
@@ -65,20 +42,7 @@ def refuse_loose(fit: Fit | None) -> None:
 
 
 def fit_document(fit: Fit, preload: Real) -> dict[str, Any]:
-    """How a drive was assembled, for a JSON document.
-
-    Parameters
-    ----------
-    fit : Fit
-        Interferences and temperatures.
-    preload : Real
-        Preload at the assembly [N].
-
-    Returns
-    -------
-    dict
-        Forces, interferences and temperatures; the temperature from which the joint is loose is None if there is none.
-    """
+    """How a drive was assembled, for a JSON document."""
     loose = float(loose_temperature(fit))
     return {
         "force_N": float(preload),

@@ -44,18 +44,7 @@ def pin_room(joint: Joint) -> tuple[Array, Array]:
 
 
 def refuse_pins(joint: Joint) -> None:
-    """Refuse pins as thick as their rollers, and pins that lock.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Raises
-    ------
-    InputError
-        With the sizes.
-    """
+    """Refuse pins as thick as their rollers, and pins that lock."""
     thick, held = map(np.asarray, pin_room(joint))
     for name, room, grip in zip(pin_names(joint.drive), thick, held, strict=True):
         assert joint.bearings is not None or not (room or grip)

@@ -10,18 +10,7 @@ from asperity.units import format_quantity
 
 
 def refuse_short_contacts(result: JointResult) -> None:
-    """Refuse crowned contacts that are too short for their width.
-
-    Parameters
-    ----------
-    result : JointResult
-        The result of one joint.
-
-    Raises
-    ------
-    InputError
-        With the contact, its length and its width.
-    """
+    """Refuse crowned contacts that are too short for their width."""
     holds = result.diagnostics.slices_hold
     if holds is None or np.all(np.asarray(holds)):
         return

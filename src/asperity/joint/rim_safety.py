@@ -51,32 +51,7 @@ def body_rims(
     turns: tuple[float, ...],
     sectors: int = 1,
 ) -> BodyRims:
-    """Stresses of one body under the torque and at rest.
-
-    Parameters
-    ----------
-    member : BodyInMachine
-        The body and its contacts.
-    material : Material
-        What it is made of.
-    states : tuple of tuple
-        Normal and tangential forces of all contacts, under the torque and at rest, shape (contacts, ...) [N].
-    width : Array
-        Half-widths of all contacts, shape (contacts, ...) [m].
-    turns : tuple of float
-        Sign that makes the tangential force of each contact of the body one that acts on it counter-clockwise.
-    sectors : int, optional
-        Number of sectors that the contacts of a body of one sector belong to, where these differ.
-
-    Returns
-    -------
-    BodyRims
-        nan for a solid body.
-
-    References
-    ----------
-    Equation (L3) of :doc:`/equations`.
-    """
+    """Stresses of one body under the torque and at rest."""
     batch = width.shape[1:]
     if not isinstance(member.body, Annulus):
         nothing = jnp.full(batch, jnp.nan)
@@ -119,22 +94,7 @@ def body_rims(
 
 
 def worse_rims(right: BodyRims, left: BodyRims) -> BodyRims:
-    """The worse of two bodies.
-
-    Parameters
-    ----------
-    right, left : BodyRims
-        Two bodies.
-
-    Returns
-    -------
-    BodyRims
-        The larger stresses and the smaller safeties; the range is that of the larger amplitude.
-
-    References
-    ----------
-    Comparison.
-    """
+    """The worse of two bodies."""
     takes_right = right.amplitude > left.amplitude
     mean, amplitude = (
         jnp.where(takes_right, getattr(right, name), getattr(left, name)) for name in ("mean", "amplitude")

@@ -75,28 +75,7 @@ def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
 
 
 def branch_rims(sectors: int, joint: Joint, working: Array, rest: Array) -> BodyRims:
-    """Strength of the bodies that bend between sectors that differ; pure.
-
-    Parameters
-    ----------
-    sectors : int
-        Number of sectors.
-    joint : Joint
-        A joint with equal sectors.
-    working, rest : Array
-        Normal and tangential forces of the contacts of each sector, counter-clockwise as in
-        :class:`asperity.drive.state.state.DriveState`, under the torque and without it, shape (2, contacts, sectors)
-        [N].
-
-    Returns
-    -------
-    BodyRims
-        As :func:`joint_rims`: of a ring under all its forces, of a roller that of the sector where it is worst.
-
-    References
-    ----------
-    Equations (I4) and (L3) of :doc:`/equations`.
-    """
+    """Strength of the bodies that bend between sectors that differ; pure."""
     even = jnp.ones((sectors, len(joint.drive.contacts)))
     sizes = SectorSizes(0.0 * even, even, 0.0)
     whole = unfolded_joint(joint, sizes, sectors=sectors, floating=())

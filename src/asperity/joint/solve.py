@@ -50,18 +50,7 @@ class Solution(eqx.Module):
 
 
 def result_and_capacity(joint: Joint) -> tuple[JointResult, TorqueCapacities]:
-    """Everything about one joint, and its capacities, without a judgement whether it exists.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint of NumPy numbers.
-
-    Returns
-    -------
-    JointResult, TorqueCapacities
-        Results, and torque capacities in both directions, with leaves as NumPy arrays.
-    """
+    """Everything about one joint, and its capacities, without a judgement whether it exists."""
     joint = in_motion(joint)
     first = compile_fast(laws_and_states, joint)
     laws, states = first.results
@@ -116,18 +105,7 @@ def solve_joint(joint: Joint) -> Solution:
 
 
 def refuse_bores(joint: Joint) -> None:
-    """Refuse a hollow roller without a wall.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Raises
-    ------
-    InputError
-        With the diameters.
-    """
+    """Refuse a hollow roller without a wall."""
     for number, (body, shape) in enumerate(zip(joint.drive.bodies, joint.shapes, strict=True)):
         radius = min(float(radius) for radius, _ in tracks_of(joint, number))
         if shape.bore_diameter is not None and float(shape.bore_diameter) >= 2.0 * radius:
@@ -138,18 +116,7 @@ def refuse_bores(joint: Joint) -> None:
 
 
 def refuse_short_pins(joint: Joint) -> None:
-    """Refuse pins that are shorter than their rollers.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Raises
-    ------
-    InputError
-        With the lengths.
-    """
+    """Refuse pins that are shorter than their rollers."""
     if joint.pin is None:
         return
     for body in joint.drive.pinned:
@@ -229,20 +196,7 @@ def _beyond_what_is_computed(joint: Joint, solution: Solution, capacity: TorqueC
 
 
 def refuse_no_rolling(joint: Joint, solution: Solution) -> None:
-    """Refuse a joint that stands but has no steady rolling state.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    solution : Solution
-        What it does.
-
-    Raises
-    ------
-    NoSolutionError
-        With the torque up to which it rolls.
-    """
+    """Refuse a joint that stands but has no steady rolling state."""
     if np.isfinite(np.asarray(solution.result.rolling.residual)):
         return
     if not bool(solution.result.contact_law_holds):

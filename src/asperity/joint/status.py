@@ -82,20 +82,7 @@ def flag_attributes() -> dict[str, object]:
 
 
 def joint_status(joint: Joint, result: JointResult) -> Array:
-    """Status code of one joint.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        What :func:`asperity.joint.evaluation.evaluate` says about it.
-
-    Returns
-    -------
-    Array
-        Code, an index into :data:`asperity.joint.status.STATUSES`, 8-bit; the first reason that applies.
-    """
+    """Status code of one joint."""
     drive, residual = joint.drive, result.forces.balance_residual
     at_rest = jnp.all(result.rest.normal > 0.0) & (result.rest.residual < STATE_TOLERANCE)
     if result.cam is not None:

@@ -106,28 +106,7 @@ def loaded_stiffness(
 def stiffness_levels(
     joint: Joint, contacts: JointContacts, loaded: LoadedContacts, sliding_friction: Array
 ) -> tuple[TorsionalStiffness, TorsionalStiffness, Assembly]:
-    """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    contacts : JointContacts
-        Its contacts.
-    loaded : LoadedContacts
-        Its contacts under their forces.
-    sliding_friction : Array
-        Of :func:`asperity.drive.stiffness.network.network_stiffness`.
-
-    Returns
-    -------
-    TorsionalStiffness, TorsionalStiffness, Assembly
-        The first two with the centres of all rollers held.
-
-    References
-    ----------
-    Equations (A8) and (M4) of :doc:`/equations`.
-    """
+    """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly."""
     drive, ratio = joint.drive, jnp.asarray(speed_ratio(joint.drive))
     interfaces = loaded.interfaces
 

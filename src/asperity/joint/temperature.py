@@ -22,29 +22,7 @@ from asperity.types import Real
 
 
 def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
-    """Interference that a kelvin adds to each contact of a joint.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint; the thermal expansion of all its materials is known.
-    housing_expansion : Real or None
-        Expansion coefficient of the housing that holds rings [1/K]; None for that of each ring.
-
-    Returns
-    -------
-    Array
-        Interference over temperature, shape (contacts,) [m/K].
-
-    Notes
-    -----
-    The carrier expands like its first roller on a pin, which matters only where pins push outwards or inwards: along
-    the tangent they leave the rollers free to follow the contacts.
-
-    References
-    ----------
-    Equation (I2) of :doc:`/equations`.
-    """
+    """Interference that a kelvin adds to each contact of a joint, shape (contacts,) [m/K]."""
     drive = joint.drive
     own = [jnp.asarray(material.thermal_expansion) for material in joint.materials]
     first, second = places(drive)
@@ -77,26 +55,7 @@ def contact_fit(
     working_temperature: Real,
     housing_expansion: Real | None,
 ) -> ContactFit:
-    """How a drive was assembled, and what temperature does to it.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint with an interference and its pattern at the assembly.
-    assembly_temperature, working_temperature : Real
-        Temperatures of the whole drive [degC].
-    housing_expansion : Real or None
-        Expansion coefficient of the housing that holds rings [1/K]; None for that of each ring.
-
-    Returns
-    -------
-    ContactFit
-        For the joint.
-
-    References
-    ----------
-    Equation (I2) of :doc:`/equations`.
-    """
+    """How a drive was assembled, and what temperature does to it."""
     drive, pattern = joint.drive, jnp.asarray(joint.pattern)
     forces = rest_forces(drive=drive, pattern=pattern)
     change = contact_expansion(joint, housing_expansion=housing_expansion)
@@ -111,20 +70,7 @@ def contact_fit(
 
 
 def solved_at(joint: Joint, temperature: float) -> tuple[JointResult, TorqueCapacities]:
-    """What the same joint does at another working temperature.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint with a fit.
-    temperature : float
-        Working temperature [degC].
-
-    Returns
-    -------
-    JointResult, TorqueCapacities
-        With the numbers as NumPy arrays; without meaning where the joint is loose.
-    """
+    """What the same joint does at another working temperature."""
     assert joint.fit is not None
     there = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
@@ -132,18 +78,7 @@ def solved_at(joint: Joint, temperature: float) -> tuple[JointResult, TorqueCapa
 
 
 def assembly_document(joint: Joint) -> dict[str, Any] | None:
-    """Preload and interference at the assembly, and what temperature does to them, for a JSON document.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    dict or None
-        As :func:`asperity.joint.looseness.assembly_document`.
-    """
+    """Preload and interference at the assembly, and what temperature does to them, for a JSON document."""
     if joint.fit is None:
         return None
     result, _ = solved_at(joint, float(joint.fit.assembly_temperature))

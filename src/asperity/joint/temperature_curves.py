@@ -39,19 +39,7 @@ class TemperatureCurves(eqx.Module):
 
 
 def temperature_curves(joint: Joint) -> TemperatureCurves:
-    """Preload, assembled stiffness and torque capacity of a joint around the temperatures of its file.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint with a :class:`asperity.joint.fit.Fit`.
-
-    Returns
-    -------
-    TemperatureCurves
-        From half their difference below the colder to half of it above the warmer temperature, at least 20 K on either
-        side.
-    """
+    """Preload, assembled stiffness and torque capacity of a joint around the temperatures of its file."""
     fit = joint.fit
     if fit is None:
         raise InputError(

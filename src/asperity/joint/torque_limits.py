@@ -51,22 +51,7 @@ class TorqueCapacity(eqx.Module):
 
 
 def named_capacity(found: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
-    """The capacity with its kind of limit and contact, from the first of many limits.
-
-    Parameters
-    ----------
-    found : FirstLimit
-        First of: locked pins, slip, lift-off and width of every contact, wall at every contact, no solution.
-    contacts : int
-        Number of contacts.
-    walls : bool, optional
-        Whether walls are among the limits.
-
-    Returns
-    -------
-    TorqueCapacity
-        Its torque and limit.
-    """
+    """The capacity with its kind of limit and contact, from the first of many limits."""
     each = (*_PER_CONTACT, "wall_too_thin") if walls else _PER_CONTACT
     names = ["none", "pins_lock", *(name for name in each for _ in range(contacts)), "no_solution"]
     kinds = [LIMIT_KINDS.index(name) for name in names]
@@ -113,24 +98,7 @@ def capacity_document(
     contacts: tuple[str, ...],
     first_slip: TorqueCapacity | None = None,
 ) -> dict[str, Any]:
-    """The capacity of one joint in one direction as a part of a JSON document.
-
-    Parameters
-    ----------
-    capacity : TorqueCapacity
-        Of one joint and one direction.
-    contacts : tuple of str
-        Names of the contacts.
-    first_slip : TorqueCapacity or None, optional
-        Where the first contact slides, while others may still hold; None for drives in which none is said to hold.
-
-    Returns
-    -------
-    dict
-        Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words; whether
-        the joint may carry more, because only what is computed ends there; with the torque and the contact of the first
-        slip.
-    """
+    """The capacity of one joint in one direction as a part of a JSON document [N·m]."""
     torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
     at_least = LIMIT_KINDS[int(capacity.limit)] in MODEL_LIMITS
     found: dict[str, Any] = {

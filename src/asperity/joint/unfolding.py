@@ -109,19 +109,7 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
 def reference_force(joint: Joint) -> Array:
     """Normal forces without torque around which the laws of a joint with equal sectors are taken.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    Array
-        Forces, shape (contacts,) [N].
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
+    Shape (contacts,) [N].
     """
     return contact_laws(joint, joint_contacts(joint)).reference_force
 
@@ -129,28 +117,7 @@ def reference_force(joint: Joint) -> Array:
 def assembled_sectors(
     sectors: int, floating: tuple[str, ...], joint: Joint, sizes: SectorSizes
 ) -> DriveState:
-    """The assembled joint without torque.
-
-    Parameters
-    ----------
-    sectors : int
-        Number of sectors.
-    floating : tuple of str
-        Names of the bodies on the axis whose centres can move.
-    joint : Joint
-        A joint with equal sectors.
-    sizes : SectorSizes
-        What differs between them.
-
-    Returns
-    -------
-    DriveState
-        Of the unfolded drive.
-
-    References
-    ----------
-    Equations (I4) and (M3) of :doc:`/equations`.
-    """
+    """The assembled joint without torque."""
     whole = unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
     assert whole.interference is not None
     return state_at_rest(

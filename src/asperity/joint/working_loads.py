@@ -49,24 +49,7 @@ def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
 
 
 def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
-    """Loads of the structure of an assembled joint without torque; pure.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    MemberLoads
-        From the preload alone.
-
-    References
-    ----------
-    Equations (M1) and (M3) of :doc:`/equations`.
-    """
+    """Loads of the structure of an assembled joint without torque; pure."""
     return member_loads(
         drive=joint.drive,
         normal=jnp.asarray(result.rest.normal),

@@ -60,20 +60,7 @@ def _results_of_structure(structure: str) -> dict[str, Result]:
 
 
 def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
-    """Which rows of a result the joint of a file has: the bearings that are rated, the bodies that bend.
-
-    Parameters
-    ----------
-    tables : mapping
-        Tables of the joint file.
-    result : Result
-        A row of :func:`results_of`.
-
-    Returns
-    -------
-    tuple of int
-        All rows where every joint has them.
-    """
+    """Which rows of a result the joint of a file has: the bearings that are rated, the bodies that bend."""
     present = result.present
     if present is None or not result.row_shape:
         return tuple(range(len(result.row_names)))
@@ -111,19 +98,7 @@ def evaluated_points(
 ) -> tuple[Array, dict[str, Array]]:
     """Status and results of the joints that tables of SI numbers and arrays describe; pure.
 
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units; varied numbers are arrays that broadcast to the points.
-    points : tuple of int
-        Shape of the points.
-    results : tuple of str
-        Names of :func:`results_of`.
-
-    Returns
-    -------
-    Array, dict of Array
-        Codes, shape (points); name → values, shape (points), or (rows, points).
+    Shape (points).
     """
     status, named = _each_point(values, points, results)
     table = results_of(values)

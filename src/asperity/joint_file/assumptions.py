@@ -206,20 +206,7 @@ def _surfaces(case: Case) -> list[str]:
 
 
 def temperature_assumptions(case: Case, *, housed: bool) -> list[str]:
-    """What is taken for the temperatures.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    housed : bool
-        Whether a housing holds a ring.
-
-    Returns
-    -------
-    list of str
-        One sentence each.
-    """
+    """What is taken for the temperatures."""
     if case.temperature is None:
         return []
     told = [
@@ -249,18 +236,7 @@ def _thermal_interference(case: Case) -> float:
 
 
 def fatigue_unknown(body: str, material: str) -> str:
-    """Says that the safety of a body against fatigue is not computed.
-
-    Parameters
-    ----------
-    body, material : str
-        A body that bends, and the name of its material, which has no fatigue strength.
-
-    Returns
-    -------
-    str
-        One sentence.
-    """
+    """Says that the safety of a body against fatigue is not computed."""
     return (
         f"no fatigue_strength of material {material}: the safety against fatigue of the {body.replace('_', ' ')}, "
         "which bends, is not computed"
@@ -268,18 +244,7 @@ def fatigue_unknown(body: str, material: str) -> str:
 
 
 def rolling_assumptions(rolling: Rolling | None) -> list[str]:
-    """What the model of rolling takes for every joint, and what a file leaves out of it.
-
-    Parameters
-    ----------
-    rolling : Rolling or None
-        Section [rolling] of the file.
-
-    Returns
-    -------
-    list of str
-        One sentence each.
-    """
+    """What the model of rolling takes for every joint, and what a file leaves out of it."""
     told = [
         "rolling: steady, the asperities yield in both directions, by u_0 = N/K_n for e times the pressure: the local "
         "form of the contact law is not published; the churning of the oil is not counted",
@@ -298,22 +263,7 @@ def rolling_assumptions(rolling: Rolling | None) -> list[str]:
 def lubrication_assumptions(
     lubrication: Lubrication | None, *, materials: Mapping[str, MaterialEntry], by_average: bool
 ) -> list[str]:
-    """What is left out of oil and heat.
-
-    Parameters
-    ----------
-    lubrication : Lubrication or None
-        The oil.
-    materials : mapping
-        Materials of the bodies by name.
-    by_average : bool
-        Whether the surfaces of all contacts are stated by their Ra.
-
-    Returns
-    -------
-    list of str
-        One sentence each.
-    """
+    """What is left out of oil and heat."""
     told = []
     if lubrication is None:
         told.append("no section [lubrication]: no oil, no loss at the inlet of the contacts")

@@ -57,26 +57,7 @@ class SteppedPlanetBranch(Section):
 
 
 def refuse_branches(found: int, *, count: int, what: str, by_interference: bool, cam: bool) -> None:
-    """Refuse sections ``[[branch]]`` that do not belong to their drive.
-
-    Parameters
-    ----------
-    found : int
-        Number of the sections.
-    count : int
-        Number of branches of the drive.
-    what : str
-        What the branches of the drive are.
-    by_interference : bool
-        Whether an interference makes the preload.
-    cam : bool
-        Whether a loading cam adds to it.
-
-    Raises
-    ------
-    InputError
-        With the numbers, or with the key that is needed.
-    """
+    """Refuse sections ``[[branch]]`` that do not belong to their drive."""
     if found != count:
         raise InputError(f"the drive has {count} {what}, but there are {found} sections [[branch]]")
     if cam:

@@ -254,21 +254,7 @@ class TolerancedTrack(NamedTuple):
 
 
 def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[TolerancedTrack]:
-    """What numbers of a joint file do to the interference of its contacts, of those that do.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units, with ``load.interference``.
-    paths : tuple of str
-        Dotted paths of numbers.
-
-    Returns
-    -------
-    list of TolerancedTrack
-        One for each part that has the size: both loading rollers of a planet, for example. Of several paths of one
-        track the first.
-    """
+    """What numbers of a joint file do to the interference of its contacts, of those that do."""
     drive, _, pattern = layout_of(values)
     own = sized_tracks(values)
     off_axis = {body.name for body in drive.bodies if body.place != "axis"}
@@ -327,22 +313,7 @@ def branched_joint(case: Case, joint: Joint, solution: Solution) -> BranchedJoin
 
 
 def unequal_sectors(case: Case, joint: Joint, solution: Solution) -> UnequalBranches | None:
-    """What the sections ``[[branch]]`` of a joint file do to its joint.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    joint : Joint
-        Its joint.
-    solution : Solution
-        What the joint does with equal branches.
-
-    Returns
-    -------
-    UnequalBranches or None
-        None where there are no such sections.
-    """
+    """What the sections ``[[branch]]`` of a joint file do to its joint."""
     branched = branched_joint(case, joint, solution)
     if branched is None:
         return None
@@ -363,20 +334,7 @@ def unequal_sectors(case: Case, joint: Joint, solution: Solution) -> UnequalBran
 
 
 def with_nominal_sizes(values: Values) -> Values:
-    """Tables in which changes of the radii are deviations from their present values.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    dict
-        Tables of which :func:`joint_from_values` adds to the interference by how much the rollers have grown
-        against their rings; unchanged where the preload is stated as a force, and for type ``planar``, whose rings have
-        radii of their own.
-    """
+    """Tables in which changes of the radii are deviations from their present values."""
     if "interference" not in values["load"] or type_of(values) not in CONTACTS:
         return values
     radii = {name: size for name, size in values["drive"].items() if name.endswith("_radius")}
@@ -384,10 +342,7 @@ def with_nominal_sizes(values: Values) -> Values:
 
 
 def _grown(values: Values, drive: Drive) -> Array:
-    """Interference of each contact that the deviations of finished parts from their nominal sizes add, [m].
-
-    Rings whose radii follow from the rollers keep the nominal ones.
-    """
+    """Interference of each contact that the deviations of finished parts from their nominal sizes add, [m]."""
     nominal, *_ = layout_of(values | {"drive": values["drive"] | values["nominal"]})
     if "ring_radius" in values["drive"]:
         return interference_of_sizes(

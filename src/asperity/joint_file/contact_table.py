@@ -97,32 +97,7 @@ def convert_contact_table(
     asperity_base: AsperityBase,
     progress: Callable[[int], None] = lambda rows: None,
 ) -> Summary:
-    """Read a table of roller pairs and write it again with the results behind each row.
-
-    Parameters
-    ----------
-    source, target : str or Path
-        Two CSV files, comma separated, with a header. Columns that are neither input nor result are carried along;
-        result columns that are already there are replaced.
-    frequency_ratio : float
-        Frequency ratio gamma of all rows [-].
-    asperity_base : {"majumdar_bhushan_1991", "circular_spot"}
-        Variant of all rows.
-    progress : callable
-        Called with the number of rows done.
-
-    Returns
-    -------
-    Summary
-        Number of rows, which columns were replaced, and in how many rows K_t and K_n are nan because every spot is
-        plastic, where the contact law has no stiffness.
-
-    Raises
-    ------
-    InputError
-        If a file cannot be read or written, both are the same, a column is missing, or a row is bad; then nothing is
-        written.
-    """
+    """Read a table of roller pairs and write it again with the results behind each row."""
     check_file(target, source)
     with open_text(source) as stream:
         try:

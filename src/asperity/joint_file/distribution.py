@@ -77,25 +77,7 @@ def parse_distribution(text: str) -> Distribution:
 
 
 def split_distribution(written: str) -> tuple[str, Distribution | None]:
-    """Split the text of a tolerance from the distribution behind its comma.
-
-    Parameters
-    ----------
-    written : str
-        For example ``"13.5 mm +- 5 um, uniform"``.
-
-    Returns
-    -------
-    text : str
-        For example ``"13.5 mm +- 5 um"``.
-    distribution : Distribution or None
-        None if there is no comma behind the tolerance.
-
-    Raises
-    ------
-    InputError
-        If what follows the comma is no distribution.
-    """
+    """Split the text of a tolerance from the distribution behind its comma."""
     text, comma, tail = written.rpartition(",")
     signs = ("±", "+-", "+/-", "+ -", "+ /")
     if not comma or not any(sign in text for sign in signs) or re.match(r"\s*\d", tail):

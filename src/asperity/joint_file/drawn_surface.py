@@ -24,34 +24,12 @@ _NORMAL_95 = 1.959963984540054
 
 
 def surfaces_by_average(case: Case) -> dict[str, SurfaceEntry]:
-    """The surfaces of a joint file that are stated by their Ra.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    dict
-        Dotted path → the entry.
-    """
+    """The surfaces of a joint file that are stated by their Ra."""
     return {path: entry for path, entry in _entries(case) if entry.roughness_average is not None}
 
 
 def depth_assumptions(case: Case) -> list[str]:
-    """What is taken for surfaces that are stated by their Rz.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    list of str
-        One sentence each.
-    """
+    """What is taken for surfaces that are stated by their Rz."""
     told = []
     for path, entry in surfaces_by_average(case).items():
         for key, of in ((_AVERAGE, DEPTH), (_PARTNER, PARTNER_DEPTH)):

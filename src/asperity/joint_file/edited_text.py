@@ -43,20 +43,7 @@ _EARLIER_VERDICTS = re.compile(
 
 
 def exact_text(value_si: float, key: Key) -> str:
-    """A quantity as text that reads back as the same number to rounding.
-
-    Parameters
-    ----------
-    value_si : float
-        Value in SI units.
-    key : Key
-        Key of the joint file, which names the unit.
-
-    Returns
-    -------
-    str
-        The shortest such number, and unit.
-    """
+    """A quantity as text that reads back as the same number to rounding."""
     texts = [
         f"{from_si(value_si, key.unit):.{digits}g} {key.unit}".removesuffix(" 1") for digits in (15, 16, 17)
     ]
@@ -147,22 +134,7 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
 
 
 def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
-    """Change values in the tables of a joint file before they are checked.
-
-    Parameters
-    ----------
-    document : mapping
-        The tables as the file states them: tomlkit's document, or nested dictionaries. They are changed in place.
-    written : mapping
-        Dotted path of a number → its new value as it stands in a file, text with its unit. A section that the file
-        leaves out is added; the numbers that it needs are 0 where they may be. An entry for all contacts is split if a
-        path names one. An Rz takes the place of an Ra.
-
-    Raises
-    ------
-    InputError
-        If a path is not that of a number of a joint file.
-    """
+    """Change values in the tables of a joint file before they are checked."""
     for path, value in written.items():
         if entered_key_at(path, type_of(document)) is None:
             key_at(path, type_of(document))
@@ -174,15 +146,7 @@ def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
 
 
 def set_words(document: Any, written: Mapping[str, str]) -> None:
-    """Change words in the tables of a joint file before they are checked, such as ``drive.ring_support``.
-
-    Parameters
-    ----------
-    document : mapping
-        As for :func:`set_texts`.
-    written : mapping
-        Dotted path of a key in a section → its word; empty to leave the key out.
-    """
+    """Change words in the tables of a joint file before they are checked, such as ``drive.ring_support``."""
     for path, word in written.items():
         section, name = path.split(".")
         if not word:
@@ -194,15 +158,7 @@ def set_words(document: Any, written: Mapping[str, str]) -> None:
 
 
 def leave_out(document: Any, path: str) -> None:
-    """Remove a key from the tables of a joint file; one that is not there is left alone.
-
-    Parameters
-    ----------
-    document : mapping
-        As for :func:`set_texts`.
-    path : str
-        Its dotted path.
-    """
+    """Remove a key from the tables of a joint file; one that is not there is left alone."""
     *above, name = path.split(".")
     table = document
     for step in above:
@@ -260,11 +216,7 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
 
 
 def _put(table: Any, name: str, value: Any) -> None:
-    """Write a key: in its place, in that of the key that it replaces, or after the last one of its section.
-
-    What tomlkit appends stands behind the comments at the end of a section, such as the sections of a template that
-    wait to be used: with these the key would change its section.
-    """
+    """Write a key: in its place, in that of the key that it replaces, or after the last one of its section."""
     plain = [key for key, each in table.items() if not isinstance(each, Table | AoT)]
     if name in table or not plain or not isinstance(table, Table):
         table[name] = value

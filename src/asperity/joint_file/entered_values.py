@@ -33,18 +33,7 @@ def entered_key_at(path: str, kind: str) -> Key | None:
 
 
 def entered_values(case: Case) -> dict[str, tuple[Key, Quantity]]:
-    """Every such number that a joint file states.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    dict
-        Dotted path → what it means, and the number with its text.
-    """
+    """Every such number that a joint file states."""
     kind = case.type
     return {
         path: (key, key.read(written))

@@ -22,23 +22,7 @@ _MEANT = {"ra": _AVERAGE, "rz": DEPTH, "roughness_ra": _AVERAGE, "roughness_rz":
 
 
 def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:
-    """The tables of a joint file in which a surface with a finish states its D, and one with an Rz its Ra.
-
-    Parameters
-    ----------
-    tables : mapping
-        The joint file as TOML reads it. ``surface = {finish = "ground", roughness_average = "0.2 um"}`` gets the
-        published range of D of ground surfaces as a tolerance about its middle; what the file states stays. A
-        ``mean_roughness_depth`` gives the Ra of normally distributed heights, with the range that D and the scatter
-        or the tolerance of Rz leave open, and the cut-off of ISO 4288 for this Rz; so does the Rz of the partner.
-
-    Returns
-    -------
-    tables : dict
-        New tables; everything else is checked by the reader of joint files.
-    refused : dict
-        Dotted path of a surface → why no surface can be made of it. Its table is left unchanged.
-    """
+    """The tables of a joint file in which a surface with a finish states its D, and one with an Rz its Ra."""
     surface = tables.get("surface")
     refused: dict[str, str] = {}
     if not isinstance(surface, dict):
@@ -58,18 +42,7 @@ def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[st
 
 
 def dimension_text(finish: Finish) -> str:
-    """The published range of D of a finish as a number with its tolerance.
-
-    Parameters
-    ----------
-    finish : Finish
-        A finish of the library.
-
-    Returns
-    -------
-    str
-        For example ``1.325 +- 0.175, uniform``; the number alone where the source gives one value.
-    """
+    """The published range of D of a finish as a number with its tolerance."""
     low, high = finish.published_dimension
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     return f"{middle:.10g} +- {half:.10g}, uniform" if half > 0.0 else f"{middle:.10g}"

@@ -18,18 +18,7 @@ from asperity.joint_file.si_tables import Values
 
 
 def misdescribed(case: GeneralCase) -> Iterator[str]:
-    """Messages about rollers and contacts that do not fit together.
-
-    Parameters
-    ----------
-    case : GeneralCase
-        The joint file.
-
-    Yields
-    ------
-    str
-        One sentence for each mistake.
-    """
+    """Messages about rollers and contacts that do not fit together."""
     rollers = [roller.name for roller in case.roller]
     for what, names in (("roller", rollers), ("contact", [contact.name for contact in case.contact])):
         yield from (
@@ -111,18 +100,7 @@ def _unlike_crowns(case: GeneralCase) -> Iterator[str]:
 
 
 def general_layout(values: Values) -> tuple[Drive, tuple[BodyShape, ...], tuple[float, ...]]:
-    """The drive that the rollers and contacts of a file make.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    Drive, tuple of BodyShape, tuple of float
-        The drive with closed contacts, what each body is, and the interference of each contact.
-    """
+    """The drive that the rollers and contacts of a file make."""
     rollers, contacts, drive = values["roller"].values(), values["contact"].values(), values["drive"]
     xp = namespace(values["roller"], values["contact"], drive)
     housing = values.get("compliance", {}).get("ring_housing_stiffness")

@@ -14,18 +14,7 @@ from asperity.joint_file.wedge_model import WedgeCase
 
 
 def variants(annotation: Any) -> Iterator[Any]:
-    """An annotation without its wrappers.
-
-    Parameters
-    ----------
-    annotation : object
-        Annotation of a field.
-
-    Yields
-    ------
-    object
-        The members of a union, or the annotation itself.
-    """
+    """An annotation without its wrappers."""
     origin = get_origin(annotation)
     if origin is Annotated:
         yield from variants(get_args(annotation)[0])

@@ -18,27 +18,7 @@ _Section = tuple[list[str], list[str]]
 
 
 def rearranged(sections: Sequence[Any], places: Sequence[int], *, name: str) -> list[Any]:
-    """The sections of a list in another arrangement.
-
-    Parameters
-    ----------
-    sections : sequence
-        Those of the file.
-    places : sequence of int
-        For each wanted section its place in the file, counted from 1; 0 for a new, empty one.
-    name : str
-        Name of the list, for the message.
-
-    Returns
-    -------
-    list
-        The sections that are wanted.
-
-    Raises
-    ------
-    InputError
-        If the file has no such section.
-    """
+    """The sections of a list in another arrangement."""
     for place in places:
         if not 0 <= place <= len(sections):
             raise InputError(f"{name}: the file has no section {place} in [[{name}]]")
@@ -46,26 +26,7 @@ def rearranged(sections: Sequence[Any], places: Sequence[int], *, name: str) -> 
 
 
 def rearranged_text(text: str, places: Sequence[int], *, name: str) -> str:
-    """The text of a joint file with the sections of a list in another arrangement.
-
-    Parameters
-    ----------
-    text : str
-        TOML.
-    places, name
-        As for :func:`rearranged`.
-
-    Returns
-    -------
-    str
-        TOML. Comments stay, those directly above a section with it; a file that is laid out in another way, such as
-        ``duty = [{…}]``, loses its comments.
-
-    Raises
-    ------
-    InputError
-        If the file has no such section.
-    """
+    """The text of a joint file with the sections of a list in another arrangement [{…}]."""
     tables = parse_toml(text, source="the joint file")
     wanted = rearranged(tables.get(name, []), places, name=name)
     if wanted == tables.get(name, []):

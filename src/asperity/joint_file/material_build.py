@@ -15,20 +15,7 @@ from asperity.types import Real
 
 
 def surface_of(entry: Values, *, asperity_base: AsperityBase) -> Surface:
-    """The equivalent surface of both bodies of a contact.
-
-    Parameters
-    ----------
-    entry : dict
-        An entry of the section ``surface`` in SI units, with G or with the Ra of each body.
-    asperity_base : {"majumdar_bhushan_1991", "circular_spot"}
-        Variant of the base length of an asperity.
-
-    Returns
-    -------
-    Surface
-        In SI units.
-    """
+    """The equivalent surface of both bodies of a contact."""
     dimension, roughness = entry["fractal_dimension"], entry.get("fractal_roughness")
     if roughness is None:
         average = entry["roughness_average"]
@@ -43,18 +30,7 @@ def surface_of(entry: Values, *, asperity_base: AsperityBase) -> Surface:
 
 
 def material_of(entry: Values) -> Material:
-    """A material from its table.
-
-    Parameters
-    ----------
-    entry : dict
-        Its numbers in SI units, with ``hardness`` or ``hardness_factor``.
-
-    Returns
-    -------
-    Material
-        The material.
-    """
+    """A material from its table."""
     elastic = {name: entry[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")}
     return Material(
         **elastic,

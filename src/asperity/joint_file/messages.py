@@ -24,20 +24,7 @@ Parts = tuple[str, ...]
 
 
 def closest(name: str, known: Iterable[str]) -> str | None:
-    """The known name most like the given one, if any is alike.
-
-    Parameters
-    ----------
-    name : str
-        What was written.
-    known : iterable of str
-        What could have been meant.
-
-    Returns
-    -------
-    str or None
-        One of the known names.
-    """
+    """The known name most like the given one, if any is alike."""
     import difflib
 
     close = difflib.get_close_matches(name[:200], list(known), n=3, cutoff=0.5)
@@ -209,22 +196,7 @@ def _is_section(parts: Parts, model: type[BaseModel]) -> bool:
 
 
 def unknown_materials(bodies: Any, known: Iterable[str], *, model: type[BaseModel] = WedgeCase) -> list[str]:
-    """Messages about bodies whose material is not defined, one for each such material.
-
-    Parameters
-    ----------
-    bodies : object
-        The section of the file: body → name of a material. Anything else is left to the check of the section.
-    known : iterable of str
-        Names of materials that the file defines or takes from the library.
-    model : type, optional
-        Model of the file.
-
-    Returns
-    -------
-    list of str
-        Sentences.
-    """
+    """Messages about bodies whose material is not defined, one for each such material."""
     defined = list(known)
     if not isinstance(bodies, Mapping):
         return []
@@ -256,26 +228,7 @@ def explained(
     *,
     model: type[BaseModel] = WedgeCase,
 ) -> tuple[list[str], int]:
-    """Messages about the errors of a file, one for each mistake.
-
-    Parameters
-    ----------
-    error : ValidationError
-        What pydantic found.
-    tables : mapping
-        The tables that it looked at.
-    refused : mapping
-        Dotted path of a material or a surface that could not be filled in from the library → the message about it.
-    model : type, optional
-        Model of the file.
-
-    Returns
-    -------
-    sentences : list of str
-        About all mistakes, or about the first ones of a great many.
-    more : int
-        Errors that no sentence is about.
-    """
+    """Messages about the errors of a file, one for each mistake."""
     found = [(_parts(each), each) for each in error.errors(include_url=False)]
     if refused:
         found = [

@@ -83,18 +83,7 @@ def material_key(body: str) -> str:
 
 
 def bodies_of_type(kind: str) -> tuple[str, ...]:
-    """Names of the bodies of a type.
-
-    Parameters
-    ----------
-    kind : str
-        Type of the drive.
-
-    Returns
-    -------
-    tuple of str
-        In the order of the drive.
-    """
+    """Names of the bodies of a type."""
     return tuple(dict.fromkeys(body for pair in CONTACTS[kind].values() for body in pair))
 
 
@@ -116,18 +105,7 @@ def contacts_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
 
 
 def bodies_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
-    """Names of the bodies of a joint file of another drive than that of Zou et al.
-
-    Parameters
-    ----------
-    tables : mapping
-        Its tables, as the file states them or in SI units.
-
-    Returns
-    -------
-    tuple of str
-        In the order of the drive.
-    """
+    """Names of the bodies of a joint file of another drive than that of Zou et al."""
     kind = type_of(tables)
     return bodies_of_type(kind) if kind in CONTACTS else _listed(tables["roller"])
 
@@ -225,23 +203,7 @@ def with_tracks(tables: dict[str, Any]) -> dict[str, Any]:
 
 
 def track_of(contacts: Iterable[Mapping[str, Any]], entry: Mapping[str, Any], side: str) -> str:
-    """Name of the track of a roller on which a contact of a drive of type ``planar`` lies.
-
-    Parameters
-    ----------
-    contacts : iterable of mapping
-        All contacts of the drive in SI units.
-    entry : mapping
-        One of them.
-    side : {"first", "second"}
-        Which of its rollers.
-
-    Returns
-    -------
-    str
-        Its number among the different radii of its roller, so that other radii need no new program; or the name that
-        :func:`with_tracks` has given it.
-    """
+    """Name of the track of a roller on which a contact of a drive of type ``planar`` lies."""
     if "tracks" in entry:
         return str(entry["tracks"][side])
     radii = [each[f"{one}_radius"] for each in contacts for one in _SIDES if each[one] == entry[side]]

@@ -29,18 +29,7 @@ Layout = tuple[Drive, tuple[BodyShape, ...], tuple[float, ...]]
 
 
 def misnamed_parts(case: Case) -> list[str]:
-    """Messages about tables whose entries are not the bodies or contacts of the drive.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    list of str
-        One sentence for each unknown or missing entry.
-    """
+    """Messages about tables whose entries are not the bodies or contacts of the drive."""
     kind = case.type
     drive: Any = case.drive
     found: list[str] = []

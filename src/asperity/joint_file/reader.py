@@ -67,27 +67,7 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
 
 
 def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
-    """Check the nested tables of a joint file.
-
-    Parameters
-    ----------
-    tables : dict
-        The sections of the file, as :func:`asperity.reading.parse_toml` returns them.
-    source : str
-        Name of the file, for messages.
-    folder : Path, optional
-        Where paths of material libraries in them start.
-
-    Returns
-    -------
-    Case
-        Their content, checked.
-
-    Raises
-    ------
-    InputError
-        If they contain something that is not allowed; all errors are listed.
-    """
+    """Check the nested tables of a joint file."""
     model = _model_of(tables.get("type", WEDGE_TYPE), source)
     with_materials, refused = fill_in_materials(tables, folder=folder or Path())
     filled, refused_surfaces = fill_in_finishes(with_materials)

@@ -37,10 +37,7 @@ def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
 
 
 def _offer_library(schema: Schema) -> None:
-    """Add what :func:`asperity.library.fill_in_materials` fills in before the model sees the file.
-
-    The names of the library are offered wherever one may stand; others stay allowed where a file may define them.
-    """
+    """Add what :func:`asperity.library.fill_in_materials` fills in before the model sees the file."""
     names = {"enum": list(read_materials()), "description": "A material of the library: asperity materials."}
     schema["required"].remove("materials")  # bodies may name the library's
     materials = schema["properties"]["materials"]

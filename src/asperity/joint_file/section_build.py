@@ -64,18 +64,7 @@ def inertias_from_case(case: Case) -> Inertias:
 
 
 def rated_bearing(entry: Values | None) -> RatedBearing | None:
-    """A rolling bearing as a section of a joint file rates it.
-
-    Parameters
-    ----------
-    entry : dict or None
-        The section in SI units; None where the file has none.
-
-    Returns
-    -------
-    RatedBearing or None
-        One bearing without a force from outside where the section has no such keys.
-    """
+    """A rolling bearing as a section of a joint file rates it."""
     if entry is None:
         return None
     return RatedBearing(
@@ -88,18 +77,7 @@ def rated_bearing(entry: Values | None) -> RatedBearing | None:
 
 
 def rolling_conditions(values: Values) -> RollingConditions:
-    """What the tables of a joint file say about rolling.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    RollingConditions
-        :data:`asperity.rolling.conditions.PLAIN_ROLLING` where they say nothing.
-    """
+    """What the tables of a joint file say about rolling."""
     rolling, oil, plain = values.get("rolling", {}), values.get("lubrication", {}), PLAIN_ROLLING
     return RollingConditions(
         skew=entries(rolling["skew"], contacts_of(values)) if "skew" in rolling else plain.skew,
@@ -148,20 +126,7 @@ def film_roughness(values: Values) -> tuple[Any, ...] | None:
 
 
 def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
-    """One entry for all contacts, or one each.
-
-    Parameters
-    ----------
-    entry : object
-        Number or table of a joint file.
-    contacts : tuple of str
-        Names of the contacts, in the order of their axis.
-
-    Returns
-    -------
-    tuple
-        One entry, or one for each contact.
-    """
+    """One entry for all contacts, or one each."""
     if isinstance(entry, dict) and contacts[0] in entry:
         return tuple(entry[name] for name in contacts)
     return (entry,)

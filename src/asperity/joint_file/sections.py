@@ -62,18 +62,7 @@ Duty = Annotated[tuple[DutyLoad, ...], Field(min_length=1)]
 
 
 def refuse_part_of_a_duty(duty: tuple[DutyLoad, ...] | None) -> None:
-    """Refuse a duty whose loads do not share the whole time.
-
-    Parameters
-    ----------
-    duty : tuple of DutyLoad or None
-        Its loads.
-
-    Raises
-    ------
-    InputError
-        With the sum of the shares.
-    """
+    """Refuse a duty whose loads do not share the whole time."""
     total = math.fsum(load.share for load in duty or ())
     if duty is not None and abs(total - 1.0) > 1e-9:
         raise InputError(f"the shares of [[duty]] must add up to 1, they add up to {total:.10g}")

@@ -216,27 +216,7 @@ def _for_each_contact(entry: Any, contacts: tuple[str, ...]) -> Values:
 def change_targets(
     tables: Any, path: str, *, split: Callable[[Any, tuple[str, ...]], Any] = _for_each_contact
 ) -> list[tuple[str, ...]]:
-    """Where a change of a number goes in nested tables.
-
-    Parameters
-    ----------
-    tables : mapping
-        Nested tables of a joint file. An entry for all contacts is split if the path names one contact.
-    path : str
-        Dotted path of the number.
-    split : callable, optional
-        Makes an entry for each contact from one for all and the names of the contacts.
-
-    Returns
-    -------
-    list of tuple of str
-        Names of the tables on the way to each number, and its own.
-
-    Raises
-    ------
-    InputError
-        If the drive has no such contact.
-    """
+    """Where a change of a number goes in nested tables."""
     for place in _ONE_OR_EACH:
         if path == place or path.startswith(f"{place}."):
             break

@@ -53,20 +53,7 @@ def solve_case(case: AnyCase) -> SolvedCase:
 
 
 def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
-    """The document of a joint file that is solved already.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    solved : SolvedJoint
-        As :func:`solved_case` found it.
-
-    Returns
-    -------
-    dict
-        As of :class:`SolvedCase`.
-    """
+    """The document of a joint file that is solved already."""
     return joint_document(solved, inputs=si_values(case), assumptions=assumptions(case))
 
 

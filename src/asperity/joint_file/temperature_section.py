@@ -32,26 +32,7 @@ def refuse_temperature(
     materials: Mapping[str, MaterialEntry],
     without_housing: str,
 ) -> None:
-    """Refuse temperatures for which something is not known, or is known of nothing.
-
-    Parameters
-    ----------
-    temperature : TemperatureEntry or None
-        The section; None where the file has none.
-    by_interference : bool
-        Whether an interference makes the preload.
-    bodies : mapping
-        Body → name of its material.
-    materials : mapping
-        Materials by name.
-    without_housing : str
-        What the file says where no housing holds a ring; empty where one does.
-
-    Raises
-    ------
-    InputError
-        With the materials, or the key to leave out.
-    """
+    """Refuse temperatures for which something is not known, or is known of nothing."""
     if temperature is None:
         return
     unknown = without_expansion(bodies, materials)

@@ -36,25 +36,7 @@ _WINDUP_STEPS = 20
 
 
 def joint_answer(request: JointRequest) -> Answer:
-    """Everything that the page shows of one joint.
-
-    Parameters
-    ----------
-    request : JointRequest
-        The joint.
-
-    Returns
-    -------
-    dict
-        ``document`` is that of ``asperity joint --json``; the rest is described in ``/openapi.json``.
-
-    Raises
-    ------
-    InputError
-        If the joint file is wrong, or such a joint cannot exist.
-    NoSolutionError
-        If the force balance does not close.
-    """
+    """Everything that the page shows of one joint."""
     case = request.case()
     solved, document = solve_case(case)
     interval = drawn_interval(case)
@@ -152,18 +134,7 @@ def _shown(value_si: float, key: Key) -> float:
 
 
 def plain_numbers(values: Any) -> list[float | None]:
-    """An array as a list for JSON.
-
-    Parameters
-    ----------
-    values : array
-        Numbers, shape (n,).
-
-    Returns
-    -------
-    list
-        Numbers; None where one is not finite.
-    """
+    """An array as a list for JSON."""
     return [number if math.isfinite(number) else None for number in np.asarray(values, dtype=float).tolist()]
 
 

@@ -78,28 +78,7 @@ def application(
     faster: FasterPrograms | None = None,
     longest_body: float | None = None,
 ) -> App:
-    """The page as an ASGI application.
-
-    Parameters
-    ----------
-    start : JointRequest
-        The joint that it opens with.
-    hosts : iterable of str
-        Values of the ``Host`` header that are answered.
-    computations : Computations
-        What computes joints.
-    charts : Computations
-        What computes charts: another thread, because a new chart compiles, and the sliders must not wait for it.
-    faster : FasterPrograms, optional
-        What compiles the programs of the answers again, to run faster.
-    longest_body : float, optional
-        Time in which the body of a request must arrive [s].
-
-    Returns
-    -------
-    callable
-        ASGI application behind a :class:`asperity.page.guard.Guard`.
-    """
+    """The page as an ASGI application."""
     kept, jobs, measurements = KeptAnswers(), Jobs(), Measurements()
     readers = Computations(longest=LONGEST_ANSWER)
     described = {

@@ -63,18 +63,7 @@ class ChartRequest:
 
 
 def result_rows(table: Mapping[str, Result]) -> dict[str, tuple[Result, int]]:
-    """Every number that a chart can show.
-
-    Parameters
-    ----------
-    table : mapping
-        The table of results of the drive.
-
-    Returns
-    -------
-    dict
-        Name of one number, such as ``slip_ratio_sp`` → its result and the index of its row.
-    """
+    """Every number that a chart can show."""
     return {
         row_name(name, row): (result, index)
         for name, result in table.items()
@@ -84,23 +73,7 @@ def result_rows(table: Mapping[str, Result]) -> dict[str, tuple[Result, int]]:
 
 
 def chart_results(joint: JointRequest) -> list[dict[str, str]]:
-    """What charts of a joint can show, for the lists of the page.
-
-    Parameters
-    ----------
-    joint : JointRequest
-        The joint.
-
-    Returns
-    -------
-    list of dict
-        Name, words, unit and group of each number.
-
-    Raises
-    ------
-    InputError
-        If the joint file is wrong.
-    """
+    """What charts of a joint can show, for the lists of the page."""
     return [
         {"name": name, "label": _label(result, index), "unit": _unit(result), "group": result.group}
         for name, (result, index) in result_rows(results_of(si_values(joint.case()))).items()
@@ -117,24 +90,7 @@ def _unit(result: Result) -> str:
 
 
 def chart_request(body: Any) -> ChartRequest:
-    """Check the JSON body of a request.
-
-    Parameters
-    ----------
-    body : object
-        As for :func:`asperity.page.joint_request.joint_request`, and ``chart``: ``over``, ``from``, ``to``, ``points``,
-        ``scale``, ``result`` and, if wanted, ``family`` with ``over`` and ``values``.
-
-    Returns
-    -------
-    ChartRequest
-        The chart that it asks for.
-
-    Raises
-    ------
-    InputError
-        If an entry is missing, unknown or of the wrong kind.
-    """
+    """Check the JSON body of a request."""
     if not isinstance(body, dict) or not isinstance(body.get("chart"), dict):
         raise InputError("the body must be a JSON object with a joint and an object 'chart'")
     joint = joint_request({name: value for name, value in body.items() if name != "chart"})
@@ -179,29 +135,7 @@ def _family(entry: Any) -> tuple[str, tuple[str, ...]]:
 
 
 def chart_answer(request: ChartRequest) -> dict[str, Any]:
-    """The curves of a chart.
-
-    Parameters
-    ----------
-    request : ChartRequest
-        The chart.
-
-    Returns
-    -------
-    dict
-        ``x`` and, for each of ``curves``, ``y`` and ``status``; in SI units, and as ``…_shown`` in those of displays.
-        ``joint`` is the point of the joint itself, ``reasons`` says why there is no result, by status.
-
-    Raises
-    ------
-    InputError
-        If the joint file, the numbers or the result are not usable.
-
-    Notes
-    -----
-    Every number of the file is an argument of the compiled program. One program therefore serves all charts of one
-    result, whichever number varies and whatever the others are.
-    """
+    """The curves of a chart."""
     case = request.joint.case()
     kind = case.type
     values = si_values(case)

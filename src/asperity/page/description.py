@@ -46,13 +46,7 @@ HEADINGS = {
 
 
 def description() -> dict[str, Any]:
-    """What can be set on the page.
-
-    Returns
-    -------
-    dict
-        ``groups`` of parameters, ``choices``, ``contacts``, ``materials`` and ``finishes`` of the library.
-    """
+    """What can be set on the page."""
     return {
         "asperity_version": asperity.__version__,
         **_form(WedgeCase, tuple(CHOICES.items())),
@@ -77,18 +71,7 @@ def description() -> dict[str, Any]:
 
 
 def form_of(case: Case) -> dict[str, Any]:
-    """What can be set in one joint file.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    dict
-        ``groups`` of parameters, ``choices``, and the names of the ``contacts``.
-    """
+    """What can be set in one joint file."""
     return {
         **_form(type(case), tuple(choices_of_case(case).items())),
         "contacts": list(contacts_of(si_values(case))),

@@ -14,23 +14,7 @@ from asperity.show.drive_forces import body_forces
 
 
 def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:
-    """Circles of a planar drive, and the contact forces of its first sector.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    dict
-        ``rollers``: a circle for every track of every roller; ``rings`` with inner radius and wall [m]; ``forces`` on
-        the first body of each contact, as vectors [N]; ``bodies``: the rollers of the first sector,
-        each with the radii of its tracks and of its bore [m] and every force on it: where it acts, as a direction from
-        the axis, and as a vector [N]; no ``forces`` and ``bodies`` where the forces are not known.
-    """
+    """Circles of a planar drive, and the contact forces of its first sector."""
     drive, centres = joint.drive, np.asarray(joint.drive.centres)
     circles, rings = [], []
     for number, (body, shape) in enumerate(zip(drive.bodies, joint.shapes, strict=True)):

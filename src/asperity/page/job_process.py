@@ -66,25 +66,7 @@ def _end_with_the_page() -> None:
 
 
 def run_job(request: dict[str, Any], report: Report) -> dict[str, Any]:
-    """Run one job.
-
-    Parameters
-    ----------
-    request : dict
-        ``kind``: sensitivity, uncertainty, design or measure; ``file``: name of the file; ``options``.
-    report : callable
-        Called with what is done and with all that is to be done.
-
-    Returns
-    -------
-    dict
-        The document that the command of the same name prints with ``--json``.
-
-    Raises
-    ------
-    AsperityError
-        As the command.
-    """
+    """Run one job."""
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
@@ -142,19 +124,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
 
 
 def design_words(result: DesignResult) -> dict[str, Any]:
-    """Numbers of a design as people read them, with their units.
-
-    Parameters
-    ----------
-    result : DesignResult
-        A design.
-
-    Returns
-    -------
-    dict
-        ``goal``, ``before``, ``after``; ``variables`` by dotted path, each with its value before (None where the file
-        does not state it) and as designed; ``limits`` in the order of the document, with what is reached and required.
-    """
+    """Numbers of a design as people read them, with their units."""
     from asperity.joint_file.part_names import type_of
     from asperity.joint_file.si_tables import key_at, numeric_keys, si_values
     from asperity.units import format_quantity

@@ -187,30 +187,7 @@ class Jobs:
 
 
 def job_request(body: Any) -> tuple[str, JointRequest, dict[str, bytes], dict[str, Any]]:
-    """Check the JSON body of a request for a job.
-
-    Parameters
-    ----------
-    body : object
-        As for :func:`asperity.page.joint_request.joint_request`, and ``job``: ``kind``, and where it takes them
-        ``samples``, ``seed`` and ``distribution``, or ``design``, the text of a design file, and its name ``file``.
-
-    Returns
-    -------
-    kind : str
-        What the job does.
-    joint : JointRequest
-        The joint.
-    files : dict
-        Name → content of the files; the first one is that of the job.
-    options : dict
-        Its options.
-
-    Raises
-    ------
-    InputError
-        If an entry is missing, unknown or of the wrong kind, or the joint file is wrong.
-    """
+    """Check the JSON body of a request for a job."""
     if not isinstance(body, dict) or not isinstance(body.get("job"), dict):
         raise InputError("the body must be a JSON object with a joint and an object 'job'")
     joint = joint_request({name: value for name, value in body.items() if name != "job"})

@@ -44,20 +44,7 @@ def _words(annotation: Any) -> tuple[str, ...]:
 
 
 def choices_of(model: type[Case], bodies: Iterable[str]) -> dict[str, tuple[str, ...]]:
-    """The choices that a joint file offers.
-
-    Parameters
-    ----------
-    model : type
-        The class of the joint file.
-    bodies : iterable of str
-        Names of its bodies.
-
-    Returns
-    -------
-    dict
-        Dotted path → the words that it offers; none where a name of a material stands.
-    """
+    """The choices that a joint file offers."""
     return {
         **{f"bodies.{name}": () for name in bodies},
         FINISH: tuple(read_finishes()),
@@ -219,20 +206,7 @@ def _may_be_absent(path: str, model: type[Case], kind: str) -> bool:
 
 
 def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
-    """Refuse a joint file that names another file: nothing that arrives by the network may open one.
-
-    Parameters
-    ----------
-    tables : mapping
-        The tables of the joint file.
-    source : str
-        Its name, for the message.
-
-    Raises
-    ------
-    InputError
-        With the key.
-    """
+    """Refuse a joint file that names another file: nothing that arrives by the network may open one."""
     materials = tables.get("materials")
     for name, entry in materials.items() if isinstance(materials, Mapping) else ():
         if isinstance(entry, Mapping) and "file" in entry:

@@ -32,18 +32,7 @@ def is_list(annotation: Any) -> bool:
 
 
 def lists_of(model: type[WedgeCase] | type[Case]) -> dict[str, str | None]:
-    """The lists of a joint file that it may leave out.
-
-    Parameters
-    ----------
-    model : type
-        The class of the joint file.
-
-    Returns
-    -------
-    dict
-        Name → dotted path of the number of sections that it has to have; None where any number will do.
-    """
+    """The lists of a joint file that it may leave out."""
     return {
         name: f"drive.{model.branches_are[0]}" if name == "branch" else None
         for name, field in model.model_fields.items()
@@ -54,28 +43,7 @@ def lists_of(model: type[WedgeCase] | type[Case]) -> dict[str, str | None]:
 def places_of_lists(
     tables: Mapping[str, Any], changes: Mapping[str, Any], model: type[WedgeCase] | type[Case]
 ) -> dict[str, list[int]]:
-    """The wanted arrangement of each list that changes.
-
-    Parameters
-    ----------
-    tables : mapping
-        The tables of the file without the changes.
-    changes : mapping
-        Name of a list → the places of its sections in the file, ``"1 3 0"`` with 0 for a new one; :data:`EACH`; or
-        empty text for none. Other changes are those of the request.
-    model : type
-        The class of the joint file.
-
-    Returns
-    -------
-    dict
-        Name → places, counted from 1; 0 for a new section.
-
-    Raises
-    ------
-    InputError
-        If a change is none of these.
-    """
+    """The wanted arrangement of each list that changes."""
     found = {}
     for name, count_path in lists_of(model).items():
         if name not in changes:
@@ -107,20 +75,7 @@ def _count(tables: Mapping[str, Any], changes: Mapping[str, Any], path: str, *, 
 
 
 def arrange(tables: dict[str, Any], places: Mapping[str, list[int]]) -> None:
-    """Give the lists of a joint file another arrangement.
-
-    Parameters
-    ----------
-    tables : dict
-        The tables of the file, which are changed.
-    places : mapping
-        As :func:`places_of_lists` returns them.
-
-    Raises
-    ------
-    InputError
-        If the file has no such section.
-    """
+    """Give the lists of a joint file another arrangement."""
     for name, wanted in places.items():
         sections = rearranged(tables.get(name, []), wanted, name=name)
         tables.pop(name, None)
@@ -129,21 +84,7 @@ def arrange(tables: dict[str, Any], places: Mapping[str, list[int]]) -> None:
 
 
 def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -> dict[str, Any]:
-    """The changes that are left when the lists have their arrangement.
-
-    Parameters
-    ----------
-    changes : mapping
-        Those of the request.
-    places : mapping
-        As :func:`places_of_lists` returns them.
-
-    Returns
-    -------
-    dict
-        Changes of sections that :data:`EACH` no longer has are left out: they wait for the drive to have as many
-        branches again.
-    """
+    """The changes that are left when the lists have their arrangement."""
 
     def beyond(path: str) -> bool:
         name, _, rest = path.partition(".")
@@ -154,21 +95,7 @@ def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -
 
 
 def stated_lists(case: Case, tables: Mapping[str, Any]) -> dict[str, Any]:
-    """What the page has to know about the lists of a joint file to make their fields.
-
-    Parameters
-    ----------
-    case : Case
-        The joint.
-    tables : mapping
-        The tables of its file without changes.
-
-    Returns
-    -------
-    dict
-        Name → its ``meaning``, ``keys`` of a section in their order, ``one_for_each`` as :func:`lists_of`, ``most``
-        sections, and ``of_file``: the texts of each section of the file, by key.
-    """
+    """What the page has to know about the lists of a joint file to make their fields."""
     found = {}
     for name, count_path in lists_of(type(case)).items():
         keys = [

@@ -61,13 +61,7 @@ _STATED: Schema = {
 
 
 def openapi() -> Schema:
-    """Addresses, bodies and answers of the JSON interface.
-
-    Returns
-    -------
-    dict
-        OpenAPI 3.1.
-    """
+    """Addresses, bodies and answers of the JSON interface."""
     return {
         "openapi": "3.1.0",
         "info": {

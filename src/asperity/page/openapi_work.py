@@ -16,13 +16,7 @@ _IDENTITY = {"name": "id", "in": "path", "required": True, "schema": _TEXT}
 
 
 def job_schema() -> Schema:
-    """The state of a job.
-
-    Returns
-    -------
-    dict
-        JSON schema.
-    """
+    """The state of a job."""
     return {
         "type": "object",
         "properties": {
@@ -43,20 +37,7 @@ def job_schema() -> Schema:
 
 
 def work_paths(problems: Mapping[str, Schema], request: Schema) -> Schema:
-    """Addresses for files and jobs.
-
-    Parameters
-    ----------
-    problems : mapping
-        Answers to wrong requests.
-    request : dict
-        Schema of a request about a joint.
-
-    Returns
-    -------
-    dict
-        Paths of OpenAPI.
-    """
+    """Addresses for files and jobs."""
 
     def answer(schema: Schema, description: str) -> Schema:
         return {"description": description, "content": {"application/json": {"schema": schema}}}

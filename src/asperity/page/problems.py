@@ -66,20 +66,7 @@ def _no_constant(name: str) -> None:
 
 
 def errors_by_key(message: str, *, source: str) -> dict[str, str]:
-    """The errors of a message by the key of the joint file that they are about.
-
-    Parameters
-    ----------
-    message : str
-        A message about a joint file: one sentence, or a list of them.
-    source : str
-        Name of the file at its beginning.
-
-    Returns
-    -------
-    dict
-        Dotted path → what is wrong. Sentences that name no key are absent.
-    """
+    """The errors of a message by the key of the joint file that they are about."""
     found = {}
     for line in message.removeprefix(f"{source}: ").split("\n  "):
         keyed = _KEYED.match(line)

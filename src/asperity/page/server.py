@@ -18,30 +18,13 @@ MOST_CONNECTIONS = 64
 
 
 def require_packages() -> None:
-    """Raise unless the packages of the page are installed.
-
-    Raises
-    ------
-    MissingExtraError
-        With the command that installs them.
-    """
+    """Raise unless the packages of the page are installed."""
     for name in ("starlette", "uvicorn"):
         optional_module(name, extra="page", needs="the page needs")
 
 
 def is_loopback(host: str) -> bool:
-    """Whether an address can be reached from this computer alone.
-
-    Parameters
-    ----------
-    host : str
-        Name or address.
-
-    Returns
-    -------
-    bool
-        True for ``localhost``, 127.0.0.0/8 and ::1.
-    """
+    """Whether an address can be reached from this computer alone."""
     if host == "localhost":
         return True
     try:
@@ -51,25 +34,7 @@ def is_loopback(host: str) -> bool:
 
 
 def listening_socket(host: str, port: int) -> socket.socket:
-    """A socket that listens at an address.
-
-    Parameters
-    ----------
-    host : str
-        Name or address.
-    port : int
-        Port; 0 for a free one.
-
-    Returns
-    -------
-    socket
-        The socket.
-
-    Raises
-    ------
-    InputError
-        If the address is not of this computer, or stands for all addresses, or the port is in use.
-    """
+    """A socket that listens at an address."""
     try:
         family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     except OSError as error:
@@ -95,20 +60,7 @@ def listening_socket(host: str, port: int) -> socket.socket:
 
 
 def host_names(host: str, port: int) -> tuple[str, ...]:
-    """Values of the ``Host`` header under which the page may be asked for.
-
-    Parameters
-    ----------
-    host : str
-        Where the server listens.
-    port : int
-        Its port.
-
-    Returns
-    -------
-    tuple of str
-        With the port; the loopback names, and the address itself.
-    """
+    """Values of the ``Host`` header under which the page may be asked for."""
     names = dict.fromkeys(["127.0.0.1", "localhost", "[::1]", f"[{host}]" if ":" in host else host])
     found = [f"{name}:{port}" for name in names]
     return tuple(found + list(names) if port == 80 else found)
@@ -122,26 +74,7 @@ def serve(
     ready: Callable[[str], None],
     stopping: Callable[[KeyboardInterrupt], None],
 ) -> None:
-    """Serve the page until it is interrupted.
-
-    Parameters
-    ----------
-    start : JointRequest
-        The joint that it opens with.
-    listening : socket
-        Where to listen.
-    host : str
-        Name or address of the socket.
-    ready : callable
-        Called with the address of the page once it answers.
-    stopping : callable
-        Called with the interruption, where the process ends here because a computation still runs.
-
-    Raises
-    ------
-    KeyboardInterrupt
-        If it is interrupted.
-    """
+    """Serve the page until it is interrupted."""
     import uvicorn
 
     from asperity.page.application import LONGEST_ANSWER, application

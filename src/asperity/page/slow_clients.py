@@ -18,13 +18,7 @@ MOST_SILENT = 32
 
 
 def impatient_protocol() -> type[asyncio.Protocol]:
-    """The HTTP protocol of uvicorn with limits of time.
-
-    Returns
-    -------
-    type
-        For the option ``http`` of ``uvicorn.Config``.
-    """
+    """The HTTP protocol of uvicorn with limits of time."""
     from uvicorn.protocols.http.auto import AutoHTTPProtocol
 
     class Impatient(AutoHTTPProtocol):  # type: ignore[misc, valid-type]

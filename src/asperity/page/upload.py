@@ -35,20 +35,7 @@ _TOML_LINE = re.compile(
 
 
 def recognised(content: bytes, name: str) -> Kind:
-    """What a file is, by its content; the ending ``.toml`` is taken at its word.
-
-    Parameters
-    ----------
-    content : bytes
-        The file.
-    name : str
-        Its name.
-
-    Returns
-    -------
-    {"joint", "design", "measurement", "surface"}
-        What it is read as.
-    """
+    """What a file is, by its content; the ending ``.toml`` is taken at its word."""
     beginning = content[:4096].removeprefix(b"\xef\xbb\xbf")
     text = b"\0" not in beginning
     if name.lower().endswith(".toml") or (
@@ -61,20 +48,7 @@ def recognised(content: bytes, name: str) -> Kind:
 
 
 def refuse_downloads(content: bytes, name: str) -> None:
-    """Say of a result document or a report, as the page itself saves them, what to open in their place.
-
-    Parameters
-    ----------
-    content : bytes
-        The file.
-    name : str
-        Its name.
-
-    Raises
-    ------
-    InputError
-        If it is one.
-    """
+    """Say of a result document or a report, as the page itself saves them, what to open in their place."""
     instead = "no joint can be read from it; open the joint file (.toml)"
     beginning = content[:4096].removeprefix(b"\xef\xbb\xbf").lstrip()
     if beginning.startswith(b"{") and b'"asperity_version"' in content and len(content) <= LARGEST_RESULT:
@@ -97,25 +71,7 @@ def refuse_downloads(content: bytes, name: str) -> None:
 
 
 def opened_joint(content: bytes, name: str) -> dict[str, Any]:
-    """A joint file with what it states.
-
-    Parameters
-    ----------
-    content : bytes
-        The file.
-    name : str
-        Its name.
-
-    Returns
-    -------
-    dict
-        ``name``, ``toml`` and what :func:`asperity.page.answer.stated_values` says.
-
-    Raises
-    ------
-    InputError
-        If it is not a joint file.
-    """
+    """A joint file with what it states."""
     refuse_downloads(content, name)
     name = shown_name(name)
     text = _text(content, name)
@@ -125,25 +81,7 @@ def opened_joint(content: bytes, name: str) -> dict[str, Any]:
 
 
 def opened_design(content: bytes, name: str) -> dict[str, Any]:
-    """The text of a design file; it is checked when the design begins.
-
-    Parameters
-    ----------
-    content : bytes
-        The file.
-    name : str
-        Its name.
-
-    Returns
-    -------
-    dict
-        ``name`` and ``design``.
-
-    Raises
-    ------
-    InputError
-        If it is not TOML.
-    """
+    """The text of a design file; it is checked when the design begins."""
     name = shown_name(name)
     text = _text(content, name)
     parse_toml(text, source=name)
@@ -206,29 +144,7 @@ class Measurements:
 def measured_upload(
     content: bytes, name: str, units: Mapping[str, str], begun: Callable[[Child], Any] = lambda child: None
 ) -> dict[str, Any]:
-    """D and G of the file of an instrument, or those of a measurement that was made before.
-
-    Parameters
-    ----------
-    content : bytes
-        The file.
-    name : str
-        Its name.
-    units : mapping
-        ``position_unit``, ``height_unit`` and ``spacing``, where the file does not say them.
-    begun : callable
-        Called with the process that measures.
-
-    Returns
-    -------
-    dict
-        ``document`` is that of ``asperity surface measure --json``; ``changes`` put it into the joint file.
-
-    Raises
-    ------
-    InputError
-        As the command, if the file takes too long, or if it is a result document or a report.
-    """
+    """D and G of the file of an instrument, or those of a measurement that was made before."""
     refuse_downloads(content, name)
     options: dict[str, Any] = {key: value for key, value in units.items() if value}
     if "spacing" in options:

@@ -24,22 +24,7 @@ LOOK, SILENCE = 0.1, 10.0
 
 
 def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -> list[Route]:
-    """The addresses.
-
-    Parameters
-    ----------
-    jobs : Jobs
-        The queue of jobs.
-    measurements : Measurements
-        What measures surfaces.
-    readers : Computations
-        What reads files, so that other requests are answered meanwhile.
-
-    Returns
-    -------
-    list of Route
-        For the application.
-    """
+    """The addresses."""
 
     async def measured(request: Request, content: bytes, name: str) -> Response:
         units = {

@@ -14,35 +14,13 @@ Document = dict[str, Any]
 
 
 def equal_branches(document: Document) -> Iterator[Block]:
-    """What of a joint holds for equal branches only.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Yields
-    ------
-    Block
-        A paragraph, if the branches of the joint differ.
-    """
+    """What of a joint holds for equal branches only."""
     if "branches" in document:
         yield Paragraph(document["branches"]["note"])
 
 
 def branch_tables(found: Document) -> Iterator[Block]:
-    """What unequal branches do to a joint.
-
-    Parameters
-    ----------
-    found : dict
-        As :func:`asperity.results.branch_document.branch_document` makes it.
-
-    Yields
-    ------
-    Block
-        A heading, a sentence, what is not known and why, and two tables.
-    """
+    """What unequal branches do to a joint."""
     states, names = (found["standing"], found["rolling"]), deviations(found)
 
     def of(state: Document | None, name: str, index: int, factor: float = 1.0) -> str:

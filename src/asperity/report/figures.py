@@ -36,33 +36,7 @@ def report_pictures(
     name: str,
     interference: float | None = None,
 ) -> dict[str, str]:
-    """All pictures of a joint.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    solved : SolvedJoint
-        The same with its results.
-    windup : Windup or None
-        Its wind-up, if it has one.
-    onset : RollingOnset or None
-        The same joint when it turns under its largest torque, if it rolls then.
-    rolling_capacity : float
-        Its torque capacity in rolling [N·m]; nan if it does not roll.
-    windup_capacities : tuple of float
-        Those standing, of positive and of negative torques, for the wind-up [N·m].
-    name : str
-        What the drawing is called.
-    interference : float or None, optional
-        With which the drive is made [m]; None where it is not known.
-
-    Returns
-    -------
-    dict
-        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none, ``forces`` and ``budget`` where only
-        its own branches carry the torque.
-    """
+    """All pictures of a joint."""
     from matplotlib.figure import Figure
 
     whole = drive_sheet(joint, name=name, interference=interference)
@@ -91,18 +65,7 @@ def report_pictures(
 
 
 def figure_svg(figure: Figure) -> str:
-    """A figure as the text of an SVG file, the same text for the same figure.
-
-    Parameters
-    ----------
-    figure : Figure
-        The figure.
-
-    Returns
-    -------
-    str
-        SVG.
-    """
+    """A figure as the text of an SVG file, the same text for the same figure."""
     from matplotlib import rc_context
 
     target = io.StringIO()

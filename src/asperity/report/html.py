@@ -70,18 +70,7 @@ def report_html(report: Report) -> str:
 
 
 def blocks_html(blocks: Sequence[Block]) -> str:
-    """Write blocks of a report as HTML that another page can hold.
-
-    Parameters
-    ----------
-    blocks : sequence of Block
-        Headings, sentences, tables, pictures and listings.
-
-    Returns
-    -------
-    str
-        HTML without head and body.
-    """
+    """Write blocks of a report as HTML that another page can hold."""
     section, parts = 0, []
     for number, block in enumerate(blocks):
         section += isinstance(block, Heading)

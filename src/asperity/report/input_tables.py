@@ -11,18 +11,7 @@ from asperity.units import format_quantity
 
 
 def inputs_table(case: Case) -> Table:
-    """Every number of a joint file.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file; numbers of library materials are filled in.
-
-    Returns
-    -------
-    Table
-        One row a number.
-    """
+    """Every number of a joint file."""
     rows = []
     for path, number in numeric_keys(case).items():
         unit = number.key.unit
@@ -34,18 +23,7 @@ def inputs_table(case: Case) -> Table:
 
 
 def choices_table(case: Case) -> Table:
-    """Everything in a joint file that is not a number.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    Table
-        One row a choice.
-    """
+    """Everything in a joint file that is not a number."""
     return Table(
         "Choices of the joint file", ("key", "value"), list(_words(si_values(case), "")), words=(0, 1)
     )

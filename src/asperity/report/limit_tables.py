@@ -27,22 +27,7 @@ _OWN_BRANCHES_ALONE = (
 
 
 def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True) -> str:
-    """Whether the requirements of function and strength are met, and which are not known.
-
-    Parameters
-    ----------
-    found : sequence of Margin
-        As :func:`asperity.results.margins.margins` gives them.
-    rims : dict
-        Entry ``rims`` of the joint's document: a body without a fatigue strength has no such requirement in the table.
-    judges_all : bool, optional
-        False where equal branches do not carry the torque, so that nothing is known about them.
-
-    Returns
-    -------
-    str
-        One sentence.
-    """
+    """Whether the requirements of function and strength are met, and which are not known."""
     judged = [each for each in found if not each.passes and each.severity in ("function", "damage")]
     failed, unknown = (
         [
@@ -69,18 +54,7 @@ def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True)
 
 
 def doubts(found: Sequence[Margin]) -> Iterator[Block]:
-    """Whether the numbers can be relied on.
-
-    Parameters
-    ----------
-    found : sequence of Margin
-        As :func:`asperity.results.margins.margins` gives them.
-
-    Yields
-    ------
-    Block
-        A sentence if they cannot.
-    """
+    """Whether the numbers can be relied on."""
     doubtful = [each.result.label for each in found if each.severity == "accuracy" and not each.passes]
     if doubtful:
         yield Paragraph(
@@ -90,18 +64,7 @@ def doubts(found: Sequence[Margin]) -> Iterator[Block]:
 
 
 def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
-    """Required and actual values.
-
-    Parameters
-    ----------
-    found : sequence of Margin
-        As :func:`asperity.results.margins.margins` gives them.
-
-    Yields
-    ------
-    Block
-        A sentence and a table.
-    """
+    """Required and actual values."""
     yield Paragraph(
         "Each requirement at the contact or clearance where it is met worst. First stand those that are not met, the "
         "most serious first, then those that are not known, then states of the joint that have a consequence, then all "
@@ -139,18 +102,7 @@ def _rank(margin: Margin) -> tuple[int, float]:
 
 
 def warnings(document: Document) -> Iterator[Block]:
-    """Every limit that is crossed, with its meaning and what to do.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Yields
-    ------
-    Block
-        A table, or a sentence if there is no warning.
-    """
+    """Every limit that is crossed, with its meaning and what to do."""
     crossed: dict[tuple[str, str], list[Document]] = {}
     for entry in document["diagnostics"]:
         if not entry["ok"]:

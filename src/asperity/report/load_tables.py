@@ -18,18 +18,7 @@ _SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm"}
 
 
 def loads(document: Document) -> Iterator[Block]:
-    """What pins, bearings, shafts and housing carry, and how long the bearings live.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.loads_document.loads_document` makes it.
-
-    Yields
-    ------
-    Block
-        Tables and notes.
-    """
+    """What pins, bearings, shafts and housing carry, and how long the bearings live."""
     rows = []
     for row in document["loads"]:
         unit = _SHOWN[row["unit"]]
@@ -85,18 +74,7 @@ def _bearings(entries: list[Document]) -> Table:
 
 
 def rims(document: Document) -> Iterator[Block]:
-    """Stresses of the ring where it bends and of hollow rollers, if there are any.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Yields
-    ------
-    Block
-        A table, and what its safety against yield is.
-    """
+    """Stresses of the ring where it bends and of hollow rollers, if there are any."""
     rows = [
         (
             body.replace("_", " "),

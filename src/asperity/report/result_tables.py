@@ -21,18 +21,7 @@ Document = dict[str, Any]
 
 
 def summary(document: Document) -> Table:
-    """The numbers that are asked for first.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Returns
-    -------
-    Table
-        One row a number.
-    """
+    """The numbers that are asked for first."""
     load = document["input"]["load"]
     stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     equal = " of equal branches" if "branches" in document else ""
@@ -116,18 +105,7 @@ def _capacity(entry: Document) -> str:
 
 
 def stiffness(document: Document) -> Iterator[Block]:
-    """Stiffness on every level, and the budget of the compliance.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Yields
-    ------
-    Block
-        Tables.
-    """
+    """Stiffness on every level, and the budget of the compliance."""
     keys = ("input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
     yield Table(
         "Torsional stiffness",
@@ -158,18 +136,7 @@ def stiffness(document: Document) -> Iterator[Block]:
 
 
 def contacts(document: Document) -> Iterator[Block]:
-    """Forces, pressures and stiffness of the contacts.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Yields
-    ------
-    Block
-        Tables.
-    """
+    """Forces, pressures and stiffness of the contacts."""
     forces = document["standing"]["forces"]
     slip = {
         each["contact"]: each["value"] for each in document["diagnostics"] if each["name"] == "slip_ratio"

@@ -57,18 +57,7 @@ class ReportStudies:
 
 
 def study_sections(studies: ReportStudies) -> Iterator[Block]:
-    """The sections of the studies that were made.
-
-    Parameters
-    ----------
-    studies : ReportStudies
-        Studies of one joint.
-
-    Yields
-    ------
-    Block
-        Headings, tables and pictures.
-    """
+    """The sections of the studies that were made."""
     if studies.sensitivities is not None:
         yield from sensitivity_section(studies.sensitivities)
     if studies.spread is not None:
@@ -78,18 +67,7 @@ def study_sections(studies: ReportStudies) -> Iterator[Block]:
 
 
 def sensitivity_section(found: xarray.Dataset) -> Iterator[Block]:
-    """Elasticities of the results, largest influence on the stiffness first.
-
-    Parameters
-    ----------
-    found : xarray.Dataset
-        Sensitivities of :data:`STUDIED`.
-
-    Yields
-    ------
-    Block
-        Heading, table, picture.
-    """
+    """Elasticities of the results, largest influence on the stiffness first."""
     from asperity.study.tolerances.influence_plot import tornado_figure
     from asperity.study.tolerances.sensitivity import ranking
 
@@ -121,18 +99,7 @@ def _elasticity(value: float) -> str:
 
 
 def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
-    """Intervals of the results under the tolerances of the file, and what each tolerance contributes.
-
-    Parameters
-    ----------
-    spread : xarray.Dataset
-        Samples of :data:`STUDIED`.
-
-    Yields
-    ------
-    Block
-        Heading, tables, pictures.
-    """
+    """Intervals of the results under the tolerances of the file, and what each tolerance contributes."""
     from asperity.study.tolerances.influence_plot import uncertainty_figure
 
     yield Heading("Tolerances")
@@ -186,20 +153,7 @@ def _shares(spread: xarray.Dataset) -> list[tuple[str, ...]]:
 
 
 def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
-    """A design of the joint: before and after, and how it stands to its limits.
-
-    Parameters
-    ----------
-    result : DesignResult
-        The design.
-    name : str
-        Name of the design file.
-
-    Yields
-    ------
-    Block
-        Heading, tables, picture.
-    """
+    """A design of the joint: before and after, and how it stands to its limits."""
     from asperity.study.design.design_plot import design_figure
 
     problem = result.problem
@@ -263,18 +217,7 @@ def _limits(result: DesignResult) -> Iterator[tuple[str, ...]]:
 
 
 def study_files(studies: ReportStudies) -> Iterator[Block]:
-    """The design file and the designed joint, from which the section on the design follows.
-
-    Parameters
-    ----------
-    studies : ReportStudies
-        Studies of one joint.
-
-    Yields
-    ------
-    Block
-        Headings and listings; nothing without a design.
-    """
+    """The design file and the designed joint, from which the section on the design follows."""
     if studies.design is not None:
         yield Heading("Design file")
         yield Listing(studies.design_text)

@@ -13,20 +13,7 @@ Document = dict[str, Any]
 
 
 def measured_stiffness(measured: Document, interval: Document) -> Iterator[Block]:
-    """Interval of stiffness and drift that follows from the uncertainty of a measured surface.
-
-    Parameters
-    ----------
-    measured : dict
-        As :func:`asperity.surface.measurement.measurement_document` makes it.
-    interval : dict
-        As :func:`asperity.joint.measured_surface.stiffness_interval` makes it.
-
-    Yields
-    ------
-    Block
-        A table, and a sentence on draws that are left out.
-    """
+    """Interval of stiffness and drift that follows from the uncertainty of a measured surface."""
     yield from _interval(
         f"{percent(interval['confidence'])} interval from the measured surface, D = "
         f"{number(measured['fractal_dimension'])}, G = {quantity(measured['fractal_roughness_m'], 'mm')}",
@@ -41,18 +28,7 @@ def measured_stiffness(measured: Document, interval: Document) -> Iterator[Block
 
 
 def drawn_stiffness(interval: Document | None) -> Iterator[Block]:
-    """Interval of stiffness and drift over what the Ra of the surfaces leaves open.
-
-    Parameters
-    ----------
-    interval : dict or None
-        As :func:`asperity.joint_file.drawn_surface.drawn_interval` makes it.
-
-    Yields
-    ------
-    Block
-        A table and its ranges of D and Ra; nothing where no surface is stated by its Ra.
-    """
+    """Interval of stiffness and drift over what the Ra of the surfaces leaves open."""
     if interval is not None:
         yield from _interval("Interval over what the Ra of the surfaces leaves open", interval)
         yield Paragraph(interval["words"])
@@ -73,18 +49,7 @@ def _interval(title: str, interval: Document) -> Iterator[Block]:
 
 
 def averages(document: Document) -> Table:
-    """The Ra that belongs to the D and G of every surface.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Returns
-    -------
-    Table
-        One row for each different surface.
-    """
+    """The Ra that belongs to the D and G of every surface."""
     rows = []
     for entry in document["surfaces"]:
         low, high = (number(entry[f"roughness_average_{end}_m"], 1e6) for end in ("low", "high"))

@@ -24,20 +24,7 @@ _HEAD = """\
 
 
 def typst_source(report: Report, *, pictures: list[str]) -> str:
-    """Write a report as typst.
-
-    Parameters
-    ----------
-    report : Report
-        The report.
-    pictures : list of str
-        Names of the files of its pictures, in order.
-
-    Returns
-    -------
-    str
-        Source of a document; the same text for the same report.
-    """
+    """Write a report as typst."""
     title, names = literal(report.title), iter(pictures)
     parts = [
         f"#set document(title: {title}, date: none)\n{_HEAD}",
@@ -76,18 +63,7 @@ def _parts(blocks: Sequence[Block], names: Iterator[str]) -> Iterator[str]:
 
 
 def literal(text: str) -> str:
-    """A text as a string literal of typst.
-
-    Parameters
-    ----------
-    text : str
-        Any text on one line; control characters are written out.
-
-    Returns
-    -------
-    str
-        The literal with its quotation marks.
-    """
+    """A text as a string literal of typst."""
     return _quoted(printable(text))
 
 

@@ -11,18 +11,7 @@ _HEAD = ("quantity: reference", "values", "expected", "found", "deviation", "tol
 
 
 def validation_report(document: dict[str, Any]) -> Report:
-    """A report of the checks, one table for each model.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.validation.run.validation_document` returns it.
-
-    Returns
-    -------
-    Report
-        With versions, platform and checksum of the installation in front.
-    """
+    """A report of the checks, one table for each model."""
     packages = ", ".join(f"{name} {version}" for name, version in document["packages"].items())
     total = document["passed"] + document["failed"]
     passed = f"All {total} checks passed."
@@ -59,18 +48,5 @@ def _row(row: dict[str, Any]) -> tuple[str, ...]:
 
 
 def shown(value: float | None, digits: int) -> str:
-    """A number for people; a dash where there is none.
-
-    Parameters
-    ----------
-    value : float or None
-        The number.
-    digits : int
-        Significant digits.
-
-    Returns
-    -------
-    str
-        Its text.
-    """
+    """A number for people; a dash where there is none."""
     return "–" if value is None else f"{value:.{digits}g}"

@@ -21,34 +21,12 @@ from asperity.units import format_quantity
 
 
 def all_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
-    """Every limit of one solved joint.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint, without batch axes.
-
-    Returns
-    -------
-    tuple of LimitCheck
-        Those of its results, the most serious first, then :func:`further_checks`.
-    """
+    """Every limit of one solved joint."""
     return checked_limits(solved) + further_checks(solved)
 
 
 def further_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
-    """The limits of one solved joint that are not those of a result.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint, without batch axes.
-
-    Returns
-    -------
-    tuple of LimitCheck
-        Of unequal branches, if it has some, of the loads of its duty, if it has one, and of the life that is required.
-    """
+    """The limits of one solved joint that are not those of a result."""
     found: tuple[LimitCheck, ...] = ()
     if solved.branches is not None:
         found = branch_checks(solved.branches, turns=float(solved.joint.sun_speed) != 0.0)

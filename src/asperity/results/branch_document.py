@@ -36,18 +36,7 @@ def force_size(found: Document, components: Sequence[float]) -> float:
 
 
 def branch_document(found: UnequalBranches) -> Document:
-    """What unequal branches do to a joint, in SI units.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        What was found.
-
-    Returns
-    -------
-    dict
-        Nested tables; None where there is no number.
-    """
+    """What unequal branches do to a joint, in SI units."""
     sizes = found.sizes
     support, life = sizes.sun_support_stiffness, least_life(found)
     document: Document = {

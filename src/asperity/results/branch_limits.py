@@ -19,22 +19,7 @@ _EVEN = 1e-9  # relative difference of preloads up to which branches are alike
 
 
 def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, ...]:
-    """What unequal branches have to meet, each where it is met worst.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches of a joint, with their slip.
-    turns : bool
-        Whether the joint turns; first slip in rolling holds for no other.
-
-    Returns
-    -------
-    tuple of LimitCheck
-        First slip, preload of the loosest branch and Hertz pressure over first yield, standing; first slip and Hertz
-        pressure over the shakedown limit in rolling; and, where it is crossed, that equal branches carry the torque. A
-        value that does not exist is nan.
-    """
+    """What unequal branches have to meet, each where it is met worst."""
     checks = [
         _slip(found, found.capacity, found.standing, "standing"),
         _looseness(found),
@@ -138,18 +123,7 @@ def _worst(found: UnequalBranches, name: str, state: BranchState | None) -> Limi
 
 
 def pressed(found: UnequalBranches) -> str:
-    """How much harder the most loaded branch is pressed than equal ones, in words.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches of a joint.
-
-    Returns
-    -------
-    str
-        A clause without a full stop.
-    """
+    """How much harder the most loaded branch is pressed than equal ones, in words."""
     branch = int(np.argmax(found.preload))
     if np.ptp(found.preload) <= _EVEN * found.preload[branch]:
         return f"every {found.noun} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
@@ -161,20 +135,7 @@ def pressed(found: UnequalBranches) -> str:
 
 
 def refuse_beyond(found: UnequalBranches, output_torque: float) -> None:
-    """Refuse a torque that the branches do not carry together.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches of a joint.
-    output_torque : float
-        Its output torque [N·m].
-
-    Raises
-    ------
-    InputError
-        With the largest torque.
-    """
+    """Refuse a torque that the branches do not carry together."""
     most = found.capacity.all_slip
     if abs(output_torque) > most:
         raise InputError(
@@ -185,36 +146,14 @@ def refuse_beyond(found: UnequalBranches, output_torque: float) -> None:
 
 
 def refuse_no_rolling_together(found: UnequalBranches) -> None:
-    """Refuse branches that do not roll steadily under the joint's torque.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches of a joint.
-
-    Raises
-    ------
-    NoSolutionError
-        With the torque up to which they roll.
-    """
+    """Refuse branches that do not roll steadily under the joint's torque."""
     refused = no_rolling_together(found)
     if refused:
         raise NoSolutionError(refused)
 
 
 def no_rolling_together(found: UnequalBranches) -> str:
-    """Why branches do not roll steadily under the joint's torque.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches of a joint.
-
-    Returns
-    -------
-    str
-        With the torque up to which they roll; empty where they do.
-    """
+    """Why branches do not roll steadily under the joint's torque."""
     if found.rolling is not None:
         return ""
     capacity = found.rolling_capacity
@@ -227,18 +166,7 @@ def no_rolling_together(found: UnequalBranches) -> str:
 
 
 def equal_branches_note(found: UnequalBranches) -> str:
-    """What of a joint is that of equal branches, and by how much the most loaded branch differs.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches of a joint.
-
-    Returns
-    -------
-    str
-        Sentences.
-    """
+    """What of a joint is that of equal branches, and by how much the most loaded branch differs."""
     what = "Forces, pressures, stiffness, drift, losses and lives of rollers outside the section on branches"
     note = f"{what} are those of equal branches; {pressed(found)}."
     if found.beyond_equal:
@@ -280,34 +208,12 @@ def capacity_words(document: dict[str, Any], name: str) -> str:
 
 
 def least_life(found: UnequalBranches) -> float:
-    """Life of a drive all of whose branches are loaded like the one that lives shortest.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches of a joint.
-
-    Returns
-    -------
-    float
-        Life under the joint's torque [h]; nan where it is not known.
-    """
+    """Life of a drive all of whose branches are loaded like the one that lives shortest [h]."""
     return shortest_life(found.rolling)
 
 
 def shortest_life(state: BranchState | None) -> float:
-    """Life of a drive all of whose branches are loaded like the one that lives shortest in a state.
-
-    Parameters
-    ----------
-    state : BranchState or None
-        The branches in rolling; None where they do not roll.
-
-    Returns
-    -------
-    float
-        Life in this state [h]; nan where that of a branch that is pressed is not known, as where it slips.
-    """
+    """Life of a drive all of whose branches are loaded like the one that lives shortest in a state [h]."""
     if state is None or "life_hours" not in state.limits:
         return math.nan
     lives = state.limits["life_hours"][state.preload > 0.0]
@@ -315,18 +221,7 @@ def shortest_life(state: BranchState | None) -> float:
 
 
 def slipping_in_rolling(found: UnequalBranches) -> str:
-    """Which branches slip as a whole in rolling while others carry the rest.
-
-    Parameters
-    ----------
-    found : UnequalBranches
-        The branches of a joint.
-
-    Returns
-    -------
-    str
-        A clause without a full stop; empty where none does.
-    """
+    """Which branches slip as a whole in rolling while others carry the rest."""
     if found.rolling is None:
         return ""
     slips = [str(index + 1) for index in np.flatnonzero(found.rolling.slip_ratio >= 1.0)]

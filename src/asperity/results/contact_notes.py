@@ -92,26 +92,7 @@ def contact_notes(
     film_ratio: float,
     contact_factor_model: str,
 ) -> list[Note]:
-    """Notes on the friction, length, oil film and size of one contact of any drive.
-
-    Parameters
-    ----------
-    name : str
-        Name of the contact.
-    friction_coefficient : float
-        mu [-].
-    contact_length, smaller_radius, effective_radius : float
-        Length, radius of the smaller roller and effective radius [m].
-    film_ratio : float
-        Oil film over roughness [-]; nan where it is not known.
-    contact_factor_model : str
-        Model of the contact factor.
-
-    Returns
-    -------
-    list of Note
-        Those that are not ok are warnings.
-    """
+    """Notes on the friction, length, oil film and size of one contact of any drive."""
     notes = [
         _note(
             "friction_coefficient",
@@ -144,22 +125,7 @@ def contact_notes(
 
 
 def crown_notes(name: str, diagnostics: Diagnostics, index: int) -> list[Note]:
-    """Whether a crowned contact of any drive is long enough for its slices, and whether its ends are free.
-
-    Parameters
-    ----------
-    name : str
-        Name of the contact.
-    diagnostics : Diagnostics
-        Of one joint with crowned rollers.
-    index : int
-        Number of the contact.
-
-    Returns
-    -------
-    list of Note
-        Those that are not ok are warnings; none for an open contact.
-    """
+    """Whether a crowned contact of any drive is long enough for its slices, and whether its ends are free."""
     ratio = float(np.asarray(diagnostics.loaded_length_over_width)[index])
     if math.isnan(ratio):
         return []

@@ -67,21 +67,7 @@ def has_whole_bodies(document: Document) -> bool:
 
 
 def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]) -> list[Document]:
-    """All limits of a joint and all notes on it, the most serious first.
-
-    Parameters
-    ----------
-    checks : tuple of LimitCheck
-        Its limits.
-    notes : tuple of Note
-        What is usual, and what is not.
-
-    Returns
-    -------
-    list of dict
-        One entry each, with the same keys; ``infinite`` tells an infinite value, which is None in a document, from one
-        that is not known. ``unit`` is that of value and limit, ``shown`` and ``limit_shown`` are what people read.
-    """
+    """All limits of a joint and all notes on it, the most serious first."""
     entries = [*map(_limit_document, checks), *map(_note_document, notes)]
     for entry in entries:
         value, unit = entry["value"], entry.pop("display_unit")
@@ -117,18 +103,7 @@ def _note_document(note: Note) -> Document:
 
 
 def contact_documents(solved: SolvedJoint) -> Document:
-    """Every result of the contacts of a joint that stands but their forces, with its unit behind its name.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint.
-
-    Returns
-    -------
-    dict
-        Contact → its results.
-    """
+    """Every result of the contacts of a joint that stands but their forces, with its unit behind its name."""
     columns = {
         f"{name}{_suffix(RESULTS[name].si_unit)}": RESULTS[name].of(solved) for name in GROUPS["contacts"]
     }
@@ -147,18 +122,7 @@ def _suffix(unit: str) -> str:
 
 
 def torsional_stiffness_document(result: JointResult) -> Document:
-    """Torsional stiffness on all levels of the model.
-
-    Parameters
-    ----------
-    result : JointResult
-        Result of one joint.
-
-    Returns
-    -------
-    dict
-        Level → stiffness at sun and output.
-    """
+    """Torsional stiffness on all levels of the model."""
     return {
         "published": _stiffness(result.published),
         "series_with_bulk": _stiffness(result.series_with_bulk),
@@ -211,18 +175,7 @@ def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
 
 
 def stiffness_unknown_because(result: JointResult) -> str | None:
-    """Why a joint has no stiffness.
-
-    Parameters
-    ----------
-    result : JointResult
-        Result of one joint.
-
-    Returns
-    -------
-    str or None
-        The contacts that are the cause, and what to do; None if there is a stiffness.
-    """
+    """Why a joint has no stiffness."""
     if bool(result.contact_law_holds):
         return None
     normal, elastic = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)
@@ -245,18 +198,7 @@ def _stiffness(stiffness: TorsionalStiffness) -> Document:
 
 
 def stiffness_budget(result: JointResult) -> Document:
-    """Shares of the assembly's compliance; they add up to 1.
-
-    Parameters
-    ----------
-    result : JointResult
-        Result of one joint.
-
-    Returns
-    -------
-    dict
-        Spring → share; springs that only the paper's drive has are left out for other drives.
-    """
+    """Shares of the assembly's compliance; they add up to 1."""
     shares = vars(result.assembly).items()
     return {
         name: dict(zip(result.contact_names, np.asarray(share), strict=True)) if np.ndim(share) else share
@@ -266,18 +208,7 @@ def stiffness_budget(result: JointResult) -> Document:
 
 
 def plain_document(document: Document) -> Document:
-    """A document of Python numbers, with None for numbers that are not finite.
-
-    Parameters
-    ----------
-    document : dict
-        Nested tables of numbers, arrays and text.
-
-    Returns
-    -------
-    dict
-        Ready for :func:`json.dumps`.
-    """
+    """A document of Python numbers, with None for numbers that are not finite."""
     cleaned: Document = _plain(document)
     return cleaned
 
@@ -298,22 +229,7 @@ Document = dict[str, Any]
 
 
 def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
-    """Everything that is known about a joint, ready for :func:`json.dumps`.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        The joint, and what came out.
-    inputs : dict
-        Tables of the joint file in SI units.
-    assumptions : tuple of str
-        What the file leaves out, one sentence each.
-
-    Returns
-    -------
-    dict
-        Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
-    """
+    """Everything that is known about a joint, ready for :func:`json.dumps`."""
     joint, solution, branches = solved.joint, solved.solution, solved.branches
     result, drive = solution.result, joint.drive
     forward = float(joint.output_torque) >= 0.0
@@ -414,18 +330,7 @@ def _wedge_document(drive: Drive) -> Document:
 
 
 def capacities_document(forward: Solution, reverse: Solution) -> Document:
-    """Torque capacity of a joint that stands, in both directions.
-
-    Parameters
-    ----------
-    forward, reverse : Solution
-        What the joint does under a positive and under a negative torque.
-
-    Returns
-    -------
-    dict
-        As :func:`asperity.joint.torque_limits.capacity_document` says them, with the torque of the first slip.
-    """
+    """Torque capacity of a joint that stands, in both directions."""
     names = forward.result.contact_names
     return {
         **capacity_document(forward.capacity, contacts=names, first_slip=forward.first_slip),

@@ -21,22 +21,7 @@ def results_of_drive(
     *,
     has_wedges: bool,
 ) -> dict[str, Result]:
-    """Every result that a drive has.
-
-    Parameters
-    ----------
-    contacts, bodies, neighbours, bearings, pins : tuple of str
-        Names of its contacts and bodies, of the pairs of bodies that must not touch, of its rolling bearings, and of
-        the rollers on pins.
-    has_wedges : bool
-        Whether its rollers on pins lie in wedges.
-
-    Returns
-    -------
-    dict
-        Name → the row of :data:`asperity.results.RESULTS`, with the names of this drive; without those that it
-        does not have.
-    """
+    """Every result that a drive has."""
     names = {"contact": contacts, "body": bodies, "clearance": neighbours, "bearing": bearings, "pin": pins}
     rows = [_named(row, names) for row in RESULTS.values() if has_wedges or not row.needs_wedges]
     return {row.name: row for row in rows if row.row_names}

@@ -10,20 +10,7 @@ from asperity.windup.dynamics import Dynamics, Inertias
 
 
 def dynamics_document(found: Dynamics, inertias: Inertias) -> dict[str, Any]:
-    """The dynamics of a joint in SI units, ready for :func:`json.dumps`.
-
-    Parameters
-    ----------
-    found : Dynamics
-        As :func:`~asperity.windup.dynamics.dynamics` returns it.
-    inertias : Inertias
-        What is coupled to the joint.
-
-    Returns
-    -------
-    dict
-        Numbers at the torque, columns over torque, and the response; what is not finite is None.
-    """
+    """The dynamics of a joint in SI units, ready for :func:`json.dumps`."""
     names = {
         "output_torque": "output_torque_Nm",
         "stiffness": "stiffness_output_Nm_per_rad",

@@ -54,19 +54,7 @@ class LimitCheck:
 
 
 def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
-    """Every limit of one solved joint, contact by contact, the most serious first.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint, without batch axes.
-
-    Returns
-    -------
-    tuple of LimitCheck
-        One for each judged result of the joint and each of its rows; where only its own branches carry the torque, not
-        for those that are not known.
-    """
+    """Every limit of one solved joint, contact by contact, the most serious first."""
     judged = [with_pins(row, solved) for row in results_of_joint(solved).values() if row.limit is not None]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(

@@ -185,24 +185,7 @@ UNEQUAL = (
 def case_entry(
     name: str, output_torque: float, sun_speed: float, share: float | None, unknown_because: str | None
 ) -> Document:
-    """One load of the joint as an entry of the document.
-
-    Parameters
-    ----------
-    name : str
-        What it is called.
-    output_torque, sun_speed : float
-        Torque at the output [N·m] and speed of the input [rad/s].
-    share : float or None
-        Share of the time; None outside a duty.
-    unknown_because : str or None
-        Why there are no loads; None where there are.
-
-    Returns
-    -------
-    dict
-        With units at the end of its keys.
-    """
+    """One load of the joint as an entry of the document."""
     return {
         "name": name,
         "output_torque_Nm": output_torque,
@@ -215,25 +198,7 @@ def case_entry(
 def document_of_rows(
     cases: list[Document], rows: Iterable[Row], *, bearings: list[Document], notes: list[str]
 ) -> Document:
-    """The document of loads, whatever the drive.
-
-    Parameters
-    ----------
-    cases : list of dict
-        From :func:`case_entry`.
-    rows : iterable of tuple
-        Part, position, quantity, SI unit, and one value for each case or one for all.
-    bearings : list of dict
-        Rolling bearings.
-    notes : list of str
-        What the numbers mean.
-
-    Returns
-    -------
-    dict
-        None where a value is not known or infinite, as every load of an unknown case; 0 where it is the rounding of
-        larger ones of its unit.
-    """
+    """The document of loads, whatever the drive."""
     unknown = np.array([case["unknown_because"] is not None for case in cases])
     whole = [
         (*words, unit, np.where(unknown & (unit != "rad/s"), math.nan, np.asarray(values, dtype=float)))

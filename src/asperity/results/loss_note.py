@@ -29,20 +29,7 @@ _CAUSES = {
 
 
 def loss_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
-    """Whether a drive under load loses more than a third of its power.
-
-    Parameters
-    ----------
-    found : RollingResult
-        The joint that turns.
-    contacts : tuple of str
-        Names of its contacts.
-
-    Returns
-    -------
-    tuple of Note
-        One note; none for a drive that stands, or that has no output torque and therefore loses everything.
-    """
+    """Whether a drive under load loses more than a third of its power."""
     power = found.power
     entering, leaving = float(np.asarray(power.input)), float(np.asarray(power.output))
     if not (entering > 0.0 and leaving > 0.0):
@@ -76,20 +63,7 @@ def loss_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, .
 
 
 def skew_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
-    """Whether skewed axes leave every contact the friction for its traction.
-
-    Parameters
-    ----------
-    found : RollingResult
-        The joint that turns.
-    contacts : tuple of str
-        Names of its contacts.
-
-    Returns
-    -------
-    tuple of Note
-        One note, on the contact that is nearest to its limit; none without skew or without a state.
-    """
+    """Whether skewed axes leave every contact the friction for its traction."""
     ratios, lost = np.asarray(found.slip_ratio), np.asarray(found.capacity_loss)
     # where skew alone takes all friction, the contact slips whatever its traction
     ratios = np.where(lost >= 1.0, np.inf, ratios)

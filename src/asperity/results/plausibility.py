@@ -11,20 +11,7 @@ from asperity.results.contact_notes import Note, contact_notes, crown_notes
 
 
 def plausibility(joint: Joint, result: JointResult) -> tuple[Note, ...]:
-    """Notes on friction, lengths, oil film, crowns, and the sizes for which the contact factor was made.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    tuple of Note
-        One or more for each contact; those that are not ok are warnings.
-    """
+    """Notes on friction, lengths, oil film, crowns, and the sizes for which the contact factor was made."""
     drive, crowns = joint.drive, joint.crown_curvatures
     first, second = (np.asarray(radii, dtype=float) for radii in (drive.first_radius, drive.second_radius))
     frictions, lengths = (

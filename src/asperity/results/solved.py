@@ -58,20 +58,7 @@ class JointSize(eqx.Module):
 
 
 def joint_size(joint: Joint, result: JointResult) -> JointSize:
-    """Size and mass of the rolling parts.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    JointSize
-        Diameter [m] and mass [kg]; a track of unknown length is as long as its longest contact.
-    """
+    """Size and mass of the rolling parts."""
     outer = []
     for number, shape in enumerate(joint.shapes):
         if joint.drive.bodies[number].place == "axis":
@@ -262,22 +249,7 @@ class SolvedJoint:
 def solved_planar_joint(
     joint: Joint, solution: Solution, branches: UnequalBranches | None = None
 ) -> SolvedJoint:
-    """A joint whose capacities are known already, for the table of results.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint that was solved.
-    solution : Solution
-        What came out.
-    branches : UnequalBranches, optional
-        Its branches, if their sizes differ.
-
-    Returns
-    -------
-    SolvedJoint
-        For margins and figures.
-    """
+    """A joint whose capacities are known already, for the table of results."""
     joint, result = jax.tree.map(np.asarray, joint), solution.result
     notes = (
         *plausibility(joint, result),

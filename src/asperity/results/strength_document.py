@@ -71,18 +71,7 @@ def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
 
 
 def rim_entry(found: BodyRims) -> Document:
-    """Stresses and safeties of one body, ready for :func:`json.dumps`.
-
-    Parameters
-    ----------
-    found : BodyRims
-        What its rims bear.
-
-    Returns
-    -------
-    dict
-        Stresses by rim in Pa, tension positive, and safeties; None where there is none.
-    """
+    """Stresses and safeties of one body, ready for :func:`json.dumps`."""
     return {
         **{
             f"{name}_Pa": dict(zip(RIM_NAMES, map(_plain, np.asarray(getattr(found, name))), strict=True))

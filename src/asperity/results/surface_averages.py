@@ -9,22 +9,7 @@ from asperity.surface.roughness_average import corresponding_average, standard_c
 
 
 def surface_averages(joint: Joint, stated: dict[str, Any]) -> list[dict[str, Any]]:
-    """What an instrument would show on the surfaces of a joint.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    stated : dict
-        Section ``surface`` of its file in SI units; the cut-off of a surface that is stated by its Ra is kept.
-
-    Returns
-    -------
-    list of dict
-        For each different surface: its ``contacts``, ``fractal_dimension``, ``fractal_roughness_m``, and the Ra of each
-        of two like bodies [m] with the range of 95 % of its measurements over five cut-offs; see
-        :func:`asperity.surface.roughness_average.corresponding_average`.
-    """
+    """What an instrument would show on the surfaces of a joint [m]."""
     contacts = joint.contact_names
     shared = [contacts] if len(joint.surfaces) == 1 else [(name,) for name in contacts]
     found: dict[tuple[float, float, float | None], list[str]] = {}

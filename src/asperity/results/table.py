@@ -97,27 +97,7 @@ _ALSO_CALLED = {
 
 
 def known_result(name: object, *, among: Sequence[str] = (), what: str = "result") -> str:
-    """A name of a result, checked.
-
-    Parameters
-    ----------
-    name : str
-        The name.
-    among : sequence of str, optional
-        Names that are allowed; by default all of :data:`RESULTS`.
-    what : str, optional
-        What the name is called in the message.
-
-    Returns
-    -------
-    str
-        The name.
-
-    Raises
-    ------
-    InputError
-        If there is no such result: with its new name where it was renamed, or the nearest one.
-    """
+    """A name of a result, checked."""
     known = tuple(among) or tuple(RESULTS)
     if not isinstance(name, str):
         raise InputError(f"expected the name of a {what} as text, got {name!r}")
@@ -149,25 +129,7 @@ def _hint(name: str, known: Sequence[str]) -> str:
 
 
 def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = RESULTS) -> tuple[str, ...]:
-    """Names of single results from names of results and groups.
-
-    Parameters
-    ----------
-    names : iterable of str
-        Results, or the groups of :data:`GROUPS`, which stand for those of their results that the drive has.
-    table : mapping, optional
-        Results of the drive; by default those of all drives.
-
-    Returns
-    -------
-    tuple of str
-        Names of :data:`RESULTS`, each once.
-
-    Raises
-    ------
-    InputError
-        If a name is neither, or nothing is asked for.
-    """
+    """Names of single results from names of results and groups."""
     wanted: dict[str, None] = {}
     for name in names:
         group = tuple(each for each in GROUPS.get(name, (name,)) if each in table)
@@ -183,75 +145,25 @@ def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = RESULT
 
 
 def name_at_level(name: str, level: StiffnessLevel) -> str:
-    """The full name of a result.
-
-    Parameters
-    ----------
-    name : str
-        A name of :data:`RESULTS`, or ``stiffness``, ``stiffness_per_mass``, ``stiffness_per_volume``.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness is meant by these.
-
-    Returns
-    -------
-    str
-        A name of :data:`RESULTS`.
-    """
+    """The full name of a result."""
     if name == "stiffness":
         return f"{level}_stiffness_output"
     return name if name in RESULTS else f"{level}_{name}"
 
 
 def row_name(name: str, row: str) -> str:
-    """Name of one row of a result: ``slip_ratio_sp``.
-
-    Parameters
-    ----------
-    name : str
-        A name of :data:`RESULTS`.
-    row : str
-        One of its row names; empty for a single number.
-
-    Returns
-    -------
-    str
-        The name, with the row behind it if there are several.
-    """
+    """Name of one row of a result: ``slip_ratio_sp``."""
     return f"{name}_{row}" if row else name
 
 
 def display_unit(name: str) -> str:
-    """Unit in which a result is shown.
-
-    Parameters
-    ----------
-    name : str
-        A name of :data:`RESULTS`, or of one row of it as :func:`row_name` makes it.
-
-    Returns
-    -------
-    str
-        The unit.
-    """
+    """Unit in which a result is shown."""
     rows = [known for known in RESULTS if name == known or name.startswith(f"{known}_")]
     return RESULTS[max(rows, key=len)].display_unit
 
 
 def result_values(names: Sequence[str], solved: SolvedJoint) -> dict[str, Array]:
-    """The chosen results of a solved joint; the rest costs nothing, because the compiler drops it.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Names of :data:`RESULTS`.
-    solved : SolvedJoint
-        One joint, or many along trailing batch axes.
-
-    Returns
-    -------
-    dict
-        Name → float array that broadcasts to the batch shape, with the axis of the rows first where there are several.
-    """
+    """The chosen results of a solved joint; the rest costs nothing, because the compiler drops it."""
     found = {}
     for name in names:
         value = RESULTS[name].of(solved)

@@ -217,26 +217,7 @@ def _sliced(
 def lateral_slip_ratio(
     *, creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real, creepage: Array
 ) -> Array:
-    """Axial force of the contacts over their friction; 0 for parallel axes.
-
-    Parameters
-    ----------
-    creep : ContactCreep
-        The law of the contacts.
-    friction_coefficient, width_over_radius : Real
-        mu and half-width over effective radius [-].
-    creepage : Array
-        Creepages along the rolling direction, shape (contacts, ...) [-].
-
-    Returns
-    -------
-    Array
-        Ratios, shape (contacts, ...) [-].
-
-    References
-    ----------
-    Equation (B6) of :doc:`/equations`.
-    """
+    """Axial force of the contacts over their friction; 0 for parallel axes, shape (contacts, ...) [-]."""
     if creep.parallel:
         return jnp.zeros_like(creepage)
     limits = _gross_slip_creepages(creep, friction_coefficient, width_over_radius)

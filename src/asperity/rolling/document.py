@@ -22,24 +22,7 @@ def rolling_document(
     *,
     unlike: bool = False,
 ) -> Document:
-    """Creep, drift, axial forces, losses and life of a solved joint.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-    absent_because : str or None, optional
-        Why there is none, if its state under the torque does not exist.
-    unlike : bool, optional
-        Whether the joint has branches of unlike sizes, so that these numbers are those of equal ones.
-
-    Returns
-    -------
-    dict
-        Numbers that are not finite mean that there is none; ``unknown_because`` says why.
-    """
+    """Creep, drift, axial forces, losses and life of a solved joint."""
     found = result.rolling
     return {
         "unknown_because": [absent_because]
@@ -186,18 +169,7 @@ def unknown_because(joint: Joint, result: JointResult, *, unlike: bool = False) 
 
 
 def no_life_because(result: JointResult) -> str | None:
-    """Why a joint that rolls has no fatigue life; None where it has one, or does not roll.
-
-    Parameters
-    ----------
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    str or None
-        One sentence, with the contacts.
-    """
+    """Why a joint that rolls has no fatigue life; None where it has one, or does not roll."""
     ratio = np.asarray(result.rolling.shakedown_ratio)
     beyond = [name for name, each in zip(result.contact_names, ratio, strict=True) if each >= 1.0]
     if not beyond:
@@ -209,20 +181,7 @@ def no_life_because(result: JointResult) -> str | None:
 
 
 def absent_in_rolling(joint: Joint, result: JointResult) -> list[str]:
-    """Why results of a joint are absent although it rolls steadily.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    list of str
-        One sentence for each reason; empty if everything is there.
-    """
+    """Why results of a joint are absent although it rolls steadily."""
     if float(np.asarray(joint.sun_speed)) == 0.0:
         return [
             f"the {joint.ends[0]} stands: drift and life are given per turn, for slow rolling; there is nothing per "

@@ -52,24 +52,7 @@ def with_duty_life(
     planet_count: Real,
     rolled: Callable[[Array, Array], RollingResult],
 ) -> RollingResult:
-    """The joint that turns with its life under its duty, if it has one.
-
-    Parameters
-    ----------
-    found : RollingResult
-        The joint at its own torque and speed.
-    conditions, bodies, planet_count, rolled
-        As for :func:`duty_life`.
-
-    Returns
-    -------
-    RollingResult
-        The same without a duty.
-
-    References
-    ----------
-    Equation (B8) of :doc:`/equations`.
-    """
+    """The joint that turns with its life under its duty, if it has one."""
     if not conditions.duty:
         return found
     life = duty_life(conditions=conditions, bodies=bodies, planet_count=planet_count, rolled=rolled)

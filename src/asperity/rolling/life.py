@@ -39,21 +39,7 @@ class DriveLives(eqx.Module):
 def track_lives(*, pairs: RollerPairs, half_width: Real, peak_pressure: Real) -> Array:
     """Lives of the tracks of the driving and the driven body of each contact, at 90 % survival.
 
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    half_width, peak_pressure : Real
-        Of their strips, shape (contacts, ...) [m], [Pa].
-
-    Returns
-    -------
-    Array
-        Stress cycles, shape (2, contacts, ...) [-].
-
-    References
-    ----------
-    Equation (B7) of :doc:`/equations`, for through-hardened bearing steel.
+    Shape (2, contacts, ...) [-].
     """
     driving = _MILLION * line_contact_life(
         peak_pressure=peak_pressure,
@@ -97,23 +83,7 @@ def sliced_track_lives(*, pairs: RollerPairs, lines: CrownedLine, peak_pressure:
 
 
 def cycle_rates(*, bodies: BodiesOfContacts, speeds: RollingSpeeds, planet_count: Real) -> Array:
-    """Stress cycles of every track per time.
-
-    Parameters
-    ----------
-    bodies : BodiesOfContacts
-        Bodies of the contacts.
-    speeds : RollingSpeeds
-        Speeds of the drive.
-    planet_count : Real
-        Number n of branches [-].
-
-    Returns
-    -------
-    Array
-        Frequencies of the tracks of the driving and the driven bodies, shape (2, contacts, ...) [1/s]: a point of a
-        planet or roller passes each of its contacts once a turn against the carrier, a point of sun or ring n times.
-    """
+    """Stress cycles of every track per time, shape (2, contacts, ...) [1/s]."""
     turns = speeds.body / (2.0 * jnp.pi)
     one = jnp.ones_like(turns[0])
     passes = jnp.stack([one * planet_count if shared else one for shared in bodies.shared])

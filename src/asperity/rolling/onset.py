@@ -165,33 +165,7 @@ def rolling_onset(
     windup: Real,
     creep_share: float,
 ) -> RollingOnset | None:
-    """Up to which angles of a joint that turns its wind-up holds, and the curve beyond.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result under the torque of the step.
-    windup : Real
-        Angle of its static curve at that torque, without sign [rad].
-    creep_share : float
-        Creep over wind-up up to which the static curve is said to hold [-], above 0.
-
-    Returns
-    -------
-    RollingOnset or None
-        None where the joint has no steady rolling.
-
-    Raises
-    ------
-    InputError
-        If the share is not positive and finite.
-
-    References
-    ----------
-    Equation (B10) of :doc:`/equations`.
-    """
+    """Up to which angles of a joint that turns its wind-up holds, and the curve beyond."""
     if not (np.isfinite(creep_share) and creep_share > 0.0):
         raise InputError(f"the creep share {creep_share:g} is not allowed; it must be positive, e.g. 0.05")
     if not np.all(np.isfinite(np.asarray(result.rolling.residual))):

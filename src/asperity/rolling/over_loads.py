@@ -14,26 +14,7 @@ from asperity.rolling.turning import rolling_at
 
 
 def rolling_over_loads(joint: Joint, rest: DriveState, torque: Array, input_speed: Array) -> RollingResult:
-    """Steady rolling of a joint under torques at speeds.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint; its own torque and speed do not count.
-    rest : DriveState
-        Its assembled state without torque.
-    torque, input_speed : Array
-        Output torques [N·m] and angular velocities of the input [rad/s], shape (points,).
-
-    Returns
-    -------
-    RollingResult
-        The points along the first axis; nan where there is no steady rolling.
-
-    References
-    ----------
-    Equations (B1) and (M3) of :doc:`/equations`.
-    """
+    """Steady rolling of a joint under torques at speeds."""
     contacts = joint_contacts(joint)
     found: RollingResult = jax.vmap(
         rolling_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))

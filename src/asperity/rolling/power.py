@@ -159,18 +159,7 @@ def rolling_power(
 
 
 def losses_of(power: RollingPower) -> RollingLosses:
-    """The losses of a rolling joint, without what goes in and comes out.
-
-    Parameters
-    ----------
-    power : RollingPower
-        Its powers.
-
-    Returns
-    -------
-    RollingLosses
-        Losses by cause [W]; those of unlike branches are the mean of joints all of whose branches are like one.
-    """
+    """The losses of a rolling joint, without what goes in and comes out [W]."""
     return RollingLosses(
         power.creep, power.skew, power.hysteresis, power.oil, power.bearings, jnp.asarray(power.contact)
     )

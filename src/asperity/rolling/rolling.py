@@ -150,42 +150,7 @@ def turning_result(
     bearing_power: Array,
     output_torque: Real,
 ) -> RollingResult:
-    """What the rolling state of any drive means: drift, losses, surfaces, shakedown and life.
-
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts of one branch.
-    conditions : RollingConditions
-        Losses that are counted, oil and reliability.
-    materials : sequence of tuple of Material
-        Materials of the driving and the driven body of each contact.
-    bodies : BodiesOfContacts
-        Bodies of the contacts.
-    branches : Real
-        Number of branches [-].
-    creep : ContactCreep
-        Creep law of the contacts.
-    state : DriveState
-        Forces, creepages and speed loss of one branch.
-    unit_speeds : RollingSpeeds
-        Speeds for one unit of the input's speed.
-    input_speed : Real
-        Angular velocity of the input, not negative [rad/s].
-    bearing_power : Array
-        Power lost in bearings and pins [W].
-    output_torque : Real
-        Torque at the output [N·m].
-
-    Returns
-    -------
-    RollingResult
-        nan where the equations are not solved; without a duty.
-
-    References
-    ----------
-    Equations (B1)–(B11) of :doc:`/equations`.
-    """
+    """What the rolling state of any drive means: drift, losses, surfaces, shakedown and life."""
     pairs = contacts.pairs
     solved = state.residual < ROLLING_TOLERANCE
     normal = jnp.where(state.normal > 0.0, state.normal, 1.0)

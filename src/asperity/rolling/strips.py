@@ -54,26 +54,7 @@ class RollingStrips(NamedTuple):
 
 
 def rolling_strips(*, contacts: JointContacts, normal_force: Array, traction: Array) -> RollingStrips:
-    """What the contacts' strips experience in rolling.
-
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    normal_force : Array
-        Normal forces, positive, shape (5, ...) [N].
-    traction : Array
-        T/N, shape (5, ...) [-].
-
-    Returns
-    -------
-    RollingStrips
-        Of even or crowned contacts.
-
-    References
-    ----------
-    Equations (B4), (B6), (B7) and (B12) of :doc:`/equations`.
-    """
+    """What the contacts' strips experience in rolling."""
     pairs = contacts.pairs
     width = jnp.asarray(pairs.half_width(normal_force))
     lines = contacts.loads_along(normal_force)

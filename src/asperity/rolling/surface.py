@@ -30,28 +30,7 @@ def flash_temperatures(
 ) -> Array:
     """Flash temperature of each contact, Carter's slip zone being the source of heat.
 
-    Parameters
-    ----------
-    materials : sequence of tuple of Material
-        Materials of the driving and the driven body of each contact.
-    friction_power : Array
-        Power lost by creep along and across per length of the contact, shape (contacts, ...) [W/m].
-    speeds : RollingSpeeds
-        Speeds of the surfaces.
-    half_width : Array
-        Half-widths, shape (contacts, ...) [m].
-    stick_fraction : Array
-        Shares of the width that stick, shape (contacts, ...) [-].
-
-    Returns
-    -------
-    Array
-        Rise above the temperature of the bodies, shape (contacts, ...) [K]; 0 without slip, nan where the sun stands or
-        a material of the contact has no thermal properties.
-
-    References
-    ----------
-    Equation (B9) of :doc:`/equations`.
+    Shape (contacts, ...) [K].
     """
     effusivities = [[_effusivity(material) for material in pair] for pair in materials]
     first, second = (
@@ -88,25 +67,7 @@ def oil_film(
 ) -> tuple[Array, Array]:
     """Thickness of the oil film that would carry the whole load, and its ratio to the roughness.
 
-    Parameters
-    ----------
-    conditions : RollingConditions
-        Viscosity, its pressure coefficient, and roughness.
-    pairs : RollerPairs
-        The contacts.
-    normal_force : Array
-        Normal forces, positive, shape (5, ...) [N].
-    rolling_speed : Array
-        Mean speeds of the surfaces, shape (5, ...) [m/s].
-
-    Returns
-    -------
-    tuple of Array
-        Thickness [m] and ratio [-], shape (5, ...); nan where the conditions lack a number for them or the sun stands.
-
-    References
-    ----------
-    Equation (B11) of :doc:`/equations`.
+    Shape (5, ...).
     """
     absent = jnp.full_like(normal_force, jnp.nan)
     if conditions.viscosity is None or conditions.pressure_viscosity_coefficient is None:

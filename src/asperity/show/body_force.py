@@ -44,17 +44,7 @@ class BodyForce(NamedTuple):
 def body_outlines(radii: dict[str, list[float]], *, size: float = 1.0) -> dict[str, list[float]]:
     """Radii of bodies on paper: the largest has a size that suits the arrows, and none is too small for them.
 
-    Parameters
-    ----------
-    radii : dict
-        Body → radii of its tracks [m].
-    size : float, optional
-        Size of the view over its usual one [-].
-
-    Returns
-    -------
-    dict
-        Body → radii on paper [mm].
+    [mm].
     """
     largest = max(radius for each in radii.values() for radius in each)
     return {
@@ -66,19 +56,7 @@ def body_outlines(radii: dict[str, list[float]], *, size: float = 1.0) -> dict[s
 def force_arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, Point]:
     """Arrow of a force: normal forces end at the contact, tangential ones lie beside it, pins push from the axis.
 
-    Parameters
-    ----------
-    force : BodyForce
-        The force.
-    centre : tuple of float
-        Centre of the body on paper [mm].
-    radius : float
-        Radius of the body at the contact on paper [mm].
-
-    Returns
-    -------
-    tuple of tuple of float
-        Tail and tip on paper [mm].
+    [mm].
     """
     x, y = centre[0] + radius * force.place[0], centre[1] + radius * force.place[1]
     step = math.copysign(_ARROW, force.size)
@@ -92,17 +70,6 @@ def force_arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, 
 
 
 def force_label(force: BodyForce) -> str:
-    """Name and size of a force.
-
-    Parameters
-    ----------
-    force : BodyForce
-        The force.
-
-    Returns
-    -------
-    str
-        One line.
-    """
+    """Name and size of a force."""
     size = format_quantity(abs(force.size), "N")
     return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"pin: {size}"}[force.kind]

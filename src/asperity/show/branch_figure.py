@@ -17,15 +17,7 @@ _LEGEND: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0, "edgecolor"
 
 
 def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
-    """Three panels over a further deviation of the first planet; 0 is the joint as its file has it.
-
-    Parameters
-    ----------
-    axes : sequence of Axes
-        Where to draw load shares, capacity and the force on the sun.
-    curves : SizeErrorCurves
-        What to draw.
-    """
+    """Three panels over a further deviation of the first planet; 0 is the joint as its file has it."""
     x = 1e6 * curves.deviation
     whose = "" if curves.track == curves.noun else f"{curves.track} "
     shares, capacity, sun = axes

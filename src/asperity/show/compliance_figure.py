@@ -30,18 +30,7 @@ _ROW = 3.7  # height of a row of panels [in]
 
 
 def compliance_shares(solved: SolvedJoint) -> dict[str, float]:
-    """Share of every spring in the compliance of the assembled joint, without those that have none.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint.
-
-    Returns
-    -------
-    dict
-        Spring in words → share [-], the largest first.
-    """
+    """Share of every spring in the compliance of the assembled joint, without those that have none [-]."""
     shares = {}
     for name, row in RESULTS.items():
         if row.group == "assembly" and name.endswith("_share"):
@@ -56,20 +45,7 @@ def compliance_shares(solved: SolvedJoint) -> dict[str, float]:
 
 
 def compliance_figure(solved: SolvedJoint, *, title: str) -> Figure:
-    """Shares of the compliance and the output stiffness on every level, side by side.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint.
-    title : str
-        Title of the picture.
-
-    Returns
-    -------
-    Figure
-        A matplotlib figure; call its ``savefig``.
-    """
+    """Shares of the compliance and the output stiffness on every level, side by side."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10.0, 4.2), layout="constrained")
@@ -81,25 +57,7 @@ def compliance_figure(solved: SolvedJoint, *, title: str) -> Figure:
 
 
 def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurves | None = None) -> Figure:
-    """Shares of the compliance, stiffness on every level, and safety margins on one sheet.
-
-    A joint whose preload changes with temperature has a further row: preload, stiffness and capacity over it; one with
-    unequal branches another: load shares, capacity and the force on the sun over the size of a planet.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint.
-    title : str
-        Title of the picture.
-    size_errors : SizeErrorCurves, optional
-        Of unequal branches.
-
-    Returns
-    -------
-    Figure
-        A matplotlib figure; call its ``savefig``.
-    """
+    """Shares of the compliance, stiffness on every level, and safety margins on one sheet."""
     from matplotlib.figure import Figure
 
     fit = solved.joint.fit
@@ -122,15 +80,7 @@ def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurve
 
 
 def draw_budget(axes: Axes, solved: SolvedJoint) -> None:
-    """Share of every spring in the compliance of the assembled joint, as bars.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    solved : SolvedJoint
-        One joint.
-    """
+    """Share of every spring in the compliance of the assembled joint, as bars."""
     shares = compliance_shares(solved)
     bars = axes.barh(list(shares), [100.0 * share for share in shares.values()], color="tab:blue")
     axes.bar_label(bars, fmt="%.1f %%", padding=3)
@@ -143,15 +93,7 @@ def draw_budget(axes: Axes, solved: SolvedJoint) -> None:
 
 
 def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
-    """Stiffness at the output on every level of the model that has one.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    solved : SolvedJoint
-        One joint.
-    """
+    """Stiffness at the output on every level of the model that has one."""
     rows = [RESULTS[f"{level}_stiffness_output"] for level in LEVELS]
     numbers = np.array([float(np.asarray(row.of(solved))) * _PER_ARCMINUTE for row in rows])
     words = [row.label.split(", ")[-1] for row in rows]

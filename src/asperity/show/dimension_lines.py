@@ -36,21 +36,7 @@ def dimension(value: float) -> str:
 
 
 def made_bore(radius: float, interference: float | None) -> str:
-    """The diameter to which a ring is made.
-
-    Parameters
-    ----------
-    radius : float
-        Inner radius at which all contacts just touch [mm].
-    interference : float or None
-        By how much the radius is made smaller [m]; None where it is not known.
-
-    Returns
-    -------
-    str
-        Sign and number, to a tenth of a micrometre or a hundredth of the interference; where that is not known, what to
-        take off.
-    """
+    """The diameter to which a ring is made."""
     if interference is None:
         return f"⌀{dimension(2.0 * radius)} less 2 × interference"
     if interference == 0.0:
@@ -62,28 +48,7 @@ def made_bore(radius: float, interference: float | None) -> str:
 def leader(
     tip: Point, end: Point, text: str, *, scale: float, align: Align = "left", arrow: bool = True
 ) -> tuple[Line, Text]:
-    """A line from an outline or a mark to a text beside it.
-
-    Parameters
-    ----------
-    tip : tuple of float
-        Where it begins [mm].
-    end : tuple of float
-        Where the text is [mm].
-    text : str
-        The text.
-    scale : float
-        Length on paper over true length [-].
-    align : {"left", "right"}, optional
-        ``left``: the text stands right of ``end``; ``right``: left of it.
-    arrow : bool, optional
-        Whether an arrow is at the tip, as on an outline.
-
-    Returns
-    -------
-    tuple of Line and Text
-        The leader, whose last part is level, and its text.
-    """
+    """A line from an outline or a mark to a text beside it."""
     x, y = end
     side = -1.0 if align == "right" else 1.0
     line = Line((tip, (x - side * SHOULDER / scale, y), end), arrows="start" if arrow else "")
@@ -93,22 +58,7 @@ def leader(
 def widths_below(
     widths: Iterable[tuple[float, str]], low: float, *, scale: float
 ) -> list[tuple[tuple[Line, Line], tuple[Line, Text]]]:
-    """Diameters of circles about the origin as dimension lines below each other.
-
-    Parameters
-    ----------
-    widths : iterable of tuple of float and str
-        Radius [mm] and text of each.
-    low : float
-        Lower edge of the view [mm].
-    scale : float
-        Length on paper over true length [-].
-
-    Returns
-    -------
-    list of tuple
-        For each its two extension lines, which begin on the circle, then the dimension line and its text.
-    """
+    """Diameters of circles about the origin as dimension lines below each other."""
     found = []
     for row, (half, text) in enumerate(widths, start=1):
         y, end = low - row * _ROW / scale, low - (row * _ROW + _BEYOND) / scale
@@ -121,20 +71,7 @@ def widths_below(
 
 
 def distance_mark(ends: tuple[Point, Point], *, scale: float) -> tuple[Line, ...]:
-    """A dimension line between two points: its arrows inside, or outside where it is short on paper.
-
-    Parameters
-    ----------
-    ends : tuple of tuple of float
-        The points [mm].
-    scale : float
-        Length on paper over true length [-].
-
-    Returns
-    -------
-    tuple of Line
-        Lines whose arrows point to the ends.
-    """
+    """A dimension line between two points: its arrows inside, or outside where it is short on paper."""
     (x, y), (u, v) = ends
     length = math.dist(*ends)
     if length * scale >= _ROOM_FOR_ARROWS:

@@ -44,30 +44,7 @@ def place_dimensions(
     taken: Taken,
     listed: frozenset[int] = frozenset(),
 ) -> Dimensions:
-    """Show sizes where they cover nothing.
-
-    Parameters
-    ----------
-    sizes : sequence of Size
-        The sizes.
-    clearances : sequence of Clearance
-        The clearances, the smallest first.
-    outlines : list of Circle
-        Outlines of the drive.
-    reach : float
-        Distance of the farthest point of the view from the axis [mm].
-    paper : Box
-        Where texts may stand.
-    taken : Taken
-        What stands on the sheet; what is shown takes its place in it.
-    listed : frozenset of int, optional
-        Numbers of sizes that the list says and the view shall not show.
-
-    Returns
-    -------
-    Dimensions
-        Every size that is not listed is either shown or ``unplaced``.
-    """
+    """Show sizes where they cover nothing."""
     scale, items = taken.scale, list[Item]()
     waiting = [number for number in range(len(sizes)) if number not in listed]
     rows: list[tuple[float, str]] = []

@@ -49,23 +49,7 @@ def _polar(radius: float, angle: float) -> tuple[float, float]:
 
 
 def rollers(geometry: DriveGeometry) -> list[Roller]:
-    """All rollers of a drive in their places: the sun, then planet, right and left loading roller of each branch.
-
-    Parameters
-    ----------
-    geometry : DriveGeometry
-        One drive, no batch. The right loading roller lies clockwise of its planet.
-
-    Returns
-    -------
-    list of Roller
-        1 + 3 n rollers for n planets.
-
-    Raises
-    ------
-    InputError
-        If the rollers cannot touch: the triangle of centres does not close.
-    """
+    """All rollers of a drive in their places: the sun, then planet, right and left loading roller of each branch."""
     sides = triangle(geometry)
     polar = math.atan2(float(sides.sin_polar), float(sides.cos_polar))
     if not math.isfinite(polar):
@@ -88,22 +72,7 @@ def rollers(geometry: DriveGeometry) -> list[Roller]:
 
 
 def draw_drive(axes: Axes, geometry: DriveGeometry, *, ring_wall_thickness: Real) -> None:
-    """Draw the rollers and the ring of a drive to scale, in mm, with a legend that gives the radii.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    geometry : DriveGeometry
-        One drive, no batch.
-    ring_wall_thickness : Real
-        Wall of the ring [m].
-
-    Raises
-    ------
-    InputError
-        As :func:`rollers`.
-    """
+    """Draw the rollers and the ring of a drive to scale, in mm, with a legend that gives the radii."""
     from matplotlib.patches import Circle, FancyArrowPatch, Patch, Wedge
 
     outline: dict[str, Any] = {"edgecolor": INK, "linewidth": 1.1}

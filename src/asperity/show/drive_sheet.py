@@ -93,20 +93,7 @@ def drive_sheet(
 
 
 def forces_sheet(joint: Joint, result: JointResult) -> Sheet:
-    """The forces on the bodies of one sector as a picture of its own.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    Sheet
-        A sheet of 170 mm by 140 mm, or larger where the bodies need it.
-    """
+    """The forces on the bodies of one sector as a picture of its own."""
     items = free_bodies(joint, result, middle=(0.0, 5.0), room=166.0, scale=1.0)
     boxes = [text_box(item, 1.0) for item in items if isinstance(item, Text)]
     boxes += [_around(item) for item in items if not isinstance(item, Text)]

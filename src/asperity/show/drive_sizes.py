@@ -64,23 +64,7 @@ class Clearance(NamedTuple):
 
 
 def sizes(joint: Joint, scale: float, interference: float | None = None) -> list[Size]:
-    """Diameters of the tracks, bores and circles of axes, inner diameters and walls of the rings, each kind once.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    scale : float
-        Length on paper over true length [-].
-    interference : float or None, optional
-        That of the drive where the joint states a force [m]; None where it is not known.
-
-    Returns
-    -------
-    list of Size
-        Those of one body after each other. The inner diameter of a ring is that with which it is made, smaller by the
-        interference than the one that is drawn.
-    """
+    """Diameters of the tracks, bores and circles of axes, inner diameters and walls of the rings, each kind once."""
     found: list[Size] = []
     count, rings = round(float(joint.drive.sectors)), rings_of(joint)
     for kind in _kinds(joint):
@@ -118,20 +102,7 @@ def sizes(joint: Joint, scale: float, interference: float | None = None) -> list
 
 
 def contact_interferences(joint: Joint, interference: float | None = None) -> list[float | None]:
-    """By how much the radius of the ring in each contact is too small.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    interference : float or None, optional
-        That of the drive where the joint states a force [m]; None where it is not known.
-
-    Returns
-    -------
-    list of float or None
-        For each contact [m]: 0 without a ring, None where it is not known.
-    """
+    """By how much the radius of the ring in each contact is too small [m]."""
     drive = interference if joint.interference is None else float(joint.interference)
     shares = [float(share) for share in np.asarray(joint.pattern)]
     return [0.0 if share == 0.0 else None if drive is None else share * drive for share in shares]
@@ -150,18 +121,7 @@ def _made_inside(joint: Joint, ring: RingOfBody, interference: float | None) -> 
 
 
 def drive_clearances(joint: Joint) -> list[Clearance]:
-    """Free distances between copies of one roller in neighbouring sectors, and the smallest between different rollers.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    list of Clearance
-        The smallest first.
-    """
+    """Free distances between copies of one roller in neighbouring sectors, and the smallest between different rollers."""
     names = [body.name for body in joint.drive.bodies]
     rings = {ring.body for ring in rings_of(joint)}
     discs = [

@@ -43,18 +43,7 @@ class RingOfBody(NamedTuple):
 
 
 def rings_of(joint: Joint) -> list[RingOfBody]:
-    """The rings of a drive, each with its track; a thick wall is broken off.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    list of RingOfBody
-        Radii [mm].
-    """
+    """The rings of a drive, each with its track; a thick wall is broken off [mm]."""
     found = []
     for number, shape in enumerate(joint.shapes):
         if shape.kind == "ring" and shape.size is not None:
@@ -66,20 +55,7 @@ def rings_of(joint: Joint) -> list[RingOfBody]:
 
 
 def radii_of(joint: Joint, number: int) -> list[float]:
-    """Radii of the tracks of a body.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    number : int
-        Number of the body.
-
-    Returns
-    -------
-    list of float
-        Each once, in the order of its contacts [mm].
-    """
+    """Radii of the tracks of a body [mm]."""
     return list(dict.fromkeys(1e3 * float(radius) for radius, _ in tracks_of(joint, number)))
 
 
@@ -91,20 +67,7 @@ def pin_diameter_of(joint: Joint, number: int) -> float:
 
 
 def copies_of(joint: Joint, number: int) -> list[Point]:
-    """Centres of the copies of a body in all sectors.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    number : int
-        Number of the body.
-
-    Returns
-    -------
-    list of tuple of float
-        Counter-clockwise from the first sector [mm]; one for a body on the axis.
-    """
+    """Centres of the copies of a body in all sectors [mm]."""
     x, y = (1e3 * float(each) for each in np.asarray(joint.drive.centres)[number])
     count = 1 if joint.drive.bodies[number].place == "axis" else round(float(joint.drive.sectors))
     turns = (2.0 * math.pi * sector / float(joint.drive.sectors) for sector in range(count))
@@ -114,18 +77,7 @@ def copies_of(joint: Joint, number: int) -> list[Point]:
 
 
 def reach_of(joint: Joint) -> float:
-    """Distance of the farthest point of the view from the axis.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    float
-        Distance [mm].
-    """
+    """Distance of the farthest point of the view from the axis [mm]."""
     rings = rings_of(joint)
     discs = [n for n in range(len(joint.shapes)) if n not in {ring.body for ring in rings}]
     return max(
@@ -136,20 +88,7 @@ def reach_of(joint: Joint) -> float:
 
 
 def drive_view(joint: Joint, scale: float) -> list[Item]:
-    """Outlines and axes of all bodies.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    scale : float
-        Length on paper over true length [-].
-
-    Returns
-    -------
-    list of Item
-        The view, with the axis of the drive in the origin.
-    """
+    """Outlines and axes of all bodies."""
     rings, beyond = rings_of(joint), 3.0 / scale
     items: list[Item] = []
     orbits: list[float] = []
@@ -189,22 +128,7 @@ def _cross(centre: Point, half: float, angle: float) -> list[Item]:
 
 
 def write_contact_names(joint: Joint, view: list[Item], taken: Taken) -> list[Item]:
-    """Names of the contacts at their places in the first sector, off outlines and axes as far as there is room.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    view : list of Item
-        Its outlines and axes.
-    taken : Taken
-        What stands on the sheet; the names take their place in it.
-
-    Returns
-    -------
-    list of Item
-        A line from each contact, and its name.
-    """
+    """Names of the contacts at their places in the first sector, off outlines and axes as far as there is room."""
     drive, scale = joint.drive, taken.scale
     first, _ = places(drive)
     angles, _ = contact_angles(drive)

@@ -14,20 +14,7 @@ if TYPE_CHECKING:
 
 
 def dynamics_figure(found: Dynamics, *, title: str) -> Figure:
-    """Amplitude and phase over frequency, standing and turning; natural frequencies over torque.
-
-    Parameters
-    ----------
-    found : Dynamics
-        What to draw.
-    title : str
-        Title of the picture.
-
-    Returns
-    -------
-    Figure
-        A matplotlib figure; call its ``savefig``.
-    """
+    """Amplitude and phase over frequency, standing and turning; natural frequencies over torque."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(12.0, 6.4), layout="constrained")

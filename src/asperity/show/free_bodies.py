@@ -22,26 +22,7 @@ _TURNS = (0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9)
 
 
 def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float, scale: float) -> list[Item]:
-    """Bodies off the axis of one sector drawn apart: arrows for directions, numbers for sizes.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-    middle : tuple of float
-        Middle of the view [mm in true size].
-    room : float
-        Width of the view on paper [mm]; a wider one reaches beyond on its left.
-    scale : float
-        Length on paper over true length [-]. On paper the view has a size of its own.
-
-    Returns
-    -------
-    list of Item
-        The view.
-    """
+    """Bodies off the axis of one sector drawn apart: arrows for directions, numbers for sizes."""
     drive = joint.drive
     names = [drive.bodies[number].name for number in drive.floating]
     found = [each for each in body_forces(joint, result) if each.body in names]

@@ -59,44 +59,14 @@ class Side(NamedTuple):
 
 
 def levels(low: float, high: float, scale: float) -> tuple[float, ...]:
-    """Levels between two heights, none of them at the height of the axis.
-
-    Parameters
-    ----------
-    low, high : float
-        The heights [mm].
-    scale : float
-        Length on paper over true length [-].
-
-    Returns
-    -------
-    tuple of float
-        From the highest [mm].
-    """
+    """Levels between two heights, none of them at the height of the axis [mm]."""
     step = _STEP / scale
     first, last = math.ceil(low / step - 0.5), math.floor(high / step - 0.5)
     return tuple(step * (number + 0.5) for number in range(last, first - 1, -1))
 
 
 def around(centre: Point, radius: float, start: float, count: int) -> list[Place]:
-    """Places on a circle.
-
-    Parameters
-    ----------
-    centre : tuple of float
-        Its centre [mm].
-    radius : float
-        Its radius [mm].
-    start : float
-        Polar angle between two of the places, so that none lies on an axis there [rad].
-    count : int
-        How many.
-
-    Returns
-    -------
-    list of Place
-        With the outward normal of each.
-    """
+    """Places on a circle."""
     found = []
     for index in range(count):
         angle = start + 2.0 * math.pi * (index + 0.5) / count
@@ -108,26 +78,7 @@ def around(centre: Point, radius: float, start: float, count: int) -> list[Place
 def best_leader(
     text: str, places: Sequence[Place], sides: Sequence[Side], circles: Sequence[Circle], taken: Taken
 ) -> list[Item] | None:
-    """The leader that is short, level, crosses few outlines, and has room with its text and its mark.
-
-    Parameters
-    ----------
-    text : str
-        The text.
-    places : sequence of Place
-        Where it may begin.
-    sides : sequence of Side
-        Where its text may stand.
-    circles : sequence of Circle
-        Outlines of the drive.
-    taken : Taken
-        What stands on the sheet already.
-
-    Returns
-    -------
-    list of Item or None
-        Mark, leader and text; None where there is no room.
-    """
+    """The leader that is short, level, crosses few outlines, and has room with its text and its mark."""
     scale = taken.scale
     tried: list[tuple[float, int, int, float]] = []
     for number, side in enumerate(sides):
@@ -188,20 +139,7 @@ def _direction(mark: tuple[Line, ...]) -> Point:
 
 
 def crossings(starts: np.ndarray, ends: np.ndarray, centres: np.ndarray, radii: np.ndarray) -> np.ndarray:
-    """How often straight lines cross circles.
-
-    Parameters
-    ----------
-    starts, ends : ndarray
-        Ends of the lines, shape (..., 2) [mm].
-    centres, radii : ndarray
-        Of the circles, shapes (circles, 2) and (circles,) [mm].
-
-    Returns
-    -------
-    ndarray
-        Numbers, shape (...).
-    """
+    """How often straight lines cross circles, shape (...)."""
     one, other = np.broadcast_arrays(starts, ends)
     from_one, along = centres - one[..., None, :], (other - one)[..., None, :]
     share = np.clip((from_one * along).sum(axis=-1) / (along**2).sum(axis=-1), 0.0, 1.0)

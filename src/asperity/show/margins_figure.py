@@ -20,18 +20,7 @@ _LETTERS = 48  # of a line of a bar's name; a longer name has two lines
 
 
 def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
-    """Margins of function, damage and accuracy whose share of the limit has a meaning, the fullest first.
-
-    Parameters
-    ----------
-    found : sequence of Margin
-        As :func:`asperity.results.margins.margins` gives them.
-
-    Returns
-    -------
-    list of Margin
-        Without the residuals of the solution.
-    """
+    """Margins of function, damage and accuracy whose share of the limit has a meaning, the fullest first."""
     chosen = [
         each
         for each in found

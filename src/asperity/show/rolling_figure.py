@@ -65,19 +65,7 @@ def rolling_figure(
 
 
 def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: Joint) -> None:
-    """Traction over creepage of each contact, with its working point and the friction limit.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    curves : RollingCurves
-        The creep curves.
-    rolling : RollingResult
-        The working points.
-    joint : Joint
-        The joint, for its friction.
-    """
+    """Traction over creepage of each contact, with its working point and the friction limit."""
     from matplotlib.lines import Line2D
 
     keys = []
@@ -123,17 +111,7 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
 
 
 def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
-    """Map of the efficiency over torque and speed, with the joint's own point; a note where the input stands.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    curves : RollingCurves
-        The map.
-    joint : Joint
-        The joint, for its torque and speed.
-    """
+    """Map of the efficiency over torque and speed, with the joint's own point; a note where the input stands."""
     axes.set_title("Efficiency; white: this joint")
     values = np.ma.masked_invalid(100.0 * np.asarray(curves.efficiency))
     if values.count() == 0:
@@ -164,19 +142,7 @@ def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
 
 
 def draw_drift(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: Joint) -> None:
-    """Drift in one turn of the output over torque.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    curves : RollingCurves
-        The curve.
-    rolling : RollingResult
-        The joint's own drift.
-    joint : Joint
-        The joint, for its torque.
-    """
+    """Drift in one turn of the output over torque."""
     axes.set(title="Drift; dot: this joint", ylabel="drift [arcmin per output turn]")
     here = _ARCMINUTES * float(rolling.drift_per_output_turn)
     _over_torque(axes, curves, _ARCMINUTES * np.asarray(curves.drift_per_output_turn), here, joint)
@@ -185,19 +151,7 @@ def draw_drift(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
 
 
 def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: Joint) -> None:
-    """Life of the drive over torque: hours at the joint's speed, turns of the output where the input stands.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    curves : RollingCurves
-        The curve.
-    rolling : RollingResult
-        The joint's own life.
-    joint : Joint
-        The joint, for its torque.
-    """
+    """Life of the drive over torque: hours at the joint's speed, turns of the output where the input stands."""
     hours = bool(np.any(np.isfinite(curves.life_hours)))
     over = np.asarray(curves.life_hours if hours else 1e-6 * curves.life_turns)
     here = float(rolling.life_hours.drive) if hours else 1e-6 * float(rolling.life_turns.drive)

@@ -123,39 +123,11 @@ class Sheet:
 
 
 def scale_text(scale: float) -> str:
-    """A scale as drawings state it.
-
-    Parameters
-    ----------
-    scale : float
-        Length on paper over true length [-].
-
-    Returns
-    -------
-    str
-        For example ``2:1`` or ``1:5``.
-    """
+    """A scale as drawings state it."""
     return f"{scale:g}:1" if scale >= 1.0 else f"1:{1.0 / scale:g}"
 
 
 def standard_scale(size: float, *, room: float) -> float:
-    """The largest standard scale at which something fits.
-
-    Parameters
-    ----------
-    size : float
-        Its size [mm].
-    room : float
-        Room on paper [mm].
-
-    Returns
-    -------
-    float
-        1, 2 or 5 times a power of ten [-].
-
-    References
-    ----------
-    ISO 5455:1979, table of recommended scales, continued in the same steps.
-    """
+    """The largest standard scale at which something fits [-]."""
     steps = [mantissa * 10.0**power for power in range(-6, 7) for mantissa in (1, 2, 5)]
     return max(step for step in steps if step * size <= room * (1.0 + 1e-9))

@@ -28,39 +28,12 @@ _CODES = {"⌀": "%%c", "°": "%%d", "±": "%%p"}
 
 
 def require_ezdxf() -> types.ModuleType:
-    """The package ezdxf.
-
-    Returns
-    -------
-    module
-        Imported.
-
-    Raises
-    ------
-    MissingExtraError
-        If it is not installed.
-    """
+    """The package ezdxf."""
     return optional_module("ezdxf", extra="report", needs="a DXF file needs")
 
 
 def sheet_dxf(sheet: Sheet) -> str:
-    """Write a sheet as DXF, the same text for the same sheet.
-
-    Parameters
-    ----------
-    sheet : Sheet
-        The drawing.
-
-    Returns
-    -------
-    str
-        A DXF file of version R2010 in mm, one drawing unit a millimetre of the real drive.
-
-    Raises
-    ------
-    MissingExtraError
-        If ezdxf is not installed.
-    """
+    """Write a sheet as DXF, the same text for the same sheet."""
     ezdxf = require_ezdxf()
     fixed, ezdxf.options.write_fixed_meta_data_for_testing = (
         ezdxf.options.write_fixed_meta_data_for_testing,
@@ -109,18 +82,7 @@ def _draw(space: Any, sheet: Sheet) -> None:
 
 
 def dxf_text(text: str) -> str:
-    """A text as DXF writes it: codes for the diameter, degrees and plus-minus; codes of the text itself undone.
-
-    Parameters
-    ----------
-    text : str
-        Any text on one line.
-
-    Returns
-    -------
-    str
-        The text for a TEXT entity.
-    """
+    """A text as DXF writes it: codes for the diameter, degrees and plus-minus; codes of the text itself undone."""
     plain = re.sub("%(?=%)", "% ", text).replace("^", "^ ")
     for character, code in _CODES.items():
         plain = plain.replace(character, code)

@@ -93,20 +93,7 @@ def text_width(text: str, height: float = TEXT_HEIGHT) -> float:
 
 
 def arrowheads(line: Line, *, length: float) -> list[tuple[Point, Point, Point]]:
-    """Triangles at the ends of a line, the tip first.
-
-    Parameters
-    ----------
-    line : Line
-        The line.
-    length : float
-        Length of a head [mm].
-
-    Returns
-    -------
-    list
-        Tip and both corners of every head [mm].
-    """
+    """Triangles at the ends of a line, the tip first [mm]."""
     ends = {
         "start": [(line.points[0], line.points[1])],
         "end": [(line.points[-1], line.points[-2])],

@@ -26,20 +26,7 @@ PLAIN, WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
 
 
 def frame(on_paper: Callable[[float, float], Point], width: float, height: float) -> Item:
-    """The frame of a sheet of paper.
-
-    Parameters
-    ----------
-    on_paper : callable
-        From a place on paper [mm] to the drawing.
-    width, height : float
-        Size of the paper [mm].
-
-    Returns
-    -------
-    Item
-        A closed line.
-    """
+    """The frame of a sheet of paper."""
     right, top = width - MARGIN, height - MARGIN
     corners = ((MARGIN, MARGIN), (right, MARGIN), (right, top), (MARGIN, top), (MARGIN, MARGIN))
     return Line(tuple(on_paper(*corner) for corner in corners), "frame")
@@ -54,26 +41,7 @@ def title_block(
     *,
     kind: str = "Planetary traction drive",
 ) -> list[Item]:
-    """What a drawing is called, its scale and unit, in the lower right corner.
-
-    Parameters
-    ----------
-    on_paper : callable
-        From a place on paper [mm] to the drawing.
-    column, width : float
-        Left edge of the column beside the view, and width of the paper [mm].
-    name : str
-        What the drawing is called.
-    scale : float
-        Length on paper over true length [-].
-    kind : str, optional
-        What is drawn.
-
-    Returns
-    -------
-    list of Item
-        Lines and texts.
-    """
+    """What a drawing is called, its scale and unit, in the lower right corner."""
     title = printable(name).replace("\n", " ")
     shown = title if len(title) <= _LONGEST_TITLE else f"…{title[1 - _LONGEST_TITLE :]}"
     top, left = MARGIN + 22.0, column - 3.0
@@ -90,22 +58,7 @@ def title_block(
 
 
 def load_lines(joint: Joint, forces: JointForces, *, part: str) -> list[str]:
-    """What stands beside bodies that are drawn apart.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    forces : DriveForces or JointForces
-        Its forces.
-    part : str
-        What the bodies belong to.
-
-    Returns
-    -------
-    list of str
-        Lines.
-    """
+    """What stands beside bodies that are drawn apart."""
     entry, out = (name.replace("_", " ") for name in joint.ends)
     return [
         f"Forces on the bodies of one {part}, drawn apart, without centrifugal forces.",

@@ -127,18 +127,7 @@ def plain_number(value: float, _: object = None) -> str:
 
 
 def torque_colors(count: int) -> list[Any]:
-    """Colours of a family of curves, light for the first to dark for the last.
-
-    Parameters
-    ----------
-    count : int
-        How many.
-
-    Returns
-    -------
-    list
-        RGBA tuples.
-    """
+    """Colours of a family of curves, light for the first to dark for the last."""
     from matplotlib import colormaps
 
     return [colormaps["YlGnBu"](x) for x in np.linspace(0.35, 0.95, count)]

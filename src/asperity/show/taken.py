@@ -160,18 +160,7 @@ class Taken:
 
 
 def distance(one: tuple[Point, Point], other: tuple[Point, Point]) -> float:
-    """Distance between two straight lines of finite length.
-
-    Parameters
-    ----------
-    one, other : tuple of tuple of float
-        Their ends [mm].
-
-    Returns
-    -------
-    float
-        Distance [mm]; 0 where they cross.
-    """
+    """Distance between two straight lines of finite length [mm]."""
     (a, b), (c, d) = one, other
     if _side(a, b, c) * _side(a, b, d) < 0.0 and _side(c, d, a) * _side(c, d, b) < 0.0:
         return 0.0

@@ -19,17 +19,7 @@ _PER_ARCMINUTE = np.pi / 10800.0
 
 
 def draw_temperatures(axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit) -> None:
-    """Three panels over temperature, with the temperatures of assembly and work.
-
-    Parameters
-    ----------
-    axes : sequence of Axes
-        Where to draw preload, assembled stiffness and torque capacity.
-    curves : TemperatureCurves
-        What to draw.
-    fit : Fit
-        How the joint was assembled.
-    """
+    """Three panels over temperature, with the temperatures of assembly and work."""
     temperature = np.asarray(curves.temperature)
     panels = (
         ("preload [N]", np.asarray(curves.preload)),

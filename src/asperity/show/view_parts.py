@@ -16,18 +16,7 @@ MOST_GAPS = 3
 
 
 def break_line(inner: float, shown: float) -> Line:
-    """A wavy line around the part of a ring that is drawn.
-
-    Parameters
-    ----------
-    inner, shown : float
-        Inner radius, and radius at which the drawing ends [mm].
-
-    Returns
-    -------
-    Line
-        Closed.
-    """
+    """A wavy line around the part of a ring that is drawn."""
     count = 16 * _WAVES
     amplitude = 0.03 * (shown - inner)
     points = []

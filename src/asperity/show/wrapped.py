@@ -8,20 +8,7 @@ _INDENT = "   "
 
 
 def wrapped(text: str, width: float) -> list[str]:
-    """Break a line of normal height between words, and within a word that is too long.
-
-    Parameters
-    ----------
-    text : str
-        The line.
-    width : float
-        Width of the column on paper [mm].
-
-    Returns
-    -------
-    list of str
-        Lines; all but the first are indented.
-    """
+    """Break a line of normal height between words, and within a word that is too long."""
     if text_width(text) <= width:
         return [text]
     cut = _longest(text, width)

@@ -56,24 +56,7 @@ def _masked(status: Array, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> Kernel:
-    """The function that evaluates points: numbers of the file and arrays of the varied ones in, results out.
-
-    Parameters
-    ----------
-    values : dict
-        Tables of the joint file, for their structure and names; the numbers in them are not used.
-    paths : tuple of str
-        Dotted paths of the varied numbers.
-    results : tuple of str
-        Names of :func:`asperity.joint_file.any_joint.results_of`.
-
-    Returns
-    -------
-    callable
-        Of the :func:`numbers` of a file and one array for each path, all of one shape, in SI units, to the status
-        codes and the results, which are nan where they have no value; pure, for ``jit``. Because the file's numbers
-        are arguments, one compiled program serves all files of the same structure.
-    """
+    """The function that evaluates points: numbers of the file and arrays of the varied ones in, results out."""
 
     def kernel(base: Numbers, *arrays: Array) -> Found:
         tables = replace_values(with_numbers(values, base), dict(zip(paths, arrays, strict=True)))
@@ -85,18 +68,7 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
 
 
 def batch_size(results: tuple[str, ...]) -> int:
-    """Points that pass through the program at once.
-
-    Parameters
-    ----------
-    results : tuple of str
-        What is computed.
-
-    Returns
-    -------
-    int
-        A power of two.
-    """
+    """Points that pass through the program at once."""
     heavy = (*GROUPS["assembly"], *GROUPS["stresses"])
     return ASSEMBLY_BATCH if set(results) & set(heavy) else BATCH
 

@@ -56,18 +56,7 @@ def coordinate(axis: SweepAxis) -> tuple[tuple[str], np.ndarray, dict[str, str]]
 
 
 def key_attributes(path: str) -> dict[str, str]:
-    """Attributes of a number of the joint file.
-
-    Parameters
-    ----------
-    path : str
-        Its dotted path.
-
-    Returns
-    -------
-    dict
-        ``units`` and ``long_name``.
-    """
+    """Attributes of a number of the joint file."""
     return {"units": key_at(path).dimension.si_unit, "long_name": long_name(path)}
 
 
@@ -158,18 +147,7 @@ def row_dimensions(result: Result) -> tuple[str, ...]:
 
 
 def row_coordinates(results: Iterable[Result]) -> dict[str, tuple[tuple[str], np.ndarray, dict[str, str]]]:
-    """Coordinates of the contacts and clearances, where results have one number for each.
-
-    Parameters
-    ----------
-    results : iterable of Result
-        Rows of the table of results.
-
-    Returns
-    -------
-    dict
-        Dimension → dimensions, values, attributes.
-    """
+    """Coordinates of the contacts and clearances, where results have one number for each."""
     needed = {dimension: result.row_names for result in results for dimension in row_dimensions(result)}
     return {
         each: ((each,), np.array(names, dtype="U"), {"long_name": _ROW_COORDINATES[each]})
@@ -208,28 +186,7 @@ def dataset(
     table: Mapping[str, Result],
     attributes: Mapping[str, Any],
 ) -> xarray.Dataset:
-    """A dataset of evaluated points.
-
-    Parameters
-    ----------
-    dimensions : tuple of str
-        Dimensions of the points.
-    coordinates : mapping
-        Name → (dimensions, values, attributes).
-    status : ndarray
-        Codes of the points.
-    found : mapping
-        Name of a result → values, with the axis of its rows first if there is one.
-    table : mapping
-        The table of results of the drive.
-    attributes : mapping
-        Attributes of the whole.
-
-    Returns
-    -------
-    xarray.Dataset
-        With ``status`` and one variable a result.
-    """
+    """A dataset of evaluated points."""
     xr = require("xarray")
     variables: dict[str, Any] = {"status": (dimensions, status, flag_attributes())}
     for name, value in found.items():

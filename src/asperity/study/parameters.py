@@ -92,18 +92,7 @@ SweepAxis = Axis | ListedAxis
 
 
 def axis_from_dict(plain: dict[str, Any]) -> SweepAxis:
-    """An axis from plain data, as :func:`dataclasses.asdict` makes them.
-
-    Parameters
-    ----------
-    plain : dict
-        Its fields.
-
-    Returns
-    -------
-    Axis or ListedAxis
-        The axis.
-    """
+    """An axis from plain data, as :func:`dataclasses.asdict` makes them."""
     return ListedAxis(**plain) if "listed" in plain else Axis(**plain)
 
 
@@ -158,18 +147,7 @@ def parse_axis(text: str, *, kind: str | None = None) -> Axis:
 
 
 def check_axis(axis: SweepAxis) -> None:
-    """Raise unless an axis makes sense.
-
-    Parameters
-    ----------
-    axis : Axis or ListedAxis
-        The axis.
-
-    Raises
-    ------
-    InputError
-        With the key, what is wrong, and what is allowed.
-    """
+    """Raise unless an axis makes sense."""
     unit = key_at(axis.path).unit
     if axis.count < 1:
         raise InputError(f"{axis.path}: the count must be at least 1, got {axis.count}")
@@ -230,20 +208,7 @@ def check_axes(case: AnyCase, axes: Sequence[SweepAxis]) -> None:
 
 
 def check_paths(case: AnyCase, paths: Sequence[str]) -> None:
-    """Raise unless these numbers of a joint file can be varied independently.
-
-    Parameters
-    ----------
-    case : PlanarCase
-        The joint file.
-    paths : sequence of str
-        Dotted paths.
-
-    Raises
-    ------
-    InputError
-        If a joint file has no such number, or two paths stand for the same one.
-    """
+    """Raise unless these numbers of a joint file can be varied independently."""
     values = si_values(case)
     seen: list[tuple[str, str, str | None]] = []
     for path in paths:

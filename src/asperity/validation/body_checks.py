@@ -38,13 +38,7 @@ def _matrix(
 
 
 def discs() -> Iterator[Check]:
-    """A roller between two contacts.
-
-    Yields
-    ------
-    Check
-        Its approach per force.
-    """
+    """A roller between two contacts."""
     disc = Disc(13.5e-3, _LENGTH, _MODULUS, _POISSON, "plane_strain")
     c = _matrix(disc, [0.0, math.pi], 80e-6, copies=1, modes=0)
     by_hand = (
@@ -65,13 +59,7 @@ def discs() -> Iterator[Check]:
 
 
 def rings() -> Iterator[Check]:
-    """The paper's ring with three walls, and thin rings under equal radial loads.
-
-    Yields
-    ------
-    Check
-        Compliance with a free and with a held rim, and the closed form of ring bending.
-    """
+    """The paper's ring with three walls, and thin rings under equal radial loads."""
     polar = math.radians(13.9248)
     walls = (4e-3, 10e-3, 60e-3)
     for support, name, expected in (

@@ -101,13 +101,7 @@ def _creep(force: float, preload: float) -> float:
 
 
 def unlike() -> Iterator[Check]:
-    """A plain planetary with two opposed planets of unlike radii.
-
-    Yields
-    ------
-    Check
-        Preloads, force on the sun and its displacement, tangential forces in rolling.
-    """
+    """A plain planetary with two opposed planets of unlike radii."""
     model = "Branches of unlike sizes"
     source = "two opposed planets by hand, 2 µm too large and too small, interference 20 µm: Johnson, Weber–Banaschek"
     held, centre = _states(jnp.asarray(_RIGID))

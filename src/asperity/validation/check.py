@@ -131,19 +131,6 @@ def compared(
 
 
 def failed(model: str, error: Exception) -> Check:
-    """A group of checks that ended in an error.
-
-    Parameters
-    ----------
-    model : str
-        What was checked.
-    error : Exception
-        What happened.
-
-    Returns
-    -------
-    Check
-        One that does not pass.
-    """
+    """A group of checks that ended in an error."""
     note = f"{type(error).__name__}: {error}".splitlines()[0]
     return Check(model, "", "the computation", "-", math.nan, math.nan, math.nan, 0.0, False, 0, note)

@@ -29,13 +29,7 @@ _QUADRATURE = "quadrature of the published definitions, 20 digits"
 
 
 def contact_law() -> Iterator[Check]:
-    """Every column of :data:`CONTACT_LAW_TABLE`.
-
-    Yields
-    ------
-    Check
-        One for each column.
-    """
+    """Every column of :data:`CONTACT_LAW_TABLE`."""
     with CONTACT_LAW_TABLE.open(encoding="utf-8") as stream:
         table = list(csv.DictReader(stream))
     names = {
@@ -100,13 +94,7 @@ _RADIUS, _LENGTH, _FORCE = 20e-3 / 3.0, 10e-3, 2000.0
 
 
 def hertz() -> Iterator[Check]:
-    """Two steel rollers by hand.
-
-    Yields
-    ------
-    Check
-        Half-width and peak pressure.
-    """
+    """Two steel rollers by hand."""
     modulus = contact_modulus(
         youngs_modulus_1=206e9, youngs_modulus_2=206e9, poisson_ratio_1=0.3, poisson_ratio_2=0.3
     )
@@ -194,13 +182,7 @@ def creep() -> Iterator[Check]:
 
 
 def stresses() -> Iterator[Check]:
-    """Largest stresses below a line contact, and the shakedown limit.
-
-    Yields
-    ------
-    Check
-        Peaks without traction, limits with it.
-    """
+    """Largest stresses below a line contact, and the shakedown limit."""
     shear = stress_peaks.shear_peak(friction_coefficient=jnp.zeros(1))
     mises = stress_peaks.mises_peak(friction_coefficient=jnp.zeros(1), poisson_ratio=0.5)
     model = "Stresses below a line contact"
@@ -235,13 +217,7 @@ def stresses() -> Iterator[Check]:
 
 
 def fatigue() -> Iterator[Check]:
-    """Life of a rolling track by hand.
-
-    Yields
-    ------
-    Check
-        Lives at five pressures.
-    """
+    """Life of a rolling track by hand."""
     modulus = 206e9 / (2.0 * 0.91)
     peak = jnp.array([1.0e9, 1.03964e9, 1.4e9, 1.8e9, 2.0e9])
     yield compared(

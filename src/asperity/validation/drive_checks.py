@@ -28,13 +28,7 @@ _INDEPENDENT = "independent rigid bodies in the plane, Hertz and Carter: the pap
 
 
 def ratios() -> Iterator[Check]:
-    """Speed ratios of every type of drive by their formulas.
-
-    Yields
-    ------
-    Check
-        One for each type.
-    """
+    """Speed ratios of every type of drive by their formulas."""
     multiroller = two_row_multiroller(
         sun_radius=10e-3, first_row_radii=(22e-3, 9e-3), second_row_radii=(25e-3, 14e-3), roller_count=5
     )
@@ -90,13 +84,7 @@ def _states(drive: Drive, torque: Array) -> tuple[DriveState, DriveState]:
 
 
 def states() -> Iterator[Check]:
-    """The paper's drive at rest and rolling.
-
-    Yields
-    ------
-    Check
-        Interference, forces, speed loss, displacement of the planet.
-    """
+    """The paper's drive at rest and rolling."""
     rest, rolling = _states(wedge_drive(_WEDGE, planet_count=3), jnp.asarray(5.0))
     rows = (
         ("interference under a preload of 1000 N", "µm", 12.904, 1e6 * rest.interference[3], 1e-4),

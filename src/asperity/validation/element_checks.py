@@ -22,13 +22,7 @@ _LIKE = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant
 
 
 def half_space() -> Iterator[Check]:
-    """The response of the half-space far from a load.
-
-    Yields
-    ------
-    Check
-        Normal and tangential displacement under point loads.
-    """
+    """The response of the half-space far from a load."""
     free = FreeHalfSpace(_LIKE, shape=(41, 41), pixel_size=(1.0, 1.0))
     load = np.zeros((2, 41, 41))
     load[0, 0, 0] = 1.0
@@ -53,13 +47,7 @@ def half_space() -> Iterator[Check]:
 
 
 def sliding() -> Iterator[Check]:
-    """Partial slip of a ball.
-
-    Yields
-    ------
-    Check
-        Displacement and work of friction of CONTACT's deck ``cattaneo``.
-    """
+    """Partial slip of a ball."""
     shear, poisson, radius, force, friction, pixel = 200e6, 0.42, 50e-3, 9.1954, 0.4, 0.13333e-3
     young = 2.0 * shear * (1.0 + poisson)
     pair = elastic_pair(

@@ -15,13 +15,7 @@ from asperity.zou2025.curves import compute
 
 
 def figures() -> Iterator[Check]:
-    """Numbers that the paper's figures and statics fix.
-
-    Yields
-    ------
-    Check
-        Place of the maxima, limit of slip, torque on the sun, published stiffness.
-    """
+    """Numbers that the paper's figures and statics fix."""
     curves = compute()
     numbers: dict[str, dict[str, float]] = {}
     for claim in judge(curves):
@@ -79,13 +73,7 @@ def figures() -> Iterator[Check]:
 
 
 def roughness() -> Iterator[Check]:
-    """Height parameters of a sine.
-
-    Yields
-    ------
-    Check
-        Ra, Rq, Rt, skewness and kurtosis.
-    """
+    """Height parameters of a sine."""
     x = 0.1e-6 * np.arange(20_000)
     heights = 1e-6 * np.sin(2.0 * np.pi * (x + 0.5e-7) / 40e-6)
     found = height_parameters(topography=Topography(heights, 0.1e-6))
@@ -111,13 +99,7 @@ def roughness() -> Iterator[Check]:
 
 
 def units() -> Iterator[Check]:
-    """Quantities as users write them.
-
-    Yields
-    ------
-    Check
-        Their SI values.
-    """
+    """Quantities as users write them."""
     written: tuple[tuple[str, Dimension, float], ...] = (
         ("1 deg", Dimension.ANGLE, np.pi / 180.0),
         ("1 arcmin", Dimension.ANGLE, np.pi / 10_800.0),

@@ -20,13 +20,7 @@ _RADIUS = 20e-3 / 3.0  # of rollers of 10 and 20 mm
 
 
 def crowns() -> Iterator[Check]:
-    """Crowned rollers whose ends are free, and cylinders.
-
-    Yields
-    ------
-    Check
-        Largest pressure, approach and length of Hertz's ellipse; the even load.
-    """
+    """Crowned rollers whose ends are free, and cylinders."""
     pressure, approach, length = [], [], []
     for axes in (1000.0, 100.0):  # the long over the short semi-axis
         squared, short = 1.0 - axes**-2, 1e-4
@@ -83,13 +77,7 @@ def crowns() -> Iterator[Check]:
 
 
 def skewed() -> Iterator[Check]:
-    """Rollers whose axes are not parallel.
-
-    Yields
-    ------
-    Check
-        Kalker's coefficients, Carter's curve in either direction, like bodies with Poisson's ratio 0, sliding.
-    """
+    """Rollers whose axes are not parallel."""
     force, length, friction = 1000.0, 5e-3, 0.12
     width = float(
         hertz_line.half_width(
@@ -172,13 +160,7 @@ def skewed() -> Iterator[Check]:
 
 
 def bearings() -> Iterator[Check]:
-    """Lives of rolling bearings.
-
-    Yields
-    ------
-    Check
-        A catalogue's example, and a roller bearing under a load and under a duty by hand.
-    """
+    """Lives of rolling bearings."""
     turns = 2.0 * math.pi / 60.0
     ball = RatedBearing(55.3e3, 31.5e3, 1.0, 0.0, "ball")
     roller = RatedBearing(8e3, 9e3, 1.0, 100.0, "roller")

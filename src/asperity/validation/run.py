@@ -47,23 +47,7 @@ GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
 
 
 def run_checks(report: Callable[[int, int], Any] = lambda done, total: None) -> list[Check]:
-    """Every check, one group after the other.
-
-    Parameters
-    ----------
-    report : callable, optional
-        Is given the number of groups done, and of all.
-
-    Returns
-    -------
-    list of Check
-        A group that ends in an error is one check that does not pass.
-
-    Raises
-    ------
-    PrecisionError
-        If JAX is in single precision.
-    """
+    """Every check, one group after the other."""
     require_double_precision()
     found: list[Check] = []
     for done, (name, group) in enumerate(GROUPS.items()):
@@ -77,13 +61,7 @@ def run_checks(report: Callable[[int, int], Any] = lambda done, total: None) -> 
 
 
 def source_checksum() -> str:
-    """Checksum of the installed package's source and data.
-
-    Returns
-    -------
-    str
-        SHA-256 over the names and contents of its files.
-    """
+    """Checksum of the installed package's source and data."""
     digest = hashlib.sha256()
     folder = Path(asperity.__file__).parent
     for file in sorted(path for path in folder.rglob("*") if path.suffix in {".py", ".csv", ".toml"}):
@@ -92,18 +70,7 @@ def source_checksum() -> str:
 
 
 def validation_document(checks: list[Check]) -> dict[str, Any]:
-    """The checks with what they were computed on, ready for :func:`json.dumps`.
-
-    Parameters
-    ----------
-    checks : list of Check
-        As :func:`run_checks` returns them.
-
-    Returns
-    -------
-    dict
-        Versions, platform, checksum, counts and checks.
-    """
+    """The checks with what they were computed on, ready for :func:`json.dumps`."""
     return {
         "asperity_version": asperity.__version__,
         "source_sha256": source_checksum(),

@@ -104,20 +104,7 @@ class Comparison(eqx.Module):
 
 
 def sample_heights(sample: Sample, seed: int) -> np.ndarray:
-    """One surface of the sample.
-
-    Parameters
-    ----------
-    sample : Sample
-        Parameters of the surface.
-    seed : int
-        Seed of the random numbers.
-
-    Returns
-    -------
-    array, shape (points, points)
-        Height [m].
-    """
+    """One surface of the sample, shape (points, points) [m]."""
     return periodic_weierstrass_surface(
         points=sample.points,
         side=sample.side,
@@ -138,40 +125,7 @@ def compare(
     elastic: bool = False,
     solved: Callable[[], None] = lambda: None,
 ) -> Comparison:
-    """Solve the sample's surfaces under each load by boundary elements, and evaluate the law and Persson's theory.
-
-    Parameters
-    ----------
-    sample : Sample
-        The surface and the bodies.
-    seeds : int
-        Number of surfaces of the same D and G.
-    relative_pressures : sequence of float
-        Mean pressures over the pressure scale of :class:`Comparison` [-], rising, below 1; the rms slope in it is
-        the mean over the seeds, so that the loads are the same for all seeds.
-    elastic : bool
-        True: the pressure of the boundary elements is not limited (the law keeps its hardness).
-    solved : callable
-        Called after each solution.
-
-    Returns
-    -------
-    Comparison
-        Results of all three methods.
-
-    Raises
-    ------
-    InputError
-        For no seeds or no loads, or loads that the hardness cannot carry.
-    NoSolutionError
-        If a contact does not converge.
-
-    Notes
-    -----
-    The incremental stiffness by boundary elements is elastic on the whole contact area, including points at the
-    hardness: it is that of a small oscillation, or of unloading. The law is evaluated for a nominally flat contact, for
-    which its contact factor lambda (a correction for curved bodies) is 1.
-    """
+    """Solve the sample's surfaces under each load by boundary elements, and evaluate the law and Persson's theory."""
     pressures = np.asarray(relative_pressures, dtype=np.float64)
     rising = pressures.size > 0 and np.all(np.diff(pressures, prepend=0.0) > 0.0)
     if seeds < 1 or not rising or not pressures[-1] < 1.0:

@@ -21,20 +21,7 @@ QUANTITIES = {
 
 
 def comparison_figure(samples: Sequence[Sample], comparisons: Sequence[Comparison]) -> Figure:
-    """Three quantities over the load by three methods, one colour per fractal dimension, ratios below.
-
-    Parameters
-    ----------
-    samples : sequence of Sample
-        Samples compared.
-    comparisons : sequence of Comparison
-        The results, in the same order.
-
-    Returns
-    -------
-    Figure
-        A matplotlib figure; call its ``savefig``.
-    """
+    """Three quantities over the load by three methods, one colour per fractal dimension, ratios below."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(11.0, 6.0), layout="constrained")

@@ -43,20 +43,7 @@ class WaveSpectrum(eqx.Module):
 
 
 def wave_spectrum(heights: NDArray[np.float64], *, side: float) -> WaveSpectrum:
-    """Sort the waves of a periodic height map by length.
-
-    Parameters
-    ----------
-    heights : array, shape (n, n)
-        Height [m] over one period.
-    side : float
-        Side of the square [m].
-
-    Returns
-    -------
-    WaveSpectrum
-        Waves that carry at least 1e-20 of the variance.
-    """
+    """Sort the waves of a periodic height map by length."""
     n = heights.shape[0]
     k = np.fft.fftfreq(n, 1.0 / n)
     q = 2.0 * math.pi / side * np.hypot(*np.meshgrid(k, k, indexing="ij")).ravel()

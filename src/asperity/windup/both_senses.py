@@ -39,20 +39,7 @@ class BothSenses(eqx.Module):
 
 
 def both_senses(*, joint: Joint, torque: Array | np.ndarray) -> BothSenses:
-    """Stiffness and drift of a joint at given torques.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, without batch axes; its torque and the sense of its speed are replaced.
-    torque : Array
-        Output torques of either sign, shape (n,) [N·m].
-
-    Returns
-    -------
-    BothSenses
-        The stiffness is that of a joint that begins to move with its torque, as in a wind-up.
-    """
+    """Stiffness and drift of a joint at given torques."""
     found = over_torque(joint, np.asarray(torque), no_slip_friction=NO_SLIP_FRICTION)
     slip = np.max(np.asarray(found.slip_ratio), axis=1)
     solved = np.asarray(found.solved)

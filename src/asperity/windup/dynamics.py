@@ -150,27 +150,7 @@ class Dynamics(eqx.Module):
 
 
 def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
-    """Natural frequencies over torque, and the frequency response at the joint's torque.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    inertias : Inertias
-        What is coupled to it.
-
-    Returns
-    -------
-    Dynamics
-        As NumPy arrays.
-
-    Raises
-    ------
-    InputError
-        If the joint cannot exist.
-    NoSolutionError
-        If the force balance does not close, or a contact has no stiffness.
-    """
+    """Natural frequencies over torque, and the frequency response at the joint's torque."""
     solution = solve_joint(joint)
     if not float(solution.result.assembly.stiffness.output) > 0.0:
         raise InputError("the assembled joint has no stiffness, so that it has no natural frequency")

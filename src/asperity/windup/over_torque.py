@@ -125,18 +125,7 @@ def over_torque(
 def standing_over_torque(
     joint: Joint, torques: np.ndarray, *, no_slip_friction: float, rest: DriveState | None = None
 ) -> StandingOverTorque:
-    """What a joint that stands does at torques, as NumPy arrays.
-
-    Parameters
-    ----------
-    joint, torques, no_slip_friction, rest
-        As of :func:`over_torque`.
-
-    Returns
-    -------
-    StandingOverTorque
-        Results of states that do not balance have no meaning.
-    """
+    """What a joint that stands does at torques, as NumPy arrays."""
     found: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction, rest)
     return found
 
@@ -166,22 +155,7 @@ def _in_batches(
 def standing_program(
     joint: Joint, rest: DriveState, torques: Array, no_slip_friction: Real
 ) -> StandingOverTorque:
-    """What is compiled to wind a joint up.
-
-    Parameters
-    ----------
-    joint, rest, torques, no_slip_friction
-        As of :func:`over_torque_program`.
-
-    Returns
-    -------
-    StandingOverTorque
-        At these torques.
-
-    References
-    ----------
-    Equations (A9) and (M3) of :doc:`/equations`.
-    """
+    """What is compiled to wind a joint up."""
     contacts = joint_contacts(joint)
     unloaded = _with_its_torque(joint)
     pressed = pressed_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
@@ -197,28 +171,7 @@ def standing_program(
 
 
 def over_torque_program(joint: Joint, rest: DriveState, torques: Array, no_slip_friction: Real) -> OverTorque:
-    """What is compiled to follow a joint over its torque.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    rest : DriveState
-        Its assembled state without torque.
-    torques : Array
-        Output torques, shape (torques,) [N·m].
-    no_slip_friction : Real
-        A friction coefficient under which no contact slips [-].
-
-    Returns
-    -------
-    OverTorque
-        At these torques.
-
-    References
-    ----------
-    Equations (A9), (B3) and (M4) of :doc:`/equations`.
-    """
+    """What is compiled to follow a joint over its torque."""
     contacts, sense = joint_contacts(joint), driving_sense(joint.drive)
     states = _states(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
 
@@ -248,26 +201,7 @@ def over_torque_program(joint: Joint, rest: DriveState, torques: Array, no_slip_
 
 
 def curve_program(joint: Joint, torques: Array, no_slip_friction: Real) -> dict[str, Array]:
-    """What a measured curve shows of a joint, assembled within the same program; for derivatives by its numbers.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    torques : Array
-        Output torques, shape (torques,) [N·m].
-    no_slip_friction : Real
-        A friction coefficient under which no contact slips [-].
-
-    Returns
-    -------
-    dict
-        The fields of :class:`OverTorque` from ``balanced`` to ``drift``.
-
-    References
-    ----------
-    Equations (A9), (B3), (M3) and (M4) of :doc:`/equations`.
-    """
+    """What a measured curve shows of a joint, assembled within the same program; for derivatives by its numbers."""
     contacts = joint_contacts(joint)
     states = _states(joint, contacts, assembled(joint, contacts))
 

@@ -107,29 +107,7 @@ class FitError:
 
 
 def parallel_elements(law: SeriesLaw, *, elements: int) -> ParallelElements:
-    """Fit parallel elements to a wind-up.
-
-    Parameters
-    ----------
-    law : SeriesLaw
-        The wind-up, without play.
-    elements : int
-        Number of elasto-plastic elements; fewer are used where they are not needed, none where nothing slips.
-
-    Returns
-    -------
-    ParallelElements
-        By linear least squares with elements whose stiffness is not negative.
-
-    Notes
-    -----
-    First loading in both directions and the loops of the largest torque and of half of it are fitted together, and the
-    width of the loops counts more. Yield angles stand where the slip bends most.
-
-    References
-    ----------
-    W. D. Iwan, J. Appl. Mech. 33 (1966) 893; G. Masing, Proc. 2nd Int. Congr. Appl. Mech., Zurich 1926, 332.
-    """
+    """Fit parallel elements to a wind-up."""
     largest, scale = law.largest_torque, _largest_angle(law)
     yield_angle = _yield_angles(law, scale, elements)
     matrices, targets = [], []
@@ -168,20 +146,7 @@ def parallel_elements(law: SeriesLaw, *, elements: int) -> ParallelElements:
 
 
 def fit_error(law: SeriesLaw, fitted: ParallelElements) -> FitError:
-    """Compare parallel elements with the wind-up they stand for, under control of the torque.
-
-    Parameters
-    ----------
-    law : SeriesLaw
-        The wind-up, without play.
-    fitted : ParallelElements
-        The elements.
-
-    Returns
-    -------
-    FitError
-        Largest deviations.
-    """
+    """Compare parallel elements with the wind-up they stand for, under control of the torque."""
     bound = 2.0 * _largest_angle(law)
     angle_error, width_error = 0.0, 0.0
     for size in (law.largest_torque, 0.5 * law.largest_torque):

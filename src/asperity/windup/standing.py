@@ -41,22 +41,7 @@ class Standing(NamedTuple):
 
 
 def standing_at(joint: Joint, torques: np.ndarray, rest: DriveState | None = None) -> Standing:
-    """What a wind-up needs to know of a joint with any type of drive.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint; its own output torque is replaced.
-    torques : ndarray
-        Output torques of either sign, shape (torques,) [N·m].
-    rest : DriveState, optional
-        The assembled state of a planar drive without torque, where it is known.
-
-    Returns
-    -------
-    Standing
-        Play is left out.
-    """
+    """What a wind-up needs to know of a joint with any type of drive."""
     found = standing_over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION, rest=rest)
     own, without = ({name: np.asarray(getattr(found, name))[:, k] for name in LEVELS} for k in range(2))
     holds, ratio = np.asarray(found.solved), np.asarray(found.slip_ratio).T

@@ -50,22 +50,7 @@ class TorqueCurves(eqx.Module):
 
 
 def torque_curves(*, joint: Joint, torque_capacity: float, rest: DriveState | None = None) -> TorqueCurves:
-    """Stiffness, drift and efficiency of a joint from no torque to its capacity.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, without batch axes.
-    torque_capacity : float
-        Capacity in the direction of the joint's torque, without sign; not finite if friction does not limit it [N·m].
-    rest : DriveState, optional
-        The assembled state of a planar drive without torque, where it is known.
-
-    Returns
-    -------
-    TorqueCurves
-        In the direction of the joint's torque; up to twice the torque, or 1 N·m, if there is no capacity.
-    """
+    """Stiffness, drift and efficiency of a joint from no torque to its capacity."""
     own = float(joint.output_torque)
     limited = math.isfinite(torque_capacity) and torque_capacity > 0.0
     largest = torque_capacity if limited else _OVER_TORQUE * abs(own) or 1.0

@@ -260,18 +260,7 @@ def windup_of(
 
 
 def is_symmetric(joint: Joint) -> bool:
-    """Whether a joint behaves alike in both directions of torque.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    bool
-        True where the sectors are their own mirror images; those of a drive whose pins push at an angle are not compared.
-    """
+    """Whether a joint behaves alike in both directions of torque."""
     image = None if joint.unlike is not None else mirror_image(joint.drive)
     if image is None:
         return False

@@ -161,20 +161,7 @@ def growth_per_doubling(values: np.ndarray) -> np.ndarray:
 
 
 def interval_above(abscissa: np.ndarray, values: np.ndarray, share: float) -> tuple[float, float]:
-    """Interval around the maximum in which a curve is at least a given share of the maximum.
-
-    Parameters
-    ----------
-    abscissa, values : ndarray
-        The curve, shape (n,), with one maximum.
-    share : float
-        The share [-].
-
-    Returns
-    -------
-    tuple of float
-        Lower and upper end, linearly interpolated; an end of the range if the curve stays above the level up to it.
-    """
+    """Interval around the maximum in which a curve is at least a given share of the maximum."""
     level = share * float(np.max(values))
     top = int(np.argmax(values))
     low, high = float(abscissa[0]), float(abscissa[-1])

@@ -144,13 +144,7 @@ def _joint_axes() -> dict[str, tuple[np.ndarray, str, np.ndarray]]:
 
 
 def pair_curves() -> dict[str, PairCurve]:
-    """The six cases of Table 1, and two of them at a lower fractal dimension, as one batch.
-
-    Returns
-    -------
-    dict
-        Case → its curve.
-    """
+    """The six cases of Table 1, and two of them at a lower fractal dimension, as one batch."""
     require_double_precision()
     axes = _pair_axes()
     cases: list[dict[str, ArrayLike]] = [
@@ -187,18 +181,7 @@ def _published(joint: PublishedJoint) -> tuple[dict[str, Real], Array]:
 
 
 def joint_curves() -> dict[str, JointCurves]:
-    """All sweeps of the joint of Table 2, solved as one batch.
-
-    Returns
-    -------
-    dict
-        Field of :class:`Curves` → its sweep.
-
-    Raises
-    ------
-    NoSolutionError
-        If the force balance does not converge at any point.
-    """
+    """All sweeps of the joint of Table 2, solved as one batch."""
     require_double_precision()
     axes = _joint_axes()
     grids = [preset.operating_grid(output_torque=t, **{name: values}) for t, name, values in axes.values()]
@@ -225,13 +208,5 @@ def joint_curves() -> dict[str, JointCurves]:
 
 
 def compute() -> Curves:
-    """Recompute everything that the paper plots, in SI units.
-
-    Raises
-    ------
-    PrecisionError
-        If JAX is in single precision.
-    NoSolutionError
-        If a force balance does not converge.
-    """
+    """Recompute everything that the paper plots, in SI units."""
     return Curves(pairs=pair_curves(), **joint_curves())

@@ -101,15 +101,7 @@ def _inset(axes: Axes, panel: Panel, scale: float, *, logarithmic: bool) -> None
 
 
 def draw(axes: Axes, panel: Panel) -> None:
-    """Draw one panel.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw; the settings of :data:`asperity.show.style.STYLE` should be active.
-    panel : Panel
-        What to draw.
-    """
+    """Draw one panel."""
     values = np.array(list(panel.curves.values()))
     few_decades = panel.y.logarithmic and np.max(values) / np.min(values) < 10.0**_FEW_DECADES
     exponent = engineering_exponent(values) if few_decades or not panel.y.logarithmic else 0
@@ -141,18 +133,7 @@ def draw(axes: Axes, panel: Panel) -> None:
 
 
 def panel_figure(panel: Panel) -> Figure:
-    """One panel as a figure of its own, ready to save.
-
-    Parameters
-    ----------
-    panel : Panel
-        What to draw.
-
-    Returns
-    -------
-    Figure
-        With an Agg canvas; the axes have the same size and place in every figure.
-    """
+    """One panel as a figure of its own, ready to save."""
     left, bottom, width, height = _AXES_BOX
     total = left + width + 0.25 + _LEGEND_WIDTH[panel.kind]
     with rc_context(STYLE):

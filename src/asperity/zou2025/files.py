@@ -22,13 +22,7 @@ from asperity.zou2025.verdict import Claim
 
 
 def output_folder(path: str | Path) -> Path:
-    """Create the folder for the results unless it exists.
-
-    Raises
-    ------
-    InputError
-        If it cannot be created.
-    """
+    """Create the folder for the results unless it exists."""
     folder = Path(path)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -50,15 +44,7 @@ def _write_rows(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
 
 
 def write_panel(panel: Panel, folder: Path) -> None:
-    """Write one panel as ``figure_NAME.png`` and the plotted numbers as ``figure_NAME.csv``.
-
-    Parameters
-    ----------
-    panel : Panel
-        The panel.
-    folder : Path
-        An existing folder.
-    """
+    """Write one panel as ``figure_NAME.png`` and the plotted numbers as ``figure_NAME.csv``."""
     from asperity.zou2025.figures import panel_figure
 
     write_image(panel_figure(panel), folder / f"figure_{panel.name}.png")
@@ -105,20 +91,7 @@ def table_2_rows(curves: Curves) -> list[dict[str, Any]]:
 
 
 def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> dict[str, Any]:
-    """Verdicts, criteria, assumptions and the cases of the tables as one document.
-
-    Parameters
-    ----------
-    curves : Curves
-        All computed curves.
-    claims : tuple of Claim
-        The verdicts.
-
-    Returns
-    -------
-    dict
-        Plain data for JSON.
-    """
+    """Verdicts, criteria, assumptions and the cases of the tables as one document."""
     return {
         "paper": "Zou et al., Materials 2025, 18(12), 2866, https://doi.org/10.3390/ma18122866",
         "met": sum(claim.met for claim in claims),
@@ -132,15 +105,7 @@ def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> dict[str, Any
 
 
 def write_verdicts(document: dict[str, Any], folder: Path) -> None:
-    """Write ``table_1.csv``, ``table_2.csv`` and ``claims.json``.
-
-    Parameters
-    ----------
-    document : dict
-        :func:`verdict_document`.
-    folder : Path
-        An existing folder.
-    """
+    """Write ``table_1.csv``, ``table_2.csv`` and ``claims.json``."""
     for table in ("table_1", "table_2"):
         _write_rows(folder / f"{table}.csv", document[table])
     text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False)

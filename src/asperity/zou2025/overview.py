@@ -16,18 +16,7 @@ from asperity.zou2025.panels import joint_panels
 
 
 def overview_figure(curves: Curves) -> Figure:
-    """The drive to scale beside panel 7a, with the design window of the paper.
-
-    Parameters
-    ----------
-    curves : Curves
-        All computed curves.
-
-    Returns
-    -------
-    Figure
-        With an Agg canvas.
-    """
+    """The drive to scale beside panel 7a, with the design window of the paper."""
     joint = preset.table_2_joint(preset.operating_grid())
     panel = joint_panels(curves)[0]
     with rc_context(STYLE):

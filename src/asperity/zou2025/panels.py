@@ -227,16 +227,5 @@ def joint_panels(curves: Curves) -> list[Panel]:
 
 
 def all_panels(curves: Curves) -> tuple[Panel, ...]:
-    """The fourteen panels in the order of the paper.
-
-    Parameters
-    ----------
-    curves : Curves
-        All computed curves.
-
-    Returns
-    -------
-    tuple of Panel
-        4a–4f, 5a, 5b, 6a, 6b, 7a, 7b, 8a, 8b.
-    """
+    """The fourteen panels in the order of the paper."""
     return (*pair_panels(curves), *force_panels(curves), *contact_panels(curves), *joint_panels(curves))

@@ -200,22 +200,7 @@ def _rough_surface(fractal_dimension: Real, fractal_roughness: Real) -> Surface:
 
 
 def table_1_contact(**varied: Real) -> FractalContact:
-    """Contact spots and stiffnesses of the roller pair of Table 1.
-
-    Parameters
-    ----------
-    **varied : Real
-        What a case varies, keys of :data:`TABLE_1`. All other numbers are those of Table 1. SI units.
-
-    Returns
-    -------
-    FractalContact
-        In the broadcast shape of the numbers.
-
-    References
-    ----------
-    Zou et al. 2025, equations (10)–(24).
-    """
+    """Contact spots and stiffnesses of the roller pair of Table 1."""
     unknown = set(varied) - set(TABLE_1)
     if unknown:
         raise TypeError(f"Table 1 has no column {sorted(unknown)}; it has {sorted(TABLE_1)}")
@@ -238,18 +223,7 @@ def table_1_contact(**varied: Real) -> FractalContact:
 
 
 def table_2_joint(point: OperatingPoint) -> PublishedJoint:
-    """The planetary joint of Table 2 at an operating point.
-
-    Parameters
-    ----------
-    point : OperatingPoint
-        What the figures vary, :func:`operating_grid`.
-
-    Returns
-    -------
-    PublishedJoint
-        Input of :func:`asperity.zou2025.published.published_joint`; numbers have the shape of the point's fields.
-    """
+    """The planetary joint of Table 2 at an operating point."""
     scale = np.asarray(point.radius_scale)  # NumPy: a single product is not worth compiling
     return PublishedJoint(
         geometry=DriveGeometry(

@@ -103,22 +103,7 @@ def _with_one_rank(joint: PublishedJoint) -> PublishedJoint:
 
 
 def published_joint(joint: PublishedJoint) -> PublishedResult:
-    r"""Forces and torsional stiffness of the published model; pure.
-
-    Parameters
-    ----------
-    joint : PublishedJoint
-        One joint, or many along trailing batch axes.
-
-    Returns
-    -------
-    PublishedResult
-        In the broadcast shape; ``solved`` says where there is a solution.
-
-    References
-    ----------
-    Zou et al. 2025, equations (1)–(30); the closure (A3) of :doc:`/equations`.
-    """
+    r"""Forces and torsional stiffness of the published model; pure."""
     joint = _with_one_rank(joint)
     geometry, material = joint.geometry, joint.material
     sides = triangle(geometry)

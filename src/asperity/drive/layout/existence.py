@@ -92,18 +92,7 @@ def refuse_impossible(drive: Drive) -> None:
 
 
 def has_room(drive: Drive) -> Array:
-    """Whether the bodies of every contact touch, and no others overlap; for programs, where nothing can be raised.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    Array
-        True or False; False also where a roller has no place.
-    """
+    """Whether the bodies of every contact touch, and no others overlap; for programs, where nothing can be raised."""
     xp = namespace(drive)
     touch = abs(gaps(drive)) <= TOUCH_TOLERANCE * xp.asarray(drive.second_radius)
     fits: Array = xp.all(xp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
@@ -111,18 +100,7 @@ def has_room(drive: Drive) -> Array:
 
 
 def output_share(drive: Drive) -> Array:
-    """Speed of the output over that of the fastest member.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    Array
-        Without sign [-]; below :data:`LEAST_OUTPUT_SHARE` it is rounding, and the output stands still.
-    """
+    """Speed of the output over that of the fastest member [-]."""
     speed = abs(speeds(drive))
     share: Array = speed[drive.members.index(drive.output)] / speed.max()
     return share

@@ -26,22 +26,7 @@ class MirrorImage(NamedTuple):
 
 
 def mirror_image(drive: Drive) -> MirrorImage | None:
-    """The mirror image of a drive in a line through its axis and a roller.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive, with concrete (not traced) values.
-
-    Returns
-    -------
-    MirrorImage or None
-        None where the sectors or what is assumed of them differ from their images, or a pin pushes at an angle.
-
-    References
-    ----------
-    Elementary.
-    """
+    """The mirror image of a drive in a line through its axis and a roller."""
     if np.any(np.asarray(drive.push_angles)):
         return None
     x, y = np.asarray(drive.centres, dtype=float).T

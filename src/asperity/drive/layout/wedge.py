@@ -97,21 +97,7 @@ def _angle_between(one: Array, other: Array) -> Real:
 def self_locking_ratio(drive: Drive, friction_coefficient: Array) -> Real:
     r"""Friction that wedges need to hold themselves over the friction they have, :math:`\tan(\beta/2)/\mu`.
 
-    Parameters
-    ----------
-    drive : Drive
-        A drive with wedges.
-    friction_coefficient : Array
-        mu of its contacts, shape (contacts,) [-].
-
-    Returns
-    -------
-    Real
-        That of the wedge that needs most [-].
-
-    References
-    ----------
-    Two forces on the roller balance where each is inclined by half the wedge angle.
+    [-].
     """
     xp = namespace(friction_coefficient)
     inner = np.array([pair[0] for pair in wedges(drive)])

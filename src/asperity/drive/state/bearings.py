@@ -63,25 +63,6 @@ def friction_moments(
 
 
 def friction_power(*, drive: Drive, moments: Array, speed: Array) -> Array:
-    r"""Power that the bearings take, :math:`-\sum M \omega` over all members of all sectors.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    moments : Array
-        Of :func:`friction_moments`, shape (members,) [N·m].
-    speed : Array
-        Angular velocities of the members, shape (members,) [rad/s].
-
-    Returns
-    -------
-    Array
-        Power, all sectors together [W].
-
-    References
-    ----------
-    Moment times angular velocity.
-    """
+    r"""Power that the bearings take, :math:`-\sum M \omega` over all members of all sectors [W]."""
     copies = jnp.asarray(drive.sectors, dtype=float) / sectors_of_members(drive)
     return -jnp.sum(copies * moments * speed)

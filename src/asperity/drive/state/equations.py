@@ -229,24 +229,7 @@ def contact_forces(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
 
 
 def contact_interference(machine: Machine, x: Unknowns) -> Array:
-    """Interference of the contacts.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    x : Unknowns
-        The unknowns.
-
-    Returns
-    -------
-    Array
-        Interference, shape (contacts,) [m].
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Interference of the contacts, shape (contacts,) [m]."""
     own = machine.pattern * x.interference * machine.length
     return own if machine.added is None else own + machine.added
 
@@ -316,30 +299,7 @@ class Misfits(NamedTuple):
 
 @functools.partial(jax.jit, static_argnames="by_force")  # traced once for all kinds of states
 def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns) -> Misfits:
-    """All equations of a state.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    task : Task
-        The state.
-    by_force : bool
-        Whether an assembled state has a given preload instead of a given interference.
-    slides : Array
-        Signs of the contacts that slide as a whole, shape (contacts,) [-].
-    x : Unknowns
-        The unknowns.
-
-    Returns
-    -------
-    Misfits
-        0 in a state.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """All equations of a state."""
     drive, laws, matrices = machine.drive, machine.laws, machine.matrices
     length, largest, lever = machine.length, machine.largest, machine.lever
     normal, tangential = contact_forces(machine, x)

@@ -68,26 +68,7 @@ def newton(
 
 
 def known_root(equations: Callable[[Any], Any], slopes_at: Callable[[Any], Array], found: Any) -> Any:
-    """A root that is known already, with its derivatives.
-
-    Parameters
-    ----------
-    equations : callable
-        From a module of unknowns to one of residuals of the same structure, both of order 1.
-    slopes_at : callable
-        From unknowns to the slopes of the residuals by them, shape (unknowns, unknowns).
-    found : module of Array
-        The root.
-
-    Returns
-    -------
-    module of Array
-        The same numbers, with the derivatives of a root.
-
-    References
-    ----------
-    The implicit function theorem, :func:`asperity.implicit.implicit_root`.
-    """
+    """A root that is known already, with its derivatives."""
     flat, shape = jax.flatten_util.ravel_pytree(found)
 
     def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]

@@ -36,22 +36,7 @@ _LOST = 1e4  # a step this long from one balance towards another is that of a me
 
 
 def assembled_guess(machine: Machine) -> Unknowns:
-    """An assembled drive with the reference forces, from which its state is sought.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-
-    Returns
-    -------
-    Unknowns
-        Without displacement.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """An assembled drive with the reference forces, from which its state is sought."""
     drive, reference = machine.drive, machine.laws.reference_force
     return Unknowns(
         jnp.ones_like(reference),
@@ -180,24 +165,7 @@ def solved(
 
 
 def known_state(machine: Machine, task: Task, found: Unknowns, slides: Array, *, by_force: bool) -> Unknowns:
-    """Unknowns of a state that are known already, with the derivatives of a root.
-
-    Parameters
-    ----------
-    machine, task, slides, by_force
-        As of :func:`solved`.
-    found : Unknowns
-        Its unknowns.
-
-    Returns
-    -------
-    Unknowns
-        The same numbers.
-
-    References
-    ----------
-    The implicit function theorem.
-    """
+    """Unknowns of a state that are known already, with the derivatives of a root."""
 
     def equations(x: Unknowns) -> Unknowns:
         return state_misfits(machine, task, by_force, slides, x).all
@@ -209,10 +177,7 @@ def known_state(machine: Machine, task: Task, found: Unknowns, slides: Array, *,
 
 
 def _next_slides(x: Unknowns, slides: Array, held: Array, paired: np.ndarray) -> Array:
-    """Contacts that slide in the next trial: one that has fallen back holds, or else one beyond its friction slides.
-
-    Contacts of equal coefficients do not slide one by one.
-    """
+    """Contacts that slide in the next trial: one that has fallen back holds, or else one beyond its friction slides."""
     back = slides * held  # positive where the slip is less than that at which the contact begins to slide
     over = jnp.where((slides == 0.0) & ~paired, jnp.abs(x.tangential) - x.normal, 0.0) / x.normal
     returns = jnp.max(back) > STATE_TOLERANCE

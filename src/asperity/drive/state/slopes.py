@@ -66,22 +66,7 @@ class Slopes(NamedTuple):
 
 
 def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns) -> Slopes:
-    """Slopes of :func:`asperity.drive.state.equations.state_misfits`.
-
-    Parameters
-    ----------
-    machine, task, by_force, slides, x
-        As of that function.
-
-    Returns
-    -------
-    Slopes
-        In the scales of unknowns and equations.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`, differentiated.
-    """
+    """Slopes of :func:`asperity.drive.state.equations.state_misfits`."""
     drive, laws, matrices = machine.drive, machine.laws, machine.matrices
     length, largest, lever = machine.length, machine.largest, machine.lever
     reference, limit = laws.reference_force, machine.friction * laws.reference_force
@@ -210,20 +195,7 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
 
 
 def newton_step(slopes: Slopes, residual: Unknowns) -> Unknowns:
-    r"""Solve :math:`J s = r` for the step of all unknowns, the forces of the contacts eliminated.
-
-    Parameters
-    ----------
-    slopes : Slopes
-        J in blocks.
-    residual : Unknowns
-        r, in the order of the equations.
-
-    Returns
-    -------
-    Unknowns
-        s.
-    """
+    r"""Solve :math:`J s = r` for the step of all unknowns, the forces of the contacts eliminated."""
     first = jnp.concatenate([slopes.approach_moves, residual.normal[:, None]], axis=1)
     # normal forces, then tangential ones, as functions of the structure; the last column is without it
     first = first.at[:, :-1].multiply(-1.0)

@@ -266,28 +266,7 @@ def _nth(states: DriveState, place: int) -> DriveState:
 
 
 def standing_state(*, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad) -> DriveState:
-    """A drive that stands under a torque, from its assembled state.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    laws : ContactLaws
-        Its contacts.
-    rest : DriveState
-        Its assembled state.
-    load : DriveLoad
-        Torque, forces on the bodies, and pins.
-
-    Returns
-    -------
-    DriveState
-        As of :func:`loaded_state`.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """A drive that stands under a torque, from its assembled state."""
     return _nth(_loaded(drive, laws, rest, load, jnp.array([STANDING]), None), 0)
 
 
@@ -343,29 +322,7 @@ def _loaded(
 def closed_around(
     *, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad
 ) -> tuple[ContactLaws, DriveState, DriveLoad]:
-    """What a drive is loaded with: its laws, its assembled state as they see it, and its springs.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    laws : ContactLaws
-        Its contacts.
-    rest : DriveState
-        Its assembled state under these laws.
-    load : DriveLoad
-        Torque, forces on the bodies, and pins.
-
-    Returns
-    -------
-    ContactLaws, DriveState, DriveLoad
-        Those given, without a closure of the laws; else the closure, the same forces with the interferences that make
-        them by its springs, and rigid pins without other supports.
-
-    References
-    ----------
-    Equation (A3) of :doc:`/equations`.
-    """
+    """What a drive is loaded with: its laws, its assembled state as they see it, and its springs."""
     if laws.closure is None:
         return laws, rest, load
     matrices, moved = incidence(drive), rest.displacement.ravel()

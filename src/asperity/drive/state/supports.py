@@ -38,28 +38,7 @@ def carrier_supports(
     planet_support_stiffness: Real | None,
     planets: tuple[int, ...],
 ) -> Supports | None:
-    """Pins across their push, and bearings of planets on the carrier.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    pin_transverse_stiffness : Real or None
-        Of every pin across its push [N/m]; ``math.inf`` is rigid, None free.
-    planet_support_stiffness : Real or None
-        Of the bearing of every planet, in both directions of the plane [N/m]; None for floating planets.
-    planets : tuple of int
-        Numbers of the bodies that such bearings hold.
-
-    Returns
-    -------
-    Supports or None
-        First the pins, then x and y of each planet; None where there are none.
-
-    References
-    ----------
-    Equation (A8) of :doc:`/equations`.
-    """
+    """Pins across their push, and bearings of planets on the carrier."""
     bodies: list[int] = []
     units: list[Array] = []
     compliances: list[Array] = []

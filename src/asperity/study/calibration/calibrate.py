@@ -340,20 +340,7 @@ def _direction(
 
 
 def known_within(unknown: Variable, half_width: float) -> str:
-    """How well an unknown is known, in words.
-
-    Parameters
-    ----------
-    unknown : Variable
-        The unknown.
-    half_width : float
-        Half the interval of its scaled value [-].
-
-    Returns
-    -------
-    str
-        A factor, which is weak knowledge, a share of its value, or a difference in its unit.
-    """
+    """How well an unknown is known, in words."""
     if not unknown.logarithmic:
         half = half_width * (unknown.upper - unknown.lower)
         return f"identifiable, {unknown.path} to ±{half:.2g}{_unit(unknown.path)}"

@@ -76,20 +76,7 @@ def _draw_curve(figure: SubFigure, fitted: FittedCurve) -> None:
 
 
 def posterior_figure(calibration: Calibration, posterior: Posterior) -> Figure:
-    """Draws of each unknown with the least-squares interval, of all pairs, and their correlations.
-
-    Parameters
-    ----------
-    calibration : Calibration
-        The least-squares fit.
-    posterior : Posterior
-        Draws.
-
-    Returns
-    -------
-    Figure
-        A square of panels: histograms on the diagonal, pairs below it, rank correlations above it.
-    """
+    """Draws of each unknown with the least-squares interval, of all pairs, and their correlations."""
     from matplotlib.colors import TwoSlopeNorm
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator

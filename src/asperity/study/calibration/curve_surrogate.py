@@ -66,30 +66,7 @@ def exponents(unknowns: int) -> np.ndarray:
 def fit_surrogate(
     model: CurveModel, centre: np.ndarray, covariance: np.ndarray, *, seed: int
 ) -> Coefficients:
-    """Fit the polynomial around one set of scaled values.
-
-    Parameters
-    ----------
-    model : CurveModel
-        The model.
-    centre : ndarray
-        Scaled values of all unknowns, shape (unknowns,).
-    covariance : ndarray
-        Of all scaled values, shape (unknowns, unknowns): the polynomial is fitted within :data:`REACH` standard
-        deviations along the principal axes of the joint's part, as far as they lie between the bounds.
-    seed : int
-        Of the random scaled values at which the model is evaluated.
-
-    Returns
-    -------
-    dict
-        Coefficients for :func:`surrogate_prediction`.
-
-    Raises
-    ------
-    NoSolutionError
-        If most joints around the centre have no solution.
-    """
+    """Fit the polynomial around one set of scaled values."""
     joint, rng = model.in_joint, np.random.default_rng(seed)
     powers = exponents(len(joint))
     middle = centre[joint]
@@ -163,19 +140,7 @@ def _basis(scaled: np.ndarray | Array, powers: np.ndarray) -> Array:
 
 
 def surrogate_prediction(model: CurveModel) -> Callable[[Coefficients, Array], Array]:
-    """The prediction of a curve model with the polynomial in place of the joint.
-
-    Parameters
-    ----------
-    model : CurveModel
-        The model.
-
-    Returns
-    -------
-    callable
-        Coefficients and scaled values, shape (unknowns,) → predictions, shape (points,); traceable by JAX. Outside
-        the fitted box the polynomial continues as its linear part.
-    """
+    """The prediction of a curve model with the polynomial in place of the joint, shape (unknowns,)."""
     joint = np.array(model.in_joint, int)
     powers = exponents(len(joint))
     weights = None if model.weights is None else jnp.asarray(model.weights)

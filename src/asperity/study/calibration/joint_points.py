@@ -55,30 +55,7 @@ def joint_points(
     shown: Shown,
     slopes: bool,
 ) -> JointPoints:
-    """What joints show at torques.
-
-    Parameters
-    ----------
-    values : dict
-        Tables of the joint file in SI units.
-    paths : tuple of str
-        Dotted paths of the unknown numbers.
-    sets : ndarray
-        Their values, shape (sets, unknowns) [SI].
-    torque : ndarray
-        Output torques of either sign, shape (torques,) [N·m].
-    slips : ndarray of bool
-        Where contacts slip as they do, and where the stiffness is that without slip, shape (torques,).
-    shown : {"published", "series_with_bulk", "assembly", "drift"}
-        Stiffness on a level of the joint that stands, or drift of the one that turns.
-    slopes : bool
-        Whether derivatives are wanted.
-
-    Returns
-    -------
-    JointPoints
-        Nothing is replaced by nan where a search passes through joints that cannot exist.
-    """
+    """What joints show at torques."""
     found = [_of_one_set(values, paths, each, torque, slips, shown, slopes) for each in sets]
     return JointPoints(*(np.stack(parts) for parts in zip(*found, strict=True)))
 

@@ -28,15 +28,7 @@ _Terms = list[tuple[float, float]]
 def cycled_before(torques: np.ndarray) -> list[float]:
     """Torques at the reversals of a joint that is cycled to plus and minus the largest torque before a history begins.
 
-    Parameters
-    ----------
-    torques : ndarray
-        Torques in the order of time, shape (points,) [N·m].
-
-    Returns
-    -------
-    list of float
-        Two torques [N·m]; the history begins on the branch that leads on in its first direction.
+    [N·m].
     """
     sequence = [float(torque) for torque in torques]
     if not sequence:
@@ -47,25 +39,7 @@ def cycled_before(torques: np.ndarray) -> list[float]:
 
 
 def slip_terms(torques: np.ndarray, history: History) -> list[_Terms]:
-    """The slip at each torque of a history as a sum of values of the slip curve.
-
-    Parameters
-    ----------
-    torques : ndarray
-        Torques in the order of time, shape (points,) [N·m].
-    history : {"virgin", "cycled"}
-        State before the first one: never loaded, or cycled between plus and minus the largest torque.
-
-    Returns
-    -------
-    list of list of tuple
-        For each point, coefficients and torques >= 0 [N·m]; the slip is the sum of coefficient times slip curve
-        there.
-
-    References
-    ----------
-    G. Masing, Proc. 2nd Int. Congr. Appl. Mech., Zurich 1926, 332; E. Madelung, Ann. Phys. 322 (1905) 861.
-    """
+    """The slip at each torque of a history as a sum of values of the slip curve [N·m]."""
     sequence = [float(torque) for torque in torques]
     before = cycled_before(torques) if history == "cycled" else []
     reversals: list[tuple[float, _Terms]] = []
@@ -128,31 +102,7 @@ def _partial_weights(places: np.ndarray) -> np.ndarray:
 
 
 def curve_operator(torques: np.ndarray, history: History, *, symmetric: bool) -> CurveOperator:
-    """The operator of a history of torques.
-
-    Parameters
-    ----------
-    torques : ndarray
-        Torques in the order of time, of either sign, shape (points,) [N·m].
-    history : {"virgin", "cycled"}
-        State before the first one.
-    symmetric : bool
-        Whether the joint has the same compliance in both directions; then only positive torques are needed.
-
-    Returns
-    -------
-    CurveOperator
-        Gauss–Legendre quadrature on panels of the loading curves; exact for compliances that are cubic in each panel.
-
-    Raises
-    ------
-    InputError
-        If all torques are zero.
-
-    Notes
-    -----
-    The slip curve is the mean of the directions that the history visits.
-    """
+    """The operator of a history of torques."""
     largest = float(np.max(np.abs(torques), initial=0.0))
     if largest == 0.0:
         raise InputError("all measured torques are zero; a curve needs torques that differ from zero")

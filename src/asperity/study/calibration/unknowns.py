@@ -99,23 +99,7 @@ def _sets_the_ratio(path: str, case: AnyCase) -> bool:
 
 
 def of_measurement(path: str, measurement: Measurement, measurements: tuple[Measurement, ...]) -> bool:
-    """Whether an unknown acts on a measurement.
-
-    Parameters
-    ----------
-    path : str
-        The unknown.
-    measurement : Measurement
-        One of the measurements.
-    measurements : tuple of Measurement
-        All that are fitted together.
-
-    Returns
-    -------
-    bool
-        True for the numbers of the joint file except play, which a joint that turns does not show, and for the
-        properties of this very curve.
-    """
+    """Whether an unknown acts on a measurement."""
     return not added_to_curve(path) or _curve_of(path, measurements) is measurement
 
 
@@ -230,18 +214,7 @@ def si_unit_of(path: str) -> str:
 
 
 def added_to_curve(path: str) -> bool:
-    """Whether an unknown only adds to the angles, so that its effect needs no new solution of the joint.
-
-    Parameters
-    ----------
-    path : str
-        Its name.
-
-    Returns
-    -------
-    bool
-        True for play, offset and drift.
-    """
+    """Whether an unknown only adds to the angles, so that its effect needs no new solution of the joint."""
     return path.partition(" ")[0] in CURVE_UNKNOWNS or path in PLAY_UNKNOWNS
 
 

@@ -232,20 +232,7 @@ def _summary(
 
 
 def nominal_results(joint_text: str, results: tuple[str, ...]) -> dict[str, np.ndarray]:
-    """Results of a joint file as it stands.
-
-    Parameters
-    ----------
-    joint_text : str
-        TOML.
-    results : tuple of str
-        Names of results of the drive.
-
-    Returns
-    -------
-    dict
-        Name → shape (rows,) [SI].
-    """
+    """Results of a joint file as it stands, shape (rows,) [SI]."""
     values = si_values(parse_case(joint_text, source="the designed joint"))
     torque = np.array([values["load"]["output_torque"]])
     _, found, _ = derivatives_at(values, {"load.output_torque": torque}, results)

@@ -88,25 +88,7 @@ class _Errors:
 
 
 def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProblem:
-    """Check the tables of a design file.
-
-    Parameters
-    ----------
-    tables : mapping
-        The design file as :func:`asperity.reading.parse_toml` returns it.
-    folder : Path
-        Where the path of the joint file starts.
-
-    Returns
-    -------
-    DesignProblem
-        What they say, checked.
-
-    Raises
-    ------
-    InputError
-        If they say something that is not allowed; with all errors of the file.
-    """
+    """Check the tables of a design file."""
     errors = _Errors()
     with errors.gathered():
         _only(tables, _SECTIONS, "")

@@ -35,25 +35,7 @@ _LINES = (
 
 
 def mapped_variables(problem: DesignProblem, over: tuple[str, str] | None) -> tuple[int, int]:
-    """Which variables of a design a map is drawn over.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The design.
-    over : tuple of str or None
-        Dotted paths of two variables; None for the first two.
-
-    Returns
-    -------
-    tuple of int
-        Their places among the variables.
-
-    Raises
-    ------
-    InputError
-        If the design has fewer than two variables, or one of the paths is not among them.
-    """
+    """Which variables of a design a map is drawn over."""
     paths = [variable.path for variable in problem.variables]
     if len(paths) < 2:
         raise InputError("a map needs two variables, and the design file has one")
@@ -69,26 +51,7 @@ def mapped_variables(problem: DesignProblem, over: tuple[str, str] | None) -> tu
 
 
 def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> Figure:
-    """Draw the map: the others of the variables stay as in the design.
-
-    Parameters
-    ----------
-    result : DesignResult
-        What :func:`asperity.study.design.design.design` returns.
-    over : tuple of str, optional
-        Dotted paths of two variables; by default the first two.
-
-    Returns
-    -------
-    Figure
-        Area in which all limits are met, contours of the objective, a line for each limit that the map crosses, the
-        design, and grey where no joint exists. Everything at its worst scenario.
-
-    Raises
-    ------
-    InputError
-        As :func:`mapped_variables`.
-    """
+    """Draw the map: the others of the variables stay as in the design."""
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
@@ -178,20 +141,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
 
 
 def limit_text(constraint: Constraint, table: Mapping[str, Result]) -> str:
-    """A limit in words.
-
-    Parameters
-    ----------
-    constraint : Constraint
-        The limit.
-    table : mapping
-        The table of results of the drive.
-
-    Returns
-    -------
-    str
-        Result, sign and limit with its unit.
-    """
+    """A limit in words."""
     shown = table[constraint.name]
     sign = "≤" if constraint.at_most else "≥"
     return f"{shown.label} {sign} {format_quantity(constraint.limit, shown.display_unit)}"

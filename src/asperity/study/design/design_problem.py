@@ -171,17 +171,6 @@ SUMMARY: dict[str, Literal["nominal", "largest", "smallest"]] = {
 
 
 def design_results(problem: DesignProblem) -> tuple[str, ...]:
-    """The results that the search computes: few, because a program of all of them takes a minute to compile.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The problem.
-
-    Returns
-    -------
-    tuple of str
-        Names of the objectives, of the limits, and of what a report shows beside them, in the order of the table.
-    """
+    """The results that the search computes: few, because a program of all of them takes a minute to compile."""
     asked = {goal.name for goal in problem.objectives} | {limit.name for limit in problem.constraints}
     return tuple(name for name in problem.table if name in asked or name in SUMMARY)

@@ -187,18 +187,7 @@ def shortcoming(result: DesignResult) -> str:
 
 
 def conflict(result: DesignResult) -> str:
-    """Why a design is infeasible, in a sentence.
-
-    Parameters
-    ----------
-    result : DesignResult
-        An infeasible result.
-
-    Returns
-    -------
-    str
-        Which limits conflict, what is reached of each, and which variables lie on their bounds.
-    """
+    """Why a design is infeasible, in a sentence."""
     unknown = math.isnan(result.violation)
     parts = [limit.text for limit in result.limits if limit.active or (unknown and not limit.met)]
     bounds = [f"{path} is at its {side} bound" for path, side in result.at_bound.items()]

@@ -48,15 +48,7 @@ class SearchProgress:
 def starting_points(evaluator: DesignEvaluator) -> list[np.ndarray]:
     """Where the search begins: the joint of the file, where it lies within the bounds, then a Latin hypercube.
 
-    Parameters
-    ----------
-    evaluator : DesignEvaluator
-        The problem.
-
-    Returns
-    -------
-    list of ndarray
-        Scaled variables, each of shape (n,).
+    Shape (n,).
     """
     from scipy.stats import qmc
 
@@ -79,15 +71,7 @@ def starting_points(evaluator: DesignEvaluator) -> list[np.ndarray]:
 def sampled_start(evaluator: DesignEvaluator) -> np.ndarray:
     """The nearest of many designs within the bounds: one that has values where the starts have none.
 
-    Parameters
-    ----------
-    evaluator : DesignEvaluator
-        The problem.
-
-    Returns
-    -------
-    ndarray
-        Scaled variables, shape (n,).
+    Shape (n,).
     """
     from scipy.stats import qmc
 
@@ -205,20 +189,7 @@ def violation_rank(evaluator: DesignEvaluator, scaled: np.ndarray) -> tuple[floa
 
 
 def smallest_violation(evaluator: DesignEvaluator, start: np.ndarray) -> np.ndarray:
-    """The design whose largest violation of a limit is smallest, among joints that exist.
-
-    Parameters
-    ----------
-    evaluator : DesignEvaluator
-        The problem.
-    start : ndarray
-        Scaled variables, shape (n,).
-
-    Returns
-    -------
-    ndarray
-        Scaled variables, shape (n,); where no joint that exists was found, those nearest to one.
-    """
+    """The design whose largest violation of a limit is smallest, among joints that exist, shape (n,)."""
     end = _smallest_violation_from(evaluator, start, stated=True)
     if violation_rank(evaluator, end)[0] > 0.0:
         end = _smallest_violation_from(evaluator, start, stated=False)
@@ -268,27 +239,7 @@ def optimality(
 ) -> tuple[float, np.ndarray]:
     """Optimality residual and multipliers (shadow prices) of the limits, by non-negative least squares.
 
-    Parameters
-    ----------
-    evaluator : DesignEvaluator
-        The problem.
-    scaled : ndarray
-        Scaled variables, shape (n,).
-    fixed : ndarray of bool, optional
-        Which of them could not be chosen, shape (n,).
-
-    Returns
-    -------
-    residual : float
-        What is left of the objective's gradient after the gradients of the active limits and bounds, relative to it,
-        or to one logarithmic unit over the range of a variable where the objective is flatter than that [-]. It is 0
-        at a local optimum. An objective that may be negative counts relative to its own size.
-    multipliers : ndarray
-        Of all margins, shape (rows,); where limits are missed, of the largest violation, adding up to one.
-
-    References
-    ----------
-    W. Karush (1939), H. W. Kuhn and A. W. Tucker (1951): the first-order conditions of a constrained optimum.
+    Shape (rows,) [-].
     """
     from scipy.optimize import nnls
 

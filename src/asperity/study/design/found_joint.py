@@ -41,23 +41,7 @@ def found_diagnostics(joint_text: str) -> Diagnostics:
 def front_diagnostics(
     problem: DesignProblem, front: xarray.Dataset, *, progress: Callable[[int, int], None] | None = None
 ) -> Diagnostics:
-    """The limits that the joints of a Pareto front cross.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The problem.
-    front : xarray.Dataset
-        As :func:`asperity.study.design.pareto.pareto_front` returns it.
-    progress : callable, optional
-        Called with the number of joints that have been solved and of all.
-
-    Returns
-    -------
-    dict
-        The keys of :func:`found_diagnostics` with a list each, in the order of the designs; of the diagnostics those
-        that are not ``ok``.
-    """
+    """The limits that the joints of a Pareto front cross."""
     count = int(front.sizes["design"])
     told: Diagnostics = {"diagnostics": [], "no_result_because": []}
     for index in range(count):

@@ -68,27 +68,7 @@ def rounded_design(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The best design next to a given one whose stepped variables are multiples of their steps.
 
-    Parameters
-    ----------
-    evaluator : DesignEvaluator
-        The problem.
-    scaled : ndarray
-        Scaled variables of the best design without steps, shape (n,).
-    count : SearchProgress
-        Counts the searches.
-
-    Returns
-    -------
-    rounded : ndarray
-        Scaled variables, shape (n,). Where no combination of rounded values meets all limits, the one that misses
-        them least.
-    fixed : ndarray of bool
-        Which variables have a step, shape (n,).
-
-    Notes
-    -----
-    Every stepped variable is tried at the multiples of its step below and above; for the best of these combinations
-    the other variables are optimised again. A better design further away is possible.
+    Shape (n,).
     """
     fixed = np.array([variable.step is not None for variable in evaluator.variables])
     point = evaluator.point(scaled)
@@ -119,26 +99,7 @@ def rounded_design(
 def shortened_design(
     evaluator: DesignEvaluator, scaled: np.ndarray, fixed: np.ndarray
 ) -> tuple[dict[str, float], np.ndarray]:
-    """The same design with as few digits as it needs.
-
-    Parameters
-    ----------
-    evaluator : DesignEvaluator
-        The problem.
-    scaled : ndarray
-        Scaled variables of a design, shape (n,).
-    fixed : ndarray of bool
-        Which variables have a step: they keep their value, shape (n,).
-
-    Returns
-    -------
-    point : dict
-        Dotted path → value [SI], with :data:`FEWEST_DIGITS` significant digits in the unit of the joint file; with more
-        where the rounded design, evaluated again, violates a limit by more than the search allows and the design
-        itself does, or changes the objective by more than a millionth.
-    scaled : ndarray
-        The same scaled, shape (n,).
-    """
+    """The same design with as few digits as it needs, shape (n,) [SI]."""
     exact, point = evaluator(scaled), evaluator.point(scaled)
     kind = type_of(evaluator.values)
     keys = [key_at(variable.path, kind) for variable in evaluator.variables]

@@ -64,23 +64,7 @@ class Scenarios:
 
 
 def scenarios(problem: DesignProblem) -> Scenarios:
-    """All states of a design problem.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The problem.
-
-    Returns
-    -------
-    Scenarios
-        Nominal state first.
-
-    Raises
-    ------
-    InputError
-        If there are too many toleranced numbers for corners, or a tolerance and a variable overlap.
-    """
+    """All states of a design problem."""
     stated = numeric_keys(problem.case)
     nominal = stated[_TORQUE].value
     worst = problem.worst_case

@@ -34,22 +34,7 @@ _CONNECT_SECONDS = "10s"
 
 
 def compute_block(path: str, plan: Plan, index: int) -> int:
-    """Compute one block and write it; what a worker runs.
-
-    Parameters
-    ----------
-    path : str
-        The store.
-    plan : Plan
-        The sweep.
-    index : int
-        Number of the block.
-
-    Returns
-    -------
-    int
-        The same number.
-    """
+    """Compute one block and write it; what a worker runs."""
     use_double_precision()  # the flag does not travel to workers
     status, found = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
     write_block(path, plan, index, status, found)
@@ -65,28 +50,7 @@ def run_on_cluster(
     workers: int | None,
     finished: Callable[[int], Any],
 ) -> None:
-    """Compute blocks of a sweep on a cluster.
-
-    Parameters
-    ----------
-    plan : Plan
-        The sweep.
-    store : str or Path
-        Where the results go; all workers must see it.
-    blocks : list of int
-        Numbers of the blocks to compute.
-    scheduler : str or None
-        Address of a running scheduler; None for local processes.
-    workers : int or None
-        Local processes; None for as many as there are cores.
-    finished : callable
-        Called with the number of each block that is on disk.
-
-    Raises
-    ------
-    InputError
-        If the scheduler does not answer, or its workers write elsewhere.
-    """
+    """Compute blocks of a sweep on a cluster."""
     if not blocks:
         return
     path = str(Path(store).absolute())
@@ -163,13 +127,7 @@ def _local_cluster(distributed: Any, count: int) -> Any:
 
 
 def worker_environment() -> dict[str, str]:
-    """Environment of a local worker: double precision, one thread, this process's compilation cache.
-
-    Returns
-    -------
-    dict
-        Variables to set before the worker starts.
-    """
+    """Environment of a local worker: double precision, one thread, this process's compilation cache."""
     import jax
 
     found = {

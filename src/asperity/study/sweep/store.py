@@ -37,25 +37,7 @@ if TYPE_CHECKING:
 
 
 def prepare_store(path: str | Path, plan: Plan) -> list[int]:
-    """Create the store of a sweep, or open it where an earlier run left it.
-
-    Parameters
-    ----------
-    path : str or Path
-        Folder of the store.
-    plan : Plan
-        The sweep.
-
-    Returns
-    -------
-    list of int
-        Numbers of the blocks that are still to be computed.
-
-    Raises
-    ------
-    InputError
-        If something else exists there already, or nothing can be written there.
-    """
+    """Create the store of a sweep, or open it where an earlier run left it."""
     folder = Path(path)
     if folder.exists():
         _refuse_other(folder, plan)
@@ -166,18 +148,7 @@ def open_store(path: str | Path, *, verify: bool = True) -> xarray.Dataset:
 
 
 def remove_store(path: str | Path) -> None:
-    """Delete the store of a sweep, and nothing else.
-
-    Parameters
-    ----------
-    path : str or Path
-        The store.
-
-    Raises
-    ------
-    InputError
-        If it is not the store of a sweep.
-    """
+    """Delete the store of a sweep, and nothing else."""
     if stored_plan(Path(path)) is None:
         raise InputError(
             f"{path}: this is not the store of a sweep, so it is not deleted; choose another folder",

@@ -45,25 +45,7 @@ def _mark(marks: Any, index: int) -> int:
 
 
 def damaged_blocks(path: str | Path, plan: Plan) -> list[int]:
-    """Numbers of the blocks that are marked as complete but whose data are missing or differ from their checksum.
-
-    Parameters
-    ----------
-    path : str or Path
-        The store.
-    plan : Plan
-        The sweep.
-
-    Returns
-    -------
-    list of int
-        In order.
-
-    Raises
-    ------
-    InputError
-        If not the data but the description of an array is damaged.
-    """
+    """Numbers of the blocks that are marked as complete but whose data are missing or differ from their checksum."""
     unfinished = set(unfinished_blocks(path))
     group = store_group(path, "r")
     arrays = {name: _described(group, name, path, plan) for name in ("status", *plan.results)}
@@ -76,25 +58,7 @@ def damaged_blocks(path: str | Path, plan: Plan) -> list[int]:
 
 
 def repair_store(path: str | Path, plan: Plan) -> list[int]:
-    """Take the marks of damaged blocks away, and write damaged coordinates again.
-
-    Parameters
-    ----------
-    path : str or Path
-        The store.
-    plan : Plan
-        The sweep.
-
-    Returns
-    -------
-    list of int
-        Numbers of the blocks that are to be computed again.
-
-    Raises
-    ------
-    InputError
-        As :func:`damaged_blocks`, or if the store cannot be written.
-    """
+    """Take the marks of damaged blocks away, and write damaged coordinates again."""
     damaged = damaged_blocks(path, plan)
     try:
         group = store_group(path, "r+")
@@ -139,22 +103,7 @@ def _intact(path: str | Path, name: str, array: Any, plan: Plan, index: int) -> 
 
 
 def same_values(group: Any, name: str, values: np.ndarray) -> bool:
-    """Whether an array of a store can be read and has the values that it should have.
-
-    Parameters
-    ----------
-    group : zarr.Group
-        The open store.
-    name : str
-        Name of the array.
-    values : ndarray
-        What it should contain.
-
-    Returns
-    -------
-    bool
-        Also False if its data are damaged.
-    """
+    """Whether an array of a store can be read and has the values that it should have."""
     try:
         return bool(np.array_equal(np.asarray(group[name][...]), values))
     except Exception:

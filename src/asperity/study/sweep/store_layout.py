@@ -46,18 +46,7 @@ def store_group(path: str | Path, mode: str) -> Any:
 
 
 def stored_plan(folder: Path) -> dict[str, Any] | None:
-    """The sweep that a store belongs to.
-
-    Parameters
-    ----------
-    folder : Path
-        The store.
-
-    Returns
-    -------
-    dict or None
-        As :func:`plan_identity` gives it; None if this is not the store of a sweep.
-    """
+    """The sweep that a store belongs to."""
     if not (folder / "zarr.json").is_file():
         return None
     try:
@@ -68,31 +57,12 @@ def stored_plan(folder: Path) -> dict[str, Any] | None:
 
 
 def plan_identity(plan: Plan) -> dict[str, Any]:
-    """What distinguishes the store of one sweep from that of another.
-
-    Parameters
-    ----------
-    plan : Plan
-        The sweep.
-
-    Returns
-    -------
-    dict
-        Joint, axes, results and blocks of the sweep, the version of asperity and that of the layout.
-    """
+    """What distinguishes the store of one sweep from that of another."""
     return {**plan.as_dict(), "version": __version__, "format": FORMAT}
 
 
 def build_store(folder: Path, plan: Plan) -> None:
-    """Write the coordinates of a sweep and its empty arrays.
-
-    Parameters
-    ----------
-    folder : Path
-        The store.
-    plan : Plan
-        The sweep.
-    """
+    """Write the coordinates of a sweep and its empty arrays."""
     zarr = require("zarr")
     group = zarr.open_group(str(folder), mode="w")
     dims = tuple(axis.path for axis in plan.axes)

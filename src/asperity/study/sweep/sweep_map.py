@@ -93,18 +93,7 @@ def parse_limit(text: str) -> MapLimit:
 
 
 def limits_of_the_model(data: xarray.Dataset) -> tuple[MapLimit, ...]:
-    """The limits of function and damage by which the results of a sweep are judged.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        A sweep.
-
-    Returns
-    -------
-    tuple of MapLimit
-        Each finite bound of each result that was computed.
-    """
+    """The limits of function and damage by which the results of a sweep are judged."""
     found = []
     for name in map(str, data.data_vars):
         limit = RESULTS[name].limit if name in RESULTS else None
@@ -125,30 +114,7 @@ def draw_map(
     limits: Sequence[MapLimit],
     here: tuple[float, float] | None = None,
 ) -> Axes:
-    """Draw a map.
-
-    Parameters
-    ----------
-    figure : Figure
-        An empty figure.
-    data : xarray.Dataset
-        The sweep, for its status and the results that have limits.
-    x, y : ndarray
-        Values along the axes, in the units of their labels.
-    values : ndarray, shape (y, x)
-        What is drawn; nan where it has no value.
-    label : str
-        Label of the colours.
-    limits : sequence of MapLimit
-        Limits whose lines are drawn where the map crosses them.
-    here : tuple of float, optional
-        The working point, in the units of the labels.
-
-    Returns
-    -------
-    Axes
-        The map, whose axes are still to be labelled.
-    """
+    """Draw a map."""
     from matplotlib import colormaps
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import BoundaryNorm

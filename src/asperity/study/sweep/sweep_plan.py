@@ -125,29 +125,7 @@ class Plan:
 def make_plan(
     case: AnyCase, axes: Sequence[SweepAxis], results: Sequence[str], *, block_points: int | None = None
 ) -> Plan:
-    """Check a sweep and divide its grid into blocks.
-
-    Parameters
-    ----------
-    case : PlanarCase
-        The joint file.
-    axes : sequence of Axis
-        What is varied.
-    results : sequence of str
-        Results or groups of them, :func:`asperity.results.chosen_results`.
-    block_points : int, optional
-        Points of a block; :data:`BLOCK_POINTS`, fewer for many results, by default.
-
-    Returns
-    -------
-    Plan
-        The sweep.
-
-    Raises
-    ------
-    InputError
-        If the axes or the results are not usable.
-    """
+    """Check a sweep and divide its grid into blocks."""
     check_axes(case, axes)
     values = si_values(case)
     table = results_of(values)

@@ -22,22 +22,7 @@ SUFFIXES = (".nc", ".parquet", ".csv")
 
 
 def check_table_path(path: str | Path, *, overwrite: bool) -> None:
-    """Raise unless a table can be written here, before anything is computed.
-
-    Parameters
-    ----------
-    path : str or Path
-        A file name with one of :data:`SUFFIXES`.
-    overwrite : bool
-        Whether an existing file may be replaced.
-
-    Raises
-    ------
-    InputError
-        If the suffix is unknown, the file exists, or the folder cannot be written to.
-    MissingExtraError
-        If the package that writes the format is not installed.
-    """
+    """Raise unless a table can be written here, before anything is computed."""
     file = Path(path)
     if file.suffix not in SUFFIXES:
         raise InputError(f"{path}: the ending must be one of .zarr, {', '.join(SUFFIXES)}")
@@ -52,18 +37,7 @@ def check_table_path(path: str | Path, *, overwrite: bool) -> None:
 
 
 def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
-    """A dataset as a flat table: one row per point, units in the column names.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        Evaluated points.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Coordinates, status as code and as word, results; results of contacts or clearances have a column for each.
-    """
+    """A dataset as a flat table: one row per point, units in the column names."""
     pd = require("pandas")
     dims = tuple(dataset["status"].dims)
     shape = tuple(dataset.sizes[name] for name in dims)
@@ -92,20 +66,7 @@ def _header(name: str, variable: xarray.DataArray) -> str:
 
 
 def write_table(dataset: xarray.Dataset, path: str | Path) -> None:
-    """Write a dataset to one file, completely or not at all.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        Evaluated points.
-    path : str or Path
-        File with one of :data:`SUFFIXES`; an existing one is replaced.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written.
-    """
+    """Write a dataset to one file, completely or not at all."""
     file = Path(path)
     with replacing(file) as part:
         if file.suffix == ".nc":

@@ -87,35 +87,7 @@ def branch_scatter(
     seed: int,
     report: Callable[[int, int], Any] | None = None,
 ) -> BranchScatter:
-    """Draw the sizes of every roller of every branch, and solve them together.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file, with ``load.interference`` and tolerances of its radii.
-    distribution : Distribution or None
-        For tolerances whose distribution the file does not state.
-    draws, seed : int
-        Number of draws, and seed of the random numbers.
-    report : callable, optional
-        Called with the draws done and all draws.
-
-    Returns
-    -------
-    BranchScatter
-        One entry for each draw.
-
-    Raises
-    ------
-    InputError
-        If no roller off the axis has a tolerance, or the preload is a force.
-
-    Notes
-    -----
-    Every roller off the axis is a part of its own; those on the axis and the interference are drawn once for all
-    branches. The deviations of ``[[branch]]`` are added. Of type ``planar`` the tolerance of a radius is that of its
-    track, wherever it is stated. Other tolerances are left out.
-    """
+    """Draw the sizes of every roller of every branch, and solve them together."""
     if draws < 1:
         raise InputError(f"the number of draws must be at least 1, got {draws}", options=["branches"])
     found = toleranced_inputs(case, otherwise=distribution)

@@ -14,18 +14,7 @@ _HIGH_IS_WORSE = ("losses", "stresses")
 
 
 def worse_end(row: Result) -> Literal["low", "high", ""]:
-    """Which values of a result are the worse ones; empty where neither are.
-
-    Parameters
-    ----------
-    row : Result
-        A row of the table of results.
-
-    Returns
-    -------
-    {"low", "high", ""}
-        By its limit; otherwise by what it is.
-    """
+    """Which values of a result are the worse ones; empty where neither are."""
     if row.limit is not None and math.isfinite(row.limit.lowest) != math.isfinite(row.limit.highest):
         return "low" if math.isfinite(row.limit.lowest) else "high"
     if any(word in row.name for word in ("stiffness", "safety", "efficiency")) or row.group in _LOW_IS_WORSE:

@@ -40,18 +40,7 @@ DEFAULT_RESULTS = (
 
 
 def differentiable_rows(table: Mapping[str, Result]) -> dict[str, str]:
-    """Everything that can be differentiated.
-
-    Parameters
-    ----------
-    table : mapping
-        Results of the drive, :func:`asperity.joint_file.any_joint.results_of`.
-
-    Returns
-    -------
-    dict
-        Name of one number, such as ``slip_ratio_sp`` → the result it belongs to.
-    """
+    """Everything that can be differentiated."""
     return {
         row_name(name, row): name
         for name, result in table.items()
@@ -140,22 +129,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
 
 
 def refuse_failed(case: AnyCase, status: int) -> None:
-    """Raise if a joint itself has no result, with all the numbers.
-
-    Parameters
-    ----------
-    case : PlanarCase
-        The joint file.
-    status : int
-        Its code, an index into :data:`asperity.joint.status.STATUSES`.
-
-    Raises
-    ------
-    InputError
-        If the joint cannot exist or slips.
-    NoSolutionError
-        If its force balance does not close, or the contact law has no stiffness for it.
-    """
+    """Raise if a joint itself has no result, with all the numbers."""
     if status == 0:
         return
     result = solve_joint(joint_from_case(case)).result  # says it with the numbers

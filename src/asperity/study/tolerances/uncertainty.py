@@ -81,22 +81,7 @@ def toleranced_inputs(
 
 
 def quantiles(entry: NumericKey, distribution: Distribution, shares: np.ndarray) -> np.ndarray:
-    """Values of a toleranced number below which given shares of it lie.
-
-    Parameters
-    ----------
-    entry : NumericKey
-        The number with its tolerance.
-    distribution : Distribution
-        How it scatters.
-    shares : ndarray
-        Shares between 0 and 1 [-].
-
-    Returns
-    -------
-    ndarray
-        Values in SI units.
-    """
+    """Values of a toleranced number below which given shares of it lie."""
     from scipy import stats
 
     v, t = entry.value, entry.tolerance
