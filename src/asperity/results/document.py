@@ -225,9 +225,6 @@ def _plain(node: Any) -> Any:
     return number if math.isfinite(number) else None
 
 
-Document = dict[str, Any]
-
-
 def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`."""
     joint, solution, branches = solved.joint, solved.solution, solved.branches

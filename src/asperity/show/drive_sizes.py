@@ -121,7 +121,7 @@ def _made_inside(joint: Joint, ring: RingOfBody, interference: float | None) -> 
 
 
 def drive_clearances(joint: Joint) -> list[Clearance]:
-    """Free distances between copies of one roller in neighbouring sectors, and the smallest between different rollers."""
+    """Free distances between copies of one roller in next sectors, and the smallest between different rollers."""
     names = [body.name for body in joint.drive.bodies]
     rings = {ring.body for ring in rings_of(joint)}
     discs = [
