@@ -66,3 +66,18 @@ def test_a_search_for_unknowns_that_are_not_determined_is_given_up():
         longest=1e4,
     )
     assert not float(last) < 1e4
+
+
+def test_derivatives_of_a_known_root_inside_a_scan():
+    """x^2 = p in each step, with slopes that depend on p: dx/dp = 1/(2 x)."""
+
+    def roots(p):
+        def step(carry, _):
+            x = known_root(lambda x: x**2 - p, lambda x: jnp.diag(2.0 * x + 0.0 * p), jnp.sqrt(p))
+            return carry, x
+
+        return jax.lax.scan(step, 0.0, None, length=2)[1]
+
+    p = jnp.array([4.0, 9.0])
+    _, slopes = jax.jit(lambda p: jax.jvp(roots, (p,), (jnp.ones(2),)))(p)
+    np.testing.assert_allclose(slopes, [[1.0 / 4.0, 1.0 / 6.0]] * 2, rtol=1e-12)

@@ -71,10 +71,11 @@ def known_root(equations: Callable[[Any], Any], slopes_at: Callable[[Any], Array
     """A root that is known already, with its derivatives."""
     flat, shape = jax.flatten_util.ravel_pytree(found)
 
-    def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
-        return solve_with(linear, jax.lax.stop_gradient(slopes_at(found)), right_side)
-
-    return shape(implicit_root(_flat(equations, shape), flat, lambda _, x: x, tangent_solve))
+    return shape(
+        implicit_root(
+            _flat(equations, shape), flat, lambda _, x: x, solve_with, lambda x: slopes_at(shape(x))
+        )
+    )
 
 
 def _flat(equations: Callable[[Any], Any], shape: Callable[[Array], Any]) -> Callable[[Array], Array]:
