@@ -44,7 +44,7 @@ def shares(found):
 @pytest.fixture(scope="module")
 def dense_assembly():
     """The dense baseline: all planets, the sun free to move sideways, rigid springs as constraints."""
-    folder = str(Path(__file__).parents[3] / "benchmarks")
+    folder = str(Path(__file__).parents[2] / "benchmarks")
     sys.path.insert(0, folder)
     try:
         from baseline_assembly import torsional_stiffness_of_assembly

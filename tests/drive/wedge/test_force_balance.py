@@ -224,7 +224,7 @@ def compression(contact, N, x):
 
 
 def load_baseline():
-    path = Path(__file__).parents[2] / "benchmarks" / "baseline_scipy.py"
+    path = Path(__file__).parents[3] / "benchmarks" / "baseline_scipy.py"
     if not path.exists():
         pytest.skip("benchmarks/ is not shipped with this copy")
     spec = importlib.util.spec_from_file_location("baseline_scipy", path)
