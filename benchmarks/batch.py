@@ -5,7 +5,7 @@
 One evaluation is one joint by equations (1) to (30): forces, the five contacts' tangential stiffnesses, K_T and
 whether the balance closed. The general chain: ``planar_batch.py``. Every figure is the best of several repeats,
 measured in this one run, because wall times on a shared machine only ever err upwards. Points are generated chunk by
-chunk from a seed and reduced chunk by chunk (mean, smallest, largest K_T), which is how any number of them fits into memory.
+chunk from a seed and reduced chunk by chunk (mean, smallest, largest K_T): any number of them fits into memory.
 """
 
 import argparse

@@ -27,9 +27,9 @@ warnings of `asperity joint`. `--results` also takes the name of a group, `stiff
 and `all`, which is everything but the group `stresses`.
 
 Tables show the unit given here; datasets and JSON documents are in SI units. A result *of contacts* has one number for
-each contact of the drive, in the paper's `sp`, `pwr`, `pwl`, `wro`, `wlo`; its single numbers are called `slip_ratio_sp`
-and so on. Likewise those *of bodies*, *of bearings*, *of pins*, which have the names of their rollers, and *of
-clearances*, which name two bodies without a contact, `clearance_planet_to_ring`. Results that need
+each contact of the drive, in the paper's `sp`, `pwr`, `pwl`, `wro`, `wlo`; its single numbers are called
+`slip_ratio_sp` and so on. Likewise those *of bodies*, *of bearings*, *of pins*, which have the names of their rollers,
+and *of clearances*, which name two bodies without a contact, `clearance_planet_to_ring`. Results that need
 the *balance* are nan where the force balance does not close, those that need *operation* also where a contact slips;
 all are nan where the rollers do not fit.
 

@@ -90,6 +90,6 @@ def test_unknowns_of_another_drive_are_numbers_of_its_file(planar_case):
     with pytest.raises(InputError, match=r"a drive of type planetary has no number 'drive.ring_radius'"):
         read(planetary, "drive.ring_radius=40 mm:60 mm")
     data = Measurement(TORQUE, None, None, None, np.zeros(3), "synthetic", ANGLE, unloaded_ratio=6.0)
-    for case, path in ((planetary, "drive.planet_radius"), (listed, "contact.2.first_radius")):
+    for case, path in ((planetary, "drive.planet_radius"), (listed, "contact.1.first_radius")):
         with pytest.raises(InputError, match=f"'{path}' sets the speed ratio without creep"):
             read_unknowns((path,), case=case, measurements=(data,))

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
 
+from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError
-from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys
+from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys, replace_values, si_values
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.design.design_problem import Variable
 from asperity.unit_table import Dimension
@@ -95,7 +98,15 @@ def read_unknowns(
 
 
 def _sets_the_ratio(path: str, case: AnyCase) -> bool:
-    return path.endswith("_radius") and "crown" not in path
+    """Whether a radius moves the speed ratio without creep."""
+    if not path.endswith("_radius") or "crown" in path:
+        return False
+    values, stated = si_values(case), numeric_keys(case)[path].value
+    ratios = [
+        float(speed_ratio(joint_from_values(replace_values(values, {path: factor * stated})).drive))
+        for factor in (1.0, 1.001)
+    ]
+    return not math.isclose(*ratios, rel_tol=1e-9)
 
 
 def of_measurement(path: str, measurement: Measurement, measurements: tuple[Measurement, ...]) -> bool:
