@@ -27,8 +27,7 @@ from asperity.contact.fractal import Surface
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.materials import Material
 from asperity.precision import use_double_precision
-from asperity.zou2025.published import PublishedJoint
-from asperity.zou2025.published import published_joint
+from asperity.zou2025.published import PublishedJoint, published_joint
 
 NAMES = (
     "output_torque",

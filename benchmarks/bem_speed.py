@@ -58,10 +58,7 @@ def measure_asperity(heights, repeats, folder):
     import jax
 
     jax.config.update("jax_enable_x64", True)
-    from asperity.bem import ElasticPair
-    from asperity.bem import PeriodicHalfSpace
-    from asperity.bem import normal_contact
-    from asperity.bem import tangential_stiffness
+    from asperity.bem import ElasticPair, PeriodicHalfSpace, normal_contact, tangential_stiffness
 
     n = heights.shape[0]
     pair = ElasticPair(

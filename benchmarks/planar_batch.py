@@ -15,12 +15,9 @@ from pathlib import Path
 import numpy as np
 
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.si_tables import numeric_keys
-from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.precision import use_double_precision
-from asperity.study.batch import DERIVATIVE_BATCH
-from asperity.study.batch import derivatives_at
-from asperity.study.batch import evaluate_points
+from asperity.study.batch import DERIVATIVE_BATCH, derivatives_at, evaluate_points
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 LEVELS = ("published", "series_with_bulk", "assembly")

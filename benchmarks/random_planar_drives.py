@@ -22,22 +22,19 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.drive.layout.existence import has_room
 from asperity.drive.layout.drive import Drive
+from asperity.drive.layout.existence import has_room
 from asperity.joint.description import joint_contacts
 from asperity.joint.evaluation import evaluated_with_laws
 from asperity.joint.laws import drive_load
-from asperity.joint.status import joint_status
-from asperity.rolling.turning import driving_sense
-from asperity.joint.status import NO_ROOM
-from asperity.joint.status import STATUS_NAMES
-from asperity.joint_file.part_names import with_tracks
+from asperity.joint.status import NO_ROOM, STATUS_NAMES, joint_status
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.case_types import CASES
+from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.si_tables import replace_values
-from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.precision import use_double_precision
+from asperity.rolling.turning import driving_sense
 
 CHUNK = 1024
 DRAWN = 8 * CHUNK  # at once, before those without room are left out

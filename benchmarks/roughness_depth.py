@@ -10,8 +10,7 @@ import argparse
 
 import numpy as np
 
-from asperity.surface.peak_to_valley import depth_over_average
-from asperity.surface.peak_to_valley import scatter_of_depth
+from asperity.surface.peak_to_valley import depth_over_average, scatter_of_depth
 
 #: Ratio of the cut-offs -> a long-wave cut-off of the standard with this ratio [m].
 CUT_OFFS = {32: 0.08e-3, 100: 0.25e-3, 320: 0.8e-3}

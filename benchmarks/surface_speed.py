@@ -22,8 +22,7 @@ def main() -> None:
     jax.config.update("jax_enable_x64", True)
     from asperity.surface import synthesis
     from asperity.surface.fractal_fit import fractal_fit
-    from asperity.surface.structure_function import logarithmic_lags
-    from asperity.surface.structure_function import structure_functions
+    from asperity.surface.structure_function import logarithmic_lags, structure_functions
     from asperity.surface.weierstrass import weierstrass_mandelbrot_surface
 
     random = np.random.default_rng(0)

@@ -12,8 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.precision import use_compilation_cache, use_double_precision
 
 ROUNDS = 3
 LARGE = 5e7  # points from which one round is enough: it takes minutes
@@ -68,8 +67,7 @@ def timed_bare(plan, workers):
 def timed_sweep(plan, workers, folder):
     """Seconds from the first finished block to the last, scaled to all blocks, and from start to end."""
     from asperity.study.sweep.cluster import run_on_cluster
-    from asperity.study.sweep.store import open_store
-    from asperity.study.sweep.store import prepare_store
+    from asperity.study.sweep.store import open_store, prepare_store
 
     store = Path(folder) / f"{time.time_ns()}.zarr"
     blocks = prepare_store(store, plan)

@@ -15,8 +15,7 @@ from pydantic.fields import FieldInfo
 
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.section import Section
-from asperity.joint_file.section import meaning
+from asperity.joint_file.section import Section, meaning
 from asperity.joint_file.wedge_model import WedgeCase
 
 PAGE = Path(__file__).with_name("joint_file.md")

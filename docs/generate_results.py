@@ -7,10 +7,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from asperity.results import GROUPS
-from asperity.results import RESULTS
-from asperity.results import Limit
-from asperity.results import Result
+from asperity.results import GROUPS, RESULTS, Limit, Result
 from asperity.results.table import RENAMED
 from asperity.units import format_quantity
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from asperity.joint.held_by_pins import with_pins
 from asperity.results import SEVERITIES, Limit, Result
 from asperity.results.drive_table import results_of_joint
+from asperity.results.held_by_pins import with_pins
 from asperity.results.solved import SolvedJoint
 
 
