@@ -7,7 +7,7 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, incidence, speeds
-from asperity.drive.linear import least_squares, product
+from asperity.linear import least_squares, product
 
 
 def creeping_speeds(*, drive: Drive, creepage: Array) -> tuple[Array, Array]:

@@ -20,7 +20,7 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.arrays import namespace
-from asperity.drive.linear import least_squares, product
+from asperity.linear import least_squares, product
 from asperity.types import Real
 
 #: The member that carries the pins; it has no contacts of its own.

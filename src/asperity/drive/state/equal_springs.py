@@ -6,7 +6,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.drive import Drive, incidence
-from asperity.drive.linear import solve
+from asperity.linear import solve
 
 
 def rest_forces(*, drive: Drive, pattern: Array) -> Array:

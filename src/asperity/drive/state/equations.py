@@ -11,7 +11,6 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
-from asperity.drive.linear import product
 from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.bearings import friction_moments
 from asperity.drive.state.creep import creepages
@@ -24,6 +23,7 @@ from asperity.drive.state.state import (
     surface_speeds,
 )
 from asperity.drive.state.supports import Supports, with_supports
+from asperity.linear import product
 
 #: Kinds of states: assembled without torque, standing under one, rolling under one.
 ASSEMBLED, STANDING, ROLLING = 0, 1, 2

@@ -13,7 +13,7 @@ from jax import Array
 
 from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members
-from asperity.drive.linear import product
+from asperity.linear import product
 
 
 class MemberLoads(NamedTuple):

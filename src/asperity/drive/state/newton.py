@@ -11,8 +11,8 @@ import jax.flatten_util
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.linear import solve_with
 from asperity.implicit import implicit_root
+from asperity.linear import solve_with
 from asperity.types import Real
 
 _NEWTON_BUDGET = 60

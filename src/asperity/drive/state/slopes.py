@@ -16,7 +16,6 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, sectors_of_members
-from asperity.drive.linear import product, solve_in_turn
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.equations import (
     ASSEMBLED,
@@ -32,6 +31,7 @@ from asperity.drive.state.equations import (
     turning_members,
 )
 from asperity.drive.state.state import contact_approach, slip_at_rest
+from asperity.linear import product, solve_in_turn
 
 
 class Slopes(NamedTuple):

@@ -11,10 +11,10 @@ from jax import Array
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
 from asperity.drive.layout.drive import CARRIER, Drive
-from asperity.drive.linear import product
 from asperity.drive.mechanism import Bearings, NormalSprings, whole_approach
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.supports import Supports
+from asperity.linear import product
 from asperity.types import Real
 
 #: Largest relative residual of a state that is accepted as solved.

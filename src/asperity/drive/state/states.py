@@ -23,7 +23,6 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.drive import Drive, incidence
-from asperity.drive.linear import product
 from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
@@ -39,6 +38,7 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.search import assembled_guess, known_state, solved, started_from, state_of
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState, contact_approach
+from asperity.linear import product
 from asperity.types import Real
 
 #: How often a rolling state is found, each time with the creep law around the forces of the state before.

@@ -15,8 +15,8 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, incidence, sectors_of_members
-from asperity.drive.linear import product, solve
 from asperity.drive.state.supports import Supports, with_supports
+from asperity.linear import product, solve
 from asperity.types import Real
 
 

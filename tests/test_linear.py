@@ -5,7 +5,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.linear import least_squares, solve, solve_in_turn
+from asperity.linear import least_squares, solve, solve_in_turn
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 17])
