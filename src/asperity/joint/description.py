@@ -54,8 +54,6 @@ class UnlikeSectors(eqx.Module):
         Normal forces without torque around which the laws of the contacts are taken, shape (contacts,) [N].
     support_stiffness : Array
         Radial stiffness of the bearings of each floating body, shape (floating,) [N/m].
-    central : tuple of str
-        Names of the bodies on the axis, over whose tracks the rollers of all sectors pass.
     sectors : int
         Number of sectors, whose contacts are listed one after the other.
     """
@@ -63,7 +61,6 @@ class UnlikeSectors(eqx.Module):
     added: Array
     reference_force: Array
     support_stiffness: Array
-    central: tuple[str, ...] = eqx.field(static=True)
     sectors: int = eqx.field(static=True)
 
 
@@ -267,9 +264,7 @@ def bodies_of_contacts(joint: Joint) -> BodiesOfContacts:
     first, second = places(drive)
     return BodiesOfContacts(
         names=tuple(body.name for body in drive.bodies),
-        shared=tuple(
-            body.place == "axis" if unlike is None else body.name in unlike.central for body in drive.bodies
-        ),
+        shared=tuple(body.on_axis for body in drive.bodies),
         driving=first,
         driven=second,
         sectors=1 if unlike is None else unlike.sectors,

@@ -54,7 +54,7 @@ def joint_inertias(joint: Joint) -> tuple[Real, Real]:
         if body.name == drive.input:
             own = own + spin
             continue
-        if body.place == "axis":
+        if body.on_axis:
             moved = moved + spin * (speed[number] / out) ** 2
             continue
         own = own + drive.sectors * spin * speed[number] ** 2  # the input has the speed 1

@@ -197,11 +197,10 @@ def ring_springs(joint: Joint) -> Array | None:
 def supports_of(joint: Joint) -> Supports | None:
     """Springs that hold the rollers of a joint on the carrier besides its pins along their push; None for none."""
     drive = joint.drive
-    central = () if joint.unlike is None else joint.unlike.central
     planets = tuple(
         body
         for body in drive.floating
-        if drive.bodies[body].place == "free" and drive.bodies[body].name not in central
+        if drive.bodies[body].place == "free" and not drive.bodies[body].on_axis
     )
     return carrier_supports(
         drive=drive,

@@ -100,7 +100,6 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
             added=sizes.added.ravel(),
             reference_force=sizes.reference_force.ravel(),
             support_stiffness=jnp.where(held, sizes.support_stiffness, 0.0),
-            central=tuple(own.bodies[i].name for i in central),
             sectors=sectors,
         ),
     )

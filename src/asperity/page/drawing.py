@@ -24,7 +24,7 @@ def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:
             wall = 0.0 if shape.size is None else float(shape.size)
             rings += [{"body": name, "inner_radius_m": radius, "wall_m": wall} for radius in radii]
             continue
-        for sector in range(1 if body.place == "axis" else int(drive.sectors)):
+        for sector in range(1 if body.on_axis else int(drive.sectors)):
             x, y = sector_rotation(drive, sector) @ centres[number]
             circles += [
                 {"body": name, "x_m": float(x), "y_m": float(y), "radius_m": radius}

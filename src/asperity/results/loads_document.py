@@ -141,7 +141,7 @@ def _rows(
                 yield *part, "bending stress", "Pa", stress[k]
         yield *part, "speed, roller on pin", "rad/s", relative[k]
     for number, name in enumerate(members):
-        if name != CARRIER and drive.bodies[number].place != "axis":
+        if name != CARRIER and not drive.bodies[number].on_axis:
             if thrust is not None and number not in drive.pinned:
                 yield name.replace("_", " "), "roller without a pin", "axial force", "N", thrust[number]
             continue

@@ -61,7 +61,7 @@ def joint_size(joint: Joint, result: JointResult) -> JointSize:
     """Size and mass of the rolling parts."""
     outer = []
     for number, shape in enumerate(joint.shapes):
-        if joint.drive.bodies[number].place == "axis":
+        if joint.drive.bodies[number].on_axis:
             wall = 0.0 if shape.kind != "ring" or shape.size is None else shape.size
             outer += [radius + wall for radius, _ in tracks_of(joint, number)]
     copies = jnp.asarray(joint.drive.sectors) / sectors_of_members(joint.drive)[:-1]

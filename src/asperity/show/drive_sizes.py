@@ -80,7 +80,7 @@ def sizes(joint: Joint, scale: float, interference: float | None = None) -> list
             found.append(Size(name, f"wall {wall}{broken}", f"wall of {name} {wall}", tuple(marks)))
         if mine:
             continue
-        on_axis = joint.drive.bodies[kind[0]].place == "axis"
+        on_axis = joint.drive.bodies[kind[0]].on_axis
         counted = name if on_axis else f"{count} × {name}"
         for radius in radii_of(joint, kind[0]):
             text = f"⌀{dimension(2.0 * radius)}"
@@ -137,7 +137,7 @@ def drive_clearances(joint: Joint) -> list[Clearance]:
             if all(len(radii_of(joint, number)) == 1 for number in (i, j)):
                 found.append(_to_ring(joint, i, j, discs))
             continue
-        if any(joint.drive.bodies[number].place == "axis" for number in (i, j)):
+        if any(joint.drive.bodies[number].on_axis for number in (i, j)):
             continue
         if i != j and any(len(radii_of(joint, number)) > 1 for number in (i, j)):
             continue  # their tracks may lie in different planes
@@ -201,7 +201,7 @@ def _kinds(joint: Joint) -> list[tuple[int, ...]]:
             None if bore is None else dimension(1e3 * float(bore)),
             dimension(orbit),
         )
-        if body.place == "axis" or number in rings:
+        if body.on_axis or number in rings:
             key = (number,)
         found[key] = (*found.get(key, ()), number)
     return list(found.values())

@@ -69,7 +69,7 @@ def pin_diameter_of(joint: Joint, number: int) -> float:
 def copies_of(joint: Joint, number: int) -> list[Point]:
     """Centres of the copies of a body in all sectors [mm]."""
     x, y = (1e3 * float(each) for each in np.asarray(joint.drive.centres)[number])
-    count = 1 if joint.drive.bodies[number].place == "axis" else round(float(joint.drive.sectors))
+    count = 1 if joint.drive.bodies[number].on_axis else round(float(joint.drive.sectors))
     turns = (2.0 * math.pi * sector / float(joint.drive.sectors) for sector in range(count))
     return [
         (x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)) for turn in turns
@@ -108,9 +108,9 @@ def drive_view(joint: Joint, scale: float) -> list[Item]:
             pin = pin_diameter_of(joint, number)
             if pin:
                 items.append(Circle((x, y), 0.5 * pin))
-            if body.place != "axis":
+            if not body.on_axis:
                 items += _cross((x, y), min(max(radii) + beyond, 1.25 * max(radii)), math.atan2(y, x))
-        if body.place != "axis":
+        if not body.on_axis:
             orbits.append(math.hypot(*copies_of(joint, number)[0]))
             if not any(math.isclose(orbits[-1], other) for other in orbits[:-1]):
                 items.append(Circle((0.0, 0.0), orbits[-1], "axis"))

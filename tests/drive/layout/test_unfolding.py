@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import gaps, incidence, speed_ratio
+from asperity.drive.layout.existence import neighbour_gaps, refuse_impossible
 from asperity.drive.layout.unfolding import forces_on_centre, unfolded
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw
@@ -51,6 +52,18 @@ def test_sectors_are_numbered_counter_clockwise_from_one(drives):
     assert planets == [("sun", "planet_2"), ("planet_2", "ring")]
     x, y = np.asarray(whole.centres)[2:].T
     np.testing.assert_allclose(np.exp(1j * np.diff(np.arctan2(y, x))), np.exp(2j * np.pi / 3.0), rtol=1e-12)
+
+
+@pytest.mark.parametrize("floating", [(), ("sun",)])
+def test_planets_by_themselves_have_the_room_of_equal_ones(drives, floating):
+    """Nothing overlaps: sun and ring lie inside each other, and the planets are as far apart as before."""
+    drive = drives["planetary"]
+    whole = unfolded(drive, sectors=3, floating=floating)
+    refuse_impossible(whole)
+    apart = float(neighbour_gaps(drive)["planet", "planet"])
+    found = neighbour_gaps(whole)
+    pairs = [("planet_1", "planet_2"), ("planet_1", "planet_3"), ("planet_2", "planet_3")]
+    assert [float(found[pair]) for pair in pairs] == pytest.approx([apart] * 3, rel=1e-12)
 
 
 def linear_laws(contacts, compliance=1e-9, force=1000.0):

@@ -48,12 +48,12 @@ GEOMETRY = DriveGeometry(
     right_push_angle=-0.05,
 )
 PAPERS = Closure(equal_coefficients=EQUAL_COEFFICIENTS, constant_pins=SPRING_LOADED_PINS)
+PUBLISHED = wedge_drive(GEOMETRY, planet_count=3.0, closure=PAPERS)
 DRIVES = {
     "wedge": wedge_drive(GEOMETRY, planet_count=3.0),
-    "published closures": wedge_drive(GEOMETRY, planet_count=3.0, closure=PAPERS),
-    "unfolded": unfolded(
-        wedge_drive(GEOMETRY, planet_count=3.0, closure=PAPERS), sectors=3, floating=("sun",)
-    ),
+    "published closures": PUBLISHED,
+    "three branches, sun floating": unfolded(PUBLISHED, sectors=3, floating=("sun",)),
+    "three branches": unfolded(PUBLISHED, sectors=3),
     "planetary": planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=3.0),
     "multiroller": two_row_multiroller(
         sun_radius=8e-3, first_row_radii=(20e-3, 8e-3), second_row_radii=(20e-3, 8e-3), roller_count=4.0

@@ -39,10 +39,18 @@ class Body:
         ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the
         carrier supports its centre along the push direction; it is free across; ``held``: on the axis as well, in a
         drive whose sectors are not equal, so that its bearings hold it.
+    central : bool, optional
+        Whether its centre lies on the axis although it can move, in such a drive.
     """
 
     name: str
     place: Literal["axis", "free", "pin", "held"]
+    central: bool = False
+
+    @property
+    def on_axis(self) -> bool:
+        """Whether it turns about the drive's axis; all sectors share it."""
+        return self.central or self.place in ("axis", "held")
 
 
 @dataclasses.dataclass(frozen=True)

@@ -230,16 +230,16 @@ def neighbours(drive: Drive) -> tuple[tuple[str, str], ...]:
     pairs = [
         (one.name, two.name)
         for one, two in itertools.combinations_with_replacement(discs, 2)
-        if not (one is two and one.place == "axis")
+        if not (one is two and one.on_axis)
     ]
-    pairs += [(body.name, ring) for body in discs if body.place != "axis" for ring in rings]
+    pairs += [(body.name, ring) for body in discs if not body.on_axis for ring in rings]
     return tuple(pair for pair in pairs if frozenset(pair) not in joined)
 
 
 def _rings(drive: Drive) -> tuple[str, ...]:
     """Names of the rings on the axis, in which others roll."""
     inside = {contact.second for contact in drive.contacts if contact.internal}
-    return tuple(body.name for body in drive.bodies if body.name in inside and body.place == "axis")
+    return tuple(body.name for body in drive.bodies if body.name in inside and body.on_axis)
 
 
 def _refuse_overlap(clearances: dict[tuple[str, str], Array]) -> None:

@@ -38,7 +38,7 @@ def unfolded(drive: Drive, *, sectors: int, floating: tuple[str, ...] = ()) -> D
         return name if name in central else f"{name}_{sector % sectors + 1}"
 
     bodies = [
-        Body(body.name, "free" if body.name in floating else "held")
+        Body(body.name, "free" if body.name in floating else "held", central=True)
         for body in drive.bodies
         if body.name in central
     ]

@@ -111,18 +111,13 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
     paired = numbers_of_pairs(drive)
     if len(paired):
         first, second = paired.T
-        traction = machine.friction * x.tangential
+        ratio = machine.friction[first] / machine.friction[second]
         at = np.arange(ones.size)
         is_second = np.isin(at, second)[:, None] & stands
         held_normal = jnp.where(is_second, 0.0, held_normal)
-        held_normal = held_normal.at[second, first].add(
-            jnp.where(stands, traction[second] / machine.friction[second], 0.0)
-        )
-        held_normal = held_normal.at[second, second].add(
-            jnp.where(stands, -traction[first] / machine.friction[second], 0.0)
-        )
+        held_normal = held_normal.at[second, first].add(jnp.where(stands, x.tangential[second], 0.0))
+        held_normal = held_normal.at[second, second].add(jnp.where(stands, -ratio * x.tangential[first], 0.0))
         held_tangential = jnp.where(is_second, 0.0, held_tangential)
-        ratio = machine.friction[first] / machine.friction[second]
         held_tangential = held_tangential.at[second, second].add(jnp.where(stands, x.normal[first], 0.0))
         held_tangential = held_tangential.at[second, first].add(
             jnp.where(stands, -ratio * x.normal[second], 0.0)
