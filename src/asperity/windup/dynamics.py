@@ -106,7 +106,7 @@ def _between_inertias(
 
 
 def _over_torque(joint: Joint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
-    """A joint with a planar drive about each of the torques, as NumPy arrays."""
+    """A joint about each of the torques, as NumPy arrays."""
     found = over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
     stiffness = np.where(found.solved, np.asarray(found.assembly)[:, 0], np.nan)
     ratio = float(np.asarray(speed_ratio(joint.drive)))

@@ -310,7 +310,7 @@ def windup(
     steps : int, optional
         Even steps of the torque in each direction.
     rest : DriveState, optional
-        The assembled state of a planar drive without torque, where it is known.
+        The assembled state of a drive without torque, where it is known.
 
     Returns
     -------

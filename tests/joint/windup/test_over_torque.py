@@ -1,4 +1,4 @@
-"""A planar drive that stands under torques: the stiffness of its solution, no loop without slip."""
+"""A drive that stands under torques: the stiffness of its solution, no loop without slip."""
 
 import dataclasses
 from types import SimpleNamespace
