@@ -224,9 +224,9 @@ def test_rims_of_many_joints_are_those_of_single_ones(planar_case):
 
 def _rim_entry(values, wall):
     joint = joint_from_values(replace_values(values, {WALL: wall}))
-    return joint_document(solved_with_capacities(joint, solve_joint(joint)), inputs={}, assumptions=())["rims"][
-        "ring"
-    ]
+    return joint_document(solved_with_capacities(joint, solve_joint(joint)), inputs={}, assumptions=())[
+        "rims"
+    ]["ring"]
 
 
 def test_results_of_drives_with_wedges_are_refused_by_name(values, planar_case):

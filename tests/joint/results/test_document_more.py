@@ -25,7 +25,9 @@ def document(case, solved_example):
 
     def of(solution=None, branches=None, stated=case):
         joint = solved_example.joint
-        return document_of(stated, solved_with_capacities(joint, solution or solved_example.solution, branches))
+        return document_of(
+            stated, solved_with_capacities(joint, solution or solved_example.solution, branches)
+        )
 
     return of
 

@@ -19,9 +19,9 @@ from asperity.joint.description import Joint
 from asperity.joint.inertias import joint_inertias
 from asperity.joint.solve import Solution, solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
+from asperity.standing.over_torque import over_torque
+from asperity.standing.standing import NO_SLIP_FRICTION
 from asperity.types import Real
-from asperity.windup.over_torque import over_torque
-from asperity.windup.standing import NO_SLIP_FRICTION
 
 _FREQUENCIES = 400
 _TORQUES = 25
