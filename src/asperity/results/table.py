@@ -122,7 +122,10 @@ def _refuse_for_the_drive(name: str) -> None:
 def _hint(name: str, known: Sequence[str]) -> str:
     for old, new in RENAMED.items():
         if name == old or name.startswith(f"{old}_"):
-            return f"; it was renamed to '{new}{name[len(old) :]}'"
+            full = now = f"{new}{name[len(old) :]}"
+            while now not in known and "_" in now:  # the result of which it is one number
+                now = now.rpartition("_")[0]
+            return f"; it was renamed to '{now if now in known else full}'"
     other = _ALSO_CALLED.get(name)
     near = [other] if other in known else difflib.get_close_matches(name, known, n=1, cutoff=0.5)
     return f"; did you mean '{near[0]}'?" if near else ""
