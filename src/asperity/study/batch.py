@@ -234,7 +234,7 @@ def derivatives_at(
 
 
 def derivative_block(points: int) -> int:
-    """Points of one call of the program with derivatives, where so many points times variables are asked for at once."""
+    """Points of one call of the program with derivatives, where so many times variables are asked for at once."""
     return min(DERIVATIVE_BATCH, 1 << max(points - 1, 0).bit_length())
 
 
