@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from asperity.results import windup_document
-from asperity.windup import windup as module
+from asperity.standing import windup as module
 
 STIFFNESS = 1e5  # N·m/rad
 ARCMINUTE = np.pi / 180.0 / 60.0
@@ -63,7 +63,7 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
         "K3",
     ):
         assert text in outcome.out, text
-    for text in ("static curve holds up to (creep 5 % of the wind-up)", "47.2 arcmin", "two regimes"):
+    for text in ("static curve holds up to (creep 5 % of the wind-up)", "41.2 arcmin", "two regimes"):
         assert text in outcome.out, text
     rows = list(csv.DictReader(files[0].read_text().splitlines()))
     torque, angle = (

@@ -14,7 +14,7 @@ from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.results import GROUPS, RESULTS, chosen_results, known_result
 from asperity.results.document import joint_document
-from asperity.results.solved import solved_planar_joint
+from asperity.results.solved import solved_with_capacities
 from asperity.study.batch import derivatives_at
 
 #: One program for all numbers: stiffness on every level, and one result of every kind of rows.
@@ -158,7 +158,12 @@ def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts
     assert list(table["slip_ratio"].row_names) == contacts
     assert len(table["body_life"].row_names) == bodies
     if name == "multiroller":
-        pairs = ("sun_to_second_row", "first_row_to_first_row", "second_row_to_second_row")
+        pairs = (
+            "sun_to_second_row",
+            "first_row_to_first_row",
+            "second_row_to_second_row",
+            "first_row_to_ring",
+        )
         assert table["clearance"].row_names == pairs
     assert table["limiting_contact"].categories == (*contacts, "none")
 
@@ -224,9 +229,9 @@ def test_rims_of_many_joints_are_those_of_single_ones(planar_case):
 
 def _rim_entry(values, wall):
     joint = joint_from_values(replace_values(values, {WALL: wall}))
-    return joint_document(solved_planar_joint(joint, solve_joint(joint)), inputs={}, assumptions=())["rims"][
-        "ring"
-    ]
+    return joint_document(solved_with_capacities(joint, solve_joint(joint)), inputs={}, assumptions=())[
+        "rims"
+    ]["ring"]
 
 
 def test_results_of_drives_with_wedges_are_refused_by_name(values, planar_case):
