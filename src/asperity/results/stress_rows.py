@@ -6,6 +6,7 @@ import functools
 from typing import Any
 
 import jax.numpy as jnp
+import numpy as np
 
 from asperity.joint.rims import bends
 from asperity.results.result import Limit, Result
@@ -55,6 +56,18 @@ ROWS = (
         "rim_stress_amplitude",
         "largest amplitude of the hoop stress that a point of a ring or hollow roller goes through",
         value=_larger("amplitude"),
+    ),
+    Result(
+        "bore_stress",
+        "largest hoop stress of a roller's bore",
+        Dimension.PRESSURE,
+        "MPa",
+        lambda solved: solved.rims.stress[0][..., np.array(solved.joint.drive.pinned, dtype=int)],
+        group="stresses",
+        axis="pin",
+        positive=False,
+        note="tension positive, under the pressure of its pin too where bearings.pin_diameter is stated; nan for solid "
+        "and stepped rollers",
     ),
     _safety(
         "rim_yield_safety",
