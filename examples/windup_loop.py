@@ -7,8 +7,8 @@ import sys
 
 import numpy as np
 
-from asperity.windup.windup import Windup
-from asperity.windup.windup import windup
+from asperity.standing.windup import Windup
+from asperity.standing.windup import windup
 from asperity.precision import use_compilation_cache
 from asperity.precision import use_double_precision
 from asperity.show.windup_figure import windup_figure

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from asperity.results import windup_document
-from asperity.windup import windup as module
+from asperity.standing import windup as module
 
 STIFFNESS = 1e5  # N·m/rad
 ARCMINUTE = np.pi / 180.0 / 60.0

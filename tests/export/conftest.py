@@ -8,8 +8,8 @@ import pytest
 
 from asperity.export.content import ExportContent, MovingParts, export_content
 from asperity.joint.play import NO_PLAY
-from asperity.windup.both_senses import BothSenses
-from asperity.windup.windup import windup_of
+from asperity.standing.both_senses import BothSenses
+from asperity.standing.windup import windup_of
 
 LARGEST = 5.0  # N·m
 BASE = 1.0 / 3e4  # compliance at rest [rad/(N·m)]

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from asperity.errors import InputError
 from asperity.export.fmu import ELEMENTS, fmu_file, fmu_parts
 from asperity.joint.play import Play, play_angle
-from asperity.windup.series_law import SeriesLaw, slip_elements
+from asperity.standing.series_law import SeriesLaw, slip_elements
 
 fmpy = pytest.importorskip("fmpy", reason="FMPy is not installed (extra 'test')")
 

@@ -1,4 +1,4 @@
-"""Lives of the bearings of planar drives: by hand from the printed loads, and Miner's sum."""
+"""Lives of the bearings of drives: by hand from the printed loads, and Miner's sum."""
 
 import dataclasses
 import math
@@ -12,7 +12,7 @@ from asperity.joint.bearing_lives import joint_bearing_lives
 from asperity.joint.solve import solve_joint
 from asperity.results.document import joint_document
 from asperity.results.loads_document import loads_document
-from asperity.results.solved import solved_planar_joint
+from asperity.results.solved import solved_with_capacities
 from asperity.results.strength_document import bearing_entries
 from asperity.rolling.conditions import DutyPoint
 
@@ -29,7 +29,7 @@ def rated(planetary):
 @pytest.mark.slow
 def test_lives_by_hand_from_the_printed_loads_and_speeds(rated):
     joint, solution = rated
-    solved = solved_planar_joint(joint, solution)
+    solved = solved_with_capacities(joint, solution)
     entries = bearing_entries(solved)
     document = loads_document(solved, entries)
     printed = {(row["part"], row["quantity"]): row["values"][1] for row in document["loads"]}
@@ -49,7 +49,7 @@ def test_lives_by_hand_from_the_printed_loads_and_speeds(rated):
     )
     assert carrier["load_over_dynamic_rating"] == pytest.approx(0.08)
     assert any("ISO 281" in note for note in document["notes"])
-    whole = joint_document(solved_planar_joint(joint, solution), inputs={}, assumptions=())
+    whole = joint_document(solved_with_capacities(joint, solution), inputs={}, assumptions=())
     assert whole["bearings"] == entries
     limits = {(each["name"], each["contact"]) for each in whole["diagnostics"] if "contact" in each}
     assert {("bearing_static_safety", "planet_pin"), ("bearing_load_ratio", "carrier")} <= limits

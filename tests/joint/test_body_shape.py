@@ -1,4 +1,4 @@
-"""What a body of a planar drive is besides its tracks."""
+"""What a body of a drive is besides its tracks."""
 
 import pytest
 

@@ -19,7 +19,7 @@ from asperity.joint.evaluation import evaluate
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.si_tables import replace_values
-from asperity.windup.windup import windup
+from asperity.standing.windup import windup
 
 REST = {"output_torque": 1e-6, "sun_speed": 0.0}
 

@@ -11,8 +11,8 @@ from asperity.errors import InputError
 from asperity.joint.solve import solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, capacity_document
 from asperity.rolling.conditions import DutyPoint
-from asperity.windup.over_torque import over_torque
-from asperity.windup.windup import windup
+from asperity.standing.over_torque import over_torque
+from asperity.standing.windup import windup
 
 CAM = 150.0
 AS_SPRINGS = {

@@ -1,4 +1,4 @@
-"""Joints of planar drives at their working temperature: by hand, by the paper's drive, and by equivalent joints."""
+"""Joints of drives at their working temperature: by hand, by the paper's drive, and by equivalent joints."""
 
 import dataclasses
 
@@ -17,7 +17,7 @@ from asperity.joint.temperature_curves import temperature_curves
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.results.document import joint_document
-from asperity.results.solved import solved_planar_joint
+from asperity.results.solved import solved_with_capacities
 
 SPRINGS = {'bodies = "exact"': 'bodies = "springs"'}
 
@@ -111,7 +111,7 @@ def test_it_is_the_joint_with_the_interference_that_is_left(planetary_at):
         lambda each: each.rolling.speed_loss,
     ):
         np.testing.assert_allclose(of(found), of(expected), rtol=1e-8)
-    told = joint_document(solved_planar_joint(joint, solution), inputs={}, assumptions=())["preload"]
+    told = joint_document(solved_with_capacities(joint, solution), inputs={}, assumptions=())["preload"]
     assembled = solved(dataclasses.replace(plain, interference=30e-6))
     assert told["force_N"] == pytest.approx(float(expected.preload), rel=1e-8)
     assert told["at_assembly"]["force_N"] == pytest.approx(float(assembled.preload), rel=1e-8)

@@ -9,8 +9,8 @@ import pytest
 from asperity.branches.branches import BranchedJoint
 from asperity.branches.sizes import SectorDeviations
 from asperity.joint.solve import solve_joint
-from asperity.windup.dynamics import Inertias, dynamics
-from asperity.windup.windup import windup
+from asperity.standing.dynamics import Inertias, dynamics
+from asperity.standing.windup import windup
 
 SPRINGS = {
     'bodies = "exact"': 'bodies = "springs"',

@@ -8,7 +8,7 @@ import pytest
 from asperity.drive.layout.drive import Closure
 from asperity.joint.play import NO_PLAY
 from asperity.joint_file.build import joint_from_case
-from asperity.windup.windup import windup, windup_of
+from asperity.standing.windup import windup, windup_of
 
 STAGES = (1.0 / 3.0, 2.0 / 3.0)
 

@@ -16,8 +16,8 @@ from asperity.drive.stiffness.network import network_stiffness
 from asperity.joint.contacts import loaded_contacts
 from asperity.joint.description import joint_contacts
 from asperity.joint.evaluation import evaluate
-from asperity.windup.standing import NO_SLIP_FRICTION
-from asperity.windup.windup import windup
+from asperity.standing.standing import NO_SLIP_FRICTION
+from asperity.standing.windup import windup
 
 ELEMENTS, STEPS, MU = 120, 60, 0.12
 

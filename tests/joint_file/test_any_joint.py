@@ -14,7 +14,7 @@ from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.results import GROUPS, RESULTS, chosen_results, known_result
 from asperity.results.document import joint_document
-from asperity.results.solved import solved_planar_joint
+from asperity.results.solved import solved_with_capacities
 from asperity.study.batch import derivatives_at
 
 #: One program for all numbers: stiffness on every level, and one result of every kind of rows.
@@ -224,9 +224,9 @@ def test_rims_of_many_joints_are_those_of_single_ones(planar_case):
 
 def _rim_entry(values, wall):
     joint = joint_from_values(replace_values(values, {WALL: wall}))
-    return joint_document(solved_planar_joint(joint, solve_joint(joint)), inputs={}, assumptions=())["rims"][
-        "ring"
-    ]
+    return joint_document(solved_with_capacities(joint, solve_joint(joint)), inputs={}, assumptions=())[
+        "rims"
+    ]["ring"]
 
 
 def test_results_of_drives_with_wedges_are_refused_by_name(values, planar_case):

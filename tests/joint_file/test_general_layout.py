@@ -1,4 +1,4 @@
-"""Any planar drive from the rollers and contacts that a joint file lists."""
+"""Any drive from the rollers and contacts that a joint file lists."""
 
 from pathlib import Path
 

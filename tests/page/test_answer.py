@@ -16,8 +16,8 @@ from asperity.page.answer import _curves, _margin, _windup, joint_answer, plain_
 from asperity.page.joint_request import JointRequest
 from asperity.results import Limit, Result
 from asperity.results.margins import Margin
+from asperity.standing.windup import windup
 from asperity.unit_table import Dimension
-from asperity.windup.windup import windup
 
 
 def test_numbers_for_json():

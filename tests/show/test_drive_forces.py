@@ -1,4 +1,4 @@
-"""Forces on the rollers of a planar drive: their sums are those of the matrices that balance the drive."""
+"""Forces on the rollers of a drive: their sums are those of the matrices that balance the drive."""
 
 import math
 from types import SimpleNamespace

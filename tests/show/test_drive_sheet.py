@@ -1,4 +1,4 @@
-"""Drawings of planar drives: every roller at its place, sizes as in the file."""
+"""Drawings of drives: every roller at its place, sizes as in the file."""
 
 import io
 import math

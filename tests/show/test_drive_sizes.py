@@ -1,4 +1,4 @@
-"""Sizes of planar drives: those of the files, computed by hand, and places on the outlines that have them."""
+"""Sizes of drives: those of the files, computed by hand, and places on the outlines that have them."""
 
 import math
 

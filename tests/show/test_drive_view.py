@@ -1,4 +1,4 @@
-"""The view of a planar drive: rings as drawn, copies in all sectors, names of contacts beside their points."""
+"""The view of a drive: rings as drawn, copies in all sectors, names of contacts beside their points."""
 
 import math
 

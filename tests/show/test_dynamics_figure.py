@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.show.dynamics_figure import dynamics_figure
-from asperity.windup.dynamics import Inertias, dynamics
+from asperity.standing.dynamics import Inertias, dynamics
 
 
 @pytest.mark.parametrize("speed", [0.0, 600.0])

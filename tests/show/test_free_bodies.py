@@ -1,4 +1,4 @@
-"""Bodies of planar drives drawn apart: every force has its arrow and its number, and no text covers another."""
+"""Bodies of drives drawn apart: every force has its arrow and its number, and no text covers another."""
 
 from types import SimpleNamespace
 

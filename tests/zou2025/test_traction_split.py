@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.joint_file.solved_document import solved_case
-from asperity.windup.windup import windup
+from asperity.standing.windup import windup
 
 pytestmark = pytest.mark.slow
 

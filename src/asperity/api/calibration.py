@@ -15,6 +15,7 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.si_tables import key_at
 from asperity.results import LEVELS, known_result
+from asperity.standing.windup import StiffnessLevel
 from asperity.study.calibration.calibrate import Calibration
 from asperity.study.calibration.calibrate import calibrate as fit
 from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
@@ -23,7 +24,6 @@ from asperity.study.calibration.measurement import read_measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, of_joint_file, read_unknowns
 from asperity.units import format_quantity, from_si
-from asperity.windup.windup import StiffnessLevel
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

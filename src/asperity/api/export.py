@@ -12,8 +12,8 @@ from asperity.export.targets import check_target, exported, write_exported
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.section_build import inertias_from_case
 from asperity.results import LEVELS, known_result
+from asperity.standing.windup import StiffnessLevel
 from asperity.unit_table import Dimension
-from asperity.windup.windup import StiffnessLevel
 
 
 def export_joint(

@@ -21,7 +21,7 @@ from asperity.units import format_quantity
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from asperity.windup.windup import StiffnessLevel
+    from asperity.standing.windup import StiffnessLevel
 
 #: Results of the whole joint that are printed below the stiffness. What the table knows about drift comes first.
 _PRINTED = (

@@ -21,9 +21,9 @@ from asperity.results.windup_document import (
     windup_onsets,
 )
 from asperity.rolling.onset import RollingOnset
+from asperity.standing.stages import STAGE_SHARES
+from asperity.standing.windup import StiffnessLevel, Windup
 from asperity.unit_table import Dimension
-from asperity.windup.stages import STAGE_SHARES
-from asperity.windup.windup import StiffnessLevel, Windup
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -1,4 +1,4 @@
-"""A joint with a planar drive whose sectors differ: share, slip and pressure of each, and the force on the centre.
+"""A joint whose sectors differ: share, slip and pressure of each, and the force on the centre.
 
 Every sector is described by itself and has the interference of its own sizes; the solver is that of equal sectors.
 """

@@ -43,7 +43,7 @@ def refuse_wide(interference: np.ndarray, nominal: float) -> None:
 
 @dataclass(frozen=True)
 class SectorDeviations:
-    """Deviations of the sizes of each sector of a planar drive from the nominal ones, and the bearings of its input.
+    """Deviations of the sizes of each sector of a drive from the nominal ones, and the bearings of its input.
 
     Parameters
     ----------

@@ -47,7 +47,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     use_double_precision()
     use_compilation_cache()
     from asperity.results.dynamics_document import dynamics_document, response_columns
-    from asperity.windup.dynamics import dynamics as solved_dynamics
+    from asperity.standing.dynamics import dynamics as solved_dynamics
 
     with about(file):
         inertias = inertias_from_case(case)

@@ -117,7 +117,8 @@ def _show_drift(target: Console, document: Document) -> None:
         text = f"{in_unit(drift, 'arcmin')} per output turn ({scaled(loss, 100.0)} % of the speed): "
         text += "creep adds up with every turn, the stiffness above is for a joint that stands"
     target.print("Drift when it turns", style="bold")
-    print_wrapped(target, f"  {text}\n", indent=2)
+    print_wrapped(target, f"  {text}", indent=2)
+    target.print()
 
 
 def _show_contacts(target: Console, document: Document) -> None:

@@ -8,9 +8,9 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.export.content import ExportContent
+from asperity.standing.parallel_elements import ParallelElements, fit_error, parallel_elements
+from asperity.standing.series_law import SeriesLaw
 from asperity.units import format_quantity
-from asperity.windup.parallel_elements import ParallelElements, fit_error, parallel_elements
-from asperity.windup.series_law import SeriesLaw
 
 #: What the loop is worth, for every model that has one.
 MASING = (

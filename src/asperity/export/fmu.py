@@ -18,7 +18,7 @@ import asperity
 from asperity.errors import InputError
 from asperity.export.content import ExportContent, heading
 from asperity.export.elements import MASING
-from asperity.windup.series_law import SeriesLaw, SlipElements, slip_elements
+from asperity.standing.series_law import SeriesLaw, SlipElements, slip_elements
 
 #: Elements in series that make the slip.
 ELEMENTS = 24

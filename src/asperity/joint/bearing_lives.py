@@ -159,7 +159,7 @@ def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Arra
 
 
 def joint_bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
-    """Lives, static safeties and load ratios of the bearings of a planar drive; pure.
+    """Lives, static safeties and load ratios of the bearings of a drive; pure.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The bodies of a planar drive: discs and annuli by exact plane elasticity, stepped rollers as springs."""
+"""The bodies of a drive: discs and annuli by exact plane elasticity, stepped rollers as springs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a body of a planar drive is besides its tracks: a solid or hollow roller, or a ring."""
+"""What a body of a drive is besides its tracks: a solid or hollow roller, or a ring."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Torque capacity of a joint with a planar drive: the first limit, standing and in rolling, in both directions."""
+"""Torque capacity of a joint: the first limit, standing and in rolling, in both directions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A joint with any planar roller drive: the input of its chain, as frozen modules. SI units."""
+"""A joint: the input of its chain, as frozen modules. SI units."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from asperity.types import Real
 
 
 class ContactFit(Fit):
-    """How a planar drive was assembled, and what temperature does to each of its contacts.
+    """How a drive was assembled, and what temperature does to each of its contacts.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ class UnlikeSectors(eqx.Module):
 
 
 class Joint(eqx.Module):
-    """A joint with a planar roller drive. SI units; what differs between contacts is a tuple of one entry or one each.
+    """A joint. SI units; what differs between contacts is a tuple of one entry or one each.
 
     Parameters
     ----------

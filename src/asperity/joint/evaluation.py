@@ -1,4 +1,4 @@
-"""The chain of a joint with any planar drive: its forces, contacts, stiffness and rolling, from its description."""
+"""The chain of a joint: its forces, contacts, stiffness and rolling, from its description."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class JointForces(eqx.Module):
 
 
 class JointResult(eqx.Module):
-    """Everything the chain says about a joint with a planar drive; the fields are those of a joint result.
+    """Everything the chain says about a joint; the fields are those of a joint result.
 
     Parameters
     ----------

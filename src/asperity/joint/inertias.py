@@ -1,4 +1,4 @@
-"""Moments of inertia of a joint with a planar drive, at its input and at its output."""
+"""Moments of inertia of a joint, at its input and at its output."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The loading cam of a joint with a planar drive: its preload under a torque, and what turning the cam takes."""
+"""The loading cam of a joint: its preload under a torque, and what turning the cam takes."""
 
 from __future__ import annotations
 

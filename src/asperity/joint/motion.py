@@ -1,4 +1,4 @@
-"""What moves how in a joint with a planar drive, found once for all that ask for it."""
+"""What moves how in a joint, found once for all that ask for it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Strength of the rings and hollow rollers of a planar drive that bend: stresses along their rims."""
+"""Strength of the rings and hollow rollers of a drive that bend: stresses along their rims."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Solve one joint with a planar drive, and refuse one that cannot exist or does not hold its torque."""
+"""Solve one joint, and refuse one that cannot exist or does not hold its torque."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def _capacities(joint: Joint, rest: DriveState, laws: ContactLaws) -> TorqueCapa
 
 
 def solve_joint(joint: Joint) -> Solution:
-    """Solve one joint with a planar drive.
+    """Solve one joint.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Torsional stiffness of a joint with a planar drive on the three levels of the model."""
+"""Torsional stiffness of a joint on the three levels of the model."""
 
 from __future__ import annotations
 

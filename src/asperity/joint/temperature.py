@@ -1,4 +1,4 @@
-"""A joint with a planar drive at its working temperature: what temperature adds to the interference of its contacts."""
+"""A joint at its working temperature: what temperature adds to the interference of its contacts."""
 
 from __future__ import annotations
 

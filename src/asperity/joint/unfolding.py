@@ -1,4 +1,4 @@
-"""A joint with a planar drive whose sectors differ in size: every sector by itself, solved like any other drive."""
+"""A joint whose sectors differ in size: every sector by itself, solved like any other drive."""
 
 from __future__ import annotations
 

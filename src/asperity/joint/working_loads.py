@@ -1,4 +1,4 @@
-"""Loads of the structure of a joint with a planar drive in the state in which it works, and speeds of its members."""
+"""Loads of the structure of a joint in the state in which it works, and speeds of its members."""
 
 from __future__ import annotations
 

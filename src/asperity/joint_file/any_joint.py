@@ -16,7 +16,7 @@ from asperity.drive.layout.wedge import wedges
 from asperity.joint.description import bearing_names, pin_names
 from asperity.joint.evaluation import evaluated_with_laws
 from asperity.joint.status import joint_status
-from asperity.joint_file import build as planar_build
+from asperity.joint_file import build
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.part_names import bodies_of, contacts_of, with_tracks
 from asperity.joint_file.parts import layout_of
@@ -90,7 +90,7 @@ def with_nominal_sizes(values: Values) -> Values:
         unchanged where the preload is stated as a force, and for type ``planar``, where radii are those of another
         drive with the same interference.
     """
-    return planar_build.with_nominal_sizes(values)
+    return build.with_nominal_sizes(values)
 
 
 def evaluated_points(
@@ -111,7 +111,7 @@ def evaluated_points(
 def _each_point(
     values: Values, points: tuple[int, ...], results: tuple[str, ...]
 ) -> tuple[Array, dict[str, Array]]:
-    """The chain of a planar drive, which is written for one joint, at every point."""
+    """The chain of a drive, which is written for one joint, at every point."""
     leaves = [jnp.asarray(leaf, dtype=float) for leaf in numbers(values)]
     varied = [0 if leaf.ndim else None for leaf in leaves]
     flat = [jnp.broadcast_to(leaf, points).reshape(-1) if leaf.ndim else leaf for leaf in leaves]

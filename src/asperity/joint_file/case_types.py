@@ -1,4 +1,4 @@
-"""Types of planar drives, and the model of the joint file of each."""
+"""Types of drives, and the model of the joint file of each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the rollers and contacts that a joint file lists to a planar drive."""
+"""From the rollers and contacts that a joint file lists to a drive."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ Angle = Annotated[Quantity, limits.POLAR_ANGLE]
 
 
 class GeneralDrive(Section):
-    """Any planar drive: rollers and rings, their contacts, and which members turn."""
+    """Any drive: rollers and rings, their contacts, and which members turn."""
 
     sectors: Annotated[Quantity, limits.PLANETS]
     """Number of equal sectors; the file describes one of them."""
@@ -97,7 +97,7 @@ class SectorEntry(Section):
 
 
 class GeneralCase(AxisCase):
-    """A joint file with any planar drive."""
+    """A joint file."""
 
     type: Literal["planar"]
     """Type of the drive."""

@@ -1,4 +1,4 @@
-"""From the section [drive] of a joint file to a planar drive: which bodies and contacts each type has."""
+"""From the section [drive] of a joint file to a drive: which bodies and contacts each type has."""
 
 from __future__ import annotations
 

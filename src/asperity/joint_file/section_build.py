@@ -11,8 +11,8 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import Values, si_values
 from asperity.rolling.conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
+from asperity.standing.dynamics import Inertias
 from asperity.surface.roughness_average import RMS_OVER_RA, pair_average
-from asperity.windup.dynamics import Inertias
 
 
 def play_of(values: Values) -> Play:

@@ -10,7 +10,7 @@ from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, unequal_sectors
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.results.document import joint_document
-from asperity.results.solved import SolvedJoint, solved_planar_joint
+from asperity.results.solved import SolvedJoint, solved_with_capacities
 
 
 class SolvedCase(NamedTuple):
@@ -87,9 +87,9 @@ def solved_case(case: AnyCase) -> SolvedJoint:
 def _solved(case: AnyCase) -> SolvedJoint:
     joint = joint_from_case(case)
     if case.branch is None:
-        return solved_planar_joint(joint, solve_joint(joint))
+        return solved_with_capacities(joint, solve_joint(joint))
     solution, carries = solve_equal_branches(joint)
     own = unequal_sectors(case, joint, solution)
     if not carries and own is not None:
         solution = without_state(solution, float(joint.output_torque), own)
-    return solved_planar_joint(joint, solution, own)
+    return solved_with_capacities(joint, solution, own)

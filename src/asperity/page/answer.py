@@ -25,9 +25,9 @@ from asperity.results.margins import Margin, margins
 from asperity.results.solved import SolvedJoint
 from asperity.results.windup_document import windup_columns
 from asperity.rolling.creep_curves import creep_curves
+from asperity.standing.torque_curves import torque_curves
+from asperity.standing.windup import windup
 from asperity.units import from_si
-from asperity.windup.torque_curves import torque_curves
-from asperity.windup.windup import windup
 
 Answer = dict[str, Any]
 

@@ -14,7 +14,7 @@ from asperity.show.drive_forces import body_forces
 
 
 def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:
-    """Circles of a planar drive, and the contact forces of its first sector."""
+    """Circles of a drive, and the contact forces of its first sector."""
     drive, centres = joint.drive, np.asarray(joint.drive.centres)
     circles, rings = [], []
     for number, (body, shape) in enumerate(zip(drive.bodies, joint.shapes, strict=True)):

@@ -17,7 +17,7 @@ from asperity.show.margins_figure import draw_margins, margins_height
 from asperity.show.rolling_figure import rolling_figure
 from asperity.show.sheet_figure import sheet_figure
 from asperity.show.windup_figure import windup_figure
-from asperity.windup.windup import Windup
+from asperity.standing.windup import Windup
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -35,7 +35,7 @@ from asperity.results.windup_document import (
     windup_onsets,
 )
 from asperity.rolling.onset import RollingOnset
-from asperity.windup.windup import Windup
+from asperity.standing.windup import Windup
 
 if TYPE_CHECKING:
     from asperity.surface.measurement import SurfaceMeasurement

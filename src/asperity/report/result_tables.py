@@ -216,7 +216,7 @@ def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:
 
 
 def drive(document: Document) -> Iterator[Block]:
-    """Ratio, torques and masses of a planar drive.
+    """Ratio, torques and masses of a drive.
 
     Parameters
     ----------

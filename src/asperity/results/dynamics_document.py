@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity.windup.dynamics import Dynamics, Inertias
+from asperity.standing.dynamics import Dynamics, Inertias
 
 
 def dynamics_document(found: Dynamics, inertias: Inertias) -> dict[str, Any]:
@@ -46,7 +46,7 @@ def response_columns(found: Dynamics) -> dict[str, np.ndarray]:
     Parameters
     ----------
     found : Dynamics
-        As :func:`~asperity.windup.dynamics.dynamics` returns it.
+        As :func:`~asperity.standing.dynamics.dynamics` returns it.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Loads of pins, bearings, shafts and housing of a joint with a planar drive, as rows for their supplier."""
+"""Loads of pins, bearings, shafts and housing of a joint, as rows for their supplier."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Notes on the sizes of a joint with a planar drive, as those on the paper's drive."""
+"""Notes on the sizes of a joint, as those on the paper's drive."""
 
 from __future__ import annotations
 

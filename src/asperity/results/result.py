@@ -15,7 +15,7 @@ from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
     from asperity.results.solved import SolvedJoint
-    from asperity.windup.windup import StiffnessLevel
+    from asperity.standing.windup import StiffnessLevel
 
 #: How serious it is that a limit is crossed: the joint does not work as it should; it is damaged; the numbers cannot be
 #: trusted; the joint is in a state that works, with a consequence that has to be known; the published model is used

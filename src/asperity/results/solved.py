@@ -1,4 +1,4 @@
-"""A solved joint with a planar drive, with what is worth computing only when it is asked for."""
+"""A solved joint, with what is worth computing only when it is asked for."""
 
 from __future__ import annotations
 
@@ -246,7 +246,7 @@ class SolvedJoint:
         return joint_size(self.joint, self.result)
 
 
-def solved_planar_joint(
+def solved_with_capacities(
     joint: Joint, solution: Solution, branches: UnequalBranches | None = None
 ) -> SolvedJoint:
     """A joint whose capacities are known already, for the table of results."""

@@ -12,7 +12,7 @@ from asperity.results.solved import SolvedJoint
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
-    from asperity.windup.windup import StiffnessLevel
+    from asperity.standing.windup import StiffnessLevel
 
 #: Levels of the model: where the stiffness is in a result, in words, and what it counts.
 _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (

@@ -1,4 +1,4 @@
-"""Rows of the table of results of a planar drive: stresses and safeties of its rings and hollow rollers."""
+"""Rows of the table of results of a drive: stresses and safeties of its rings and hollow rollers."""
 
 from __future__ import annotations
 

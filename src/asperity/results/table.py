@@ -24,7 +24,7 @@ from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
 
 if TYPE_CHECKING:
-    from asperity.windup.windup import StiffnessLevel
+    from asperity.standing.windup import StiffnessLevel
 
 #: Every result of any drive by name.
 RESULTS: dict[str, Result] = {

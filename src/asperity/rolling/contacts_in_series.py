@@ -42,7 +42,7 @@ class ContactsInSeries(eqx.Module):
 
 
 def contacts_in_series(*, drive: Drive, rolling: RollingResult, half_width: Array) -> ContactsInSeries:
-    r"""Shares of the contacts in the drift of a joint with a planar drive.
+    r"""Shares of the contacts in the drift of a joint.
 
     .. math:: c_k = \frac{T_k s_k}{\sum_j T_j s_j}, \qquad s_k = \xi_k V_k
 

@@ -33,7 +33,7 @@ class ContactCreep(NamedTuple):
     Parameters
     ----------
     law : CreepLaw
-        For :func:`asperity.drive.state.creep.rolling_state`.
+        For :func:`asperity.drive.state.states.rolling_state`.
     layer_ratio, layer_factor, skew_factor : Array
         Yield of the asperities over that of the bodies, in the middle of crowned contacts; factors of the asperities
         and of skew on Carter's creepage.

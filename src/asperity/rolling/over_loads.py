@@ -1,4 +1,4 @@
-"""A joint with a planar drive that turns under many torques and speeds."""
+"""A joint that turns under many torques and speeds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A joint with a planar drive that turns: steady rolling at any torque and speed, and what it means."""
+"""A joint that turns: steady rolling at any torque and speed, and what it means."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The sizes of a planar drive in its view: dimension lines below, leaders at both sides, and what finds no room."""
+"""The sizes of a drive in its view: dimension lines below, leaders at both sides, and what finds no room."""
 
 from __future__ import annotations
 

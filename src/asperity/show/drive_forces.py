@@ -1,4 +1,4 @@
-"""The forces on the rollers of one sector of a planar drive."""
+"""The forces on the rollers of one sector of a drive."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The drawing of a planar drive: its view with dimensions, what the view does not say, and the forces on request."""
+"""The drawing of a drive: its view with dimensions, what the view does not say, and the forces on request."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _SPACING = 4.4
 def drive_sheet(
     joint: Joint, *, name: str, result: JointResult | None = None, interference: float | None = None
 ) -> Sheet:
-    """Draw a planar drive to scale.
+    """Draw a drive to scale.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The sizes of a planar drive: what is said of each, and where in the view it can be shown."""
+"""The sizes of a drive: what is said of each, and where in the view it can be shown."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The front view of a planar drive: outlines and axes of its bodies, and the names of its contacts."""
+"""The front view of a drive: outlines and axes of its bodies, and the names of its contacts."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.results.dynamics_document import response_columns
-from asperity.windup.dynamics import Dynamics
+from asperity.standing.dynamics import Dynamics
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -1,4 +1,4 @@
-"""The bodies of one sector of a planar drive drawn apart, with the forces on each of them."""
+"""The bodies of one sector of a drive drawn apart, with the forces on each of them."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.rolling.onset import RollingOnset
-from asperity.windup.windup import Windup
+from asperity.standing.windup import Windup
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

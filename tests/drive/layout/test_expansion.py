@@ -1,4 +1,4 @@
-"""What strains add to the interference of planar drives: by hand, by exact geometry, and by the paper's drive."""
+"""What strains add to the interference of drives: by hand, by exact geometry, and by the paper's drive."""
 
 import dataclasses
 import math

@@ -15,7 +15,7 @@ from asperity.drive.layout.drives import (
 from asperity.drive.layout.mirror import MirrorImage, mirror_image
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.joint_file.build import joint_from_case
-from asperity.windup.over_torque import standing_over_torque
+from asperity.standing.over_torque import standing_over_torque
 
 
 def pair(angle, radius=10e-3, push=0.0):

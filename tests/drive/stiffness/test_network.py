@@ -1,4 +1,4 @@
-"""Stiffness of planar drives with given springs: by hand, by virtual work, and with shafts."""
+"""Stiffness of drives with given springs: by hand, by virtual work, and with shafts."""
 
 import math
 

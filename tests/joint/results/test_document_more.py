@@ -11,7 +11,7 @@ from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import document_of, solve_case
 from asperity.results.contact_notes import Note
 from asperity.results.document import diagnostic_documents, plain_document
-from asperity.results.solved import solved_planar_joint
+from asperity.results.solved import solved_with_capacities
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +25,9 @@ def document(case, solved_example):
 
     def of(solution=None, branches=None, stated=case):
         joint = solved_example.joint
-        return document_of(stated, solved_planar_joint(joint, solution or solved_example.solution, branches))
+        return document_of(
+            stated, solved_with_capacities(joint, solution or solved_example.solution, branches)
+        )
 
     return of
 

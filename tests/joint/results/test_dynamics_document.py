@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.results.dynamics_document import dynamics_document, response_columns
-from asperity.windup.dynamics import Dynamics, Inertias, JointDynamics
+from asperity.standing.dynamics import Dynamics, Inertias, JointDynamics
 
 FIELDS = {
     "output_torque": ("output_torque_Nm", 5.0),

@@ -7,12 +7,12 @@ import pytest
 from asperity.joint.diagnostics import Diagnostics
 from asperity.results import SEVERITIES
 from asperity.results.limit_check import checked_limits
-from asperity.results.solved import SolvedJoint, solved_planar_joint
+from asperity.results.solved import SolvedJoint, solved_with_capacities
 
 
 @pytest.fixture(scope="module")
 def solved(solved_paper):
-    return solved_planar_joint(*solved_paper)
+    return solved_with_capacities(*solved_paper)
 
 
 @pytest.fixture(scope="module")

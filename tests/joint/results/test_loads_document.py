@@ -6,13 +6,13 @@ import pytest
 
 from asperity.joint_file.solved_document import solved_case
 from asperity.results.loads_document import loads_document
-from asperity.results.solved import solved_planar_joint
+from asperity.results.solved import solved_with_capacities
 
 
 @pytest.fixture(scope="module")
 def values(planetary):
     joint, solution, _ = planetary
-    document = loads_document(solved_planar_joint(joint, solution), [])
+    document = loads_document(solved_with_capacities(joint, solution), [])
     return {
         (row["part"], row["position"], row["quantity"]): (row["values"], row["unit"])
         for row in document["loads"]
@@ -78,7 +78,7 @@ def test_axial_forces_of_skewed_contacts(skewed_planetary):
     """Pins, shafts and the ring bear the thrust of their bodies, together none."""
     joint, solution, document = skewed_planetary
     thrust = document["rolling"]["axial_thrust_N"]
-    found = loads_document(solved_planar_joint(joint, solution), [])
+    found = loads_document(solved_with_capacities(joint, solution), [])
     rows = {row["part"]: row["values"] for row in found["loads"] if row["quantity"] == "axial force"}
     assert rows == {
         "carrier pin": pytest.approx([0.0, thrust["planet"]]),

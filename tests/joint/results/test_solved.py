@@ -8,7 +8,7 @@ import pytest
 
 from asperity.joint_file.solved_document import solved_case
 from asperity.results.all_limits import further_checks
-from asperity.results.solved import solved_planar_joint
+from asperity.results.solved import solved_with_capacities
 
 SUN, PLANET, RING, WALL, LENGTH = 10e-3, 20e-3, 50e-3, 8e-3, 10e-3
 
@@ -16,7 +16,7 @@ SUN, PLANET, RING, WALL, LENGTH = 10e-3, 20e-3, 50e-3, 8e-3, 10e-3
 @pytest.fixture(scope="module")
 def solved(planetary):
     joint, solution, _ = planetary
-    return solved_planar_joint(joint, solution)
+    return solved_with_capacities(joint, solution)
 
 
 @pytest.mark.slow
@@ -56,7 +56,7 @@ def test_each_direction_has_its_capacity(solved, planetary):
         },
     )
     for torque, of_direction in ((5.0, 1.0), (-5.0, 2.0)):
-        found = solved_planar_joint(dataclasses.replace(joint, output_torque=torque), apart)
+        found = solved_with_capacities(dataclasses.replace(joint, output_torque=torque), apart)
         assert float(found.capacity_of_direction.output_torque) == of_direction
         assert [float(each.output_torque) for each in (found.capacity, found.reverse_capacity)] == [1.0, 2.0]
         assert [float(found.rolling_capacity), float(found.reverse_rolling_capacity)] == [3.0, 4.0]

@@ -170,7 +170,7 @@ def test_a_share_that_is_none_is_refused(joint, share):
 
 @pytest.mark.slow
 def test_the_picture_has_two_more_panels(joint, onset):
-    from asperity.windup.windup import windup
+    from asperity.standing.windup import windup
 
     curve = windup(joint, largest_torque=5.0, level="assembly", stage_shares=(0.3, 0.6))
     *_, beyond, swing = windup_figure(curve, onset, title="joint").axes

@@ -1,4 +1,4 @@
-"""A planar drive over torques and speeds: its points are those of the joint itself under that load."""
+"""A drive over torques and speeds: its points are those of the joint itself under that load."""
 
 import dataclasses
 

@@ -9,12 +9,12 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case, read_case
+from asperity.standing.windup import windup
 from asperity.study.calibration import curve_model
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.joint_points import JointPoints
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
-from asperity.windup.windup import windup
 
 TORQUE = np.array([0.5, 3.0, 6.0, 2.0, -4.0, 1.0])
 TIME = 10.0 * np.arange(TORQUE.size)

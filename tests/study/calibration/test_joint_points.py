@@ -10,13 +10,13 @@ from asperity.errors import NoSolutionError
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.si_tables import replace_values, si_values
+from asperity.standing.windup import windup
 from asperity.study.calibration import joint_points as module
 from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.joint_points import joint_points
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
-from asperity.windup.windup import windup
 
 PATHS = ("load.interference", "load.friction_coefficient", "surface.fractal_roughness")
 KNOWN = np.array([27e-6, 0.092, 1.3e-10])  # the roughness is that of the file

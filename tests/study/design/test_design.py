@@ -13,7 +13,7 @@ from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
-from asperity.results.solved import solved_planar_joint
+from asperity.results.solved import solved_with_capacities
 from asperity.study.batch import derivatives_at, evaluate_points
 from asperity.study.design import design as module
 from asperity.study.design import design_evaluation
@@ -289,7 +289,7 @@ def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_fil
     assert limit.value == pytest.approx(2.0, rel=1e-7)
     solved = parse_case(found.joint_text, source="designed")
     joint = joint_from_case(solved)
-    again = solved_planar_joint(joint, solve_joint(joint)).rims
+    again = solved_with_capacities(joint, solve_joint(joint)).rims
     assert float(again.yield_safety[2]) == pytest.approx(2.0, rel=1e-6)
     # moment P R/2 (1/a - cot a) under each force, a = 60 degrees; in plane strain
     wall, force, angle = found.point["drive.ring_wall_thickness"], 850.0, np.pi / 3.0

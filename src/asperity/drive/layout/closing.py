@@ -1,4 +1,4 @@
-"""Places of the rollers of a planar drive at which all contacts just touch."""
+"""Places of the rollers of a drive at which all contacts just touch."""
 
 from __future__ import annotations
 

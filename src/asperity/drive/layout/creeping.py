@@ -1,4 +1,4 @@
-"""Speeds of a planar drive whose contacts creep."""
+"""Speeds of a drive whose contacts creep."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""A planar roller drive as data: discs and rings, their contacts, and the supports of their centres.
+r"""A roller drive as data: discs and rings, their contacts, and the supports of their centres.
 
 One sector of an n-fold symmetric drive is described. Bodies on the axis (sun, ring) touch n copies of the others; a
 contact between neighbouring sectors names the sector of its second body. Everything else follows from the centres:

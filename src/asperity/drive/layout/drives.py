@@ -1,4 +1,4 @@
-"""Common planar roller drives, each from the radii of its rollers."""
+"""Common roller drives, each from the radii of its rollers."""
 
 from __future__ import annotations
 

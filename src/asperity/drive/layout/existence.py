@@ -1,4 +1,4 @@
-"""Layouts of planar drives that cannot exist: gaps, overlaps, and a wrong number of degrees of freedom."""
+"""Layouts of drives that cannot exist: gaps, overlaps, and a wrong number of degrees of freedom."""
 
 from __future__ import annotations
 

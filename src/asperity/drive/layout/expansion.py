@@ -1,4 +1,4 @@
-r"""Thermal expansion of a planar drive: what strains of its bodies add to the interference of its contacts."""
+r"""Thermal expansion of a drive: what strains of its bodies add to the interference of its contacts."""
 
 from __future__ import annotations
 

@@ -2,7 +2,8 @@ r"""Interference and temperature: the sizes of the bodies change, each by its ow
 
 A uniform change of temperature strains every free body by :math:`\alpha \Delta T` in all directions. What that adds to
 the interference follows from virtual work, as for any other change of the sizes
-(:func:`asperity.drive.interference.interference_of_sizes`). A drive of one material throughout keeps its interference.
+(:func:`asperity.drive.layout.expansion.interference_of_sizes`). A drive of one material throughout keeps its
+interference.
 """
 
 from __future__ import annotations

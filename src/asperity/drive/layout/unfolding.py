@@ -1,4 +1,4 @@
-r"""A planar drive with every sector by itself, so that its sectors may differ, and what its forces do to the centre."""
+r"""A drive with every sector by itself, so that its sectors may differ, and what its forces do to the centre."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""Friction of the bearings of a planar drive: moments on shafts and rollers on pins."""
+r"""Friction of the bearings of a drive: moments on shafts and rollers on pins."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Forces of an assembled planar drive whose contacts all have one spring: exact where statics alone decides them."""
+"""Forces of an assembled drive whose contacts all have one spring: exact where statics alone decides them."""
 
 from __future__ import annotations
 

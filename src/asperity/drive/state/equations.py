@@ -1,4 +1,4 @@
-"""The equations of a planar drive in any of its states."""
+"""The equations of a drive in any of its states."""
 
 from __future__ import annotations
 

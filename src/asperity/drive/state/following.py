@@ -1,4 +1,4 @@
-"""A planar drive that stands, followed along its loading: contacts that slide keep doing so as the torque grows."""
+"""A drive that stands, followed along its loading: contacts that slide keep doing so as the torque grows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""Loads that the contacts of a planar drive put on its pins, shafts and housing.
+r"""Loads that the contacts of a drive put on its pins, shafts and housing.
 
 Sectors are equal: the forces on bodies on the axis and on the carrier balance, a torque remains.
 """

@@ -1,4 +1,4 @@
-"""States of planar drives by Newton's method, and which of their contacts slide as a whole."""
+"""States of drives by Newton's method, and which of their contacts slide as a whole."""
 
 from __future__ import annotations
 

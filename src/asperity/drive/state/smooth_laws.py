@@ -1,4 +1,4 @@
-"""Contacts of a planar drive between smooth elastic bodies: Hertz, compression of the bodies, Carter's creep."""
+"""Contacts of a drive between smooth elastic bodies: Hertz, compression of the bodies, Carter's creep."""
 
 from __future__ import annotations
 

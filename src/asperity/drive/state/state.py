@@ -1,4 +1,4 @@
-"""What a planar drive is given and what it does: laws of its contacts, loads, and its state. SI units."""
+"""What a drive is given and what it does: laws of its contacts, loads, and its state. SI units."""
 
 from __future__ import annotations
 

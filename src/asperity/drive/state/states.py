@@ -1,4 +1,4 @@
-r"""Forces, displacements and speeds of a planar roller drive: assembled, standing under a torque, in steady rolling.
+r"""Forces, displacements and speeds of a roller drive: assembled, standing under a torque, in steady rolling.
 
 Every floating body has two displacements and a rotation, and as many equations of balance. The normal force of a
 contact follows from the approach of its bodies, the tangential force from their slip while the drive stands and from

@@ -1,4 +1,4 @@
-r"""Supports of the centres of a planar drive besides its contacts and pins: bearings on the carrier as springs."""
+r"""Supports of the centres of a drive besides its contacts and pins: bearings on the carrier as springs."""
 
 from __future__ import annotations
 

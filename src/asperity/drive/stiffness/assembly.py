@@ -3,8 +3,7 @@ r"""Torsional stiffness with floating bodies (A8): planet and loading rollers fr
 In the published series (25) every roller turns about a fixed centre. In the machine only the sun's centre is fixed
 (by symmetry); a tangential force on the planet displaces it laterally against the *normal* springs of its wedge.
 
-One branch is a :class:`asperity.drive.planar_assembly.PlanarAssembly` of sun, planet and two loading rollers under a
-unit torque on the sun. The shares :math:`c_j f_j^2` of its springs add up to the compliance.
+The assembly is that of :func:`asperity.drive.stiffness.network.network_stiffness`, whose shares add up to 1.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from asperity.types import Real
 
 
 class LoadingCam(eqx.Module):
-    """A loading cam of a planar drive. SI units.
+    """A loading cam of a drive. SI units.
 
     Parameters
     ----------

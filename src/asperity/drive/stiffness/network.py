@@ -1,4 +1,4 @@
-r"""Incremental stiffness of any planar roller drive around a state: all its springs at once.
+r"""Incremental stiffness of any roller drive around a state: all its springs at once.
 
 The springs of the contacts and pins carry forces f, the centres move by u and the members turn by :math:`\psi`:
 
@@ -57,7 +57,7 @@ def network_stiffness(
     support_stiffness: Array | None = None,
     supports: Supports | None = None,
 ) -> NetworkStiffness:
-    r"""Torsional stiffness at the output of a planar drive with springs at its contacts.
+    r"""Torsional stiffness at the output of a drive with springs at its contacts.
 
     .. math:: K = 1/\psi_{out}, \qquad \text{share}_j = f_j (B\,(u, \psi))_j / \psi_{out}
 

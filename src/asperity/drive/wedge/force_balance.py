@@ -234,7 +234,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     output_torque : Real
         Torque T_out at the carrier, of either sign [N·m]. A negative one loads the left side of the wedge; the result
         is the mirror image only of a drive whose two sides are alike and whose bearings have no friction or turn the
-        other way too, see :func:`asperity.drive.mechanism.opposed`.
+        other way too.
 
     Returns
     -------
@@ -244,7 +244,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     Notes
     -----
     Newton's method from the preload state, usually two or three steps. The residuals are part of the result;
-    check them before using the forces (:func:`asperity.joint.solve.solve` does). Derivatives are those of the
+    check them before using the forces (:func:`asperity.joint.solve.solve_joint` does). Derivatives are those of the
     equations at their root.
 
     References

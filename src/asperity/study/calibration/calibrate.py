@@ -12,11 +12,11 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
+from asperity.standing.windup import StiffnessLevel
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.design.design_problem import Variable
-from asperity.windup.windup import StiffnessLevel
 
 #: Standard deviation of a uniform distribution over the bounds: more than this means that the
 #: data add nothing.

@@ -17,12 +17,12 @@ from asperity.joint.play import play_compliance
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.section_build import play_of
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, replace_values, si_values
+from asperity.standing.windup import StiffnessLevel, is_symmetric
 from asperity.study.calibration.joint_points import JointPoints, joint_points
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, added_to_curve
 from asperity.study.design.design_problem import Variable
-from asperity.windup.windup import StiffnessLevel, is_symmetric
 
 #: Below this share of its median a stiffness is replaced by this value, so that a search that strays past the
 #: torque capacity finds back. A fit that ends there is refused.

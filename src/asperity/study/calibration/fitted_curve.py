@@ -10,13 +10,13 @@ import numpy as np
 
 from asperity.errors import NoSolutionError
 from asperity.joint_file.si_tables import AnyCase
+from asperity.standing.windup import StiffnessLevel
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.calibration.unknowns import of_measurement
 from asperity.study.design.design_problem import Variable
 from asperity.units import format_quantity
-from asperity.windup.windup import StiffnessLevel
 
 #: Durbin–Watson statistic below which neighbouring residuals are clearly alike.
 CORRELATED = 1.5

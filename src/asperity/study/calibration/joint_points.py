@@ -15,9 +15,9 @@ from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values, replace_values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
-from asperity.windup.over_torque import BATCH, curve_program
-from asperity.windup.standing import LEVELS, NO_SLIP_FRICTION
-from asperity.windup.windup import StiffnessLevel
+from asperity.standing.over_torque import BATCH, curve_program
+from asperity.standing.standing import LEVELS, NO_SLIP_FRICTION
+from asperity.standing.windup import StiffnessLevel
 
 #: What a curve shows of a joint.
 Shown = StiffnessLevel | Literal["drift"]

@@ -17,6 +17,7 @@ from asperity.joint_file.si_tables import Values, key_at, numeric_keys, si_value
 from asperity.library import read_finishes
 from asperity.reading import read_toml
 from asperity.results import LEVELS, RESULTS, Result, known_result, name_at_level
+from asperity.standing.windup import StiffnessLevel
 from asperity.study.design.design_problem import (
     EXISTENCE,
     Constraint,
@@ -28,7 +29,6 @@ from asperity.study.design.design_problem import (
 from asperity.study.design.rounding import MOST_STEPPED
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, parse_quantity
-from asperity.windup.windup import StiffnessLevel
 
 #: Numbers of a joint file that span decades; designs search and report them by their logarithm.
 _LOGARITHMIC = ("fractal_roughness", "preload", "stiffness")

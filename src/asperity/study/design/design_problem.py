@@ -10,7 +10,7 @@ from typing import Any, Literal
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.results import Result
-from asperity.windup.windup import StiffnessLevel
+from asperity.standing.windup import StiffnessLevel
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.show.windup_figure import windup_figure
-from asperity.windup.windup import is_symmetric, windup, windup_of
+from asperity.standing.windup import is_symmetric, windup, windup_of
 
 STAGES = (1.0 / 3.0, 2.0 / 3.0)
 K0, LIMIT, LARGEST = 2.0e4, 10.0, 8.0

@@ -6,9 +6,9 @@ import pytest
 from scipy.optimize import brentq
 
 from asperity.joint.play import NO_PLAY
-from asperity.windup.parallel_elements import ParallelElements, _yield_angles, fit_error, parallel_elements
-from asperity.windup.series_law import SeriesLaw
-from asperity.windup.windup import windup_of
+from asperity.standing.parallel_elements import ParallelElements, _yield_angles, fit_error, parallel_elements
+from asperity.standing.series_law import SeriesLaw
+from asperity.standing.windup import windup_of
 
 THREE = ParallelElements(np.zeros(3), np.array([60.0, 30.0, 10.0]), np.array([0.3 / 60, 0.6 / 30, 1.0 / 10]))
 

@@ -19,9 +19,9 @@ from asperity.joint.description import Joint
 from asperity.joint.inertias import joint_inertias
 from asperity.joint.solve import Solution, solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
+from asperity.standing.over_torque import over_torque
+from asperity.standing.standing import NO_SLIP_FRICTION
 from asperity.types import Real
-from asperity.windup.over_torque import over_torque
-from asperity.windup.standing import NO_SLIP_FRICTION
 
 _FREQUENCIES = 400
 _TORQUES = 25
@@ -106,7 +106,7 @@ def _between_inertias(
 
 
 def _over_torque(joint: Joint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
-    """A joint with a planar drive about each of the torques, as NumPy arrays."""
+    """A joint about each of the torques, as NumPy arrays."""
     found = over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
     stiffness = np.where(found.solved, np.asarray(found.assembly)[:, 0], np.nan)
     ratio = float(np.asarray(speed_ratio(joint.drive)))

@@ -1,8 +1,8 @@
 r"""A wind-up as a law of the torque's history: a reversible angle in series with slip that follows Masing's rule.
 
 The angle is :math:`\rho(T) + s`, with the slip :math:`\gamma` from rest and :math:`s_r \pm 2\gamma(|T - T_r|/2)` after
-a reversal. This is how :mod:`asperity.windup.windup` builds the loop between plus and minus its largest torque; here it
-is a function of any torque within them.
+a reversal. This is how :mod:`asperity.standing.windup` builds the loop between plus and minus its largest torque;
+here it is a function of any torque within them.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from scipy.interpolate import PchipInterpolator
 from scipy.optimize import nnls
 
 from asperity.joint.play import Play, play_angle
-from asperity.windup.windup import Windup
+from asperity.standing.windup import Windup
 
 
 class SeriesLaw:

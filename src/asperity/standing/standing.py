@@ -8,7 +8,7 @@ import numpy as np
 
 from asperity.drive.state.state import DriveState
 from asperity.joint.description import Joint
-from asperity.windup.over_torque import standing_over_torque
+from asperity.standing.over_torque import standing_over_torque
 
 #: Levels of the stiffness, from the simplest.
 LEVELS = ("published", "series_with_bulk", "assembly")

@@ -11,7 +11,7 @@ from asperity.errors import AsperityError
 from asperity.joint.solve import solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
 from asperity.joint_file.build import joint_from_case
-from asperity.windup.dynamics import Inertias, _over_torque, dynamics
+from asperity.standing.dynamics import Inertias, _over_torque, dynamics
 
 COUPLED = Inertias(2e-6, 0.05, 0.02)
 
@@ -97,7 +97,7 @@ def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
         for name, value in limits.items()
     }
     solution = SimpleNamespace(result=solve_joint(paper_joint()).result, **known)
-    monkeypatch.setattr("asperity.windup.dynamics.solve_joint", lambda joint: solution)
+    monkeypatch.setattr("asperity.standing.dynamics.solve_joint", lambda joint: solution)
     found = dynamics(paper_joint(output_torque=torque), COUPLED)
     assert float(found.over_torque.output_torque[-1]) == pytest.approx(largest, rel=1e-12)
     assert float(found.at_torque.output_torque) == torque
@@ -111,8 +111,8 @@ def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monke
         assembly=np.array([[9000.0, 1.0], [8000.0, 1.0], [7000.0, 1.0]]),
         lost_speed_slope=np.array([2e-3, 0.0, 2e-3]),
     )
-    monkeypatch.setattr("asperity.windup.dynamics.over_torque", lambda *_, **__: made_up)
-    monkeypatch.setattr("asperity.windup.dynamics.joint_inertias", lambda _: (1e-6, 0.01))
+    monkeypatch.setattr("asperity.standing.dynamics.over_torque", lambda *_, **__: made_up)
+    monkeypatch.setattr("asperity.standing.dynamics.joint_inertias", lambda _: (1e-6, 0.01))
     found = _over_torque(joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0]))
     lost = 2e-3 * 1500.0 * math.pi / 30.0 / 6.0
     np.testing.assert_allclose(found.creep_damping, [1.0 / lost, math.inf, 1.0 / lost], rtol=1e-12)

@@ -34,10 +34,10 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.play import Play, play_angle, play_compliance
 from asperity.precision import require_double_precision
+from asperity.standing.stages import STAGE_SHARES
+from asperity.standing.standing import Standing, standing_at
 from asperity.types import Real
 from asperity.units import format_quantity
-from asperity.windup.stages import STAGE_SHARES
-from asperity.windup.standing import Standing, standing_at
 
 StiffnessLevel = Literal["published", "series_with_bulk", "assembly"]
 
@@ -310,7 +310,7 @@ def windup(
     steps : int, optional
         Even steps of the torque in each direction.
     rest : DriveState, optional
-        The assembled state of a planar drive without torque, where it is known.
+        The assembled state of a drive without torque, where it is known.
 
     Returns
     -------

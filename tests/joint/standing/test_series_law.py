@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from asperity.joint.play import NO_PLAY, Play
-from asperity.windup.series_law import SeriesLaw, slip_elements
-from asperity.windup.windup import windup_of
+from asperity.standing.series_law import SeriesLaw, slip_elements
+from asperity.standing.windup import windup_of
 
 LARGEST = 4.0
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.solve import solve_joint
-from asperity.windup.standing import NO_SLIP_FRICTION, standing_at
+from asperity.standing.standing import NO_SLIP_FRICTION, standing_at
 
 
 def test_with_the_friction_of_no_slip_there_is_none():

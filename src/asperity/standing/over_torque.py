@@ -1,4 +1,4 @@
-"""A joint with a planar drive over its output torque: stiffness, standing, with and without slip, drift in rolling."""
+"""A joint over its output torque: stiffness, standing, with and without slip, drift in rolling."""
 
 from __future__ import annotations
 

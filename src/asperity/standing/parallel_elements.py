@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq, nnls
 
-from asperity.windup.series_law import SeriesLaw
+from asperity.standing.series_law import SeriesLaw
 
 _POINTS = 121  # of each piece of a path
 _LOOP_WEIGHT = 30.0  # of the loop's torque width, over that of the torque

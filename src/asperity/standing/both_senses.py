@@ -8,8 +8,8 @@ import numpy as np
 from jax import Array
 
 from asperity.joint.description import Joint
-from asperity.windup.over_torque import over_torque
-from asperity.windup.standing import LEVELS, NO_SLIP_FRICTION
+from asperity.standing.over_torque import over_torque
+from asperity.standing.standing import LEVELS, NO_SLIP_FRICTION
 
 
 class BothSenses(eqx.Module):

@@ -1,4 +1,4 @@
-"""A planar drive that stands under torques: the stiffness of its solution, no loop without slip."""
+"""A drive that stands under torques: the stiffness of its solution, no loop without slip."""
 
 import dataclasses
 from types import SimpleNamespace
@@ -12,10 +12,10 @@ from asperity.joint.inertias import joint_inertias
 from asperity.joint.play import Play
 from asperity.joint.solve import solve_joint
 from asperity.rolling.onset import rolling_onset
-from asperity.windup.both_senses import both_senses
-from asperity.windup.dynamics import Inertias, dynamics
-from asperity.windup.over_torque import _standing
-from asperity.windup.windup import windup
+from asperity.standing.both_senses import both_senses
+from asperity.standing.dynamics import Inertias, dynamics
+from asperity.standing.over_torque import _standing
+from asperity.standing.windup import windup
 
 STAGES = (1.0 / 3.0, 2.0 / 3.0)
 
@@ -138,7 +138,7 @@ def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
             published=level, series_with_bulk=level, assembly=SimpleNamespace(stiffness=level)
         )
 
-    monkeypatch.setattr("asperity.windup.over_torque.loaded_stiffness", stiffness)
+    monkeypatch.setattr("asperity.standing.over_torque.loaded_stiffness", stiffness)
     for worst, residual, balanced, solved in (
         (1e-12, np.inf, True, False),
         (1e-12, 1e-12, True, True),

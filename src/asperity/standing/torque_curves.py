@@ -9,8 +9,8 @@ import numpy as np
 
 from asperity.drive.state.state import DriveState
 from asperity.joint.description import Joint
-from asperity.windup.over_torque import over_torque
-from asperity.windup.standing import LEVELS, NO_SLIP_FRICTION
+from asperity.standing.over_torque import over_torque
+from asperity.standing.standing import LEVELS, NO_SLIP_FRICTION
 
 _TORQUES = 49
 _OVER_TORQUE = 2.0  # end of the axis over the joint's own torque, where there is no capacity
