@@ -1,4 +1,4 @@
-"""Pins that press in bores: planetaries by hand, wind-up against the assembly, stepped rollers, pins that do not fit."""
+"""Pins that press in bores: planetaries by hand, wind-up against the assembly, stepped rollers, refusals."""
 
 import dataclasses
 import math

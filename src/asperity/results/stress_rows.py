@@ -6,7 +6,6 @@ import functools
 from typing import Any
 
 import jax.numpy as jnp
-import numpy as np
 
 from asperity.joint.rims import bends
 from asperity.results.result import Limit, Result
@@ -37,6 +36,14 @@ def _larger(name: str) -> Any:
     return lambda solved: jnp.max(getattr(solved.rims, name), axis=0)
 
 
+def _pressed(solved: SolvedJoint) -> tuple[bool, ...]:
+    shapes = solved.joint.shapes
+    return tuple(
+        acts and shape.pin_diameter is not None
+        for acts, shape in zip(bends(solved.joint), shapes, strict=True)
+    )
+
+
 def _tires(solved: SolvedJoint) -> tuple[bool, ...]:
     materials = solved.joint.materials
     return tuple(
@@ -57,17 +64,12 @@ ROWS = (
         "largest amplitude of the hoop stress that a point of a ring or hollow roller goes through",
         value=_larger("amplitude"),
     ),
-    Result(
+    _stress(
         "bore_stress",
-        "largest hoop stress of a roller's bore",
-        Dimension.PRESSURE,
-        "MPa",
-        lambda solved: solved.rims.stress[0][..., np.array(solved.joint.drive.pinned, dtype=int)],
-        group="stresses",
-        axis="pin",
-        positive=False,
-        note="tension positive, under the pressure of its pin too where bearings.pin_diameter is stated; nan for solid "
-        "and stepped rollers",
+        "largest hoop stress of the bore of a roller on a pin",
+        value=lambda solved: solved.rims.stress[0],
+        note="tension positive, under the pressure of the pin too; nan without bearings.pin_diameter",
+        present=_pressed,
     ),
     _safety(
         "rim_yield_safety",
