@@ -19,9 +19,7 @@ share = 1.0
 
 @pytest.mark.slow
 def test_document_and_picture(call, joint_file, tmp_path):
-    warm = (
-        'yield_strength = "450 MPa"\nthermal_conductivity = "50 W/m/K"\nspecific_heat_capacity = "460 J/kg/K"'
-    )
+    warm = 'yield_strength = "1200 MPa"\nthermal_conductivity = "50 W/m/K"\nspecific_heat_capacity = "460 J/kg/K"'
     file = joint_file(('yield_strength = "450 MPa"', warm))
     file.write_text(file.read_text() + EXTRAS)
     outcome = call("roll", file, "--json", "--plot", tmp_path / "r.svg")
@@ -38,7 +36,7 @@ def test_document_and_picture(call, joint_file, tmp_path):
     assert rolling["duty_life_hours"] == pytest.approx(
         found["life_hours"], rel=1e-6
     )  # one load, all the time
-    sun, width = rolling["contacts"]["sp"], found["contacts"]["sp"]["hertz_half_width_m"]
+    sun, width = rolling["contacts"]["sp"], found["standing"]["contacts"]["sp"]["hertz_half_width_m"]
     power = (sun["losses_W"]["creep"] + sun["losses_W"]["skew"]) / (3.0 * 5e-3)
     speed = 4e-3 * (6000.0 * 3.141592653589793 / 30.0 + carrier)
     even = 1.11 * power / ((2.0 * width) ** 0.5 * 2.0 * (50.0 * 7850.0 * 460.0 * speed) ** 0.5)
@@ -74,8 +72,8 @@ def test_table_of_a_standing_sun(call, joint_file):
     assert "Axial thrust: none, the axes are parallel" in lines
     (drive,) = [line for line in lines if line.startswith("the drive")]
     assert drive.split()[2] == "-"
-    assert float(drive.split()[3]) > 1e6
-    assert any("not to be relied on" in line and "shakedown" in line for line in lines)
+    assert drive.split()[3] == "-"
+    assert any(line.startswith("no fatigue life: at sp, pwr the Hertz pressure is above") for line in lines)
     titles = ["Position of", "Efficiency", "Contacts", "Axial thrust", "Fatigue life", "Warnings", "Assumed"]
     places = [next(i for i, line in enumerate(lines) if line.startswith(title)) for title in titles]
     assert places == sorted(places)

@@ -63,7 +63,7 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
         "K3",
     ):
         assert text in outcome.out, text
-    for text in ("static curve holds up to (creep 5 % of the wind-up)", "47.2 arcmin", "two regimes"):
+    for text in ("static curve holds up to (creep 5 % of the wind-up)", "41.2 arcmin", "two regimes"):
         assert text in outcome.out, text
     rows = list(csv.DictReader(files[0].read_text().splitlines()))
     torque, angle = (

@@ -111,7 +111,9 @@ def test_numbers_are_those_of_the_joint_solved_alone(paper_joint):
 
 
 def test_texts_name_the_members_of_the_drive(content):
-    joint = SimpleNamespace(ends=("driving ring", "cage"), play=content.joint.play, drive=content.joint.drive)
+    joint = SimpleNamespace(
+        ends=("driving ring", "cage"), play=content.joint.play, drive=content.joint.drive, unlike=None
+    )
     other = dataclasses.replace(content, joint=joint)
     assert "Stiffness at 5 N*m, driving ring locked" in "\n".join(heading(other, what="Table"))
     assert "angle of the motor at the driving ring" in fmu_parts(other).description

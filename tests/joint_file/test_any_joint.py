@@ -158,7 +158,12 @@ def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts
     assert list(table["slip_ratio"].row_names) == contacts
     assert len(table["body_life"].row_names) == bodies
     if name == "multiroller":
-        pairs = ("sun_to_second_row", "first_row_to_first_row", "second_row_to_second_row")
+        pairs = (
+            "sun_to_second_row",
+            "first_row_to_first_row",
+            "second_row_to_second_row",
+            "first_row_to_ring",
+        )
         assert table["clearance"].row_names == pairs
     assert table["limiting_contact"].categories == (*contacts, "none")
 

@@ -17,7 +17,6 @@ def test_the_nearest_name_is_offered_and_a_far_one_is_not():
     ("path", "section"),
     [
         ("branch.1.right_roller_deviation", '[[branch]]\nright_roller_deviation = "1 um"'),
-        ("bearings.pin_length", '[bearings]\npin_length = "6 mm"'),
     ],
 )
 def test_what_only_the_papers_drive_has_says_so(planar_case, path, section):

@@ -93,12 +93,14 @@ def test_contacts_are_in_the_units_of_their_heads():
         "bulk_normal_stiffness_N_per_m": 321e6,
     }
     document = {
-        "forces": {"normal_N": {"sp": 1000.0}, "tangential_N": {"sp": 46.3}},
+        "standing": {
+            "forces": {"normal_N": {"sp": 1000.0}, "tangential_N": {"sp": 46.3}},
+            "contacts": {"sp": contact},
+        },
         "diagnostics": [
             {"name": "slip_ratio", "contact": "sp", "value": 0.386},
             {"name": "fractal_dimension", "contact": "sp", "value": 1.4},
         ],
-        "contacts": {"sp": contact},
     }
     found = rows_of(contacts(document))
     assert found["Contact forces, standing under the torque"] == [
@@ -121,11 +123,13 @@ def test_the_drive_in_degrees_grams_and_millimetres():
             "speed_ratio": -9.0,
             "clearances": [{"name": "planet_to_planet", "gap_m": 3e-3}, {"name": "idler_to_idler", "gap_m": None}],
         },
-        "forces": {
-            "input_torque_Nm": 0.5,
-            "output_torque_Nm": 5.0,
-            "output_speed_rad_per_s": -math.pi,
-            "body_mass_kg": {"planet": 0.0225, "loading_roller": 0.003},
+        "standing": {
+            "forces": {
+                "input_torque_Nm": 0.5,
+                "output_torque_Nm": 5.0,
+                "output_speed_rad_per_s": -math.pi,
+                "body_mass_kg": {"planet": 0.0225, "loading_roller": 0.003},
+            },
         },
     }  # fmt: skip
     values = dict(rows_of(drive(document))["Drive"])

@@ -30,10 +30,14 @@ def test_the_ra_of_every_surface():
         "roughness_average_high_m": 0.25e-6,
         "cut_off_m": 0.8e-3,
     }
-    (row,) = surface_tables.averages({"surfaces": [entry], "contacts": dict.fromkeys("abcde")}).rows
+    (row,) = surface_tables.averages(
+        {"surfaces": [entry], "standing": {"contacts": dict.fromkeys("abcde")}}
+    ).rows
     assert row == ("sp, pwr", "1.4", "1e-8", "0.8", "0.2", "0.15 to 0.25")
     # a drive with two contacts has these on all
-    (row,) = surface_tables.averages({"surfaces": [entry], "contacts": {"sp": 0, "pwr": 0}}).rows
+    (row,) = surface_tables.averages(
+        {"surfaces": [entry], "standing": {"contacts": {"sp": 0, "pwr": 0}}}
+    ).rows
     assert row[0] == "all"
 
 

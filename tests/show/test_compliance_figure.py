@@ -30,7 +30,7 @@ def solved():
         published=level(3e5),
         contact_names=CONTACT_NAMES,
     )
-    return SolvedJoint(types.SimpleNamespace(body_model="exact"), result)
+    return SolvedJoint(types.SimpleNamespace(body_model="exact"), result, None)
 
 
 def test_springs_in_words_the_largest_first(solved):

@@ -50,7 +50,7 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     unknown = "no life to compare with the required one: " + (
         "the joint does not carry every load of its [[duty]]"
         if duty
-        else "the joint slips, or stands (load.sun_speed is 0) and has no [[duty]]"
+        else "the joint slips, is loaded above shakedown, or stands (the speed is 0) and has no [[duty]]"
     )
     of_drive = _required(
         "duty_life" if duty else "drive_life",

@@ -98,6 +98,14 @@ ROWS = (
         note="of the ellipse whose root mean square the load's places have",
     ),
     _each(
+        "rolling_hertz_pressure",
+        "peak pressure of smooth bodies in rolling",
+        Dimension.PRESSURE,
+        "MPa",
+        "result.rolling.hertz_pressure",
+        note="of Hertz under the rolling forces; shakedown and life are judged by it",
+    ),
+    _each(
         "rough_peak_pressure",
         "peak pressure of the contact with asperities in rolling",
         Dimension.PRESSURE,

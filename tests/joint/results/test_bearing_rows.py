@@ -9,7 +9,7 @@ from asperity.results.solved import SolvedJoint
 
 
 def test_a_joint_without_ratings_has_no_lives(paper_joint):
-    solved = SolvedJoint(paper_joint(), SimpleNamespace(solved=np.array([True, True])))
+    solved = SolvedJoint(paper_joint(), SimpleNamespace(solved=np.array([True, True])), None)
     assert RESULTS["bearing_life"].of(solved).shape == (4, 2)
     assert np.all(np.isnan(np.asarray(RESULTS["bearing_static_safety"].of(solved))))
 

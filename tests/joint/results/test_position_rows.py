@@ -18,7 +18,7 @@ def document(capacity=12.5, torque=5.0, both=(9.0, False, 8.0, False), branches=
             "torque_capacity_Nm": capacity,
         },
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 2.0 / ARCMINUTE}},
-        "forces": {"output_torque_Nm": torque},
+        "standing": {"forces": {"output_torque_Nm": torque}},
         "torque_capacity": {
             "output_torque_Nm": forward,
             "is_lower_bound": lower,

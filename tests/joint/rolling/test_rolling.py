@@ -22,6 +22,10 @@ SMOOTH = {
 }  # asperities a thousand times stiffer than the bodies
 
 
+#: A steel that stays elastic, so that the joint has a life [Pa].
+HARD = {"yield_strength": 1.2e9}
+
+
 @pytest.fixture(scope="module")
 def rolled(paper_joint):
     def result(conditions=PLAIN_ROLLING, **changes):
@@ -72,8 +76,19 @@ def test_asperities_widen_the_contacts_and_lower_their_peaks(rolled):
     np.testing.assert_allclose(found.rough_half_width, width * np.sqrt(1.0 + 4.0 * ratio), rtol=1e-12)
     lowered = np.asarray(found.rough_peak_pressure) / (2.0 * normal / (math.pi * 5e-3 * width))
     assert 0.82 < lowered.min() < lowered.max() < 0.905
-    smooth = rolled(ring_wall_thickness=60e-3, **SMOOTH)  # life takes the smooth contact's pressure
-    np.testing.assert_allclose(found.cycles[0, 0] / smooth.cycles[0, 0], 1.0, rtol=0.02)
+    rough = rolled(**HARD)
+    smooth = rolled(ring_wall_thickness=60e-3, **SMOOTH, **HARD)  # life takes the smooth contact's pressure
+    np.testing.assert_allclose(rough.cycles[0, 0] / smooth.cycles[0, 0], 1.0, rtol=0.02)
+
+
+def test_above_shakedown_there_is_no_life(rolled):
+    """Coy's law holds for tracks that stay elastic; sp, pwr are above shakedown, the others below."""
+    found = rolled()
+    np.testing.assert_array_equal(np.asarray(found.shakedown_ratio) >= 1.0, [True, True, False, False, False])
+    np.testing.assert_array_equal(
+        np.isnan(np.asarray(found.life_turns.body)), [True, True, True, False, False]
+    )
+    assert np.isnan(float(found.life_turns.drive))
 
 
 @pytest.mark.parametrize(("torque", "minutes"), [(2.0, 15.18), (10.0, 102.1)])
@@ -267,7 +282,7 @@ def lives_by_hand(found, reliability):
 
 @pytest.mark.parametrize("reliability", [0.9, 0.99])
 def test_life_of_bodies_and_drive(rolled, reliability):
-    found = rolled(conditions(reliability=reliability), sun_speed=100.0)
+    found = rolled(conditions(reliability=reliability), sun_speed=100.0, **HARD)
     body, drive = lives_by_hand(found, reliability)
     # the sun turns a little more often than without creep
     np.testing.assert_allclose(found.life_turns.body, list(body.values()), rtol=4e-3)
@@ -360,7 +375,7 @@ def test_shakedown_ratio(rolled):
 
 
 def test_at_rest_only_what_needs_no_time_is_there(rolled):
-    found = rolled(conditions(), sun_speed=0.0)
+    found = rolled(conditions(), sun_speed=0.0, **HARD)
     for there in (found.drift_per_output_turn, found.life_turns.drive, found.creepage, found.cycles_per_turn):
         assert np.all(np.isfinite(there))
     absent = (found.drift_rate, found.life_hours.drive, found.power.loss, found.power.efficiency)

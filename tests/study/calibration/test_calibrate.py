@@ -275,7 +275,7 @@ def test_a_curve_past_slip_is_refused(case):
 
 def test_a_joint_whose_rollers_do_not_fit_is_refused(joint_text, curve):
     crowded = parse_case(joint_text.replace("planets = 3\n", "planets = 30\n"), source="crowded.toml")
-    with pytest.raises(InputError, match="must be above 0 mm"):
+    with pytest.raises(InputError, match="neighbours of planet overlap by 23"):
         calibrate(
             case=crowded,
             measurements=(curve[0],),
