@@ -12,8 +12,7 @@ def implicit_root(
     equations: Callable[[Any], Any],
     start: Any,
     search: Callable[[Callable[[Any], Any], Any], Any],
-    solve: Callable[..., Any],
-    slopes_at: Callable[[Any], Any] | None = None,
+    solve: Callable[[Callable[[Any], Any], Any], Any],
 ) -> Any:
     r"""Root of equations, with their derivatives at it.
 
@@ -30,10 +29,7 @@ def implicit_root(
     search : callable
         Finds x from f and the start; it is not differentiated.
     solve : callable
-        Finds x' from the linear function L and y, so that L(x') = y; known slopes come between.
-    slopes_at : callable or None, optional
-        Slopes of f at x. They are found beside the root, because the rule of its derivatives may close over
-        nothing that is traced.
+        Finds x' from the linear function L and y, so that L(x') = y.
 
     Returns
     -------
@@ -61,16 +57,15 @@ def implicit_root(
     found = jax.lax.stop_gradient(search(lambda x: equations_of(x, fixed), start))
 
     @jax.custom_jvp
-    def root(found: Any, numbers: Any, slopes: Any) -> Any:
+    def root(found: Any, numbers: Any) -> Any:
         return found
 
     @root.defjvp
     def derivative(primals: Any, tangents: Any) -> Any:
-        (found, given, slopes), (_, moved, _) = primals, tangents
-        at = root(found, given, slopes)  # the root itself, so that this may be differentiated in turn
+        (found, given), (_, moved) = primals, tangents
+        at = root(found, given)  # the root itself, so that this may be differentiated in turn
         _, change = jax.jvp(lambda numbers: equations_of(at, numbers), (given,), (moved,))
         _, linear = jax.linearize(lambda x: equations_of(x, given), at)
-        return at, jax.tree.map(lambda leaf: -leaf, solve(linear, *slopes, change))
+        return at, jax.tree.map(lambda leaf: -leaf, solve(linear, change))
 
-    slopes = () if slopes_at is None else (jax.lax.stop_gradient(slopes_at(found)),)
-    return root(found, program.consts, slopes)
+    return root(found, program.consts)

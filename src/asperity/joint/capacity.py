@@ -136,7 +136,7 @@ def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rol
         rest,
         laws,
         direction=jnp.array([1.0, -1.0]),
-        rolls=jnp.full(2, rolls),
+        rolls=rolls,
         at_first=jnp.zeros(2, dtype=bool),
     )
 
@@ -147,7 +147,7 @@ def limiting_torques(
     laws: ContactLaws,
     *,
     direction: Array,
-    rolls: Array,
+    rolls: Array | bool,
     at_first: Array,
 ) -> TorqueCapacity:
     """Largest output torques that keep every limit: slip, lift-off, widths of strips and walls, a solution.
@@ -170,7 +170,7 @@ def limiting_torques(
         )
         return friction * (1.0 - lost)
 
-    def excesses_of(torque: Array, rolls: Array, at_first: Array) -> Array:
+    def excesses_of(torque: Array, at_first: Array, rolls: Array | bool) -> Array:
         load = dataclasses.replace(unloaded, output_torque=torque)
         laws, rest = pressed(torque)
         state = loaded_state(
@@ -208,7 +208,10 @@ def limiting_torques(
         )
 
     def excesses(torque: Array) -> Array:
-        return jax.lax.map(lambda given: excesses_of(*given), (direction * torque, rolls, at_first)).T
+        each = (direction * torque, at_first)
+        if isinstance(rolls, bool):
+            return jax.lax.map(lambda given: excesses_of(given[0], given[1], rolls), each).T
+        return jax.lax.map(lambda given: excesses_of(*given), (*each, rolls)).T
 
     orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
     guess = jnp.min(friction * rest.normal) * orbit * drive.sectors

@@ -14,6 +14,7 @@ from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.layout.drive import speed_ratio, speeds
 from asperity.drive.layout.expansion import ring_interference
+from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.rolling_speeds import BodiesOfContacts
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
@@ -168,19 +169,21 @@ def evaluate(joint: Joint) -> JointResult:
 
 
 def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
-    """The chain, and the laws of the contacts that it has derived."""
+    """The chain, and the laws of the contacts that it derived; a state of the drive that nobody reads costs nothing."""
     joint = in_motion(joint)
-    laws, states = laws_and_states(joint)
+    laws, states = laws_and_states(joint, apart=True)
     return joint_result(joint, laws, states), laws
 
 
-def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
+def laws_and_states(joint: Joint, *, apart: bool = False) -> tuple[ContactLaws, DriveStates]:
     """The first half of the chain: the laws of the contacts, and how the drive stands and rolls.
 
     Parameters
     ----------
     joint : Joint
         One joint.
+    apart : bool, optional
+        As of :func:`asperity.drive.state.states.drive_states`.
 
     Returns
     -------
@@ -194,9 +197,11 @@ def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
     joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
     contacts = with_rims(joint, joint_contacts(joint))
     load = drive_load(joint, body_masses(joint), joint.output_torque)
-    return states_under_torque(
-        joint, contacts, load, lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law
-    )
+
+    def creep_of(normal: Array, tangential: Array) -> CreepLaw:
+        return creep_law(joint, contacts, normal, tangential).law
+
+    return states_under_torque(joint, contacts, load, creep_of, apart=apart)
 
 
 def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:

@@ -137,10 +137,10 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
 
 
 def states_under_torque(
-    joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf
+    joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf, *, apart: bool = False
 ) -> tuple[ContactLaws, DriveStates]:
     """A joint assembled, standing and rolling under its torque."""
-    if joint.cam is None:  # one program finds all three states
+    if joint.cam is None:
         laws = contact_laws(joint, contacts)
         states = drive_states(
             drive=joint.drive,
@@ -150,12 +150,13 @@ def states_under_torque(
             interference=joint.interference,
             load=load,
             creep_of=creep_of,
+            apart=apart,
         )
         return laws, states
     without_torque = assembled(joint, contacts)
     pressed = pressed_at(joint, contacts, without_torque)(joint.output_torque)
     loaded = loaded_states(
-        drive=joint.drive, laws=pressed.laws, rest=pressed.rest, load=load, creep_of=creep_of
+        drive=joint.drive, laws=pressed.laws, rest=pressed.rest, load=load, creep_of=creep_of, apart=apart
     )
     return without_torque.laws, DriveStates(without_torque.rest, *loaded, pressed.rest)
 

@@ -28,19 +28,16 @@ from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import Values, key_at, replace_values
 from asperity.joint_file.table_numbers import Numbers, numbers, table_structure, with_numbers
 from asperity.precision import require_double_precision
-from asperity.results import GROUPS, RESULTS
+from asperity.results import RESULTS
 
 Found = tuple[Array, dict[str, Array]]
 Kernel = Callable[..., Found]
 
 #: Points that pass through the program at once: few enough for its intermediate arrays to stay in the cache.
-BATCH = 32_768
-#: The same where the assembly or the stresses of rims, which take some kilobytes per point, are among the results: with
-#: more points the system hands out their memory anew in every call, which takes as long as the work.
-ASSEMBLY_BATCH = 1_024
+BATCH = 1_024
 #: Up to this number of points, a program that compiles fast and runs slowly finishes sooner.
 QUICK_POINTS = 20_000
-#: Points of one call of the program with derivatives; more points are more calls.
+#: Most points of one call of the program with derivatives; more points are more calls.
 DERIVATIVE_BATCH = 64
 #: Held by a program that solves linear equations: XLA runs LAPACK on a large batch in its pool of threads, and as many
 #: such calls at once as the pool has threads, from threads of ours, wait for each other for ever (jaxlib 0.10).
@@ -65,12 +62,6 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
         return status, _masked(status, found)
 
     return kernel
-
-
-def batch_size(results: tuple[str, ...]) -> int:
-    """Points that pass through the program at once."""
-    heavy = (*GROUPS["assembly"], *GROUPS["stresses"])
-    return ASSEMBLY_BATCH if set(results) & set(heavy) else BATCH
 
 
 @functools.lru_cache(maxsize=32)
@@ -135,7 +126,7 @@ def evaluate_points(
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
     count = next(iter(columns.values())).size
     quick = count <= QUICK_POINTS if quick is None else quick
-    size = min(batch_size(results), 1 << max((batch or count) - 1, 0).bit_length())
+    size = min(BATCH, 1 << max((batch or count) - 1, 0).bit_length())
     program = _program(table_structure(values), paths, results, size, quick)
     base = tuple(np.float64(number) for number in numbers(values))
     outside = np.zeros(count, dtype=bool)
@@ -185,7 +176,12 @@ def _directional(
 
 
 def derivatives_at(
-    values: Values, changes: Mapping[str, Any], results: tuple[str, ...], variables: tuple[str, ...] = ()
+    values: Values,
+    changes: Mapping[str, Any],
+    results: tuple[str, ...],
+    variables: tuple[str, ...] = (),
+    *,
+    block: int = DERIVATIVE_BATCH,
 ) -> tuple[np.ndarray, dict[str, np.ndarray], dict[str, np.ndarray]]:
     """Status, results and their exact derivatives by some of the numbers, at some points.
 
@@ -199,6 +195,9 @@ def derivatives_at(
         Names of :func:`asperity.joint_file.any_joint.results_of`.
     variables : tuple of str, optional
         Dotted paths by which to differentiate.
+    block : int, optional
+        Points, repeated for each variable, of one call of the program, :func:`derivative_block`. Calls with the same
+        one share a program.
 
     Returns
     -------
@@ -221,7 +220,10 @@ def derivatives_at(
     for index, path in enumerate(variables):
         directions[:, index] = numbers(replace_values(nothing, {path: 1.0}))
     found, slopes, status = _in_blocks(
-        (table_structure(filled), results), np.tile(table, (1, count)), np.repeat(directions, points, axis=1)
+        (table_structure(filled), results),
+        block,
+        np.tile(table, (1, count)),
+        np.repeat(directions, points, axis=1),
     )
     first = {name: value.reshape(-1, count, points)[:, 0] for name, value in found.items()}
     by_variable = {
@@ -231,13 +233,18 @@ def derivatives_at(
     return status[:points], first, by_variable
 
 
-def _in_blocks(options: tuple[Any, ...], *tables: np.ndarray) -> Any:
+def derivative_block(points: int) -> int:
+    """Points of one call of the program with derivatives, where so many times variables are asked for at once."""
+    return min(DERIVATIVE_BATCH, 1 << max(points - 1, 0).bit_length())
+
+
+def _in_blocks(options: tuple[Any, ...], size: int, *tables: np.ndarray) -> Any:
     """Call the compiled program block by block; the last block is filled up with copies of its last point."""
     points = tables[0].shape[1]
     parts = []
-    for start in range(0, points, DERIVATIVE_BATCH):
-        block = [table[:, start : start + DERIVATIVE_BATCH] for table in tables]
-        missing = DERIVATIVE_BATCH - block[0].shape[1]
+    for start in range(0, points, size):
+        block = [table[:, start : start + size] for table in tables]
+        missing = size - block[0].shape[1]
         padded = [np.pad(part, ((0, 0), (0, missing)), mode="edge") for part in block]
         program = compile_fast(_directional, *padded, options=options)
         parts.append(jax.tree.map(np.asarray, program(*padded)))

@@ -6,7 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.state.newton import known_root, newton
+from asperity.drive.state.newton import newton
 
 
 def step_of(equations):
@@ -34,16 +34,6 @@ def test_circle_and_hyperbola():
     assert (float(found["a"]), float(found["b"])) == pytest.approx((2.0, 1.0), rel=1e-12)
 
 
-def test_derivative_of_a_root():
-    """x^3 = p: dx/dp = 1/(3 x^2)."""
-
-    def root(p):
-        return known_root(lambda x: x**3 - p, lambda x: jnp.diag(3.0 * x**2), jnp.array([2.0]))[0]
-
-    assert float(root(8.0)) == 2.0
-    assert float(jax.grad(root)(8.0)) == pytest.approx(1.0 / 12.0, rel=1e-12)
-
-
 def test_positive_unknowns_stay_positive():
     """ln x = -3 from 1: the whole first step would lead to -2, where the logarithm has no value."""
     found, _ = newton(step_of(lambda x: jnp.log(x) + 3.0), jnp.array([1.0]), positive=1)
@@ -66,18 +56,3 @@ def test_a_search_for_unknowns_that_are_not_determined_is_given_up():
         longest=1e4,
     )
     assert not float(last) < 1e4
-
-
-def test_derivatives_of_a_known_root_inside_a_scan():
-    """x^2 = p in each step, with slopes that depend on p: dx/dp = 1/(2 x)."""
-
-    def roots(p):
-        def step(carry, _):
-            x = known_root(lambda x: x**2 - p, lambda x: jnp.diag(2.0 * x + 0.0 * p), jnp.sqrt(p))
-            return carry, x
-
-        return jax.lax.scan(step, 0.0, None, length=2)[1]
-
-    p = jnp.array([4.0, 9.0])
-    _, slopes = jax.jit(lambda p: jax.jvp(roots, (p,), (jnp.ones(2),)))(p)
-    np.testing.assert_allclose(slopes, [[1.0 / 4.0, 1.0 / 6.0]] * 2, rtol=1e-12)

@@ -33,11 +33,12 @@ from asperity.drive.state.equations import (
     state_misfits,
     turning_members,
 )
-from asperity.drive.state.slopes import newton_step, state_slopes, whole_matrix
+from asperity.drive.state.slopes import newton_step, state_slopes
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import DriveLoad
 from asperity.drive.state.supports import carrier_supports
 from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.linear import solve
 
 GEOMETRY = DriveGeometry(
     sun_radius=4e-3,
@@ -119,6 +120,29 @@ def unknowns(drive, machine, load, seed):
     )
 
 
+def whole_matrix(slopes, x):
+    """All slopes as one matrix, in the order of :class:`Unknowns`, shape (unknowns, unknowns)."""
+    moved, turns, pins = x.displacement.size, x.turn.size, x.pin.size
+    contacts = x.normal.size
+    approach = slopes.approach if slopes.approach.ndim > 1 else jnp.diag(slopes.approach)
+    order = np.concatenate(
+        [
+            np.arange(2 * contacts),
+            2 * contacts + moved + turns + np.arange(pins),
+            2 * contacts + np.arange(moved + turns),
+            [2 * contacts + moved + turns + pins],
+        ]
+    )
+    matrix = jnp.block(
+        [
+            [approach, jnp.zeros((contacts, contacts)), slopes.approach_moves],
+            [slopes.held_normal, slopes.held_tangential, slopes.held_moves],
+            [slopes.normal, slopes.tangential, slopes.structure],
+        ]
+    )
+    return matrix[order][:, order]
+
+
 @functools.partial(jax.jit, static_argnames="by_force")
 def both(machine, task, by_force, slides, x):
     flat, shape = jax.flatten_util.ravel_pytree(x)
@@ -127,7 +151,7 @@ def both(machine, task, by_force, slides, x):
         return jax.flatten_util.ravel_pytree(state_misfits(machine, task, by_force, slides, shape(at)).all)[0]
 
     slopes = state_slopes(machine, task, by_force, slides, x)
-    step = newton_step(slopes, shape(residual(flat)))
+    step = newton_step(slopes, shape(residual(flat)), solve)
     return (
         jax.jacfwd(residual)(flat),
         whole_matrix(slopes, x),

@@ -37,7 +37,7 @@ def known_results(preload, length, torque):
 def evaluator(case, monkeypatch):
     """Maker of evaluators of the known results; preload from 100 to 1600 N, length from 2 to 10 mm."""
 
-    def known(values, changes, results, paths=()):
+    def known(values, changes, results, paths=(), *, block):
         preload, length, torque = np.broadcast_arrays(*(changes[path] for path in (PRELOAD, LENGTH, TORQUE)))
         found = known_results(preload, length, torque)
         place = {PRELOAD: 0, LENGTH: 1}

@@ -310,9 +310,13 @@ def known(evaluator, monkeypatch):
         given = design_evaluation.derivatives_at
         stated = {"load.preload": 1000.0, "drive.contact_length": 8e-3, "load.output_torque": 5.0}
 
-        def filled(values, changes, results, paths=()):
+        def filled(values, changes, results, paths=(), *, block=64):
             status, found, slopes = given(
-                values, {path: np.array(each) for path, each in stated.items()} | changes, results, paths
+                values,
+                {path: np.array(each) for path, each in stated.items()} | changes,
+                results,
+                paths,
+                block=block,
             )
             if without_stiffness:
                 found["published_stiffness_output"][:] = np.nan

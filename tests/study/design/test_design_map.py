@@ -39,7 +39,7 @@ def result(case, monkeypatch):
         seed=0,
     )
 
-    def known(values, changes, results):
+    def known(values, changes, results, *, block):
         preload = changes["load.preload"][None]
         mass = changes["drive.contact_length"][None] / 6e-3
         return None, {"preload": preload, "mass": mass, "slip_ratio": 250.0 / preload}, {}

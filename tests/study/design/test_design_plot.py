@@ -36,7 +36,7 @@ def preload_figure(case):
         patch.setattr(
             design_evaluation,
             "derivatives_at",
-            lambda values, changes, results: (None, {"preload": changes["load.preload"][None]}, {}),
+            lambda values, changes, results, *, block: (None, {"preload": changes["load.preload"][None]}, {}),
         )
         return design_figure(result)
 
@@ -106,7 +106,7 @@ def test_an_optimum_in_a_corner_of_the_limits_is_drawn_as_the_search_judged_it(c
         problem=problem, point={"load.preload": 400.0}, objective_after=400.0, feasible=True
     )
 
-    def known(values, changes, results):
+    def known(values, changes, results, *, block):
         preload = changes["load.preload"][None]
         return None, {"preload": preload, "slip_ratio": preload / 800.0}, {}
 

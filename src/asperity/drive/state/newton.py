@@ -11,8 +11,6 @@ import jax.flatten_util
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.implicit import implicit_root
-from asperity.linear import solve_with
 from asperity.types import Real
 
 _NEWTON_BUDGET = 60
@@ -65,19 +63,3 @@ def newton(
 
     x, size, _ = jax.lax.while_loop(unfinished, improve, (start, jnp.asarray(1.0), jnp.asarray(0)))
     return shape(x), size
-
-
-def known_root(equations: Callable[[Any], Any], slopes_at: Callable[[Any], Array], found: Any) -> Any:
-    """A root that is known already, with its derivatives."""
-    flat, shape = jax.flatten_util.ravel_pytree(found)
-
-    return shape(
-        implicit_root(
-            _flat(equations, shape), flat, lambda _, x: x, solve_with, lambda x: slopes_at(shape(x))
-        )
-    )
-
-
-def _flat(equations: Callable[[Any], Any], shape: Callable[[Array], Any]) -> Callable[[Array], Array]:
-    # traced once for the value and its slopes
-    return jax.jit(lambda x: jax.flatten_util.ravel_pytree(equations(shape(x)))[0])

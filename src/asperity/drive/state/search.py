@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import functools
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -26,13 +27,16 @@ from asperity.drive.state.equations import (
     state_misfits,
     turning_members,
 )
-from asperity.drive.state.newton import known_root, newton
-from asperity.drive.state.slopes import newton_step, state_slopes, whole_matrix
+from asperity.drive.state.newton import newton
+from asperity.drive.state.slopes import newton_step, state_slopes
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, DriveState
+from asperity.linear import solve, solve_in_turn
 
 # a state in which contacts slide: more than this, or a longer last step of Newton's method, is that of a mechanism
 _BALANCED, _DETERMINED = 1e-11, 1e-6
 _LOST = 1e4  # a step this long from one balance towards another is that of a mechanism
+
+_Given = tuple[Machine, Task, Array]
 
 
 def assembled_guess(machine: Machine) -> Unknowns:
@@ -142,7 +146,7 @@ def solved(
 
         def step_at(x: Unknowns) -> Unknowns:
             slopes = state_slopes(fixed_machine, fixed_task, by_force, state.trial, x)
-            return newton_step(slopes, misfits(x).all)
+            return newton_step(slopes, misfits(x).all, solve_in_turn)
 
         tried, last = newton(step_at, state.found, positive=first.normal.size, longest=longest)
         found_there = misfits(tried)
@@ -166,14 +170,27 @@ def solved(
 
 def known_state(machine: Machine, task: Task, found: Unknowns, slides: Array, *, by_force: bool) -> Unknowns:
     """Unknowns of a state that are known already, with the derivatives of a root."""
+    return _known_root(by_force, found, (machine, task, slides))
 
-    def equations(x: Unknowns) -> Unknowns:
-        return state_misfits(machine, task, by_force, slides, x).all
 
-    def slopes_at(x: Unknowns) -> Array:
-        return whole_matrix(state_slopes(machine, task, by_force, slides, x), x)
+@functools.partial(jax.custom_jvp, nondiff_argnums=(0,))
+def _known_root(by_force: bool, found: Unknowns, given: _Given) -> Unknowns:
+    return found
 
-    return known_root(equations, slopes_at, found)
+
+@_known_root.defjvp
+def _derivative(by_force: bool, primals: tuple[Any, Any], tangents: tuple[Any, Any]) -> tuple[Any, Any]:
+    (found, given), (_, moved) = primals, tangents
+    at = _known_root(by_force, found, given)  # the root itself, so that this may be differentiated in turn
+
+    def equations(given: _Given) -> Unknowns:
+        machine, task, slides = given
+        return state_misfits(machine, task, by_force, slides, at).all
+
+    machine, task, slides = given
+    _, change = jax.jvp(equations, (given,), (moved,))
+    step = newton_step(state_slopes(machine, task, by_force, slides, at), change, solve)
+    return at, jax.tree.map(jnp.negative, step)
 
 
 def _next_slides(x: Unknowns, slides: Array, held: Array, paired: np.ndarray) -> Array:

@@ -1,4 +1,4 @@
-"""Slopes of the equations of a state by their unknowns, and a step of Newton's method with them.
+"""Slopes of the equations of a state by their unknowns, from the directions of the contacts, and steps with them.
 
 The forces of the contacts are eliminated one by one; what remains has the displacements, the rotations, the pins and
 the interference as unknowns.
@@ -33,7 +33,7 @@ from asperity.drive.state.equations import (
     turning_members,
 )
 from asperity.drive.state.state import contact_approach, slip_at_rest
-from asperity.linear import product, solve_in_turn
+from asperity.linear import product
 
 
 class Slopes(NamedTuple):
@@ -204,7 +204,7 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
     )
 
 
-def newton_step(slopes: Slopes, residual: Unknowns) -> Unknowns:
+def newton_step(slopes: Slopes, residual: Unknowns, solver: Callable[[Array, Array], Array]) -> Unknowns:
     r"""Solve :math:`J s = r` for the step of all unknowns, the forces of the contacts eliminated."""
     first = jnp.concatenate([slopes.approach_moves, residual.normal[:, None]], axis=1)
     # normal forces, then tangential ones, as functions of the structure; the last column is without it
@@ -215,7 +215,7 @@ def newton_step(slopes: Slopes, residual: Unknowns) -> Unknowns:
     tangential = _triangular(slopes.held_tangential, held - _matrix(slopes.held_normal, normal))
     rest = jnp.concatenate([residual.displacement, residual.turn, residual.pin, residual.interference])
     taken = _matrix(slopes.normal, normal) + _matrix(slopes.tangential, tangential)
-    found = solve_in_turn(slopes.structure + taken[:, :-1], rest - taken[:, -1])
+    found = solver(slopes.structure + taken[:, :-1], rest - taken[:, -1])
     ends = np.cumsum([residual.displacement.size, residual.turn.size, residual.pin.size])
     displacement, turn, pin, interference = jnp.split(found, ends)
     return Unknowns(
@@ -226,29 +226,6 @@ def newton_step(slopes: Slopes, residual: Unknowns) -> Unknowns:
         turn=turn,
         interference=interference,
     )
-
-
-def whole_matrix(slopes: Slopes, x: Unknowns) -> Array:
-    """All slopes as one matrix, in the order of :class:`Unknowns`, shape (unknowns, unknowns)."""
-    moved, turns, pins = x.displacement.size, x.turn.size, x.pin.size
-    contacts = x.normal.size
-    approach = slopes.approach if slopes.approach.ndim > 1 else _diagonal(slopes.approach)
-    order = np.concatenate(
-        [
-            np.arange(2 * contacts),
-            2 * contacts + moved + turns + np.arange(pins),
-            2 * contacts + np.arange(moved + turns),
-            [2 * contacts + moved + turns + pins],
-        ]
-    )
-    matrix = jnp.block(
-        [
-            [approach, jnp.zeros((contacts, contacts)), slopes.approach_moves],
-            [slopes.held_normal, slopes.held_tangential, slopes.held_moves],
-            [slopes.normal, slopes.tangential, slopes.structure],
-        ]
-    )
-    return matrix[order][:, order]
 
 
 def _pins_by_contacts(machine: Machine, task: Task, x: Unknowns) -> tuple[Array, Array]:

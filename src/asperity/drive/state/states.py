@@ -16,6 +16,7 @@ their creep while it rolls; no further assumption is needed:
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import jax
@@ -161,6 +162,7 @@ def drive_states(
     interference: Real | None = None,
     load: DriveLoad,
     creep_of: CreepOf | None = None,
+    apart: bool = False,
 ) -> DriveStates:
     """A drive assembled, standing under a torque, and rolling under it.
 
@@ -178,6 +180,9 @@ def drive_states(
         Torque, forces on the bodies, and pins.
     creep_of : callable or None, optional
         Creep law of contacts around normal and tangential forces; None for that of the laws.
+    apart : bool, optional
+        Whether each state has a program of its own, so that one that nobody reads costs nothing; otherwise one program
+        finds all, which is sooner compiled.
 
     Returns
     -------
@@ -188,7 +193,7 @@ def drive_states(
     -----
     While the drive stands, the slip of each contact is that of one loading from rest, the asperities with their
     stiffness at the normal force of the assembled state. The creep law is taken around the forces of the standing
-    drive, and again around those of the rolling one. One program finds all states.
+    drive, and again around those of the rolling one.
 
     References
     ----------
@@ -198,9 +203,7 @@ def drive_states(
         rest = state_at_rest(
             drive=drive, laws=laws, pattern=pattern, preload=preload, interference=interference, load=load
         )
-        kinds = jnp.array([STANDING] + [ROLLING] * CREEP_PASSES)
-        states = _loaded(drive, laws, rest, load, kinds, creep_of)
-        return DriveStates(rest, _nth(states, 0), _nth(states, -1))
+        return DriveStates(rest, *_standing_and_rolling(drive, laws, rest, load, creep_of, apart))
     machine = machine_of(drive, laws, pattern, supports=load.supports)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     start = _Carry(
@@ -211,9 +214,11 @@ def drive_states(
         no_force(drive),
         jnp.zeros_like(laws.reference_force),
     )
-    kinds = jnp.array([ASSEMBLED, STANDING] + [ROLLING] * CREEP_PASSES)
-    states = _states(machine, load, start, kinds, creep_of, by_force=interference is None)
-    return DriveStates(*(_nth(states, place) for place in (0, 1, -1)))
+    kinds = [(ASSEMBLED,), (STANDING,), (ROLLING,) * CREEP_PASSES]
+    states = _states(
+        machine, load, start, kinds if apart else [sum(kinds, ())], creep_of, by_force=interference is None
+    )
+    return DriveStates(*(states[place] for place in (0, 1, -1)))
 
 
 def loaded_state(
@@ -222,7 +227,7 @@ def loaded_state(
     laws: ContactLaws,
     rest: DriveState,
     load: DriveLoad,
-    rolls: Array,
+    rolls: Array | bool,
     creep_of: CreepOf | None = None,
 ) -> DriveState:
     """A drive under a torque, standing or rolling, from its assembled state.
@@ -237,7 +242,7 @@ def loaded_state(
         Its assembled state.
     load : DriveLoad
         Torque, forces on the bodies, and pins.
-    rolls : Array
+    rolls : Array or bool
         Whether it rolls.
     creep_of : callable or None, optional
         Creep law of contacts around normal and tangential forces; None for that of the laws.
@@ -257,22 +262,23 @@ def loaded_state(
     Equation (M3) of :doc:`/equations`.
     """
     kind = jnp.where(rolls, ROLLING, STANDING)
-    kinds = jnp.full(CREEP_PASSES, kind)
-    return _nth(_loaded(drive, laws, rest, load, kinds, creep_of), -1)
-
-
-def _nth(states: DriveState, place: int) -> DriveState:
-    state: DriveState = jax.tree.map(lambda leaf: leaf[place], states)
-    return state
+    kinds = (STANDING,) if rolls is False else (kind,) * CREEP_PASSES
+    return _loaded(drive, laws, rest, load, [kinds], creep_of)[-1]
 
 
 def standing_state(*, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad) -> DriveState:
     """A drive that stands under a torque, from its assembled state."""
-    return _nth(_loaded(drive, laws, rest, load, jnp.array([STANDING]), None), 0)
+    return _loaded(drive, laws, rest, load, [(STANDING,)], None)[0]
 
 
 def loaded_states(
-    *, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad, creep_of: CreepOf
+    *,
+    drive: Drive,
+    laws: ContactLaws,
+    rest: DriveState,
+    load: DriveLoad,
+    creep_of: CreepOf,
+    apart: bool = False,
 ) -> tuple[DriveState, DriveState]:
     """A drive under a torque, standing and rolling, from its assembled state.
 
@@ -288,6 +294,8 @@ def loaded_states(
         Torque, forces on the bodies, and pins.
     creep_of : callable
         Creep law of contacts around normal and tangential forces.
+    apart : bool, optional
+        As of :func:`drive_states`.
 
     Returns
     -------
@@ -298,9 +306,20 @@ def loaded_states(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    kinds = jnp.array([STANDING] + [ROLLING] * CREEP_PASSES)
-    states = _loaded(drive, laws, rest, load, kinds, creep_of)
-    return _nth(states, 0), _nth(states, -1)
+    return _standing_and_rolling(drive, laws, rest, load, creep_of, apart)
+
+
+def _standing_and_rolling(
+    drive: Drive,
+    laws: ContactLaws,
+    rest: DriveState,
+    load: DriveLoad,
+    creep_of: CreepOf | None,
+    apart: bool,
+) -> tuple[DriveState, DriveState]:
+    kinds = [(STANDING,), (ROLLING,) * CREEP_PASSES]
+    states = _loaded(drive, laws, rest, load, kinds if apart else [sum(kinds, ())], creep_of)
+    return states[0], states[-1]
 
 
 def _loaded(
@@ -308,9 +327,9 @@ def _loaded(
     laws: ContactLaws,
     rest: DriveState,
     load: DriveLoad,
-    kinds: Array,
+    kinds: _Kinds,
     creep_of: CreepOf | None,
-) -> DriveState:
+) -> list[DriveState]:
     laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
     size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
     machine = machine_of(drive, laws, rest.interference / size, supports=load.supports)
@@ -342,6 +361,9 @@ def closed_around(
     return laws.closure, state, dataclasses.replace(load, pin_compliance=0.0, supports=None)
 
 
+_Kinds = Sequence[tuple[Array | int, ...]]
+
+
 class _Carry(NamedTuple):
     """What one state passes to the next."""
 
@@ -357,15 +379,15 @@ def _states(
     machine: Machine,
     load: DriveLoad,
     start: _Carry,
-    kinds: Array,
+    kinds: _Kinds,
     creep_of: CreepOf | None,
     *,
     by_force: bool,
-) -> DriveState:
-    """One state after the other, each from the one before it, by one program."""
+) -> list[DriveState]:
+    """One state after the other, each from the one before it; those of one tuple by one program."""
     drive, given = machine.drive, start.size
 
-    def step(carry: _Carry, kind: Array) -> tuple[_Carry, DriveState]:
+    def step(carry: _Carry, kind: Array | int) -> tuple[_Carry, DriveState]:
         assembled = kind == ASSEMBLED
         acts = jnp.where(assembled, 0.0, 1.0)
         borne = dataclasses.replace(
@@ -390,5 +412,12 @@ def _states(
         )
         return following, state
 
-    _, states = jax.lax.scan(step, start, kinds)
-    return states
+    carry, found = start, []
+    for alike in kinds:
+        if len(alike) == 1:
+            carry, state = step(carry, alike[0])
+            found.append(state)
+            continue
+        carry, states = jax.lax.scan(step, carry, jnp.stack([jnp.asarray(kind) for kind in alike]))
+        found += [jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
+    return found

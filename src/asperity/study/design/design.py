@@ -14,7 +14,7 @@ from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
 from asperity.results import RESULTS
-from asperity.study.batch import derivatives_at
+from asperity.study.batch import DERIVATIVE_BATCH, derivatives_at
 from asperity.study.design.design_evaluation import FARTHEST, DesignEvaluator, EvaluatedDesign
 from asperity.study.design.design_problem import SUMMARY, DesignProblem
 from asperity.study.design.design_result import OPTIMAL, DesignResult, LimitReport, StartReport
@@ -160,7 +160,9 @@ def _result(
     head = f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}"
     text = joint_file_text(problem.case, point, comment=head)
     _refuse_without_result(evaluator, found)
-    status, before, _ = derivatives_at(evaluator.values, evaluator.scenarios.changes({}), evaluator.results)
+    status, before, _ = derivatives_at(
+        evaluator.values, evaluator.scenarios.changes({}), evaluator.results, block=evaluator.block
+    )
     worst_before = goal.sign * goal.of(before)[:, evaluator.counted]
     return DesignResult(
         problem=problem,
@@ -181,7 +183,7 @@ def _result(
         starts=starts,
         evaluations=evaluator.evaluations,
         joint_text=text,
-        nominal=nominal_results(text, evaluator.results),
+        nominal=nominal_results(text, evaluator.results, evaluator.block),
     )
 
 
@@ -231,11 +233,13 @@ def _summary(
     return summary
 
 
-def nominal_results(joint_text: str, results: tuple[str, ...]) -> dict[str, np.ndarray]:
+def nominal_results(
+    joint_text: str, results: tuple[str, ...], block: int = DERIVATIVE_BATCH
+) -> dict[str, np.ndarray]:
     """Results of a joint file as it stands, shape (rows,) [SI]."""
     values = si_values(parse_case(joint_text, source="the designed joint"))
     torque = np.array([values["load"]["output_torque"]])
-    _, found, _ = derivatives_at(values, {"load.output_torque": torque}, results)
+    _, found, _ = derivatives_at(values, {"load.output_torque": torque}, results, block=block)
     return {name: value[:, 0] for name, value in found.items()}
 
 

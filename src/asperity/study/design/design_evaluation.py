@@ -14,7 +14,7 @@ import numpy as np
 
 from asperity.joint_file.si_tables import Values, numeric_keys, si_values
 from asperity.results import RESULTS
-from asperity.study.batch import derivatives_at
+from asperity.study.batch import derivative_block, derivatives_at
 from asperity.study.design.design_problem import EXISTENCE, Constraint, DesignProblem, design_results
 from asperity.study.design.scenarios import Scenarios, scenarios
 
@@ -98,6 +98,8 @@ class DesignEvaluator:
         self.variables = problem.variables
         self.paths = tuple(variable.path for variable in problem.variables)
         self.counted = np.flatnonzero(self.scenarios.counted)
+        #: Of :func:`asperity.study.batch.derivatives_at`: as many points as one design takes with its derivatives.
+        self.block = derivative_block(self.scenarios.torques.size * len(self.paths))
         self._largest_radius = _largest_radius(problem)
         self.rows = tuple(
             MarginRow(constraint, row, int(scenario))
@@ -208,7 +210,9 @@ class DesignEvaluator:
         self.evaluations += 1
         point = self.point(scaled)
         changes = self.scenarios.changes(dict(point))
-        status, found, slopes = derivatives_at(self.values, changes, self.results, self.paths)
+        status, found, slopes = derivatives_at(
+            self.values, changes, self.results, self.paths, block=self.block
+        )
         steps = np.array([v.slope(point[v.path]) for v in self.variables])
 
         objective, objective_slopes = [], []
@@ -266,7 +270,7 @@ class DesignEvaluator:
             path: np.broadcast_to(value, (designs, count)).reshape(-1)
             for path, value in self.scenarios.changes(point).items()
         }
-        _, found, _ = derivatives_at(self.values, changes, self.results)
+        _, found, _ = derivatives_at(self.values, changes, self.results, block=self.block)
         found = {name: each.reshape(-1, designs, count)[..., self.counted] for name, each in found.items()}
         self.evaluations += designs
         objectives = []
