@@ -9,6 +9,7 @@ import pytest
 from scipy.sparse import bmat, coo_matrix
 from scipy.sparse.linalg import splu
 
+from asperity.body.bore import bore_compliance, pin_stress
 from asperity.body.compliance import compliance_matrix, modes_needed
 from asperity.body.rim_range import POINTS, RimLoads, rim_stresses
 from asperity.body.rim_stress import hoop_stress
@@ -191,6 +192,81 @@ def test_ring_under_six_loads(support):
             check_stress(mesh, u, ring, apart)
         if sign > 0.0 and math.isinf(support):
             check_housing(mesh, u, ring, apart)
+
+
+def pin_pressure(mesh, downwards):
+    """Forces of a cosine pressure on the lower or upper half of the bore, of which half a body bears one newton."""
+    load = np.zeros(2 * mesh.number.size)
+    for k in range(mesh.angles.size // 2):
+        left, right = mesh.angles[2 * k], mesh.angles[2 * k + 2]
+        for x, weight in zip(*np.polynomial.legendre.leggauss(6), strict=True):
+            at = 0.5 * (left + right) + 0.5 * (right - left) * x
+            pressed = max(-downwards * math.sin(at), 0.0) * 4.0 / math.pi * weight * 0.5 * (right - left)
+            shape, _ = mesh._shape(x)
+            for node, share in zip(mesh.number[0, 2 * k : 2 * k + 3], shape, strict=True):
+                load[2 * node : 2 * node + 2] += pressed * share * np.array([math.cos(at), math.sin(at)])
+    return load
+
+
+@pytest.mark.parametrize(("bore", "radius"), [(13e-3, 20e-3), (2e-3, 5e-3)])
+def test_a_pin_in_a_bore_between_two_contacts(bore, radius):
+    """Both contacts drag a hollow planet by one newton, or press it; its pin holds it with a cosine pressure."""
+    half_width = 0.01 * radius
+    side = graded(0.0, 0.5 * math.pi, 0.0, 0.15 * half_width / radius, 1.25)
+    side = np.concatenate([side[side < 0.2], np.linspace(0.2, 0.5 * math.pi, 49)])
+    mesh = PolarMesh(np.linspace(bore, radius, 40), np.concatenate([-side[:0:-1], side]))
+    drag, push = (mesh.punch(mesh.radii.size - 1, 0.0, half_width, along) for along in (1, 0))
+    held = np.zeros((1, drag.size))
+    held[0, 2 * mesh.number[-1, mesh.angles.size // 2] + 1] = 1.0
+    loads = [drag + pin_pressure(mesh, 1.0), push]
+    motions = mesh.answers(loads, np.vstack([mesh.across(0, 1), mesh.across(-1, 1), held]))
+    expected = np.array(loads) @ motions.T
+
+    body = Annulus(bore, radius, 1.0, E, NU, 0.0, 0.0, "outer", "plane_strain")
+    contacts, widths = jnp.array([0.0, math.pi]), jnp.full(2, half_width)
+    rim = matrix(
+        body=body,
+        contact_angles=contacts,
+        half_widths=widths,
+        stick_half_widths=widths,
+        copies=1,
+        mode_count=60,
+    )
+    own, along, around = bore_compliance(body=body, contact_angles=contacts, push_angle=-0.5 * math.pi)
+    dragged, pushed = np.array([0.0, 0.0, 1.0, -1.0]), np.array([1.0, 1.0, 0.0, 0.0])
+    force = 2.0  # of the pin, downwards
+    by_pin = force * (along + around)
+    found = [
+        [dragged @ rim @ dragged + 2.0 * by_pin @ dragged + own * force**2, by_pin @ pushed],
+        [by_pin @ pushed, pushed @ rim @ pushed],
+    ]
+    # coarse elements are up to a hundredth too stiff under the contacts
+    assert 0.5 * np.array(found) == pytest.approx(expected, rel=0.01)
+
+    places = np.radians([-90.0, -70.0, -50.0, -30.0, 30.0, 50.0, 70.0, 90.0])
+    at = [int(np.argmin(np.abs(mesh.angles - place))) for place in places]
+    places = mesh.angles[at]
+    pin = pin_stress(body=body, force=jnp.asarray(force), away=jnp.asarray(places) + 0.5 * math.pi)
+    rest = hoop_stress(
+        body=body,
+        contact_angles=contacts,
+        radial_forces=jnp.zeros(2),
+        tangential_forces=jnp.array([1.0, -1.0]),
+        angle=jnp.asarray(places),
+        mode_count=240,
+    )
+    for row, ours, radial in (
+        (0, pin.bore_hoop + rest.other_rim, pin.bore_radial),
+        (-1, pin.rim_hoop + rest.loaded_rim, 0.0 * places),
+    ):
+        nodes = mesh.number[row]
+        x, y = motions[0][2 * nodes], motions[0][2 * nodes + 1]
+        outward = x * np.cos(mesh.angles) + y * np.sin(mesh.angles)
+        turned = -x * np.sin(mesh.angles) + y * np.cos(mesh.angles)
+        slope = np.gradient(turned, mesh.angles, edge_order=2)
+        strain = (outward + slope)[at] / mesh.radii[row]
+        stress = strain * E / (1 - NU**2) + NU / (1 - NU) * np.asarray(radial)
+        assert np.asarray(ours) == pytest.approx(stress, rel=0.02, abs=0.01 * np.max(np.abs(stress)))
 
 
 def edge_shear(mesh, k):

@@ -58,13 +58,13 @@ def test_shafts_are_in_series_with_the_whole(planetary):
         rough=solution.result.contacts,
         interfaces=solution.result.interfaces,
     )
-    published, held, alone = stiffness_levels(springs, contacts, loaded, jnp.zeros(2))
+    published, held, alone = stiffness_levels(springs, contacts, loaded, jnp.zeros(2), jnp.zeros(1))
     rigid = float(alone.stiffness.output)
     # a planet on a rigid pin moves radially only: free centres change nothing
     assert rigid == pytest.approx(float(held.output), rel=1e-9)
     entry, out = rigid / 36.0, 4.0 * rigid
     shafts = dataclasses.replace(springs, input_shaft_stiffness=entry, output_shaft_stiffness=out)
-    same, _, whole = stiffness_levels(shafts, contacts, loaded, jnp.zeros(2))
+    same, _, whole = stiffness_levels(shafts, contacts, loaded, jnp.zeros(2), jnp.zeros(1))
     assert float(whole.stiffness.output) == pytest.approx(rigid / 2.25, rel=1e-9)
     assert float(whole.input_shaft_share) == pytest.approx(1.0 / 2.25, rel=1e-9)
     assert float(whole.output_shaft_share) == pytest.approx(0.25 / 2.25, rel=1e-9)
@@ -89,7 +89,7 @@ def under_forces(planetary, monkeypatch):
                 lines=None if solved is None else SimpleNamespace(solved=jnp.array(solved)),
             )
 
-        def levels(joint, contacts, loaded, sliding_friction):
+        def levels(joint, contacts, loaded, sliding_friction, pin_force):
             asked["friction"] = np.asarray(sliding_friction)
             return result.published, result.series_with_bulk, result.assembly
 
@@ -97,7 +97,7 @@ def under_forces(planetary, monkeypatch):
         monkeypatch.setattr("asperity.joint.stiffness.stiffness_levels", levels)
         monkeypatch.setattr("asperity.joint.stiffness.walls_known", lambda **_: jnp.array(True))
         forces = (jnp.asarray(each, dtype=float) for each in (normal, tangential, slides))
-        return loaded_stiffness(joint, joint_contacts(joint), *forces)
+        return loaded_stiffness(joint, joint_contacts(joint), *forces, jnp.zeros(1))
 
     return of, asked
 

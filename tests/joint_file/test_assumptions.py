@@ -91,6 +91,18 @@ def test_what_is_stated_is_no_assumption(planar_case):
     )
 
 
+def test_how_pins_load_their_rollers(planar_case):
+    """Without a diameter their force is spread over the rims; drives without pins say neither."""
+    pins = ("[model]", '[bearings]\npin_diameter = "12 mm"\n\n[model]')
+    for replaced, said, not_said in (
+        ((), "no bearings.pin_diameter", "bearings.pin_diameter: a pin presses"),
+        ((pins,), "bearings.pin_diameter: a pin presses", "no bearings.pin_diameter"),
+    ):
+        told = assumptions(planar_case("planetary", *replaced))
+        assert any(each.startswith(said) for each in told)
+        assert not any(each.startswith(not_said) for each in told)
+
+
 @pytest.mark.parametrize(
     ("name", "bent"),
     [

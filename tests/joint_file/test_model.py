@@ -90,8 +90,8 @@ def test_examples_are_those_of_init_and_valid_for_editors(name):
         (
             "planetary",
             "[model]",
-            '[bearings]\npin_diameter = "4 mm"\n\n[model]',
-            "bearings: pin_friction_coefficient and pin_diameter belong together",
+            "[bearings]\npin_friction_coefficient = 0.01\n\n[model]",
+            "bearings: pin_friction_coefficient acts at pin_diameter, which is missing",
         ),
         (
             "planetary",

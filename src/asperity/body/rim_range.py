@@ -169,8 +169,7 @@ def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStr
     cosine, sine = jnp.cos(mode * loads.angles[:, None]), jnp.sin(mode * loads.angles[:, None])
 
     period = 2.0 * math.pi / sectors
-    middle = jnp.mean(loads.angles, axis=0, keepdims=True)
-    others = jnp.concatenate([loads.angles, middle, middle + 0.5 * period])
+    others = _others(loads)
     turns = (
         2.0 * math.pi * jnp.outer(jnp.asarray(steps), jnp.asarray(numbers))
     )  # its table as numbers would be most of the program
@@ -199,11 +198,7 @@ def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStr
             jnp.sum(dragged * sine + pushed * cosine, axis=0),
         )
 
-    grid_angle = along(steps) * period
-    shape = jnp.broadcast_shapes(grid_angle.shape[1:], others.shape[1:])
-    places = jnp.concatenate(
-        [jnp.broadcast_to(part, (part.shape[0], *shape)) for part in (grid_angle, others)]
-    )
+    places = places_of(loads, fineness)
     away = places[:, None] - loads.angles
     half = 0.5 * sectors * away
     touches = jnp.abs(jnp.sin(half)) < 1e-9
@@ -225,6 +220,36 @@ def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStr
         * (0.5 * side * (even + odd / wall.ratio**2) * total + stress(push.radial, drag.radial)),
         other_shear=scale * (twist + shear(push.shear, drag.shear)),
     )
+
+
+def _others(loads: RimLoads) -> Array:
+    """Contacts of a sector, and the places midway between them."""
+    sectors = jax.lax.stop_gradient(jnp.asarray(1.0 if loads.sectors is None else loads.sectors))
+    middle = jnp.mean(loads.angles, axis=0, keepdims=True)
+    return jnp.concatenate([loads.angles, middle, middle + math.pi / sectors])
+
+
+def places_of(loads: RimLoads, fineness: int = 1) -> Array:
+    """Polar angles of the points of :func:`rim_stresses`.
+
+    Parameters
+    ----------
+    loads : RimLoads
+        The contacts.
+    fineness : int, optional
+        As of :func:`rim_stresses` [-].
+
+    Returns
+    -------
+    Array
+        Angles, shape (points, ...) [rad].
+    """
+    sectors = jax.lax.stop_gradient(jnp.asarray(1.0 if loads.sectors is None else loads.sectors))
+    others = _others(loads)
+    steps = (np.arange(fineness * POINTS) / (fineness * POINTS)).reshape((-1,) + (1,) * (others.ndim - 1))
+    grid = jnp.asarray(steps) * (2.0 * math.pi / sectors)
+    shape = jnp.broadcast_shapes(grid.shape[1:], others.shape[1:])
+    return jnp.concatenate([jnp.broadcast_to(part, (part.shape[0], *shape)) for part in (grid, others)])
 
 
 def _resolved(wall: Wall, sectors: Array, fineness: int) -> Array:

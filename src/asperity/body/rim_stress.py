@@ -34,8 +34,27 @@ class HoopStress(NamedTuple):
     other_rim: Array
 
 
-def _mode_stress(wall: Wall, field: ModeField, plus: Real, minus: Real) -> HoopStress:
-    """Hoop stress of modes n >= 2 beyond the closed part, for tractions in the channels of the field."""
+def mode_stress(wall: Wall, field: ModeField, plus: Real, minus: Real) -> HoopStress:
+    """Hoop stress of modes n >= 2 beyond the closed part, for tractions in the channels of the field.
+
+    Parameters
+    ----------
+    wall : Wall
+        The annulus.
+    field : ModeField
+        Its fields, of :func:`asperity.body.annulus_modes.mode_field`.
+    plus, minus : Real
+        Tractions on the loaded rim in the two channels [-].
+
+    Returns
+    -------
+    HoopStress
+        At both rims; at the loaded one without the traction itself, which the disc or the hole has.
+
+    References
+    ----------
+    Equation (E4) of :doc:`/equations`.
+    """
     (d1_p, d1_m), (d2_p, d2_m) = field.first, field.second
     x_p = field.motion.pp * plus + field.motion.pm * minus
     x_m = field.motion.mp * plus + field.motion.mm * minus
@@ -105,8 +124,8 @@ def hoop_stress(
     wall, side = wall_of(body), 1.0 if body.loaded_rim == "outer" else -1.0
     modes = jnp.arange(2, mode_count + 2, dtype=float)
     field = mode_field(mode=modes, decay=(wall.ratio**side) ** modes, wall=wall)
-    radial = _mode_stress(wall, field, 1.0, 1.0)
-    shear = _mode_stress(wall, field, side, -side)
+    radial = mode_stress(wall, field, 1.0, 1.0)
+    shear = mode_stress(wall, field, side, -side)
     radial_1 = _translation_stress(wall, 1.0, 1.0)
     shear_1 = _translation_stress(wall, 1.0, -1.0)
     even, odd = uniform_field(wall)

@@ -110,7 +110,9 @@ def sector_states(
     both, reached = jax.vmap(lambda torque: _followed(whole, laws, rest, load, contacts, torque))(most)
     standing: DriveState = jax.tree.map(lambda leaf: leaf[0], both)
     tangential = sense * standing.tangential
-    stiffness = loaded_stiffness(whole, contacts, standing.normal, tangential, standing.slides)
+    stiffness = loaded_stiffness(
+        whole, contacts, standing.normal, tangential, standing.slides, standing.pin_force
+    )
     diagnostics = diagnose(
         pairs=contacts.pairs,
         normal_force=standing.normal,

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Literal
 
 import equinox as eqx
+import jax.numpy as jnp
 
 from asperity.types import Real
 
@@ -28,6 +30,8 @@ class BodyShape(eqx.Module):
         Radial stiffness of an elastic housing, per area of the outer rim [N/m^3]; None for others.
     length : Real or None
         Length along the axis, for mass and pin [m]; None: that of the contact lines.
+    pin_diameter : Real or None
+        Of the pin that presses in the bore of a hollow roller [m]; None where it is not known.
     """
 
     kind: Literal["solid", "hollow", "ring"] = eqx.field(static=True)
@@ -35,6 +39,7 @@ class BodyShape(eqx.Module):
     support: RingSupport = eqx.field(static=True, default="free")
     housing_stiffness: Real | None = None
     length: Real | None = None
+    pin_diameter: Real | None = None
 
     @property
     def rim_stiffness(self) -> tuple[Real, Real]:
@@ -54,6 +59,19 @@ class BodyShape(eqx.Module):
 
 
 SOLID = BodyShape("solid")
+
+#: Bore that stands for none, over the radius of the roller.
+_NO_BORE = 1e-4
+
+
+def on_pin(shape: BodyShape, diameter: Real, radius: Real) -> BodyShape:
+    """A roller on a pin: a solid one has a bore as wide as its pin; a pin of no width presses in no bore."""
+    if shape.kind == "hollow":
+        return dataclasses.replace(shape, pin_diameter=diameter)
+    if isinstance(diameter, float) and diameter > 0.0:
+        return dataclasses.replace(shape, kind="hollow", size=diameter, pin_diameter=diameter)
+    bore = jnp.where(jnp.asarray(diameter) > 0.0, diameter, _NO_BORE * radius)
+    return dataclasses.replace(shape, kind="hollow", size=bore, pin_diameter=diameter)
 
 
 def ring_shape(wall: Real, support: RingSupport | None, housing_stiffness: Real | None) -> BodyShape:

@@ -236,7 +236,9 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
         for state in (states.standing, states.rolling)
     )
     slides = standing.slides != 0.0
-    stiffness = loaded_stiffness(joint, contacts, standing.normal, standing.tangential, standing.slides)
+    stiffness = loaded_stiffness(
+        joint, contacts, standing.normal, standing.tangential, standing.slides, standing.pin_force
+    )
     loaded = stiffness.contacts
     creep = creep_law(joint, contacts, states.rolling.normal, states.rolling.tangential)
     inside = np.array([contact.internal for contact in drive.contacts])

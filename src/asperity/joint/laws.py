@@ -15,6 +15,7 @@ from asperity.drive.state.equal_springs import rest_forces
 from asperity.drive.state.state import ContactLaws, DriveLoad
 from asperity.drive.state.supports import Supports, carrier_supports
 from asperity.joint.bodies import body_compliance
+from asperity.joint.bores import pin_compliances, pins_in_bores
 from asperity.joint.contacts import (
     JointContacts,
     bulk_springs,
@@ -76,12 +77,13 @@ def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
         ),
         rims=contacts.rims,
         linear_compliance=ring_springs(joint),
+        bores=pins_in_bores(joint),
     )
     if joint.closure_springs is None:
         return laws
     bulk = closure_springs(contacts=contacts, rest_force=reference, model="bulk")
     asperities = 1.0 / rough.normal_stiffness if joint.closure_springs == "bulk_and_asperities" else None
-    closure = dataclasses.replace(laws, springs=bulk, coupling=None, linear_compliance=asperities)
+    closure = dataclasses.replace(laws, springs=bulk, coupling=None, linear_compliance=asperities, bores=None)
     return dataclasses.replace(laws, closure=closure)
 
 
@@ -237,7 +239,7 @@ def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
     return DriveLoad(
         output_torque=jnp.asarray(torque, dtype=float),
         body_force=jnp.stack(forces) if forces else jnp.zeros((0, 2)),
-        pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
+        pin_compliance=pin_compliances(joint),
         bearings=joint.bearings,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
         supports=supports_of(joint),

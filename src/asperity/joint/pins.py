@@ -24,7 +24,8 @@ def pin_room(joint: Joint) -> tuple[Array, Array]:
     Returns
     -------
     tuple of Array
-        Of each roller on a pin, shape (pins,) [-]: diameter of the pin over that of the roller's smallest track; and
+        Of each roller on a pin, shape (pins,) [-]: diameter of the pin over that of the roller's smallest track,
+        infinite where its bore is smaller; and
         the moment that the pin's friction takes over the largest that the traction at both sides of the roller makes
         around the push at an angle gamma to the tangent. Both must be below 1.
 
@@ -39,7 +40,12 @@ def pin_room(joint: Joint) -> tuple[Array, Array]:
         [jnp.min(jnp.stack([track for track, _ in tracks_of(joint, body)])) for body in drive.pinned]
     )
     thick = jnp.asarray(bearings.pin_diameter) / (2.0 * radius)
-    held = thick * jnp.asarray(bearings.pin_friction_coefficient) / jnp.cos(jnp.asarray(drive.push_angles))
+    bores = [joint.shapes[body].bore_diameter for body in drive.pinned]
+    narrow = jnp.stack(
+        [jnp.asarray(False if bore is None else bearings.pin_diameter > bore) for bore in bores]
+    )
+    thick, slim = jnp.where(narrow, jnp.inf, thick), thick
+    held = slim * jnp.asarray(bearings.pin_friction_coefficient) / jnp.cos(jnp.asarray(drive.push_angles))
     return thick, held
 
 
@@ -50,6 +56,11 @@ def refuse_pins(joint: Joint) -> None:
         assert joint.bearings is not None or not (room or grip)
         if room >= 1.0:
             diameter = float(np.asarray(joint.bearings.pin_diameter))  # type: ignore[union-attr]
+            if np.isinf(room):
+                raise InputError(
+                    f"the pins of {format_quantity(diameter, 'mm')} do not fit into the bores of {name}: make "
+                    "bearings.pin_diameter smaller, or the bores wider"
+                )
             raise InputError(
                 f"the pin diameter {format_quantity(diameter, 'mm')} must be below the diameter of {name}, "
                 f"{format_quantity(diameter / float(room), 'mm')}"

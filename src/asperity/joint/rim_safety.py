@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+from typing import NamedTuple
 
 import equinox as eqx
 import jax
@@ -10,13 +11,37 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.body.bore import pin_stress
 from asperity.body.coupling import BodyInMachine
-from asperity.body.rim_range import RimLoads, RimRange, fatigue_safety, rim_range, rim_stresses
+from asperity.body.rim_range import (
+    RimLoads,
+    RimRange,
+    RimStresses,
+    fatigue_safety,
+    places_of,
+    rim_range,
+    rim_stresses,
+)
 from asperity.body.shapes import Annulus
 from asperity.materials import Material
 
 #: Rims of a ring or of a hollow roller, in the order of every rim axis.
 RIM_NAMES = ("inner", "outer")
+
+
+class PinLoad(NamedTuple):
+    """What a pin does to its roller under the torque and at rest, shape (2,).
+
+    Parameters
+    ----------
+    force : Array
+        Size of the force on the roller [N].
+    direction : Array
+        Its polar angle [rad].
+    """
+
+    force: Array
+    direction: Array
 
 
 class BodyRims(eqx.Module):
@@ -50,8 +75,9 @@ def body_rims(
     width: Array,
     turns: tuple[float, ...],
     sectors: int = 1,
+    pin: PinLoad | None = None,
 ) -> BodyRims:
-    """Stresses of one body under the torque and at rest."""
+    """Stresses of one body under the torque and at rest, with those of the pin in its bore where one presses there."""
     batch = width.shape[1:]
     if not isinstance(member.body, Annulus):
         nothing = jnp.full(batch, jnp.nan)
@@ -61,7 +87,8 @@ def body_rims(
     signs = jnp.asarray(turns).reshape((-1,) + (1,) * len(batch))
     outward = 1.0 if body.loaded_rim == "inner" else -1.0
 
-    def found(normal: Array, tangential: Array) -> RimRange:
+    def found(forces: tuple[Array, ...], pressed: PinLoad | None) -> RimRange:
+        normal, tangential = forces
         loads = RimLoads(
             angles=jnp.broadcast_to(member.contact_angles, (len(at), *batch)),
             radial=outward * normal[at],
@@ -69,9 +96,21 @@ def body_rims(
             half_widths=width[at],
             sectors=member.sectors,
         )
-        return rim_range(body=body, stresses=rim_stresses(body=body, loads=loads, fineness=sectors))
+        stresses = rim_stresses(body=body, loads=loads, fineness=sectors)
+        if pressed is not None:
+            away = places_of(loads, sectors) - pressed.direction
+            by_pin = pin_stress(body=body, force=pressed.force, away=away)
+            stresses = RimStresses(
+                loaded_hoop=stresses.loaded_hoop + by_pin.rim_hoop,
+                other_hoop=stresses.other_hoop + by_pin.bore_hoop,
+                other_radial=stresses.other_radial + by_pin.bore_radial,
+                other_shear=stresses.other_shear,
+            )
+        return rim_range(body=body, stresses=stresses)
 
-    ranges = jax.vmap(found)(*map(jnp.stack, zip(*states, strict=True)))  # traced and compiled once
+    ranges = jax.vmap(found)(
+        tuple(map(jnp.stack, zip(*states, strict=True))), pin
+    )  # traced and compiled once
     working, resting = (jax.tree.map(operator.itemgetter(i), ranges) for i in range(2))
     strength = material.yield_strength if material.tensile_strength is None else material.tensile_strength
     safety = jnp.full(batch, jnp.nan)

@@ -9,9 +9,10 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.joint.bodies import exact_bodies
+from asperity.joint.bores import pin_forces, push_angles
 from asperity.joint.description import Joint, joint_contacts, places, tracks_of
 from asperity.joint.evaluation import JointResult
-from asperity.joint.rim_safety import BodyRims, body_rims, worse_rims
+from asperity.joint.rim_safety import BodyRims, PinLoad, body_rims, worse_rims
 from asperity.joint.unfolding import SectorSizes, unfolded_joint
 from asperity.rolling.turning import driving_sense
 
@@ -55,8 +56,9 @@ def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
 
     Notes
     -----
-    Exact plane elasticity. Where the input turns, the forces under the torque are those of rolling. The stress of the
-    pins' pressure on the bores and of rotation is not included.
+    Exact plane elasticity. Where the input turns, the forces under the torque are those of rolling. Pins of a stated
+    diameter press in their bores with the forces that balance those of the contacts; the stress of rotation is not
+    included.
 
     References
     ----------
@@ -111,8 +113,21 @@ def _each_body(
             1.0 if first[k] != number and drive.contacts[k].internal else -1.0 for k in member.contacts
         )
         finer = sectors if drive.bodies[number].place == "held" else 1
-        found.append(body_rims(member, joint.materials[number], states, width, signs, finer))
+        pin = _pin_load(joint, number, states)
+        found.append(body_rims(member, joint.materials[number], states, width, signs, finer, pin))
     return found
+
+
+def _pin_load(joint: Joint, number: int, states: tuple[tuple[Array, Array], ...]) -> PinLoad | None:
+    """Forces of the pin in the bore of a body in all states; None where no pin is known to press there."""
+    drive, diameter = joint.drive, joint.shapes[number].pin_diameter
+    if diameter is None or number not in drive.pinned:
+        return None
+    at = drive.pinned.index(number)
+    force = jnp.stack([pin_forces(drive, *state)[at] for state in states])
+    force = jnp.where(jnp.asarray(diameter) > 0.0, force, 0.0)
+    # the pin pushes back
+    return PinLoad(jnp.abs(force), push_angles(drive)[at] + jnp.where(force > 0.0, jnp.pi, 0.0))
 
 
 def _in_order(found: list[BodyRims], there: tuple[bool, ...]) -> BodyRims:

@@ -94,8 +94,8 @@ def solve_joint(joint: Joint) -> Solution:
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_impossible(numbers.drive)
     refuse_loose(numbers.fit)
-    refuse_bores(numbers)
     refuse_pins(numbers)
+    refuse_bores(numbers)
     refuse_short_pins(numbers)
     result, capacity = result_and_capacity(numbers)
     both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacity for i in range(2)]

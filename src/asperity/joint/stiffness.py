@@ -12,9 +12,10 @@ from jax import Array
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE
 from asperity.drive.stiffness.assembly import Assembly
-from asperity.drive.stiffness.network import network_stiffness, with_shafts
+from asperity.drive.stiffness.network import NetworkStiffness, network_stiffness, with_shafts
 from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
 from asperity.joint.bodies import body_compliance, walls_known
+from asperity.joint.bores import pin_compliances, pin_forces, pins_in_bores
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
 from asperity.joint.description import Joint
 from asperity.joint.elastic_bodies import springs_of_compliance, widths_of_bodies
@@ -47,7 +48,12 @@ class LoadedStiffness(NamedTuple):
 
 
 def loaded_stiffness(
-    joint: Joint, contacts: JointContacts, normal_force: Array, tangential_force: Array, slides: Array
+    joint: Joint,
+    contacts: JointContacts,
+    normal_force: Array,
+    tangential_force: Array,
+    slides: Array,
+    pin_force: Array,
 ) -> LoadedStiffness:
     """Stiffness of a joint under given forces; nan where a law does not hold.
 
@@ -62,6 +68,8 @@ def loaded_stiffness(
     slides : Array
         Signs of those that slide as a whole, as in :class:`asperity.drive.state.state.DriveState`, shape (contacts,)
         [-].
+    pin_force : Array
+        Forces of the rollers on their pins, shape (pins,) [N].
 
     Returns
     -------
@@ -82,7 +90,7 @@ def loaded_stiffness(
         tangential_force=jnp.where(holds, jnp.clip(tangential_force, -most, most), 0.0),
     )
     friction = slides * contacts.pairs.friction_coefficient
-    published, series, assembly = stiffness_levels(joint, contacts, loaded, friction)
+    published, series, assembly = stiffness_levels(joint, contacts, loaded, friction, pin_force)
     loaded = loaded._replace(
         traction=jnp.where(holds, loaded.traction, 1.0),
         rough=dataclasses.replace(
@@ -104,9 +112,16 @@ def loaded_stiffness(
 
 
 def stiffness_levels(
-    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, sliding_friction: Array
+    joint: Joint,
+    contacts: JointContacts,
+    loaded: LoadedContacts,
+    sliding_friction: Array,
+    pin_force: Array,
 ) -> tuple[TorsionalStiffness, TorsionalStiffness, Assembly]:
-    """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly."""
+    """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly.
+
+    The signs of the pins' forces say which halves of their bores they press; without force those that a torque presses.
+    """
     drive, ratio = joint.drive, jnp.asarray(speed_ratio(joint.drive))
     interfaces = loaded.interfaces
 
@@ -114,13 +129,13 @@ def stiffness_levels(
         acts = jnp.asarray(stiffness) > 0.0
         return jnp.where(acts, 1.0 / jnp.where(acts, stiffness, 1.0), jnp.nan)
 
-    def with_held_centres(tangential: Array) -> Array:
+    def with_held_centres(tangential: Array) -> NetworkStiffness:
         return network_stiffness(
             drive=drive,
             normal_compliance=None,
             tangential_compliance=compliance(tangential),
             sliding_friction=sliding_friction,
-        ).output
+        )
 
     def at_both_ends(output: Array) -> TorsionalStiffness:
         return TorsionalStiffness(sun=output / ratio**2, output=output)
@@ -140,13 +155,21 @@ def stiffness_levels(
         )
         normal, tangential = springs.normal_stiffness, springs.tangential_stiffness
         coupling = springs.coupling
+        bores = pins_in_bores(joint)
+        if bores is not None:
+            assert coupling is not None
+            acts = jnp.concatenate([springs.normal_stiffness, springs.tangential_stiffness]) > 0.0
+            added = pin_forces(drive, jnp.zeros_like(held.tangential_force[1]), held.tangential_force[1])
+            side = jnp.sign(jnp.where(pin_force == 0.0, added, pin_force))
+            by_pin = jnp.where(acts[:, None], jnp.concatenate(bores.by_pin(side)), 0.0)
+            coupling = jnp.block([[coupling, by_pin], [by_pin.T, jnp.zeros((side.size,) * 2)]])
     rings = ring_springs(joint)
     whole = network_stiffness(
         drive=drive,
         normal_compliance=compliance(normal) if rings is None else compliance(normal) + rings,
         tangential_compliance=compliance(tangential),
         coupling=coupling,
-        pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
+        pin_compliance=pin_compliances(joint),
         sliding_friction=sliding_friction,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
         supports=supports_of(joint),
@@ -163,8 +186,8 @@ def stiffness_levels(
     )
     rest = output / whole.output
     return (
-        at_both_ends(held[0]),
-        at_both_ends(held[1]),
+        at_both_ends(held.output[0]),
+        at_both_ends(held.output[1]),
         Assembly(
             stiffness=at_both_ends(output),
             tangential_share=whole.tangential_share * rest,

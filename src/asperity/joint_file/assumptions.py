@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from asperity.joint.description import Joint
 from asperity.joint.rims import bends
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_average
@@ -61,6 +62,8 @@ def assumptions(case: Case) -> tuple[str, ...]:
             "[bearings]: their friction opposes the rotation, in the drive that stands too; where the input has no "
             "speed it opposes the sense of the torque"
         )
+    if joint.drive.pinned:
+        told.append(_pins_in_bores(joint))
     if case.play is None:
         told.append("no section [play]: the output has no play")
     if case.compliance is None:
@@ -203,6 +206,20 @@ def _surfaces(case: Case) -> list[str]:
                 f"that are published for {known.name} surfaces"
             )
     return told + depth_assumptions(case)
+
+
+def _pins_in_bores(joint: Joint) -> str:
+    """How pins load their rollers."""
+    if all(joint.shapes[body].pin_diameter is None for body in joint.drive.pinned):
+        return (
+            "no bearings.pin_diameter: the force of a pin is spread over the rim of its roller; a pin that presses in "
+            "a bore makes the joint softer and stresses the bore"
+        )
+    return (
+        "bearings.pin_diameter: a pin presses on half of the bore of its roller with a cosine pressure, as one that "
+        "fits it; its own stiffness is not counted, and away from it the bore is free. The bore of a roller without a "
+        "bore diameter is as wide as the pin; of a stepped roller each track has its bore to itself"
+    )
 
 
 def temperature_assumptions(case: Case, *, housed: bool) -> list[str]:

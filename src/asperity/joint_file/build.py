@@ -17,6 +17,7 @@ from asperity.drive.layout.expansion import interference_of_sizes
 from asperity.drive.mechanism import Bearings
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.pin_beam import PinBeam
+from asperity.joint.body_shape import BodyShape, on_pin
 from asperity.joint.description import Joint
 from asperity.joint.temperature import contact_fit
 from asperity.joint_file.material_build import material_of, surface_of
@@ -72,6 +73,7 @@ def joint_from_values(values: Values) -> Joint:
         In SI units.
     """
     drive, shapes, pattern = layout_of(values)
+    shapes = _on_pins(values.get("bearings", {}), drive, shapes)
     load, model, springs = values["load"], values["model"], values.get("compliance", {})
     names, cam = contacts_of(values), load.get("cam_force_per_torque")
     rings = pattern
@@ -158,6 +160,20 @@ def _bearings(entry: Values | None) -> Bearings | None:
         carrier_torque=stated.get("output_torque", 0.0),
         pin_friction_coefficient=entry.get("pin_friction_coefficient", 0.0),
         pin_diameter=entry.get("pin_diameter", 0.0),
+    )
+
+
+def _on_pins(entry: Values, drive: Drive, shapes: tuple[BodyShape, ...]) -> tuple[BodyShape, ...]:
+    """What the bodies are, those on pins of a stated diameter with their bores."""
+    diameter = entry.get("pin_diameter")
+    if diameter is None or (isinstance(diameter, float) and diameter == 0.0):
+        return shapes
+    names = [body.name for body in drive.bodies]
+    radii = dict(zip([contact.first for contact in drive.contacts], drive.first_radius, strict=True))
+    radii |= dict(zip([contact.second for contact in drive.contacts], drive.second_radius, strict=True))
+    return tuple(
+        on_pin(shape, diameter, radii[names[number]]) if number in drive.pinned else shape
+        for number, shape in enumerate(shapes)
     )
 
 

@@ -78,7 +78,8 @@ class BearingFriction(Section):
     """Friction coefficient mu_b of these bearings: friction force over the force of the pin, at pin_diameter, which it
     needs."""
     pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER] | None = None
-    """Diameter d of the pins, at which the friction coefficient acts."""
+    """Diameter d of the pins, at which the friction coefficient acts and with which they press in the bores of their
+    rollers; if absent, rollers are loaded on their rims, and pins take their force without a bore."""
     pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
     """Free length of a pin, with its roller in the middle: between its two supports, or from its only support to its
     end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""
@@ -87,14 +88,8 @@ class BearingFriction(Section):
 
     @model_validator(mode="after")
     def _coefficient_at_a_diameter(self) -> Self:
-        alone = self.pin_friction_coefficient is None and self.pin_length is None
-        if (self.pin_diameter is None and self.pin_friction_coefficient is not None) or (
-            self.pin_diameter is not None and alone
-        ):
-            raise InputError(
-                "pin_friction_coefficient and pin_diameter belong together: give both or neither; or pin_diameter with "
-                "pin_length, for the bending stress of the pins"
-            )
+        if self.pin_diameter is None and self.pin_friction_coefficient is not None:
+            raise InputError("pin_friction_coefficient acts at pin_diameter, which is missing: give both")
         return self
 
 

@@ -69,7 +69,8 @@ class WedgeBearings(Section):
     pin_friction_coefficient: Annotated[Quantity, limits.PIN_FRICTION_COEFFICIENT]
     """Friction coefficient mu_b of the loading rollers' pins: friction force over pin force, at the pin's diameter."""
     pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER]
-    """Diameter d of the loading rollers' pins."""
+    """Diameter d of the loading rollers' pins, with which they press in the rollers' bores; 0 for rollers that are
+    loaded on their rims."""
     pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
     """Free length of a pin, with the loading roller in its middle: between its two supports, or from its only support
     to its end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""

@@ -6,6 +6,7 @@ import functools
 
 import jax.numpy as jnp
 
+from asperity.joint.bores import bore_stiffness
 from asperity.joint.working_loads import pin_bending
 from asperity.results.result import Result
 from asperity.unit_table import Dimension
@@ -40,6 +41,16 @@ ROWS = (
         lambda solved: pin_bending(solved.joint, solved.loads.pin)[1],
         axis="pin",
         note="nan without bearings.pin_length and pin_diameter",
+    ),
+    _load(
+        "bore_stiffness",
+        "stiffness of a roller's bore under its pin",
+        Dimension.STIFFNESS,
+        "N/um",
+        lambda solved: bore_stiffness(solved.joint),
+        axis="pin",
+        note="between the pin and forces spread over the rim, its own stiffness not counted; infinite without "
+        "bearings.pin_diameter",
     ),
     _load(
         "grounded_torque",

@@ -36,6 +36,14 @@ def _larger(name: str) -> Any:
     return lambda solved: jnp.max(getattr(solved.rims, name), axis=0)
 
 
+def _pressed(solved: SolvedJoint) -> tuple[bool, ...]:
+    shapes = solved.joint.shapes
+    return tuple(
+        acts and shape.pin_diameter is not None
+        for acts, shape in zip(bends(solved.joint), shapes, strict=True)
+    )
+
+
 def _tires(solved: SolvedJoint) -> tuple[bool, ...]:
     materials = solved.joint.materials
     return tuple(
@@ -55,6 +63,13 @@ ROWS = (
         "rim_stress_amplitude",
         "largest amplitude of the hoop stress that a point of a ring or hollow roller goes through",
         value=_larger("amplitude"),
+    ),
+    _stress(
+        "bore_stress",
+        "largest hoop stress of the bore of a roller on a pin",
+        value=lambda solved: solved.rims.stress[0],
+        note="tension positive, under the pressure of the pin too; nan without bearings.pin_diameter",
+        present=_pressed,
     ),
     _safety(
         "rim_yield_safety",

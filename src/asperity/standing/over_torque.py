@@ -263,6 +263,7 @@ def _standing(
             state.normal,
             sense * state.tangential,
             jnp.where(friction == own, state.slides, 0.0),
+            state.pin_force,
         )
         return (
             jnp.asarray(found.published.output),

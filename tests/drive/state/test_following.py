@@ -98,6 +98,7 @@ def test_followed_up_to_the_last_torque_that_holds(monkeypatch, capacity, sign, 
         displacement=jnp.zeros((1, 2)),
         slides=jnp.zeros(2, dtype=bool),
         pin_force=jnp.zeros(1),
+        normal=jnp.ones(2),
     )
     found, torque = followed(
         drive=None,

@@ -20,6 +20,7 @@ from asperity.drive.layout.drives import (
 )
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.mechanism import Bearings
+from asperity.drive.state.bores import Bores
 from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
@@ -70,7 +71,7 @@ BEARINGS = Bearings(
 )
 
 
-def described(name, *, coupled):
+def described(name, *, coupled, pressed):
     drive = DRIVES[name]
     count = len(drive.contacts)
     laws = smooth_contact_laws(
@@ -85,6 +86,11 @@ def described(name, *, coupled):
     if coupled:
         pattern = 1e-10 * np.random.default_rng(3).uniform(-1.0, 1.0, (count, count))
         laws = dataclasses.replace(laws, coupling=jnp.asarray(pattern - np.diag(np.diag(pattern))))
+    if pressed:
+        random = np.random.default_rng(4)
+        pins = len(drive.pinned)
+        each = (jnp.asarray(1e-10 * random.uniform(-1.0, 1.0, (count, pins))) for _ in range(4))
+        laws = dataclasses.replace(laws, bores=Bores(*each, own=jnp.full(pins, 1e-9)))
     held = [number for number, body in enumerate(drive.bodies) if body.place == "free"]
     supports = carrier_supports(
         drive=drive, pin_transverse_stiffness=3e7, planet_support_stiffness=2e7, planets=tuple(held[:1])
@@ -157,8 +163,11 @@ def both(machine, task, by_force, slides, x):
 @pytest.mark.parametrize("kind", [ASSEMBLED, STANDING, ROLLING])
 @pytest.mark.parametrize("name", DRIVES)
 def test_slopes_are_those_of_the_equations(name, kind):
-    drive, machine, load = described(name, coupled=name == "planetary")
-    task = Task(jnp.asarray(kind), jnp.asarray(1e-5), load, no_displacement(drive), no_force(drive))
+    drive, machine, load = described(
+        name, coupled=name == "planetary", pressed=name in ("wedge", "planetary", "published closures")
+    )
+    at_rest = machine.laws.reference_force if machine.laws.bores is not None else None
+    task = Task(jnp.asarray(kind), jnp.asarray(1e-5), load, no_displacement(drive), no_force(drive), at_rest)
     x = unknowns(drive, machine, load, seed=kind)
     for by_force in (True, False):
         for slides in (jnp.zeros(len(drive.contacts)), jnp.eye(len(drive.contacts))[0]):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import Contact
-from asperity.joint.body_shape import SOLID, BodyShape
+from asperity.joint.body_shape import SOLID, BodyShape, on_pin
 from asperity.results.stress_rows import ROWS
 
 FREE, HELD = BodyShape("ring", 5e-3, "free"), BodyShape("ring", 5e-3, "rigid_housing")
@@ -67,6 +67,11 @@ def test_the_larger_rim_of_every_body_that_bends():
 )
 def test_a_ring_in_a_housing_and_solid_rollers_do_not_bend(shapes, bent):
     assert {name for rows in table(solved(*shapes)).values() for name in rows} == bent
+
+
+def test_the_bore_of_a_roller_on_a_pin():
+    assert table(solved(SOLID, HOLLOW, FREE))["bore_stress"] == {}
+    assert table(solved(SOLID, on_pin(HOLLOW, 8e-3, 20e-3), FREE))["bore_stress"] == {"planet": 50e6}
 
 
 def test_fatigue_is_judged_where_its_strength_is_known():

@@ -104,6 +104,8 @@ class Task(NamedTuple):
         Displacements of the assembled drive, from which slip is counted, shape (2 floating,) [m].
     pin_at_rest : Array
         Forces of the pins of the assembled drive, shape (pins,) [N].
+    normal_at_rest : Array or None, optional
+        Normal forces of the assembled drive, shape (contacts,) [N]; None for none.
     """
 
     kind: Any
@@ -111,6 +113,7 @@ class Task(NamedTuple):
     load: DriveLoad
     origin: Array
     pin_at_rest: Array
+    normal_at_rest: Array | None = None
 
 
 def machine_of(
@@ -308,11 +311,16 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     kind = jnp.asarray(task.kind)
 
     approach = contact_approach(laws=laws, normal=normal)
+    slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
+    if laws.bores is not None:
+        force = pin[: len(drive.pinned)]
+        pressed, slid = laws.bores.moved(force, largest)
+        _, at_rest = laws.bores.moved(task.pin_at_rest, largest)
+        approach, slip = approach + pressed, slip + slid - at_rest
     misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
     creep = creepages(law=laws.creep, normal=normal, tangential=tangential)
     backwards = jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
     rolling = backwards * creep * _rolled(drive, speed) - product(matrices.turning, speed)
-    slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
     standing = slip - product(matrices.sliding, moved - task.origin) - product(matrices.turning, turned)
     force = (
         product(matrices.approach.T, normal)
@@ -337,7 +345,7 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     equations = Unknowns(
         misfit / length,
         jnp.where(slides == 0.0, held, x.tangential - slides * x.normal),
-        _of_pins(machine, task, pin, moved),
+        _of_pins(machine, task, (normal, tangential), pin, moved),
         (force - forces_on(drive, task.load).ravel()) / largest,
         jnp.where(kind == ASSEMBLED, x.turn, moments),
         size,
@@ -362,11 +370,23 @@ def _with_equal_coefficients(machine: Machine, x: Unknowns, slip: Array) -> Arra
     return slip.at[second].set(differs)
 
 
-def _of_pins(machine: Machine, task: Task, pin: Array, moved: Array) -> Array:
+def change_of_normal(task: Task, normal: Array) -> Array:
+    """What the torque has added to the normal forces, shape (contacts,) [N]; nothing in the assembled drive."""
+    before = jnp.zeros_like(normal) if task.normal_at_rest is None else task.normal_at_rest
+    return jnp.where(jnp.asarray(task.kind) == ASSEMBLED, 0.0, normal - before)
+
+
+def _of_pins(machine: Machine, task: Task, forces: tuple[Array, Array], pin: Array, moved: Array) -> Array:
     """Misfits of the pins: their springs, or their forces without torque where those stay; then of the supports."""
     drive, matrices, supports = machine.drive, machine.matrices, task.load.supports
     count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
     springs = product(matrices.pins[:count], moved) - task.load.pin_compliance * pin[:count]
+    if machine.laws.bores is not None:
+        normal, tangential = forces
+        change = change_of_normal(task, normal)
+        springs = springs - machine.laws.bores.pin_moved(
+            pin[:count], machine.largest, normal, change, tangential
+        )
     kept = np.array(
         [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
     )

@@ -87,7 +87,7 @@ def followed(
 
     def task(torque: Array) -> Task:
         borne = dataclasses.replace(load, output_torque=way * torque, body_force=still)
-        return Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force)
+        return Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
 
     def unfinished(path: _Path) -> Array:
         narrow = path.step < FOLLOWING_TOLERANCE * jnp.maximum(path.torque, first_step)

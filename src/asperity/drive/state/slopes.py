@@ -16,6 +16,7 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, sectors_of_members
+from asperity.drive.state.bores import sides
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.equations import (
     ASSEMBLED,
@@ -24,6 +25,7 @@ from asperity.drive.state.equations import (
     Machine,
     Task,
     Unknowns,
+    change_of_normal,
     contact_forces,
     moments_of,
     numbers_of_pairs,
@@ -107,6 +109,15 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
     turning = matrices.turning[:, members]
     rolling_turns = (backwards * share[:, None] * rolled_by[:, members] - turning) * scale
     held_displacement = jnp.where(stands, -matrices.sliding, 0.0)
+    pins = x.pin.size
+    approach_pins = held_pins = jnp.zeros((ones.size, pins))
+    if laws.bores is not None:
+        wider = ((0, 0), (0, pins - len(drive.pinned)))
+        force = x.pin[: len(drive.pinned)] * largest
+        approach_pins, held_pins = (
+            jnp.pad(each, wider) * largest / length for each in laws.bores.by_pin(sides(force, largest)[0])
+        )
+        held_pins = jnp.where(stands, held_pins, 0.0)
     held_turns = jnp.where(rolls, rolling_turns, -turning / lever)
     paired = numbers_of_pairs(drive)
     if len(paired):
@@ -124,30 +135,33 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
         )
         held_displacement = jnp.where(is_second, 0.0, held_displacement)
         held_turns = jnp.where(is_second, 0.0, held_turns)
+        held_pins = jnp.where(is_second, 0.0, held_pins)
     free = (slides != 0.0) | assembled
     held_normal = jnp.where(free[:, None], -_diagonal(slides), held_normal)
     held_tangential = jnp.where(free[:, None], _diagonal(ones), held_tangential)
-    held_displacement, held_turns = (
-        jnp.where(free[:, None], 0.0, each) for each in (held_displacement, held_turns)
+    held_displacement, held_turns, held_pins = (
+        jnp.where(free[:, None], 0.0, each) for each in (held_displacement, held_turns, held_pins)
     )
 
-    pins = x.pin.size
     moved, turns = matrices.approach.shape[1], members.size
-    blank = jnp.zeros((ones.size, pins))
     approach_moves = jnp.concatenate(
-        [-matrices.approach, jnp.zeros((ones.size, turns)), blank, -machine.pattern[:, None]], axis=1
+        [-matrices.approach, jnp.zeros((ones.size, turns)), approach_pins, -machine.pattern[:, None]], axis=1
     )
-    held_moves = jnp.concatenate([held_displacement, held_turns, blank, jnp.zeros((ones.size, 1))], axis=1)
+    held_moves = jnp.concatenate(
+        [held_displacement, held_turns, held_pins, jnp.zeros((ones.size, 1))], axis=1
+    )
 
     # balances, pins and size
     copies = sectors_of_members(drive)[members]
     carrier = (members == drive.members.index(CARRIER))[:, None]
     moments = jnp.where(carrier, 0.0, -turning.T) * copies[:, None] * limit / (lever * largest)
     size = jnp.where(assembled & by_force, reference[0] / largest, 0.0)
+    pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x)
     of_normal = jnp.concatenate(
         [
             matrices.approach.T * reference / largest,
-            jnp.zeros((turns + pins, ones.size)),
+            jnp.zeros((turns, ones.size)),
+            pins_by_normal,
             (size * np.eye(ones.size)[0])[None],
         ]
     )
@@ -155,14 +169,15 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
         [
             matrices.sliding.T * limit / largest,
             jnp.where(assembled, 0.0, moments),
-            jnp.zeros((pins + 1, ones.size)),
+            pins_by_tangential,
+            jnp.zeros((1, ones.size)),
         ]
     )
     supports = jnp.zeros((moved, moved))
     if task.load.support_stiffness is not None:
         supports = _diagonal(jnp.repeat(task.load.support_stiffness, 2)) * length / largest
     by_pins = jax.jacfwd(lambda pin: moments_of(machine, task, tangential, pin)[members])(x.pin * largest)
-    pin_rows, pin_slopes = _of_pins(machine, task)
+    pin_rows, pin_slopes = _of_pins(machine, task, x)
     corner = jnp.where(assembled & by_force, 0.0, 1.0).reshape(1, 1)
     structure = jnp.block(
         [
@@ -213,15 +228,44 @@ def newton_step(slopes: Slopes, residual: Unknowns, solver: Callable[[Array, Arr
     )
 
 
-def _of_pins(machine: Machine, task: Task) -> tuple[Array, Array]:
-    """Slopes of the equations of pins and supports by the displacements, and each by its own force."""
-    drive, load = machine.drive, task.load
-    count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
+def _pins_by_contacts(machine: Machine, task: Task, x: Unknowns) -> tuple[Array, Array]:
+    """Slopes of the equations of pins and supports by normal and tangential forces, shape (pins, contacts)."""
+    drive, laws, none = machine.drive, machine.laws, jnp.zeros((x.pin.size, x.normal.size))
+    if laws.bores is None:
+        return none, none
+    assembled, count = jnp.asarray(task.kind) == ASSEMBLED, len(drive.pinned)
+    side, _, _ = sides(x.pin[:count] * machine.largest, machine.largest)
+    normal, tangential = laws.bores.by_pin(side)
+    normal = jnp.where(assembled, laws.bores.along_normal, normal)
+    moves = jnp.where(_kept(machine, task), 0.0, 1.0 / machine.length)[:, None]
+    reference = laws.reference_force
+    return (
+        none.at[:count].set(-moves * normal.T * reference),
+        none.at[:count].set(-moves * tangential.T * machine.friction * reference),
+    )
+
+
+def _kept(machine: Machine, task: Task) -> Array:
+    """Pins whose forces stay those without torque, shape (pins,)."""
+    drive = machine.drive
     kept = np.array(
         [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
     )
-    constant = loaded & kept
-    soft = jnp.broadcast_to(load.pin_compliance, (count,)) * machine.largest / machine.length
+    return jnp.asarray(kept) & (jnp.asarray(task.kind) != ASSEMBLED)
+
+
+def _of_pins(machine: Machine, task: Task, x: Unknowns) -> tuple[Array, Array]:
+    """Slopes of the equations of pins and supports by the displacements, and each by its own force."""
+    drive, load = machine.drive, task.load
+    count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
+    constant = _kept(machine, task)
+    own: Array = jnp.broadcast_to(load.pin_compliance, (count,))
+    if machine.laws.bores is not None:
+        bores, (normal, tangential) = machine.laws.bores, contact_forces(machine, x)
+        _, _, turns = sides(x.pin[:count] * machine.largest, machine.largest)
+        opened = product(bores.around_normal.T, change_of_normal(task, normal))
+        own = own - turns * (opened + product(bores.around_tangential.T, tangential))
+    soft = own * machine.largest / machine.length
     rows = jnp.where(constant[:, None], 0.0, machine.matrices.pins[:count])
     slopes = jnp.where(constant, 1.0, -soft)
     if load.supports is None:

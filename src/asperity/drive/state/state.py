@@ -12,6 +12,7 @@ from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
 from asperity.drive.layout.drive import CARRIER, Drive
 from asperity.drive.mechanism import Bearings, NormalSprings, whole_approach
+from asperity.drive.state.bores import Bores
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.supports import Supports
 from asperity.linear import product
@@ -55,6 +56,9 @@ class ContactLaws(eqx.Module):
     closure : ContactLaws or None, optional
         What takes the place of these laws under load, around the assembled state and with rigid pins; None where they
         hold there too.
+    bores : Bores or None, optional
+        What pins and contacts of rollers do to each other; None where pins are not known to press in bores. The pins'
+        own compliance is part of :attr:`DriveLoad.pin_compliance`.
     """
 
     springs: NormalSprings
@@ -66,6 +70,7 @@ class ContactLaws(eqx.Module):
     rims: RimKernel | None = None
     linear_compliance: Array | None = None
     closure: ContactLaws | None = None
+    bores: Bores | None = None
 
 
 class DriveLoad(eqx.Module):
@@ -78,7 +83,7 @@ class DriveLoad(eqx.Module):
     body_force : Array or None, optional
         Forces on the floating bodies, shape (floating, 2) [N]; None for none.
     pin_compliance : Real, optional
-        Of each pin along its push [m/N].
+        Of each pin along its push, its bore in series, shape () or (pins,) [m/N].
     bearings : Bearings or None, optional
         Friction of the bearings, as in :mod:`asperity.drive.state.bearings`; None for none.
     support_stiffness : Array or None, optional

@@ -149,7 +149,7 @@ def rolling_state(
     size = jnp.max(interference)
     machine = machine_of(drive, laws, interference / size)
     load = DriveLoad(jnp.asarray(output_torque))
-    task = Task(ROLLING, size, load, no_displacement(drive), start.pin_force)
+    task = Task(ROLLING, size, load, no_displacement(drive), start.pin_force, start.normal)
     return state_of(machine, task, *solved(machine, task, started_from(machine, start, size), by_force=False))
 
 
@@ -212,6 +212,7 @@ def drive_states(
         given,
         no_displacement(drive),
         no_force(drive),
+        jnp.zeros_like(laws.reference_force),
     )
     kinds = [(ASSEMBLED,), (STANDING,), (ROLLING,) * CREEP_PASSES]
     states = _states(
@@ -333,7 +334,12 @@ def _loaded(
     size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
     machine = machine_of(drive, laws, rest.interference / size, supports=load.supports)
     start = _Carry(
-        started_from(machine, rest, size), rest.slides, size, rest.displacement.ravel(), rest.pin_force
+        started_from(machine, rest, size),
+        rest.slides,
+        size,
+        rest.displacement.ravel(),
+        rest.pin_force,
+        rest.normal,
     )
     return _states(machine, load, start, kinds, creep_of, by_force=False)
 
@@ -366,6 +372,7 @@ class _Carry(NamedTuple):
     size: Array
     origin: Array
     pin_at_rest: Array
+    normal_at_rest: Array
 
 
 def _states(
@@ -390,7 +397,8 @@ def _states(
         if creep_of is not None:
             creep = creep_of(*contact_forces(machine, carry.unknowns))
             here = machine._replace(laws=dataclasses.replace(machine.laws, creep=creep))
-        task = Task(kind, jnp.where(assembled, given, carry.size), borne, carry.origin, carry.pin_at_rest)
+        size = jnp.where(assembled, given, carry.size)
+        task = Task(kind, size, borne, carry.origin, carry.pin_at_rest, carry.normal_at_rest)
         begin = jnp.where(kind == STANDING, carry.slides, 0.0)
         found, slides = solved(here, task, carry.unknowns, slides=begin, by_force=by_force)
         state = state_of(here, task, found, slides)
@@ -400,6 +408,7 @@ def _states(
             jnp.where(assembled, found.interference[0] * machine.length, carry.size),
             jnp.where(assembled, state.displacement.ravel(), carry.origin),
             jnp.where(assembled, state.pin_force, carry.pin_at_rest),
+            jnp.where(assembled, state.normal, carry.normal_at_rest),
         )
         return following, state
 

@@ -73,9 +73,10 @@ def network_stiffness(
     tangential_compliance : Array
         Of each contact, incremental, shape (contacts,) [m/N].
     coupling : Array or None, optional
-        Further compliances between the normal, then the tangential springs, shape (2 contacts, 2 contacts) [m/N].
+        Further compliances between the normal, then the tangential springs, perhaps the pins, shape (2 contacts, 2
+        contacts) or with the pins [m/N].
     pin_compliance : Real, optional
-        Of each pin along its push [m/N].
+        Of each pin along its push, shape () or (pins,) [m/N].
     sliding_friction : Array or None, optional
         Tangential over normal force of the contacts that slide, counter-clockwise as in
         :class:`asperity.drive.state.state.DriveState`, 0 for those that hold, shape (contacts,) [-]; None where all
@@ -121,7 +122,7 @@ def network_stiffness(
         balances = [matrices.turning]
     stiff = jnp.diag(jnp.concatenate(compliance))
     if floats and coupling is not None:
-        stiff = stiff + jnp.pad(coupling, (0, pins.size))
+        stiff = stiff + jnp.pad(coupling, (0, stiff.shape[0] - coupling.shape[0]))
     scale = jnp.mean(tangential_compliance)
     length = jnp.max(drive.second_radius)
     kinematic = jnp.concatenate(turns)[:, turns_at] / length

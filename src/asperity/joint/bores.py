@@ -1,0 +1,137 @@
+"""Pins of the carrier that press in the bores of their rollers."""
+
+from __future__ import annotations
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.body.bore import BoreCompliance, bore_compliance
+from asperity.body.shapes import Annulus
+from asperity.drive.layout.drive import Drive, contact_angles, incidence
+from asperity.drive.state.bores import Bores
+from asperity.joint.description import Joint, places, track_lengths, tracks_of
+from asperity.linear import product
+
+
+def push_angles(drive: Drive) -> Array:
+    """Polar angles of the directions in which rollers push their pins.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Counter-clockwise from the x axis, shape (pins,) [rad].
+    """
+    rows = incidence(drive).pins
+    at = np.array([2 * drive.floating.index(body) for body in drive.pinned], dtype=int)
+    pins = np.arange(at.size)
+    return jnp.arctan2(rows[pins, at + 1], rows[pins, at])
+
+
+def pins_in_bores(joint: Joint) -> Bores | None:
+    """What the pins of a joint and the contacts of their rollers do to each other.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    Bores or None
+        None where no pin is known to press in a bore. Rollers that are springs have the compliance of their bores
+        alone, each track by itself beside the others.
+
+    References
+    ----------
+    Equation (E5) of :doc:`/equations`.
+    """
+    drive, count = joint.drive, len(joint.drive.contacts)
+    if all(joint.shapes[body].pin_diameter is None for body in drive.pinned):
+        return None
+    first, _ = places(drive)
+    at_first, at_second = contact_angles(drive)
+    own, normals = [], [[], []]  # type: tuple[list[Array], list[list[Array]]]
+    tangentials: list[list[Array]] = [[], []]
+    for body, angle in zip(drive.pinned, push_angles(drive), strict=True):
+        diameter, tracks = joint.shapes[body].pin_diameter, tracks_of(joint, body)
+        parts, none = [], jnp.zeros(count)
+        if diameter is not None:
+            for (_, contacts), annulus in zip(tracks, _annuli(joint, body), strict=True):
+                at = jnp.stack([at_first[k] if first[k] == body else at_second[k] for k in contacts])
+                found = bore_compliance(body=annulus, contact_angles=at, push_angle=angle)
+                pressed = jnp.asarray(diameter) > 0.0
+                parts.append(BoreCompliance(*(jnp.where(pressed, each, 0.0) for each in found)))
+        exact = joint.body_model == "exact" and len(parts) == 1
+        own.append(_beside_each_other([part.own for part in parts]) if parts else jnp.zeros(()))
+        for k, name in enumerate(("along", "around")):
+            at_contacts = np.array(tracks[0][1])
+            each = jnp.split(getattr(parts[0], name), 2) if exact else (jnp.zeros(at_contacts.size),) * 2
+            normals[k].append(none.at[at_contacts].set(each[0]))
+            tangentials[k].append(none.at[at_contacts].set(each[1]))
+    along, around = (
+        (jnp.stack(normal, axis=1), jnp.stack(tangential, axis=1))
+        for normal, tangential in zip(normals, tangentials, strict=True)
+    )
+    return Bores(along[0], along[1], around[0], around[1], jnp.stack(own))
+
+
+def _annuli(joint: Joint, body: int) -> list[Annulus]:
+    """A roller on a pin, track by track."""
+    shape, material = joint.shapes[body], joint.materials[body]
+    assert shape.size is not None
+    elastic = (material.youngs_modulus, material.poisson_ratio)
+    return [
+        Annulus(0.5 * shape.size, radius, length, *elastic, 0.0, 0.0, "outer", joint.plane_state)
+        for (radius, _), length in zip(tracks_of(joint, body), track_lengths(joint, body), strict=True)
+    ]
+
+
+def _beside_each_other(compliances: list[Array]) -> Array:
+    """Springs that move alike; none gives way where one is rigid."""
+    whole = compliances[0]
+    for other in compliances[1:]:
+        both = whole + other
+        whole = jnp.where(both > 0.0, whole * other / jnp.where(both > 0.0, both, 1.0), 0.0)
+    return whole
+
+
+def pin_compliances(joint: Joint) -> Array:
+    """Compliance of each pin along its push, with that of its bore, shape () or (pins,) [m/N]."""
+    pins, bores = 1.0 / jnp.asarray(joint.pin_stiffness, dtype=float), pins_in_bores(joint)
+    return pins if bores is None else pins + bores.own
+
+
+def bore_stiffness(joint: Joint) -> Array:
+    """Stiffness of each roller's bore under its pin, shape (pins,) [N/m]; infinite where no pin presses there."""
+    bores = pins_in_bores(joint)
+    if bores is None:
+        return jnp.full(len(joint.drive.pinned), jnp.inf)
+    gives = bores.own > 0.0
+    return jnp.where(gives, 1.0 / jnp.where(gives, bores.own, 1.0), jnp.inf)
+
+
+def pin_forces(drive: Drive, normal: Array, tangential: Array) -> Array:
+    """Forces of the rollers on their pins that balance those of their contacts.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    normal, tangential : Array
+        As of :class:`asperity.drive.state.state.DriveState`, shape (contacts,) [N].
+
+    Returns
+    -------
+    Array
+        Along the push, shape (pins,) [N].
+    """
+    matrices = incidence(drive)
+    return -product(
+        matrices.pins, product(matrices.approach.T, normal) + product(matrices.sliding.T, tangential)
+    )
