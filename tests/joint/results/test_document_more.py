@@ -117,7 +117,9 @@ def test_rolling_is_in_the_document(document):
         rolling["input_power_W"] / (6000.0 * math.pi / 30.0), rel=1e-12
     )
     # without friction of the bearings, hysteresis and oil the losses are creep, which costs speed and no torque
-    assert rolling["input_torque_Nm"] == pytest.approx(found["standing"]["forces"]["input_torque_Nm"], rel=1e-9)
+    assert rolling["input_torque_Nm"] == pytest.approx(
+        found["standing"]["forces"]["input_torque_Nm"], rel=1e-9
+    )
 
 
 def test_unequal_branches_are_judged_among_the_diagnostics(document, unequal_branches):

@@ -132,7 +132,7 @@ def test_both_senses_of_rotation(joint):
 def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
     """mu = 0.08: 120 of 240 N, and 1 where a contact slides; without slip no contact slides."""
 
-    def stiffness(joint, contacts, normal, tangential, slides):
+    def stiffness(joint, contacts, normal, tangential, slides, pin_force):
         level = SimpleNamespace(output=jnp.sum(jnp.abs(slides)) + contacts.pairs.friction_coefficient[0])
         return SimpleNamespace(
             published=level, series_with_bulk=level, assembly=SimpleNamespace(stiffness=level)
@@ -148,6 +148,7 @@ def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
             normal=jnp.array([3000.0, 3000.0]),
             tangential=jnp.array([-120.0, 239.0]),
             slides=jnp.array([0.0, 1.0]),
+            pin_force=jnp.zeros(0),
             worst=jnp.array(worst),
             residual=jnp.array(residual),
         )
