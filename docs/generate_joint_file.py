@@ -131,7 +131,10 @@ FIRST = ("drive", "load", "temperature", "bearings", "pin_bearing", "sun_bearing
 
 def _sections() -> Iterator[tuple[str, type[Section], str]]:
     """Header in the file, model and description of every section; that of the bodies has no keys of its own."""
-    for name in (*FIRST, *(name for name in WedgeCase.model_fields if name not in (*FIRST, "type", "bodies"))):
+    for name in (
+        *FIRST,
+        *(name for name in WedgeCase.model_fields if name not in (*FIRST, "type", "bodies")),
+    ):
         field = WedgeCase.model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         header = {"duty": "[[duty]]", "branch": "[[branch]]", "materials": "[materials.NAME]"}.get(

@@ -13,8 +13,7 @@ from asperity.bem import (
     partial_slip,
     tangential_stiffness,
 )
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.surface.synthesis import spectral_surface
 
 

@@ -13,10 +13,8 @@ import numpy as np
 
 from asperity.errors import NoSolutionError
 from asperity.joint_file.reader import read_case
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
-from asperity.study.calibration.calibrate import Calibration
-from asperity.study.calibration.calibrate import calibrate
+from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.study.calibration.calibrate import Calibration, calibrate
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns

@@ -11,8 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from asperity.joint_file.reader import read_case
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns

@@ -14,16 +14,11 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from scipy.interpolate import PchipInterpolator
 
-from asperity.contact.crowned_line import CrownedLine
-from asperity.contact.crowned_line import crowned_line
-from asperity.contact.hertz_line import effective_radius
-from asperity.contact.hertz_line import peak_pressure
+from asperity.contact.crowned_line import CrownedLine, crowned_line
+from asperity.contact.hertz_line import effective_radius, peak_pressure
 from asperity.materials import contact_modulus
 from asperity.precision import use_double_precision
-from asperity.show.style import ACCENT
-from asperity.show.style import MARK
-from asperity.show.style import MUTED
-from asperity.show.style import STYLE
+from asperity.show.style import ACCENT, MARK, MUTED, STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "crowned_rollers.png"
 LENGTH, FORCE = 10e-3, 2000.0

@@ -9,10 +9,8 @@ import tempfile
 import tomllib
 from pathlib import Path
 
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
-from asperity.study.design.design import DesignResult
-from asperity.study.design.design import design
+from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.study.design.design import DesignResult, design
 from asperity.study.design.design_file import design_from_tables
 
 HERE = Path(__file__).parent

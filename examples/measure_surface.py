@@ -3,8 +3,7 @@
 import numpy as np
 
 from asperity.precision import use_double_precision
-from asperity.surface.fractal_fit import FractalFit
-from asperity.surface.fractal_fit import fractal_fit
+from asperity.surface.fractal_fit import FractalFit, fractal_fit
 from asperity.surface.synthesis import self_affine_profile
 
 

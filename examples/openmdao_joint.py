@@ -8,14 +8,11 @@ from pathlib import Path
 import numpy as np
 import openmdao.api as om
 
-from asperity.results import RESULTS
 from asperity.joint.status import STATUS_MEANINGS
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.si_tables import key_at
-from asperity.joint_file.si_tables import numeric_keys
-from asperity.joint_file.si_tables import si_values
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.joint_file.si_tables import key_at, numeric_keys, si_values
+from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.results import RESULTS
 from asperity.study.batch import derivatives_at
 
 FILE = Path(__file__).with_name("zou2025.toml")

@@ -6,11 +6,9 @@ Run it to write the picture of the README: ``python examples/reproduce_overview.
 import sys
 from pathlib import Path
 
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.zou2025.criteria import peak
-from asperity.zou2025.curves import JointCurves
-from asperity.zou2025.curves import compute
+from asperity.zou2025.curves import JointCurves, compute
 from asperity.zou2025.overview import overview_figure
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "zou2025_overview.png"

@@ -15,10 +15,8 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from asperity.body.coupling import BodyInMachine
-from asperity.body.coupling import coupled_compliance
-from asperity.body.shapes import Annulus
-from asperity.body.shapes import Disc
+from asperity.body.coupling import BodyInMachine, coupled_compliance
+from asperity.body.shapes import Annulus, Disc
 from asperity.contact.hertz_line import (
     effective_radius,
     half_width,
@@ -26,17 +24,13 @@ from asperity.contact.hertz_line import (
     ring_secant_compliance,
     roller_secant_compliance,
 )
-from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.drive.layout.drives import wedge_drive
-from asperity.drive.stiffness.network import network_stiffness
 from asperity.drive.layout.wedge import wedge_angles
+from asperity.drive.stiffness.network import network_stiffness
+from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.materials import contact_modulus
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
-from asperity.show.style import ACCENT
-from asperity.show.style import MARK
-from asperity.show.style import MUTED
-from asperity.show.style import STYLE
+from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.show.style import ACCENT, MARK, MUTED, STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "ring_wall.png"
 YOUNG, POISSON, LENGTH, PLANETS = 206e9, 0.3, 5e-3, 3

@@ -12,18 +12,11 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from asperity.bem import ElasticPair
-from asperity.bem import FreeHalfSpace
-from asperity.bem import steady_rolling
-from asperity.bem import transient_rolling
-from asperity.bem.rough_rolling import rough_pressure
-from asperity.bem.rough_rolling import rough_rolling
+from asperity.bem import ElasticPair, FreeHalfSpace, steady_rolling, transient_rolling
+from asperity.bem.rough_rolling import rough_pressure, rough_rolling
 from asperity.contact.creep_layer import layer_creepage_factor
-from asperity.contact.rolling_in import rolling_in_lag
-from asperity.contact.rolling_in import rolling_in_length
-from asperity.contact.rolling_in import rolling_in_shift
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.contact.rolling_in import rolling_in_lag, rolling_in_length, rolling_in_shift
+from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.show.style import STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "rolling_contact.png"

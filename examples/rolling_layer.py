@@ -6,9 +6,7 @@ prints the table and by how much it differs from the one in use.
 
 import numpy as np
 
-from asperity.bem.rough_rolling import RoughPressure
-from asperity.bem.rough_rolling import rough_pressure
-from asperity.bem.rough_rolling import rough_rolling
+from asperity.bem.rough_rolling import RoughPressure, rough_pressure, rough_rolling
 from asperity.contact import creep_layer
 from asperity.precision import use_double_precision
 

@@ -6,13 +6,9 @@ The drift is that of the last of many swings, per distance rolled, over Carter's
 
 import numpy as np
 
-from asperity.bem import ElasticPair
-from asperity.bem import FreeHalfSpace
-from asperity.bem import transient_rolling
-from asperity.contact.rolling_swing import SLIP_RATIOS
-from asperity.contact.rolling_swing import STROKES
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.bem import ElasticPair, FreeHalfSpace, transient_rolling
+from asperity.contact.rolling_swing import SLIP_RATIOS, STROKES
+from asperity.precision import use_compilation_cache, use_double_precision
 
 CELLS, STEPS = 200, 2000
 PIXEL = 2.0 / CELLS

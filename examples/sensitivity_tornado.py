@@ -7,11 +7,9 @@ import sys
 from pathlib import Path
 
 from asperity.joint_file.reader import read_case
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.study.tolerances.influence_plot import tornado_figure
-from asperity.study.tolerances.sensitivity import ranking
-from asperity.study.tolerances.sensitivity import sensitivity
+from asperity.study.tolerances.sensitivity import ranking, sensitivity
 
 FILE = Path(__file__).with_name("zou2025.toml")
 

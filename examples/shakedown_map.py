@@ -10,14 +10,9 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from asperity.contact.shakedown import mises_elastic_limit
-from asperity.contact.shakedown import shakedown_limit
-from asperity.contact.shakedown import tresca_elastic_limit
+from asperity.contact.shakedown import mises_elastic_limit, shakedown_limit, tresca_elastic_limit
 from asperity.precision import use_double_precision
-from asperity.show.style import ACCENT
-from asperity.show.style import MARK
-from asperity.show.style import MUTED
-from asperity.show.style import STYLE
+from asperity.show.style import ACCENT, MARK, MUTED, STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "shakedown.png"
 POISSON_RATIO = 0.3

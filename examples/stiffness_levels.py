@@ -12,8 +12,7 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.precision import use_compilation_cache, use_double_precision
 
 FILE = Path(__file__).with_name("zou2025.toml")
 

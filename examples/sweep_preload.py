@@ -7,8 +7,7 @@ import sys
 from pathlib import Path
 
 from asperity.joint_file.reader import read_case
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.study.parameters import parse_axis
 from asperity.study.sweep.sweep import sweep
 from asperity.study.sweep.sweep_plot import sweep_figure

@@ -7,13 +7,10 @@ import sys
 
 import numpy as np
 
-from asperity.standing.windup import Windup
-from asperity.standing.windup import windup
-from asperity.precision import use_compilation_cache
-from asperity.precision import use_double_precision
+from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.show.windup_figure import windup_figure
-from asperity.zou2025.preset import operating_grid
-from asperity.zou2025.preset import table_2_joint
+from asperity.standing.windup import Windup, windup
+from asperity.zou2025.preset import operating_grid, table_2_joint
 
 ARCMINUTES = 10800.0 / np.pi
 
