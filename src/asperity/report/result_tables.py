@@ -30,7 +30,7 @@ def summary(document: Document) -> Table:
         ("output torque", quantity(load["output_torque"], "N*m")),
         (f"speed of the {input_member(document)}", quantity(load["sun_speed"], "rpm")),
         (
-            f"preload, contact {next(iter(document['contacts']))}",
+            f"preload, contact {next(iter(document['standing']['contacts']))}",
             quantity(document["preload"]["force_N"], "N"),
         ),
         ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
