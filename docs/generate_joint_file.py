@@ -13,10 +13,9 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from asperity.joint_file.case_types import CASES
+from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import Section, meaning
-from asperity.joint_file.wedge_model import WedgeCase
 
 PAGE = Path(__file__).with_name("joint_file.md")
 MOVES = Path(__file__).with_name("joint_file_moves.json")

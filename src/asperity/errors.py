@@ -4,7 +4,7 @@ Each carries one complete sentence for the user: the offending value, the allowe
 command line prints that sentence and exits with :attr:`AsperityError.exit_code`; nothing else is printed.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextvars import ContextVar
 
 LONGEST_QUOTE = 80
@@ -67,6 +67,21 @@ def quoted(value: object) -> str:
     except RecursionError:
         return "a deeply nested value"
     return text if len(text) <= LONGEST_QUOTE else f"{text[:LONGEST_QUOTE]}…"
+
+
+def closest(name: str, known: Iterable[str]) -> str | None:
+    """The known name most like the given one, if any is alike."""
+    import difflib
+
+    close = difflib.get_close_matches(name[:200], list(known), n=3, cutoff=0.5)
+    # letters in the wrong order are the likeliest typing error
+    return min(close, key=lambda other: sorted(other) != sorted(name), default=None)
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """``"; did you mean 'x'?"`` for the known name most like the given one, or nothing."""
+    other = closest(name, known)
+    return f"; did you mean '{other}'?" if other else ""
 
 
 def listed(sentences: Sequence[str], *, more: int = 0) -> str:

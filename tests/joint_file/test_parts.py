@@ -4,7 +4,7 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint_file.part_names import CONTACTS, bodies_of_type
-from asperity.joint_file.parts import layout_of, misnamed_parts
+from asperity.joint_file.parts import layout_of
 from asperity.joint_file.si_tables import si_values
 
 
@@ -58,4 +58,4 @@ def test_other_names_are_told(planar_case, old, new, message):
     with pytest.raises(InputError) as caught:
         planar_case("planetary", (old, new))
     assert message in str(caught.value)
-    assert misnamed_parts(planar_case("planetary")) == []
+    assert planar_case("planetary").misnamed_parts() == []

@@ -8,8 +8,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from asperity.errors import InputError
+from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.reader import case_from_tables, parse_case, read_case
-from asperity.joint_file.wedge_model import WedgeCase
 from asperity.reading import LARGEST_FILE
 
 

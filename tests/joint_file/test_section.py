@@ -3,8 +3,8 @@
 import pytest
 from pydantic import ValidationError
 
+from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.section import Section, leaves, meaning
-from asperity.joint_file.wedge_model import WedgeCase
 
 
 class Colour(Section):

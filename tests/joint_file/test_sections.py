@@ -6,8 +6,8 @@ import pytest
 from pydantic import ValidationError
 
 from asperity.errors import InputError
+from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.material_entries import SurfaceEntry
-from asperity.joint_file.wedge_model import WedgeCase
 
 SURFACE = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
 CONTACTS = ("sp", "pwr", "pwl", "wro", "wlo")

@@ -10,7 +10,7 @@ pytest.importorskip("httpx2")
 
 from starlette.testclient import TestClient
 
-from asperity.joint_file.wedge_model import WedgeCase
+from asperity.joint_file.case_types import WedgeCase
 from asperity.page.application import ASSETS, application
 from asperity.page.computation import Computations
 from asperity.page.joint_request import JointRequest

@@ -3,8 +3,8 @@
 import pytest
 
 from asperity.joint_file import limits
+from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.wedge_model import WedgeCase
 from asperity.library import read_finishes
 from asperity.page.description import HEADINGS, description, form_of
 from asperity.units import from_si, parse_quantity

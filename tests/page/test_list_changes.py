@@ -3,8 +3,7 @@
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.case_types import CASES
-from asperity.joint_file.wedge_model import WedgeCase
+from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.page.joint_request import JointRequest
 from asperity.page.list_changes import EACH, lists_of, places_of_lists, stated_lists, without_lists
 

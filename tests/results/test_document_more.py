@@ -9,8 +9,8 @@ import pytest
 
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import document_of, solve_case
-from asperity.results.contact_notes import Note
 from asperity.results.document import diagnostic_documents, plain_document
+from asperity.results.notes import Note
 from asperity.results.solved import solved_with_capacities
 
 

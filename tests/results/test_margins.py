@@ -9,8 +9,8 @@ import pytest
 from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.results import Limit, Result
 from asperity.results import margins as module
-from asperity.results.contact_notes import Note, contact_notes
 from asperity.results.margins import margins
+from asperity.results.notes import Note, contact_notes
 from asperity.unit_table import Dimension
 
 

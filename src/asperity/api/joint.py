@@ -199,9 +199,10 @@ class DescribedJoint(Shown):
         NoSolutionError
             If the force balance does not close.
         """
-        from asperity.api.solution import solution
+        from asperity.api.solution import JointSolution
+        from asperity.joint_file.solved_document import solved_case
 
-        return solution(self)
+        return JointSolution(self.case, solved_case(self.case), source=self.source, summary=self.summary)
 
     def to_frame(self) -> Any:
         """The numbers of the file as a pandas data frame: value, unit, SI value, SI unit, tolerance (in the unit)."""

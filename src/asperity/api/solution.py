@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
 from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.si_tables import si_values
-from asperity.joint_file.solved_document import document_of, solved_case
+from asperity.joint_file.si_tables import AnyCase, si_values
+from asperity.joint_file.solved_document import document_of
 from asperity.results import LEVELS, Result, known_result, name_at_level
 from asperity.results.solved import SolvedJoint
 from asperity.units import format_quantity
@@ -38,44 +37,23 @@ _PRINTED = (
 _PRINTED_CONTACTS = ("normal_force", "tangential_force", "slip_ratio", "hertz_half_width", "hertz_pressure")
 
 
-def solution(joint: DescribedJoint) -> JointSolution:
-    """Solve a joint.
-
-    Parameters
-    ----------
-    joint : DescribedJoint
-        The joint.
-
-    Returns
-    -------
-    JointSolution
-        All results.
-
-    Raises
-    ------
-    InputError
-        If the joint cannot exist.
-    NoSolutionError
-        If the force balance does not close.
-    """
-    return JointSolution(joint, solved_case(joint.case))
-
-
 class JointSolution(Shown):
     """A solved joint: ``solution["stiffness"]`` is a number with its unit, and so is every other result.
 
     Parameters
     ----------
-    joint : DescribedJoint
-        What was solved.
+    case : Case
+        The joint file.
     solved : SolvedJoint
         What came out.
+    source, summary : str
+        Where the joint comes from, and the joint in one line, for titles.
     """
 
-    def __init__(self, joint: DescribedJoint, solved: SolvedJoint) -> None:
-        self.joint, self.solution = joint, solved.solution
-        self._solved = solved
-        self._table = results_of(si_values(joint.case))
+    def __init__(self, case: AnyCase, solved: SolvedJoint, *, source: str, summary: str) -> None:
+        self.solution, self._solved = solved.solution, solved
+        self._case, self._source, self._summary = case, source, summary
+        self._table = results_of(si_values(case))
 
     def __getitem__(self, asked: str | tuple[str, StiffnessLevel]) -> NamedQuantity:
         """One result.
@@ -135,7 +113,7 @@ class JointSolution(Shown):
     @functools.cached_property
     def document(self) -> dict[str, Any]:
         """The document that ``asperity joint --json`` prints, in SI units."""
-        return document_of(self.joint.case, self._solved)
+        return document_of(self._case, self._solved)
 
     def to_frame(self) -> Any:
         """Every number as a row of a pandas data frame: label, value, unit, SI value, SI unit, level."""
@@ -161,7 +139,7 @@ class JointSolution(Shown):
         return library.Series(
             [each.si for each in singles],
             index=library.MultiIndex.from_tuples(index, names=["result", "unit"]),
-            name=self.joint.source,
+            name=self._source,
         )
 
     def _singles(self) -> list[NamedQuantity]:
@@ -177,11 +155,11 @@ class JointSolution(Shown):
         """
         from asperity.show.compliance_figure import compliance_figure
 
-        return displayed(compliance_figure(self._solved, title=self.joint.summary))
+        return displayed(compliance_figure(self._solved, title=self._summary))
 
     def _parts(self) -> list[str | Table]:
         return [
-            self.joint.summary,
+            self._summary,
             self._stiffness_table(),
             self._result_table(),
             self._contact_table(),

@@ -23,8 +23,7 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
     """
     from dataclasses import asdict
 
-    from asperity.errors import InputError
-    from asperity.joint_file.messages import nearest
+    from asperity.errors import InputError, nearest
     from asperity.library import Finish, read_finishes, read_materials
 
     found, finishes = read_materials(file), read_finishes(finishes_file)

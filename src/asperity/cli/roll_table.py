@@ -14,8 +14,8 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
-from asperity.results.contact_notes import film_band
 from asperity.results.document import input_member
+from asperity.results.notes import film_band
 from asperity.results.position_rows import position_rows
 
 if TYPE_CHECKING:

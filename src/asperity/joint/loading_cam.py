@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -18,16 +18,12 @@ from asperity.drive.stiffness.loading_cam import (
     cam_angle,
     cam_compliance,
     cam_preload,
-    held_cam_stiffness,
     with_cam,
 )
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses
 from asperity.joint.laws import contact_laws, drive_load
 from asperity.types import Real
-
-if TYPE_CHECKING:
-    from asperity.joint.evaluation import JointResult
 
 
 class Pressed(NamedTuple):
@@ -225,17 +221,3 @@ def with_its_cam(assembly: Assembly, cam: CamOfJoint | None) -> Assembly:
     Equation (I3) of :doc:`/equations`.
     """
     return assembly if cam is None else with_cam(assembly=assembly, compliance=cam.compliance)
-
-
-def loading_cam_document(
-    result: JointResult, *, least_preload: Real, force_per_torque: Real | None
-) -> dict[str, Any] | None:
-    """What a loading cam does under the torque."""
-    if force_per_torque is None:
-        return None
-    return {
-        "least_preload_N": least_preload,
-        "force_per_torque_N_per_Nm": force_per_torque,
-        "angle_rad": result.cam_angle,
-        "held_stiffness_output_Nm_per_rad": held_cam_stiffness(result.assembly),
-    }

@@ -22,9 +22,8 @@ from asperity.contact.roller_pairs import (
     roller_pairs,
     rough_contacts,
 )
-from asperity.errors import InputError, quoted
+from asperity.errors import InputError, nearest, quoted
 from asperity.joint_file import limits
-from asperity.joint_file.messages import nearest
 from asperity.joint_file.quantity_key import Key
 from asperity.materials import ContactPair, contact_modulus, tangential_contact_modulus
 from asperity.reading import open_text

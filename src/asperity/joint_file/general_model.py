@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from asperity.drive.layout.drive import CARRIER
+from asperity.errors import nearest
 from asperity.joint_file import limits
 from asperity.joint_file.branch_sections import Deviation
 from asperity.joint_file.drive_sections import Bore, PartLengths, PartName, RingSupport, Wall
@@ -122,3 +126,98 @@ class GeneralCase(AxisCase):
             roller.wall_thickness is not None and roller.ring_support != "free" for roller in self.roller
         )
         return "" if held else 'a drive whose rings all have ring_support = "free"'
+
+    def part_names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Names of the contacts, and of the bodies in [bodies]."""
+        return tuple(contact.name for contact in self.contact), tuple(roller.name for roller in self.roller)
+
+    def misnamed_parts(self) -> list[str]:
+        """Messages about rollers, contacts and tables that do not fit together."""
+        messages = list(_misdescribed(self))
+        if self.pin_bearing is not None and all(roller.place != "pin" for roller in self.roller):
+            messages.append(
+                'pin_bearing: no [[roller]] has place = "pin"; leave the section out, or give the roller its pin'
+            )
+        return messages + super().misnamed_parts()
+
+
+def _misdescribed(case: GeneralCase) -> Iterator[str]:
+    """Messages about rollers and contacts that do not fit together."""
+    rollers = [roller.name for roller in case.roller]
+    for what, names in (("roller", rollers), ("contact", [contact.name for contact in case.contact])):
+        yield from (
+            f"{what}: there is more than one '{n}'" for n, count in Counter(names).items() if count > 1
+        )
+    if CARRIER in rollers:
+        yield f"roller: '{CARRIER}' is the name of the member that carries the pins"
+    for contact in case.contact:
+        for side in ("first", "second"):
+            name = getattr(contact, side)
+            if name not in rollers:
+                yield f"contact {contact.name}: {side}: there is no roller '{name}'{nearest(name, rollers)}"
+    yield from _unlike_crowns(case)
+    yield from _misassumed(case)
+    rings = {contact.second for contact in case.contact if contact.internal}
+    touched = {name for contact in case.contact for name in (contact.first, contact.second)}
+    for roller in case.roller:
+        if roller.name not in touched:
+            yield f"roller {roller.name}: it has no contact"
+        if (roller.orbit is None) != (roller.place == "axis"):
+            verb = "must not have" if roller.place == "axis" else "needs"
+            yield f"roller {roller.name}: place = '{roller.place}' {verb} an orbit"
+        if (roller.name in rings) != (roller.wall_thickness is not None):
+            verb = "needs" if roller.name in rings else "is no ring and must not have"
+            yield f"roller {roller.name}: it {verb} a wall_thickness"
+        if roller.push_angle is not None and roller.place != "pin":
+            yield f"roller {roller.name}: push_angle is for rollers on a pin"
+    sized = [roller.name for roller in case.roller if roller.place != "axis"]
+    for number, branch in enumerate(case.branch or (), start=1):
+        for name in branch.deviation or ():
+            if name not in sized:
+                has = "; a sector has " + ", ".join(sized)
+                why = f"there is no such roller{nearest(name, sized) or has}"
+                if name in rollers:
+                    why = f"it is on the axis, common to all{has}"
+                yield f"branch.{number}.deviation.{name}: {why}"
+    members = [*(roller.name for roller in case.roller if roller.place == "axis"), CARRIER]
+    roles = {role: getattr(case.drive, role) for role in ("input", "output", "grounded")}
+    for role, name in roles.items():
+        if name not in members:
+            yield f"drive.{role}: '{name}' is neither a roller on the axis nor the carrier{nearest(name, members)}"
+    if len(set(roles.values())) < len(roles):
+        yield "drive: input, output and grounded must be three different members"
+    if case.drive.grounded != CARRIER and not any(roller.place == "pin" for roller in case.roller):
+        yield "drive.grounded: no roller is on a pin, so that nothing turns the carrier; ground it, or use a pin"
+
+
+def _misassumed(case: GeneralCase) -> Iterator[str]:
+    """Assumptions in place of compatibility that cannot be made."""
+    names = [contact.name for contact in case.contact]
+    others = [contact.same_coefficient_as for contact in case.contact]
+    for contact, other in zip(case.contact, others, strict=True):
+        if other is None:
+            continue
+        key = f"contact {contact.name}: same_coefficient_as"
+        if other == contact.name or other not in names:
+            yield f"{key}: there is no other contact '{other}'{nearest(other, set(names) - {contact.name})}"
+        elif others[names.index(other)] is not None:
+            yield f"{key}: contact '{other}' has that of another contact itself; name the same one in both"
+    for roller in case.roller:
+        if roller.pin_force is not None and roller.place != "pin":
+            yield f"roller {roller.name}: pin_force is for rollers on a pin"
+
+
+def _unlike_crowns(case: GeneralCase) -> Iterator[str]:
+    """Contacts that say of a track what another contact on it does not."""
+    stated: dict[tuple[str, str], tuple[str, float | None]] = {}
+    for contact in case.contact:
+        for side in ("first", "second"):
+            radius, crown = (getattr(contact, f"{side}_{name}") for name in ("radius", "crown_radius"))
+            track = getattr(contact, side), f"{radius.value:.12g}"
+            own = contact.name, None if crown is None else crown.value
+            other = stated.setdefault(track, own)
+            if own[1] != other[1]:
+                yield (
+                    f"contact {contact.name}: {side}_crown_radius: contact {other[0]} says something else of the same "
+                    f"track of {track[0]}; a track has one crown: give it in every contact of the track, or in none"
+                )

@@ -10,7 +10,6 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 
 from asperity.joint_file.quantity_key import Entered, Key
-from asperity.joint_file.wedge_model import WedgeCase
 
 
 def variants(annotation: Any) -> Iterator[Any]:
@@ -50,7 +49,7 @@ def _entry_of(annotation: Any) -> Any:
 
 @functools.cache
 def keys_by_path(
-    model: type[BaseModel] = WedgeCase, *, numbers: Literal["varied", "entered", "all"] = "varied"
+    model: type[BaseModel], *, numbers: Literal["varied", "entered", "all"] = "varied"
 ) -> dict[str, Key]:
     """Every key of a joint file in which a number stands, with ``*`` for the name of a material.
 

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Iterable, Mapping
+from typing import Annotated, Any
 
 from pydantic import StringConstraints, model_validator
 
-from asperity.errors import InputError, quoted
+from asperity.errors import MOST_ERRORS, InputError, nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import Section
 
 DepthText = Annotated[str, StringConstraints(max_length=100), Entered(limits.MEAN_ROUGHNESS_DEPTH)]
+#: Bodies that a sentence names.
+_MOST_NAMES = 8
 MaterialName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,60}$")]
 
 
@@ -97,3 +100,26 @@ class SurfaceEntry(Section):
                     f"{name}: {quoted(average.text)} reaches below zero; its tolerance has to be smaller"
                 )
         return self
+
+
+def unknown_materials(bodies: Any, known: Iterable[str]) -> list[str]:
+    """Messages about bodies whose material is not defined, one for each such material."""
+    defined = list(known)
+    if not isinstance(bodies, Mapping):
+        return []
+    users: dict[str, list[str]] = {}
+    for body, name in bodies.items():
+        if isinstance(name, str) and name not in defined:
+            users.setdefault(name, []).append(f"bodies.{body}")
+    choice = f"; the file defines {joined(defined)}; 'asperity materials' lists the library"
+    return [
+        f"{joined(paths)}: there is no material {quoted(name)}"
+        f"{(nearest(name, defined) if number < MOST_ERRORS else '') or choice}"
+        for number, (name, paths) in enumerate(users.items())
+    ]
+
+
+def joined(names: list[str]) -> str:
+    """Names in one text; those beyond eight are counted."""
+    more = len(names) - _MOST_NAMES
+    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")

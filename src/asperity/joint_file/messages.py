@@ -2,53 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from asperity.errors import MOST_ERRORS, quoted
+from asperity.errors import MOST_ERRORS, closest, nearest, quoted
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.key_paths import keys_by_path, models_of, variants
+from asperity.joint_file.material_entries import joined, unknown_materials
 from asperity.joint_file.part_names import CONTACTS, material_keys
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
-from asperity.joint_file.wedge_model import WedgeCase
 
 #: Errors of pydantic that are explained: a misspelt key is two of them, an unknown key and a missing one.
 _MOST_EXPLAINED = 10 * MOST_ERRORS
-#: Bodies that a sentence names.
-_MOST_NAMES = 8
 
 #: Keys of the file from its root to what is meant.
 Parts = tuple[str, ...]
-
-
-def closest(name: str, known: Iterable[str]) -> str | None:
-    """The known name most like the given one, if any is alike."""
-    import difflib
-
-    close = difflib.get_close_matches(name[:200], list(known), n=3, cutoff=0.5)
-    # letters in the wrong order are the likeliest typing error
-    return min(close, key=lambda other: sorted(other) != sorted(name), default=None)
-
-
-def nearest(name: str, known: Iterable[str]) -> str:
-    """``"; did you mean 'x'?"`` for the known name most like the given one, or nothing.
-
-    Parameters
-    ----------
-    name : str
-        What was written.
-    known : iterable of str
-        What could have been meant.
-
-    Returns
-    -------
-    str
-        The hint.
-    """
-    other = closest(name, known)
-    return f"; did you mean '{other}'?" if other else ""
 
 
 def _known_names(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
@@ -164,10 +135,7 @@ _CALLED_HERE = {one: other for pair in _PAIRS for one, other in (pair, pair[::-1
 
 def _drives_with(parts: Parts) -> list[str]:
     """Types of the drives whose files may have a key."""
-    from asperity.joint_file.case_types import CASES
-
-    kinds = {"zou2025": WedgeCase} | CASES
-    return [kind for kind, other in kinds.items() if parts[-1] in _known_names(parts[:-1], other)]
+    return [kind for kind, other in CASES.items() if parts[-1] in _known_names(parts[:-1], other)]
 
 
 def _missing_sections(sections: list[Parts], model: type[BaseModel]) -> str:
@@ -195,38 +163,12 @@ def _is_section(parts: Parts, model: type[BaseModel]) -> bool:
     return parts in (("materials",), ("bodies",), ("surface",)) or (bool(known) and parts[-1] not in known)
 
 
-def unknown_materials(bodies: Any, known: Iterable[str], *, model: type[BaseModel] = WedgeCase) -> list[str]:
-    """Messages about bodies whose material is not defined, one for each such material."""
-    defined = list(known)
-    if not isinstance(bodies, Mapping):
-        return []
-    users: dict[str, list[str]] = {}
-    for body, name in bodies.items():
-        if (
-            isinstance(name, str)
-            and name not in defined
-            and body in (_known_names(("bodies",), model) or bodies)
-        ):
-            users.setdefault(name, []).append(f"bodies.{body}")
-    choice = f"; the file defines {_joined(defined)}; 'asperity materials' lists the library"
-    return [
-        f"{_joined(paths)}: there is no material {quoted(name)}"
-        f"{(nearest(name, defined) if number < MOST_ERRORS else '') or choice}"
-        for number, (name, paths) in enumerate(users.items())
-    ]
-
-
-def _joined(names: list[str]) -> str:
-    more = len(names) - _MOST_NAMES
-    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
-
-
 def explained(
     error: ValidationError,
     tables: Mapping[str, Any],
     refused: Mapping[str, str],
     *,
-    model: type[BaseModel] = WedgeCase,
+    model: type[BaseModel],
 ) -> tuple[list[str], int]:
     """Messages about the errors of a file, one for each mistake."""
     found = [(_parts(each), each) for each in error.errors(include_url=False)]
@@ -245,7 +187,7 @@ def explained(
     likely = set.intersection(*map(set, foreign)) - {"zou2025"} if foreign else set()
     if absent and likely and "type" not in tables:
         kinds = " or ".join(f'type = "{kind}"' for kind in foreign[0] if kind in likely)
-        names = _joined([".".join(parts) for parts, each in found if each["type"] == "extra_forbidden"])
+        names = joined([".".join(parts) for parts, each in found if each["type"] == "extra_forbidden"])
         sentence = (
             f"{names}: the paper's drive, which a file without a type describes, has no such key; for another drive "
             f"write {kinds} in the first line"
@@ -265,5 +207,5 @@ def explained(
         if not known and parts not in sections:
             sentences += _sentence(parts, each, model).split("\n  ")
     if () not in [parts for parts, _ in found] and isinstance(tables.get("materials"), dict):
-        sentences += unknown_materials(tables.get("bodies"), tables["materials"], model=model)
+        sentences += unknown_materials(tables.get("bodies"), tables["materials"])
     return sentences, more

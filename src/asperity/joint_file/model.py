@@ -1,4 +1,4 @@
-"""The content of joint files of other drives than the paper's: a class for each type, a field for each key."""
+"""The content of a joint file: what the files of all types of drives have in common, a field for each key."""
 
 from __future__ import annotations
 
@@ -6,26 +6,13 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from asperity.errors import InputError
+from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
 from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
-from asperity.joint_file.branch_sections import (
-    MultirollerBranch,
-    PlanetaryBranch,
-    SteppedPlanetBranch,
-    refuse_branches,
-)
-from asperity.joint_file.drive_sections import (
-    BENT,
-    MultirollerDrive,
-    PartFriction,
-    PartName,
-    PartSkews,
-    PartSurfaces,
-    PlanetaryDrive,
-    SteppedPlanetDrive,
-)
-from asperity.joint_file.material_entries import MaterialEntry, MaterialName
+from asperity.joint_file.branch_sections import refuse_branches
+from asperity.joint_file.drive_sections import BENT, PartFriction, PartName, PartSkews, PartSurfaces
+from asperity.joint_file.material_entries import MaterialEntry, MaterialName, unknown_materials
+from asperity.joint_file.part_names import CONTACTS, material_keys
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section, WholeFile
 from asperity.joint_file.sections import (
@@ -151,7 +138,7 @@ class ModelChoice(Section):
 
 
 class Case(WholeFile):
-    """What joint files of all other drives have in common."""
+    """What joint files of all drives have in common."""
 
     type: str
     """Type of the drive."""
@@ -194,9 +181,7 @@ class Case(WholeFile):
 
     @model_validator(mode="after")
     def _known_materials(self) -> Self:
-        from asperity.joint_file.messages import unknown_materials
-
-        unknown = unknown_materials(self.bodies, list(self.materials), model=type(self))
+        unknown = unknown_materials(self.bodies, self.materials)
         if unknown:
             raise InputError("\n  ".join(unknown))
         return self
@@ -285,12 +270,43 @@ class Case(WholeFile):
 
     @model_validator(mode="after")
     def _known_parts(self) -> Self:
-        from asperity.joint_file.parts import misnamed_parts
-
-        found = misnamed_parts(self)
-        if found:
-            raise InputError("\n  ".join(found))
+        misnamed = self.misnamed_parts()
+        if misnamed:
+            raise InputError("\n  ".join(misnamed))
         return self
+
+    def part_names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Names of the contacts, and of the bodies in [bodies]."""
+        return tuple(CONTACTS[self.type]), material_keys(self.type)
+
+    def misnamed_parts(self) -> list[str]:
+        """Messages about tables whose entries are not the bodies or contacts of the drive."""
+        messages: list[str] = []
+        contacts, bodies = self.part_names()
+        for path, table, known in (
+            ("bodies", self.bodies, bodies),
+            ("drive.contact_length", self.drive.contact_length, contacts),
+            ("load.friction_coefficient", self.load.friction_coefficient, contacts),
+            ("rolling.skew", None if self.rolling is None else self.rolling.skew, contacts),
+            ("surface", self.surface, contacts),
+        ):
+            if not isinstance(table, dict):
+                continue
+            unknown = [name for name in table if name not in known]
+            messages += [
+                f"{path}.{name}: a {self.type} drive has no such {'body' if path == 'bodies' else 'contact'}"
+                f"{nearest(name, known) or '; it has ' + ', '.join(known)}"
+                for name in unknown
+            ]
+            meant = {closest(name, known) for name in unknown}
+            missing = [name for name in known if name not in table and name not in meant]
+            if missing:
+                instead = "; write one [surface] for all contacts, or a section for each"
+                messages.append(
+                    f"{path}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"
+                    + (instead if path == "surface" else "")
+                )
+        return messages
 
 
 class AxisCase(Case):
@@ -302,37 +318,3 @@ class AxisCase(Case):
     """Rolling bearings of the input, for their life under forces from outside."""
     output_bearing: HeldBearing | None = None
     """Rolling bearings of the output, for their life under forces from outside."""
-
-
-class PlanetaryCase(AxisCase):
-    """A joint file with a plain planetary drive."""
-
-    type: Literal["planetary"]
-    """Type of the drive."""
-    drive: PlanetaryDrive
-    """Radii and arrangement."""
-    branch: tuple[PlanetaryBranch, ...] | None = None
-    """Sizes of each planet, where they differ: a section [[branch]] for each."""
-
-
-class MultirollerCase(AxisCase):
-    """A joint file with a two-row multiroller drive."""
-
-    type: Literal["multiroller"]
-    """Type of the drive."""
-    drive: MultirollerDrive
-    """Radii and arrangement."""
-    branch: tuple[MultirollerBranch, ...] | None = None
-    """Sizes of the rollers of each sector, where they differ: a section [[branch]] for each."""
-    branches_are: ClassVar[tuple[str, str]] = ("rollers_per_row", "rollers in a row")
-
-
-class SteppedPlanetCase(AxisCase):
-    """A joint file with a drive of stepped planets."""
-
-    type: Literal["stepped_planet"]
-    """Type of the drive."""
-    drive: SteppedPlanetDrive
-    """Radii and arrangement."""
-    branch: tuple[SteppedPlanetBranch, ...] | None = None
-    """Sizes of each planet, where they differ: a section [[branch]] for each."""

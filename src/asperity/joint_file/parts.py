@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Any
 
 from asperity.drive.layout.drive import CARRIER, Closure, Drive
 from asperity.drive.layout.drives import (
@@ -17,55 +16,12 @@ from asperity.drive.layout.drives import (
 )
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.joint.body_shape import SOLID, BodyShape, ring_shape
-from asperity.joint_file.general_layout import general_layout, misdescribed
-from asperity.joint_file.general_model import GeneralCase
-from asperity.joint_file.messages import closest, nearest
-from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import CONTACTS, WEDGE_TYPE, material_keys, type_of
+from asperity.joint_file.general_layout import general_layout
+from asperity.joint_file.part_names import WEDGE_TYPE, type_of
 from asperity.joint_file.si_tables import Values
 
 #: A drive, what its bodies are, and the share of its interference at each contact.
 Layout = tuple[Drive, tuple[BodyShape, ...], tuple[float, ...]]
-
-
-def misnamed_parts(case: Case) -> list[str]:
-    """Messages about tables whose entries are not the bodies or contacts of the drive."""
-    kind = case.type
-    drive: Any = case.drive
-    found: list[str] = []
-    if isinstance(case, GeneralCase):
-        contacts = tuple(contact.name for contact in case.contact)
-        bodies = tuple(roller.name for roller in case.roller)
-        found += misdescribed(case)
-        if case.pin_bearing is not None and all(roller.place != "pin" for roller in case.roller):
-            found.append(
-                'pin_bearing: no [[roller]] has place = "pin"; leave the section out, or give the roller its pin'
-            )
-    else:
-        contacts, bodies = tuple(CONTACTS[kind]), material_keys(kind)
-    for path, table, known in (
-        ("bodies", case.bodies, bodies),
-        ("drive.contact_length", drive.contact_length, contacts),
-        ("load.friction_coefficient", case.load.friction_coefficient, contacts),
-        ("rolling.skew", None if case.rolling is None else case.rolling.skew, contacts),
-        ("surface", case.surface, contacts),
-    ):
-        if isinstance(table, dict):
-            found += [
-                f"{path}.{name}: a {kind} drive has no such {'body' if path == 'bodies' else 'contact'}"
-                f"{nearest(name, known) or '; it has ' + ', '.join(known)}"
-                for name in table
-                if name not in known
-            ]
-            meant = {closest(name, known) for name in table if name not in known}
-            missing = [name for name in known if name not in table and name not in meant]
-            if missing:
-                instead = "; write one [surface] for all contacts, or a section for each"
-                found.append(
-                    f"{path}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"
-                    + (instead if path == "surface" else "")
-                )
-    return found
 
 
 def _ring(values: Values) -> BodyShape:

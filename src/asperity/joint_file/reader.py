@@ -7,10 +7,10 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from asperity.errors import InputError, listed, quoted
+from asperity.errors import InputError, listed, nearest, quoted
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.finish_in_surface import fill_in_finishes
-from asperity.joint_file.messages import explained, nearest
+from asperity.joint_file.messages import explained
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.library import fill_in_materials

@@ -10,11 +10,10 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel
 
-from asperity.errors import InputError
+from asperity.errors import InputError, nearest
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.key_paths import keys_by_path
-from asperity.joint_file.messages import nearest
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity

@@ -13,7 +13,7 @@ from typing import Any, Literal, get_args, get_origin
 import tomlkit
 
 from asperity.errors import InputError, quoted
-from asperity.joint_file.case_types import CASES
+from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.edited_text import leave_out, set_texts, set_words
 from asperity.joint_file.entered_values import entered_key_at
 from asperity.joint_file.key_paths import models_of
@@ -22,7 +22,6 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, material_keys, type_of
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.si_tables import key_at
-from asperity.joint_file.wedge_model import WedgeCase
 from asperity.library import read_finishes
 from asperity.page.list_changes import MOST_LOADS, arrange, is_list, places_of_lists, without_lists
 from asperity.reading import check_depth, parse_toml

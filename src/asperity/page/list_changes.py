@@ -8,13 +8,13 @@ from collections.abc import Mapping
 from typing import Any, get_args, get_origin
 
 from asperity.errors import InputError, quoted
+from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.listed_sections import rearranged
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import sized_tracks, type_of
 from asperity.joint_file.section import meaning
 from asperity.joint_file.si_tables import key_at, si_values
-from asperity.joint_file.wedge_model import WedgeCase
 
 #: The change of a list that has one section for each branch of the drive, however many those are.
 EACH = "each"

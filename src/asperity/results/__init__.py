@@ -5,7 +5,8 @@ it is judged, its limit, what crossing it means and what to do. A new result is 
 package, and the function that computes it.
 """
 
-from asperity.results.result import SEVERITIES, Limit, Result, Severity
+from asperity.results.notes import SEVERITIES, Severity
+from asperity.results.result import Limit, Result
 from asperity.results.table import (
     GROUPS,
     LEVELS,

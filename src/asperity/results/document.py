@@ -13,9 +13,9 @@ import asperity
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.wedge import wedge_angles, wedges
 from asperity.drive.state.loads import pin_components
+from asperity.drive.stiffness.loading_cam import held_cam_stiffness
 from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
 from asperity.joint.evaluation import JointResult
-from asperity.joint.loading_cam import loading_cam_document
 from asperity.joint.rims import bends
 from asperity.joint.solve import Solution
 from asperity.joint.temperature import assembly_document
@@ -23,8 +23,8 @@ from asperity.joint.torque_limits import capacity_document
 from asperity.results import GROUPS, RESULTS, SEVERITIES
 from asperity.results.all_limits import all_checks
 from asperity.results.branch_document import branch_document
-from asperity.results.contact_notes import Note
 from asperity.results.limit_check import LimitCheck
+from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
 from asperity.results.strength_document import bearing_entries, rim_entry
 from asperity.results.surface_averages import surface_averages
@@ -268,11 +268,14 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
                 "force_N": result.preload,
                 "interference_m": result.interference,
                 "at_assembly": assembly_document(joint),
-                "loading_cam": loading_cam_document(
-                    result,
-                    least_preload=result.rest.normal[0],
-                    force_per_torque=None if joint.cam is None else joint.cam.force_per_torque,
-                ),
+                "loading_cam": None
+                if joint.cam is None
+                else {
+                    "least_preload_N": result.rest.normal[0],
+                    "force_per_torque_N_per_Nm": joint.cam.force_per_torque,
+                    "angle_rad": result.cam_angle,
+                    "held_stiffness_output_Nm_per_rad": held_cam_stiffness(result.assembly),
+                },
             },
             "standing": {
                 "forces": {

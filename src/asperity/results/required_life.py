@@ -10,9 +10,9 @@ import numpy as np
 from asperity.branches.results import UnequalBranches
 from asperity.results import RESULTS, Limit, Result
 from asperity.results.branch_limits import shortest_life
-from asperity.results.contact_notes import film_band
 from asperity.results.drive_table import results_of_joint
 from asperity.results.limit_check import LimitCheck
+from asperity.results.notes import film_band
 from asperity.results.solved import SolvedJoint
 
 _HOUR = 3600.0

@@ -11,19 +11,12 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from asperity.joint.status import Needs
+from asperity.results.notes import Severity
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
     from asperity.results.solved import SolvedJoint
     from asperity.standing.windup import StiffnessLevel
-
-#: How serious it is that a limit is crossed: the joint does not work as it should; it is damaged; the numbers cannot be
-#: trusted; the joint is in a state that works, with a consequence that has to be known; the published model is used
-#: outside its range, which is so for most joints.
-Severity = Literal["function", "damage", "accuracy", "state", "model"]
-
-#: Severities, the most serious first.
-SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "state", "model")
 
 
 @dataclass(frozen=True)

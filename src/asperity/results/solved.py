@@ -28,9 +28,7 @@ from asperity.joint.rims import branch_rims, joint_rims
 from asperity.joint.solve import Solution
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
-from asperity.results.contact_notes import Note
-from asperity.results.loss_note import loss_notes, skew_notes
-from asperity.results.plausibility import plausibility
+from asperity.results.notes import Note, loss_notes, plausibility, skew_notes
 
 
 class JointSize(eqx.Module):

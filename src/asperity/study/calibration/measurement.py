@@ -10,8 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from asperity.errors import InputError
-from asperity.joint_file.messages import nearest
+from asperity.errors import InputError, nearest
 from asperity.reading import read_text
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, parse_quantity

@@ -8,9 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from asperity.errors import InputError, listed, quoted
+from asperity.errors import InputError, listed, nearest, quoted
 from asperity.joint_file.any_joint import results_of, rows_of_file
-from asperity.joint_file.messages import nearest
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import Values, key_at, numeric_keys, si_values

@@ -1,19 +1,29 @@
-"""Notes on one contact of any drive: friction, length, oil film, size, crown, compared with what is usual."""
+"""Notes on a joint, compared with what is usual: its contacts and sizes, and the power that it loses when it turns."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Literal
 
 import numpy as np
 
+from asperity.contact.hertz_line import effective_radius
+from asperity.joint.description import Joint
 from asperity.joint.diagnostics import Diagnostics
+from asperity.joint.evaluation import JointResult
+from asperity.rolling.document import losses
+from asperity.rolling.rolling import RollingResult
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
 
-if TYPE_CHECKING:
-    from asperity.results import Severity
+#: How serious it is that a limit is crossed: the joint does not work as it should; it is damaged; the numbers cannot be
+#: trusted; the joint is in a state that works, with a consequence that has to be known; the published model is used
+#: outside its range, which is so for most joints.
+Severity = Literal["function", "damage", "accuracy", "state", "model"]
+
+#: Severities, the most serious first.
+SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "state", "model")
 
 #: Friction coefficients above are those of dry or tacky surfaces; traction fluids end near 0.12 [-].
 FRICTION_LIMIT = 0.3
@@ -26,6 +36,23 @@ MIXED_FILM, FULL_FILM = 1.0, 3.0
 #: The paper's pairs of rollers, Tables 1 and 2: effective radius and contact length [m].
 PAPER_EFFECTIVE_RADII = (3.0e-3, 8.4e-3)
 PAPER_CONTACT_LENGTHS = (5e-3, 30e-3)
+#: Share of the power that enters above which a loss decides about the drive [-].
+LOSS_LIMIT = 1.0 / 3.0
+
+#: Each cause of a loss in words, and what makes it smaller.
+_CAUSES = {
+    "creep": ("the creep of the contacts", "raise the preload, or lower the torque"),
+    "skew": ("the skew of the rollers", "align their axes"),
+    "hysteresis": (
+        "the hysteresis of the bodies",
+        "choose materials of a smaller loss factor, or less preload",
+    ),
+    "oil": (
+        "the oil at the inlet of the contacts",
+        "choose a thinner oil, a lower speed or shorter contact lines, or use the drive for more torque",
+    ),
+    "bearings": ("bearings and pins", "choose bearings of less friction"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,4 +254,95 @@ def _size(model: str, contact: str, radius: float, length: float) -> Note:
         None if ok else 'use contact_factor = "unity", which has no such scale',
         Dimension.LENGTH,
         "mm",
+    )
+
+
+def plausibility(joint: Joint, result: JointResult) -> tuple[Note, ...]:
+    """Notes on friction, lengths, oil film, crowns, and the sizes for which the contact factor was made."""
+    drive, crowns = joint.drive, joint.crown_curvatures
+    first, second = (np.asarray(radii, dtype=float) for radii in (drive.first_radius, drive.second_radius))
+    frictions, lengths = (
+        np.broadcast_to(np.asarray(values, dtype=float), first.shape)
+        for values in (joint.friction_coefficients, joint.contact_lengths)
+    )
+    films = np.asarray(result.rolling.film_ratio)
+    notes: list[Note] = []
+    for index, name in enumerate(result.contact_names):
+        notes += contact_notes(
+            name,
+            friction_coefficient=float(frictions[index]),
+            contact_length=float(lengths[index]),
+            smaller_radius=min(float(first[index]), float(second[index])),
+            effective_radius=float(
+                effective_radius(
+                    radius_1=float(first[index]),
+                    radius_2=float(second[index]),
+                    sign=-1.0 if drive.contacts[index].internal else 1.0,
+                )
+            ),
+            film_ratio=float(films[index]),
+            contact_factor_model=joint.contact_factor_model,
+        )
+        if crowns is not None and float(crowns[index]) > 0.0:
+            notes += crown_notes(name, result.diagnostics, index)
+    return tuple(notes)
+
+
+def loss_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
+    """Whether a drive under load loses more than a third of its power."""
+    power = found.power
+    entering, leaving = float(np.asarray(power.input)), float(np.asarray(power.output))
+    if not (entering > 0.0 and leaving > 0.0):
+        return ()
+    share = 1.0 - leaving / entering
+    ok = share <= LOSS_LIMIT
+    by_cause = {name: float(np.asarray(value)) for name, value in losses(found).items() if name in _CAUSES}
+    cause = max(by_cause, key=lambda name: np.nan_to_num(by_cause[name]))
+    words, remedy = _CAUSES[cause]
+    where = ""
+    if cause != "bearings":
+        each = np.asarray(getattr(power, cause))
+        where = f", most at {contacts[int(np.argmax(each))]}"
+    of, all_of = format_quantity(by_cause[cause], "W"), format_quantity(entering, "W")
+    return (
+        Note(
+            "loss_share",
+            "share of the power that is lost",
+            None,
+            share,
+            LOSS_LIMIT,
+            ok,
+            "function",
+            "most of the power reaches the output"
+            if ok
+            else f"of {all_of} that enter, {format_quantity(entering - leaving, 'W')} are lost, {of} of them by {words}"
+            f"{where}",
+            None if ok else remedy,
+        ),
+    )
+
+
+def skew_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
+    """Whether skewed axes leave every contact the friction for its traction."""
+    ratios, lost = np.asarray(found.slip_ratio), np.asarray(found.capacity_loss)
+    # where skew alone takes all friction, the contact slips whatever its traction
+    ratios = np.where(lost >= 1.0, np.inf, ratios)
+    if not np.any(lost > 0.0) or np.any(np.isnan(ratios)):
+        return ()
+    worst = int(np.argmax(ratios))
+    ok = bool(ratios[worst] < 1.0)
+    return (
+        Note(
+            "slip_ratio_with_skew",
+            "traction over the friction that skew leaves, in rolling",
+            contacts[worst],
+            float(ratios[worst]),
+            1.0,
+            ok,
+            "function",
+            "friction remains beside what skew takes"
+            if ok
+            else "skew takes so much friction that the contact slips as a whole: under a torque it drifts far more",
+            None if ok else "align the axes, raise the preload, or lower the torque",
+        ),
     )
