@@ -17,6 +17,7 @@ import math
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax import Array
 
 from asperity.types import Real
 
@@ -202,8 +203,8 @@ def _series_to_powers(count: int) -> np.ndarray:
     return rows
 
 
-def _coefficients() -> list[list[list[float]]]:
-    """Powers of the softness of the asperities, of the layer ratio and of the slip ratio, the constants first.
+def _coefficients() -> np.ndarray:
+    """Of the powers of the layer ratio, of the softness of the asperities and of the slip ratio, one axis each.
 
     Each row of Chebyshev's series ends at its last coefficient of some size. The series is summed in powers: of degree
     12 that costs three digits of sixteen, and each step of Horner's rule needs its predecessor once, which compiled
@@ -211,22 +212,16 @@ def _coefficients() -> list[list[list[float]]]:
     """
     series = np.einsum("ai,bj,ck,ijk->abc", *(_values_to_series(m) for m in _TABLE.shape), _TABLE)
     matters = np.logical_or.accumulate((np.abs(series) > _NEGLIGIBLE)[:, ::-1], axis=1)[:, ::-1]
-    powers = np.einsum(
-        "ai,bj,ck,ijk->abc",
+    found: np.ndarray = np.einsum(
+        "ai,bj,ck,ijk->acb",
         *(_series_to_powers(m) for m in _TABLE.shape),
         np.where(matters, series, 0.0),
     )
-    found = []
-    for block in np.moveaxis(powers, 2, 0):
-        rows = [list(np.trim_zeros(row, "b")) or [0.0] for row in block]
-        while len(rows) > 1 and rows[-1] == [0.0]:
-            rows.pop()
-        found.append(rows)
     return found
 
 
 _COEFFICIENTS = _coefficients()
-_PEAK_COEFFICIENTS = list(_series_to_powers(_PEAKS.size) @ _values_to_series(_PEAKS.size) @ _PEAKS)
+_PEAK_COEFFICIENTS = _series_to_powers(_PEAKS.size) @ _values_to_series(_PEAKS.size) @ _PEAKS
 
 
 def _position(value: Real, ends: tuple[float, float]) -> Real:
@@ -234,11 +229,11 @@ def _position(value: Real, ends: tuple[float, float]) -> Real:
     return jnp.clip((2.0 * value - sum(ends)) / (ends[1] - ends[0]), -1.0, 1.0)
 
 
-def _horner(coefficients: list, x: Real) -> Real:
-    """Sum of powers, the constant first."""
-    total = coefficients[-1]
-    for c in coefficients[-2::-1]:
-        total = total * x + c
+def _power_sum(coefficients: Array | np.ndarray, x: Real) -> Array:
+    """Sums of powers of numbers x, whose coefficients lie along the first axis, the constant first."""
+    total: Array = coefficients[-1]
+    for k in reversed(range(len(coefficients) - 1)):
+        total = total * x + coefficients[k]
     return total
 
 
@@ -272,7 +267,7 @@ def peak_pressure_factor(*, layer_ratio: Real) -> Real:
     ----------
     :mod:`asperity.bem.rough_rolling`, by ``examples/rolling_layer.py``; equation (B1) of :doc:`/equations`.
     """
-    return _horner(_PEAK_COEFFICIENTS, _layer_position(layer_ratio)) / jnp.sqrt(
+    return _power_sum(_PEAK_COEFFICIENTS, _layer_position(layer_ratio)) / jnp.sqrt(
         1.0 + 8.0 / math.pi * layer_ratio
     )
 
@@ -316,5 +311,7 @@ def layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real, stiffness_rati
     q = jnp.clip(jnp.abs(slip_ratio), *SLIP_RATIO_RANGE)
     x, y = _layer_position(layer_ratio), _position(jnp.log(q / (1.0 - q)), _LOGIT_SLIP)
     v = _position(1.0 / stiffness_ratio, _SOFTNESS)
-    shape = _horner([_horner([_horner(row, y) for row in rows], x) for rows in _COEFFICIENTS], v)
+    # the slip ratio last: a derivative by it concerns one sum of three
+    table = _COEFFICIENTS.reshape(*_COEFFICIENTS.shape, *(1,) * jnp.ndim(x + y + v))
+    shape = _power_sum(_power_sum(_power_sum(table, x), v), y)
     return 1.0 + layer_ratio / jnp.sqrt(1.0 + layer_ratio) * shape

@@ -6,6 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.body.bore import BoreCompliance, bore_compliance
 from asperity.body.shapes import Annulus
 from asperity.drive.layout.drive import Drive, contact_angles, incidence
@@ -111,7 +112,8 @@ def bore_stiffness(joint: Joint) -> Array:
     """Stiffness of each roller's bore under its pin, shape (pins,) [N/m]; infinite where no pin presses there."""
     bores = pins_in_bores(joint)
     if bores is None:
-        return jnp.full(len(joint.drive.pinned), jnp.inf)
+        rigid: Array = namespace(joint).full(len(joint.drive.pinned), np.inf)
+        return rigid
     gives = bores.own > 0.0
     return jnp.where(gives, 1.0 / jnp.where(gives, bores.own, 1.0), jnp.inf)
 

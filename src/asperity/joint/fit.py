@@ -6,8 +6,8 @@ from typing import Any, Literal
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 
+from asperity.arrays import namespace
 from asperity.types import Real
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]
@@ -56,4 +56,5 @@ def per_contact(values: tuple[Any, ...]) -> Any:
     -------
     The same kind of thing with leaves of shape (1, ...) or (5, ...).
     """
-    return jax.tree.map(lambda *leaves: jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, leaves))), *values)
+    xp = namespace(*values)
+    return jax.tree.map(lambda *leaves: xp.stack(xp.broadcast_arrays(*map(xp.asarray, leaves))), *values)

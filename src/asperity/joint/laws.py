@@ -9,6 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.equal_springs import rest_forces
@@ -212,8 +213,18 @@ def supports_of(joint: Joint) -> Supports | None:
     )
 
 
+def centrifugal_forces(joint: Joint, masses: list[Real]) -> Array:
+    r"""Forces :math:`m \omega_c^2 r` on the floating bodies, shape (floating, 2) [N]."""
+    drive = joint.drive
+    carrier = speeds(drive)[drive.members.index(CARRIER)] * joint.input_speed
+    forces = [masses[body] * carrier**2 * drive.centres[body] for body in drive.floating]
+    xp = namespace(forces)
+    together: Array = xp.stack(forces) if forces else xp.zeros((0, 2))
+    return together
+
+
 def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
-    r"""What acts on the drive of a joint: torque and the centrifugal forces :math:`m \omega_c^2 r`.
+    """What acts on the drive of a joint: torque, centrifugal forces, and its springs.
 
     Parameters
     ----------
@@ -233,12 +244,9 @@ def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
     ----------
     Equations (2)–(4) of Zou et al. 2025 have the same forces.
     """
-    drive = joint.drive
-    carrier = speeds(drive)[drive.members.index(CARRIER)] * joint.input_speed
-    forces = [masses[body] * carrier**2 * drive.centres[body] for body in drive.floating]
     return DriveLoad(
         output_torque=jnp.asarray(torque, dtype=float),
-        body_force=jnp.stack(forces) if forces else jnp.zeros((0, 2)),
+        body_force=centrifugal_forces(joint, masses),
         pin_compliance=pin_compliances(joint),
         bearings=joint.bearings,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.errors import InputError
 from asperity.joint.description import Joint, pin_names, tracks_of
 from asperity.units import format_quantity
@@ -33,19 +33,17 @@ def pin_room(joint: Joint) -> tuple[Array, Array]:
     ----------
     Moment balance of a roller between two contacts, equations (3) and (4) of Zou et al. 2025 without the wedge.
     """
-    drive, bearings = joint.drive, joint.bearings
+    xp, drive, bearings = namespace(joint), joint.drive, joint.bearings
     if bearings is None or not drive.pinned:
-        return jnp.zeros(len(drive.pinned)), jnp.zeros(len(drive.pinned))
-    radius = jnp.stack(
-        [jnp.min(jnp.stack([track for track, _ in tracks_of(joint, body)])) for body in drive.pinned]
+        return xp.zeros(len(drive.pinned)), xp.zeros(len(drive.pinned))
+    radius = xp.stack(
+        [xp.min(xp.stack([track for track, _ in tracks_of(joint, body)])) for body in drive.pinned]
     )
-    thick = jnp.asarray(bearings.pin_diameter) / (2.0 * radius)
+    thick = xp.asarray(bearings.pin_diameter) / (2.0 * radius)
     bores = [joint.shapes[body].bore_diameter for body in drive.pinned]
-    narrow = jnp.stack(
-        [jnp.asarray(False if bore is None else bearings.pin_diameter > bore) for bore in bores]
-    )
-    thick, slim = jnp.where(narrow, jnp.inf, thick), thick
-    held = slim * jnp.asarray(bearings.pin_friction_coefficient) / jnp.cos(jnp.asarray(drive.push_angles))
+    narrow = xp.stack([xp.asarray(False if bore is None else bearings.pin_diameter > bore) for bore in bores])
+    thick, slim = xp.where(narrow, xp.inf, thick), thick
+    held = slim * xp.asarray(bearings.pin_friction_coefficient) / xp.cos(xp.asarray(drive.push_angles))
     return thick, held
 
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.drive.layout.creeping import creeping_speeds
 from asperity.drive.layout.drive import CARRIER, Drive
 from asperity.drive.state.loads import MemberLoads, member_loads
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
 from asperity.joint.description import Joint, track_lengths
 from asperity.joint.evaluation import JointResult
-from asperity.joint.laws import drive_load
+from asperity.joint.laws import centrifugal_forces
 from asperity.rolling.turning import driving_sense
 
 
@@ -35,26 +35,26 @@ def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
     ----------
     Equations (M1) and (M3) of :doc:`/equations`.
     """
-    turns = jnp.asarray(joint.input_speed) != 0.0
+    xp, turns = namespace(joint, result), joint.input_speed != 0.0
     moving, standing = result.rolling, result.forces
-    load = drive_load(joint, [result.masses[k] for k in range(len(joint.shapes))], joint.output_torque)
-    known = jnp.where(turns, jnp.isfinite(moving.residual), result.solved)
+    known = xp.where(turns, xp.isfinite(moving.residual), result.solved)
     found = member_loads(
         drive=joint.drive,
-        normal=jnp.where(turns, moving.normal, standing.normal),
-        tangential=driving_sense(joint.drive) * jnp.where(turns, moving.tangential, standing.tangential),
-        body_force=jnp.zeros((0, 2)) if load.body_force is None else load.body_force,
+        normal=xp.where(turns, moving.normal, standing.normal),
+        tangential=driving_sense(joint.drive) * xp.where(turns, moving.tangential, standing.tangential),
+        body_force=centrifugal_forces(joint, [result.masses[k] for k in range(len(joint.shapes))]),
     )
-    return MemberLoads(*(jnp.where(known, each, jnp.nan) for each in found))
+    return MemberLoads(*(xp.where(known, each, xp.nan) for each in found))
 
 
 def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
     """Loads of the structure of an assembled joint without torque; pure."""
+    xp = namespace(joint, result)
     return member_loads(
         drive=joint.drive,
-        normal=jnp.asarray(result.rest.normal),
-        tangential=jnp.asarray(result.rest.tangential),
-        body_force=jnp.zeros((len(joint.drive.floating), 2)),
+        normal=xp.asarray(result.rest.normal),
+        tangential=xp.asarray(result.rest.tangential),
+        body_force=xp.zeros((len(joint.drive.floating), 2)),
     )
 
 
@@ -77,10 +77,11 @@ def member_speeds(joint: Joint, result: JointResult) -> Array:
     ----------
     Equation (M2) of :doc:`/equations`.
     """
-    speed = jnp.asarray(joint.input_speed)
-    creepage = driving_sense(joint.drive) * jnp.sign(speed) * result.rolling.creepage
+    xp, speed = namespace(joint, result), joint.input_speed
+    creepage = driving_sense(joint.drive) * xp.sign(speed) * result.rolling.creepage
     unit, _ = creeping_speeds(drive=joint.drive, creepage=creepage)
-    return jnp.where(speed != 0.0, unit * speed, 0.0)
+    turning: Array = xp.where(speed != 0.0, unit * speed, 0.0)
+    return turning
 
 
 def pin_speeds(drive: Drive, speeds: Array) -> Array:
@@ -103,7 +104,7 @@ def pin_speeds(drive: Drive, speeds: Array) -> Array:
     Difference of the angular velocities.
     """
     carrier = drive.members.index(CARRIER)
-    return jnp.abs(speeds[np.array(drive.pinned, dtype=int)] - speeds[carrier])
+    return abs(speeds[np.array(drive.pinned, dtype=int)] - speeds[carrier])
 
 
 def pin_bending(joint: Joint, force: Array) -> tuple[Array, Array]:
@@ -125,17 +126,18 @@ def pin_bending(joint: Joint, force: Array) -> tuple[Array, Array]:
     ----------
     Equation (L1) of :doc:`/equations`.
     """
+    xp = namespace(joint, force)
     if joint.pin is None:
-        unknown = jnp.full_like(force, jnp.nan)
+        unknown = xp.full_like(force, xp.nan)
         return unknown, unknown
     moments = [
         pin_bending_moment(
-            force=jnp.abs(own),
+            force=abs(own),
             free_length=joint.pin.free_length,
             roller_length=sum(track_lengths(joint, body)),
             support=joint.pin.support,
         )
         for own, body in zip(force, joint.drive.pinned, strict=True)
     ]
-    moment = jnp.stack(moments) if moments else jnp.zeros_like(force)
+    moment = xp.stack(moments) if moments else xp.zeros_like(force)
     return moment, pin_bending_stress(moment=moment, diameter=joint.pin.diameter)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import functools
 
-import jax.numpy as jnp
-
 from asperity.joint.bores import bore_stiffness
 from asperity.joint.working_loads import pin_bending
 from asperity.results.result import Result
@@ -20,7 +18,7 @@ ROWS = (
         "force of a roller on its pin",
         Dimension.FORCE,
         "N",
-        lambda solved: jnp.abs(solved.loads.pin),
+        lambda solved: abs(solved.loads.pin),
         axis="pin",
         note=_STATE,
     ),

@@ -14,7 +14,6 @@ from typing import Any, Literal, NamedTuple
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
@@ -202,8 +201,9 @@ def sectors_of_members(drive: Drive) -> Array:
     ----------
     Elementary.
     """
-    on_axis = jnp.array([*(body.place == "axis" for body in drive.bodies), True])
-    return jnp.where(on_axis, jnp.asarray(drive.sectors, dtype=float), 1.0)
+    xp, on_axis = namespace(drive.sectors), np.array([*(body.place == "axis" for body in drive.bodies), True])
+    numbers: Array = xp.where(on_axis, xp.asarray(drive.sectors, dtype=float), 1.0)
+    return numbers
 
 
 def sector_rotation(drive: Drive, sector: ArrayLike) -> Array:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -115,9 +114,9 @@ def member_moments(drive: Drive, matrices: Incidence, tangential: Array, pin: Ar
     """
     members = drive.members
     carrier = members.index(CARRIER)
-    moments = jnp.where(
+    moments = namespace(matrices, tangential, pin).where(
         np.arange(len(members)) == carrier,
-        jnp.sum(matrices.levers * pin),
+        (matrices.levers * pin).sum(),
         -product(matrices.turning.T, tangential),
     )
     return moments * sectors_of_members(drive)

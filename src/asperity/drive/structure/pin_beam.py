@@ -6,9 +6,9 @@ import math
 from typing import Literal
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.types import Real
 
 #: How the carrier holds a pin.
@@ -33,7 +33,7 @@ class PinBeam(eqx.Module):
     diameter: Real
 
 
-def pin_bending_moment(*, force: Real, free_length: Real, roller_length: Real, support: PinSupport) -> Array:
+def pin_bending_moment(*, force: Real, free_length: Real, roller_length: Real, support: PinSupport) -> Real:
     r"""Largest bending moment of a carrier pin with the roller in the middle of its free length.
 
     .. math:: M = \frac{F (2l - b)}{8} \;\text{(held at both ends)}, \qquad M = \frac{F l}{2} \;\text{(at one end)}
@@ -51,7 +51,7 @@ def pin_bending_moment(*, force: Real, free_length: Real, roller_length: Real, s
 
     Returns
     -------
-    Array
+    Real
         Bending moment [N·m].
 
     Notes
@@ -63,8 +63,8 @@ def pin_bending_moment(*, force: Real, free_length: Real, roller_length: Real, s
     Statics of a beam; (L1) of :doc:`/equations`.
     """
     if support == "one_end":
-        return jnp.asarray(0.5 * force * free_length)
-    return jnp.asarray(0.125 * force * (2.0 * free_length - roller_length))
+        return 0.5 * force * free_length
+    return 0.125 * force * (2.0 * free_length - roller_length)
 
 
 def pin_bending_stress(*, moment: Real, diameter: Real) -> Array:
@@ -86,5 +86,6 @@ def pin_bending_stress(*, moment: Real, diameter: Real) -> Array:
     ----------
     Statics of a beam; (L1) of :doc:`/equations`.
     """
-    solid = jnp.asarray(diameter) > 0.0
-    return jnp.where(solid, 32.0 * moment / (math.pi * jnp.where(solid, diameter, 1.0) ** 3), jnp.nan)
+    xp, solid = namespace(moment, diameter), diameter > 0.0
+    stress: Array = xp.where(solid, 32.0 * moment / (math.pi * xp.where(solid, diameter, 1.0) ** 3), xp.nan)
+    return stress

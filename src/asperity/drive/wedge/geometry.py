@@ -10,6 +10,7 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
+from asperity.arrays import namespace
 from asperity.types import Real
 
 #: The contacts of a branch in the order of the contact axis: name, driving and driven body.
@@ -97,8 +98,9 @@ def triangle(geometry: DriveGeometry) -> Triangle:
     roller_distance = geometry.planet_radius + geometry.loading_roller_radius
     roller_orbit = geometry.ring_radius - geometry.loading_roller_radius
     cos_polar = (planet_orbit**2 + roller_orbit**2 - roller_distance**2) / (2.0 * planet_orbit * roller_orbit)
-    closes = jnp.abs(cos_polar) < 1.0
-    sin_polar = jnp.sqrt(jnp.where(closes, 1.0 - cos_polar**2, jnp.nan))
+    xp = namespace(cos_polar)
+    closes = xp.abs(cos_polar) < 1.0
+    sin_polar = xp.sqrt(xp.where(closes, 1.0 - cos_polar**2, xp.nan))
     cos_direction = (roller_orbit * cos_polar - planet_orbit) / roller_distance
     sin_direction = roller_orbit * sin_polar / roller_distance
     return Triangle(
