@@ -50,20 +50,43 @@ def test_shift_against_boundary_elements(q):
 )
 def test_shift_with_an_elastic_layer(q, layer_ratio, close):
     shift, rolled = boundary_elements(q, layer_ratio=layer_ratio)
-    steady = (shift[-1] - shift[-21]) / (rolled[-1] - rolled[-21])
+    steady = steady_creepage(q, layer_ratio=layer_ratio)
     model = rolling_in_shift(rolled_distance=rolled, half_width=1.0, slip_ratio=q, creepage=steady)
     np.testing.assert_allclose(model, shift, atol=close * float(steady))
 
 
-def boundary_elements(q, *, layer_ratio):
-    """Shift since rolling began, over the creepage at gross slip, and the distance rolled; half-width 1."""
-    from asperity.bem import ElasticPair, FreeHalfSpace, transient_rolling
+def hertz_strip():
+    """Strip of unit modulus of one body, and Hertz's pressure on it; half-width 1."""
+    from asperity.bem import ElasticPair, FreeHalfSpace
 
     cells, pixel = 200, 0.01
     pair = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.0)
     strip = FreeHalfSpace(pair, shape=(cells + 2,), pixel_size=(pixel,), reference_distance=10.0)
     edge = np.linspace(-1.0, 1.0, cells + 1)
-    pressure = np.pad(np.diff(0.5 * (edge * np.sqrt(1.0 - edge**2) + np.arcsin(edge))) / pixel, 1)
+    return strip, np.pad(np.diff(0.5 * (edge * np.sqrt(1.0 - edge**2) + np.arcsin(edge))) / pixel, 1)
+
+
+def steady_creepage(q, *, layer_ratio):
+    """Creepage in steady rolling over that at gross slip without a layer."""
+    from asperity.bem import steady_rolling
+
+    strip, pressure = hertz_strip()
+    found = steady_rolling(
+        strip,
+        pressure,
+        friction_coefficient=1.0,
+        layer_compliance=layer_ratio,
+        longitudinal_force=q * 0.5 * np.pi,
+        lateral_creepage=0.0,
+    )
+    return float(found.creepage[0])
+
+
+def boundary_elements(q, *, layer_ratio):
+    """Shift since rolling began, over the creepage at gross slip, and the distance rolled; half-width 1."""
+    from asperity.bem import transient_rolling
+
+    strip, pressure = hertz_strip()
     found = transient_rolling(
         strip,
         pressure,

@@ -137,13 +137,12 @@ def test_every_sector_keeps_the_pin_force_and_the_coefficients_of_its_own(rolls)
     rest = state_at_rest(
         drive=drive, laws=laws, pattern=jnp.tile(PATTERN, 3), interference=13e-6, added=added
     )
-    _, state = loaded_state(
+    state = loaded_state(
         drive=drive,
         laws=laws,
         rest=rest,
         load=DriveLoad(jnp.asarray(6.0)),
         rolls=jnp.asarray(rolls),
-        passes=1,
     )
     assert float(state.residual) < STATE_TOLERANCE
     right = np.asarray(rest.pin_force)[::2]

@@ -39,7 +39,7 @@ def traced(paper_joint):
     """As ``rolled``, as a part of a program that asks for derivatives."""
 
     def result(conditions, **changes):
-        joint = dataclasses.replace(paper_joint(), rolling=conditions)
+        joint = dataclasses.replace(paper_joint(**HARD), rolling=conditions)
         return evaluate(dataclasses.replace(jax.tree.map(jnp.asarray, joint), **changes)).rolling
 
     return result
@@ -297,7 +297,7 @@ def test_life_of_bodies_and_drive(rolled, reliability):
 @pytest.mark.slow
 def test_duty_of_one_load_is_that_load(rolled):
     duty = (DutyPoint(5.0, 100.0, 0.25), DutyPoint(5.0, 100.0, 0.7), DutyPoint(5.0, 100.0, 0.05))
-    found = rolled(conditions(duty=duty), sun_speed=100.0)
+    found = rolled(conditions(duty=duty), sun_speed=100.0, **HARD)
     assert float(found.duty_life_hours) == pytest.approx(float(found.life_hours.drive), rel=1e-9)
     assert float(found.duty_life_turns) == pytest.approx(float(found.life_turns.drive), rel=1e-9)
 
@@ -306,11 +306,11 @@ def test_duty_of_one_load_is_that_load(rolled):
 def test_miners_sum_over_a_duty(rolled):
     """A load that leaves the standing drive unharmed half of the time doubles the hours; braking counts too."""
     loads = [(8.0, 100.0, 0.3), (-2.0, 50.0, 0.2), (3.0, 0.0, 0.5)]
-    found = rolled(conditions(duty=tuple(DutyPoint(*load) for load in loads)), sun_speed=100.0)
+    found = rolled(conditions(duty=tuple(DutyPoint(*load) for load in loads)), sun_speed=100.0, **HARD)
     damage = 0.0
     for torque, speed, share in loads:
         if speed > 0.0:
-            alone = rolled(output_torque=torque, sun_speed=speed)
+            alone = rolled(output_torque=torque, sun_speed=speed, **HARD)
             # every track by itself: Miner's sum is linear
             seconds = alone.cycles / (alone.cycles_per_turn * alone.output_speed / TURN)
             damage = damage + share / np.asarray(seconds)
@@ -323,9 +323,11 @@ def test_miners_sum_over_a_duty(rolled):
     ):
         rate += (1 if body in (0, 4) else 3) * sum(tracks[place] ** (10 / 9) for place in places)
     assert float(found.duty_life_hours) == pytest.approx(rate ** (-9 / 10), rel=1e-9)
-    slipping = rolled(conditions(duty=tuple(DutyPoint(torque, 100.0, 0.3) for torque in (1.0, 2.0, 30.0))))
+    slipping = rolled(
+        conditions(duty=tuple(DutyPoint(torque, 100.0, 0.3) for torque in (1.0, 2.0, 30.0))), **HARD
+    )
     assert np.isnan(float(slipping.duty_life_hours))
-    assert np.isnan(float(rolled().duty_life_hours))
+    assert np.isnan(float(rolled(**HARD).duty_life_hours))
 
 
 @pytest.mark.slow
@@ -335,7 +337,7 @@ def test_damage_of_a_load_is_what_its_duration_takes_from_the_life(rolled):
     def found(*factors):
         loads = [(8.0, 100.0, 0.1), (3.0, 200.0, 0.5), (1.0, 0.0, 0.4)]
         points = tuple(DutyPoint(t, n, s * f) for (t, n, s), f in zip(loads, factors, strict=True))
-        return rolled(conditions(duty=points), sun_speed=100.0)
+        return rolled(conditions(duty=points), sun_speed=100.0, **HARD)
 
     whole = found(1.0, 1.0, 1.0)
     shares = np.asarray(whole.duty_damage_shares)
@@ -349,7 +351,7 @@ def test_damage_of_a_load_is_what_its_duration_takes_from_the_life(rolled):
         ]
         slope = math.log(life[1] / life[0]) / math.log(1.001 / 0.999)
         assert shares[load] == pytest.approx(-slope, rel=1e-5)
-    alone = rolled(conditions(), output_torque=8.0, sun_speed=100.0).life_hours.drive
+    alone = rolled(conditions(), output_torque=8.0, sun_speed=100.0, **HARD).life_hours.drive
     assert float(whole.duty_load_hours[0]) == pytest.approx(float(alone), rel=1e-9)
     assert np.isnan(float(whole.duty_load_hours[2]))
     assert rolled().duty_damage_shares.shape == (0,)
