@@ -1,5 +1,8 @@
 import io
 
+import pytest
+from rich.console import Console
+
 from asperity.cli.terminal import WIDEST, console, table
 
 
@@ -25,6 +28,15 @@ def test_a_pipe_without_unicode_gets_plain_letters(monkeypatch):
 def test_a_pipe_is_as_wide_as_tables_may_be(monkeypatch):
     monkeypatch.setattr("sys.stdout", io.TextIOWrapper(io.BytesIO(), encoding="utf-8"))
     assert console().width == WIDEST
+
+
+@pytest.mark.parametrize("width", [100, 80])
+def test_rows_keep_their_names_in_a_table_of_many_columns(width):
+    target = Console(file=io.StringIO(), width=width)
+    shown = table(target, "Contacts", "contact", *(f"quantity {k}" for k in range(9)))
+    shown.add_row("wro", *("1.23" for _ in range(9)))
+    target.print(shown)
+    assert any(line.startswith(" wro ") for line in target.file.getvalue().splitlines())
 
 
 def test_units_in_brackets_are_no_markup(monkeypatch):

@@ -46,6 +46,16 @@ def test_a_branch_that_slips_under_the_torque_does_not_work(unequal_branches):
         assert words in check.meaning
 
 
+def test_a_branch_that_the_friction_of_the_bearings_makes_slip_slips_under_any_torque(unequal_branches):
+    found = unequal_branches()
+    at_rest = dataclasses.replace(found.capacity, **(SLIPS_EARLY | {"first_slip": 0.0}))
+    for torque in (5.0, 0.0):
+        check = checks_of(unequal_branches(capacity=at_rest, torque=torque))["branch_slip"]
+        assert not check.ok
+        assert check.value == math.inf
+        assert "contact sp of planet 3 slips first, at 0 N·m" in check.meaning
+
+
 def test_more_than_all_branches_pass(unequal_branches):
     found = unequal_branches(torque=14.0, standing=None)
     slip, _, pressure, beyond = branch_checks(found, turns=False)

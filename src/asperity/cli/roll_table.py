@@ -94,7 +94,7 @@ def _show_contacts(target: Console, document: Document) -> None:
         "pressure\nMPa",
         "over\nfirst yield",
         "over\nshakedown",
-        "with asperities\nMPa",
+        "rough\nMPa",
     )
     sliding = []
     for name, contact in document["rolling"]["contacts"].items():

@@ -232,8 +232,12 @@ def table(target: Console, title: str, *columns: str) -> Table:
 
     lines = box.SIMPLE_HEAD if target.encoding.lower().startswith("utf") else None
     made = Table(title=escape(title), title_justify="left", title_style="bold", box=lines, pad_edge=False)
-    for index, column in enumerate(columns):
-        made.add_column(escape(column), justify="right" if index else "left", no_wrap=index > 0)
+    for index, column in enumerate(
+        columns
+    ):  # the widest gives way first: else the names of the rows would go
+        made.add_column(
+            escape(column), justify="right" if index else "left", overflow="ellipsis" if index else "fold"
+        )
     return made
 
 

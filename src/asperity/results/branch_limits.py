@@ -51,7 +51,7 @@ def _beyond_equal(found: UnequalBranches) -> LimitCheck:
             highest=1.0,
         ),
     )
-    return LimitCheck(row, None, found.torque / found.capacity.equal)
+    return LimitCheck(row, None, _over(found.torque, found.capacity.equal))
 
 
 def _slip(
@@ -86,7 +86,12 @@ def _slip(
             highest=1.0,
         ),
     )
-    return LimitCheck(row, f"{found.noun} {capacity.branch + 1}", found.torque / capacity.first_slip)
+    return LimitCheck(row, f"{found.noun} {capacity.branch + 1}", _over(found.torque, capacity.first_slip))
+
+
+def _over(torque: float, limit: float) -> float:
+    """A torque over its limit; infinite where the friction of the bearings alone makes a contact slip [-]."""
+    return torque / limit if limit else math.inf
 
 
 def _looseness(found: UnequalBranches) -> LimitCheck:

@@ -45,4 +45,8 @@ def test_a_conflict_names_the_active_limits_and_the_bounds():
     assert idle.text not in text
     assert text.endswith("; load.preload is at its upper bound. Relax one of these, or widen the bounds")
     assert "conflict:" not in conflict(result((slip,)))
+    ratio = limit("speed_ratio", at_most=True, limit=-11.0, value=-10.8, missed_by=0.02, active=False)
+    assert ratio.text in conflict(result((slip, load, idle, ratio))), (
+        "a limit that another one outweighs is missed too"
+    )
     assert DesignResult.violation.fget(SimpleNamespace(feasible=True)) == 0.0

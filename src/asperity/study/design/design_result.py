@@ -190,10 +190,12 @@ def conflict(result: DesignResult) -> str:
     """Why a design is infeasible, in a sentence."""
     unknown = math.isnan(result.violation)
     parts = [limit.text for limit in result.limits if limit.active or (unknown and not limit.met)]
+    missed = [limit.text for limit in result.limits if not limit.met and limit.text not in parts]
     bounds = [f"{path} is at its {side} bound" for path, side in result.at_bound.items()]
     conflicting = "These limits conflict: " if len(parts) > 1 else ""
     by = "has no value of a limit" if unknown else f"misses a limit by {100.0 * result.violation:.3g} %"
+    also = f"It also misses: {'; '.join(missed)}. " if missed else ""
     return (
         f"no design meets all limits; the best one {by}. "
-        f"{conflicting}{'; '.join([*parts, *bounds])}. Relax one of these, or widen the bounds"
+        f"{conflicting}{'; '.join([*parts, *bounds])}. {also}Relax one of these, or widen the bounds"
     )
