@@ -39,8 +39,8 @@ from asperity.joint.loading_cam import (
 from asperity.joint.motion import in_motion
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.duty import with_duty_life
-from asperity.rolling.rolling import RollingResult
-from asperity.rolling.turning import driving_sense, rolling_at, turning
+from asperity.rolling.rolling import RollingResult, turning
+from asperity.rolling.turning import driving_sense, rolling_at
 from asperity.types import Real
 
 

@@ -122,80 +122,87 @@ def stiffness_levels(
 
     The signs of the pins' forces say which halves of their bores they press; without force those that a torque presses.
     """
-    drive, ratio = joint.drive, jnp.asarray(speed_ratio(joint.drive))
-    interfaces = loaded.interfaces
-
-    def compliance(stiffness: Real) -> Array:
-        acts = jnp.asarray(stiffness) > 0.0
-        return jnp.where(acts, 1.0 / jnp.where(acts, stiffness, 1.0), jnp.nan)
+    ratio, interfaces = jnp.asarray(speed_ratio(joint.drive)), loaded.interfaces
 
     def with_held_centres(tangential: Array) -> NetworkStiffness:
         return network_stiffness(
-            drive=drive,
+            drive=joint.drive,
             normal_compliance=None,
-            tangential_compliance=compliance(tangential),
+            tangential_compliance=_compliance(tangential),
             sliding_friction=sliding_friction,
         )
-
-    def at_both_ends(output: Array) -> TorsionalStiffness:
-        return TorsionalStiffness(sun=output / ratio**2, output=output)
 
     held = jax.vmap(with_held_centres)(
         jnp.stack([jnp.asarray(interfaces.asperity_tangential), jnp.asarray(interfaces.tangential)])
     )
     normal, tangential, coupling = interfaces.normal, interfaces.tangential, None
     if joint.body_model == "exact":
-        width, stick = widths_of_bodies(contacts=contacts, loaded=loaded)
-        springs = springs_of_compliance(
-            compliance=body_compliance(
-                joint=joint, contacts=contacts, half_width=width, stick_half_width=stick
-            ),
-            half_width=width,
-            loaded=loaded,
+        normal, tangential, coupling = _springs_of_bodies(
+            joint, contacts, loaded, pin_force, held.tangential_force[1]
         )
-        normal, tangential = springs.normal_stiffness, springs.tangential_stiffness
-        coupling = springs.coupling
-        bores = pins_in_bores(joint)
-        if bores is not None:
-            assert coupling is not None
-            acts = jnp.concatenate([springs.normal_stiffness, springs.tangential_stiffness]) > 0.0
-            added = pin_forces(drive, jnp.zeros_like(held.tangential_force[1]), held.tangential_force[1])
-            side = jnp.sign(jnp.where(pin_force == 0.0, added, pin_force))
-            by_pin = jnp.where(acts[:, None], jnp.concatenate(bores.by_pin(side)), 0.0)
-            coupling = jnp.block([[coupling, by_pin], [by_pin.T, jnp.zeros((side.size,) * 2)]])
     rings = ring_springs(joint)
-    whole = network_stiffness(
-        drive=drive,
-        normal_compliance=compliance(normal) if rings is None else compliance(normal) + rings,
-        tangential_compliance=compliance(tangential),
+    network = network_stiffness(
+        drive=joint.drive,
+        normal_compliance=_compliance(normal) if rings is None else _compliance(normal) + rings,
+        tangential_compliance=_compliance(tangential),
         coupling=coupling,
         pin_compliance=pin_compliances(joint),
         sliding_friction=sliding_friction,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
         supports=supports_of(joint),
     )
+    published, series = (TorsionalStiffness(sun=output / ratio**2, output=output) for output in held.output)
+    return published, series, _assembly(joint, network, rings, ratio)
+
+
+def _compliance(stiffness: Real) -> Array:
+    """Of springs; nan for those that carry nothing [m/N]."""
+    acts = jnp.asarray(stiffness) > 0.0
+    return jnp.where(acts, 1.0 / jnp.where(acts, stiffness, 1.0), jnp.nan)
+
+
+def _springs_of_bodies(
+    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, pin_force: Array, added: Array
+) -> tuple[Real, Real, Array | None]:
+    """Normal and tangential stiffness [N/m] and coupling [m/N] of elastic bodies with the bores of their pins.
+
+    ``added`` are the tangential forces under a unit torque with centres held [N].
+    """
+    width, stick = widths_of_bodies(contacts=contacts, loaded=loaded)
+    compliance = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=stick)
+    springs = springs_of_compliance(compliance=compliance, half_width=width, loaded=loaded)
+    coupling, bores = springs.coupling, pins_in_bores(joint)
+    if bores is not None:
+        assert coupling is not None
+        by_torque = pin_forces(joint.drive, jnp.zeros_like(added), added)
+        side = jnp.sign(jnp.where(pin_force == 0.0, by_torque, pin_force))
+        acts = jnp.concatenate([springs.normal_stiffness, springs.tangential_stiffness]) > 0.0
+        by_pin = jnp.where(acts[:, None], jnp.concatenate(bores.by_pin(side)), 0.0)
+        coupling = jnp.block([[coupling, by_pin], [by_pin.T, jnp.zeros((side.size,) * 2)]])
+    return springs.normal_stiffness, springs.tangential_stiffness, coupling
+
+
+def _assembly(joint: Joint, network: NetworkStiffness, rings: Array | None, ratio: Array) -> Assembly:
+    """The drive in series with its shafts, and the shares of all springs in its compliance."""
+    drive = joint.drive
     across = 0 if joint.pin_transverse_stiffness is None else len(drive.pinned)
     bending = jnp.zeros(len(drive.contacts))
     if rings is not None:
-        bending = rings * whole.normal_force**2 * jnp.asarray(drive.sectors) * whole.output
+        bending = rings * network.normal_force**2 * jnp.asarray(drive.sectors) * network.output
     output, input_share, output_share = with_shafts(
-        stiffness=whole.output,
+        stiffness=network.output,
         ratio=ratio,
         input_shaft_stiffness=joint.input_shaft_stiffness,
         output_shaft_stiffness=joint.output_shaft_stiffness,
     )
-    rest = output / whole.output
-    return (
-        at_both_ends(held.output[0]),
-        at_both_ends(held.output[1]),
-        Assembly(
-            stiffness=at_both_ends(output),
-            tangential_share=whole.tangential_share * rest,
-            normal_share=(whole.normal_share - bending) * rest,
-            ring_bending_share=jnp.sum(bending) * rest,
-            pin_share=(whole.pin_share + jnp.sum(whole.support_share[:across])) * rest,
-            planet_support_share=jnp.sum(whole.support_share[across:]) * rest,
-            input_shaft_share=input_share,
-            output_shaft_share=output_share,
-        ),
+    between_shafts = output / network.output
+    return Assembly(
+        stiffness=TorsionalStiffness(sun=output / ratio**2, output=output),
+        tangential_share=network.tangential_share * between_shafts,
+        normal_share=(network.normal_share - bending) * between_shafts,
+        ring_bending_share=jnp.sum(bending) * between_shafts,
+        pin_share=(network.pin_share + jnp.sum(network.support_share[:across])) * between_shafts,
+        planet_support_share=jnp.sum(network.support_share[across:]) * between_shafts,
+        input_shaft_share=input_share,
+        output_shaft_share=output_share,
     )

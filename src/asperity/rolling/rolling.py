@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import operator
-from collections.abc import Sequence
+from typing import NamedTuple, TypeVar
 
 import equinox as eqx
 import jax
@@ -13,20 +13,25 @@ from jax import Array
 
 from asperity.contact.creep_layer import peak_pressure_factor, width_factor
 from asperity.contact.hertz_line import peak_pressure
+from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import life_at_reliability
 from asperity.contact.skew import axial_force, stick_fraction
+from asperity.drive.layout.drive import CARRIER, speeds
+from asperity.drive.mechanism import leading_sense
+from asperity.drive.state.bearings import friction_moments, friction_power
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
 from asperity.drive.state.rolling_speeds import BodiesOfContacts, RollingSpeeds
-from asperity.drive.state.state import DriveState
+from asperity.drive.state.state import DriveState, surface_speeds
 from asperity.joint.contacts import JointContacts
-from asperity.materials import Material
-from asperity.rolling.conditions import RollingConditions
+from asperity.joint.description import Joint, bodies_of_contacts, places
 from asperity.rolling.creep import ContactCreep, capacity_loss, lateral_slip_ratio
 from asperity.rolling.life import DriveLives, cycle_rates, drive_lives
 from asperity.rolling.power import RollingPower, rolling_power
-from asperity.rolling.strips import rolling_strips
+from asperity.rolling.strips import RollingStrips, rolling_strips
 from asperity.rolling.surface import flash_temperatures, oil_film
 from asperity.types import Real
+
+_Values = TypeVar("_Values")
 
 
 class RollingResult(eqx.Module):
@@ -136,48 +141,38 @@ class RollingResult(eqx.Module):
     crown_creepage_factor: Array | None = None
 
 
-def turning_result(
-    *,
-    contacts: JointContacts,
-    conditions: RollingConditions,
-    materials: Sequence[tuple[Material, Material]],
-    bodies: BodiesOfContacts,
-    branches: Real,
-    creep: ContactCreep,
-    state: DriveState,
-    unit_speeds: RollingSpeeds,
-    input_speed: Real,
-    bearing_power: Array,
-    output_torque: Real,
-) -> RollingResult:
-    """What the rolling state of any drive means: drift, losses, surfaces, shakedown and life."""
-    pairs = contacts.pairs
-    solved = state.residual < ROLLING_TOLERANCE
+def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: DriveState) -> RollingResult:
+    """The joint that turns, from its rolling state.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+    creep : ContactCreep
+        Their creep around the forces of the rolling drive.
+    state : DriveState
+        The rolling state, its tangential forces and creepages with the sense of the drive.
+
+    Returns
+    -------
+    RollingResult
+        Drift, losses, surfaces, shakedown and life.
+
+    References
+    ----------
+    Equations (B1) and (M3) of :doc:`/equations`.
+    """
+    pairs, conditions, branches = contacts.pairs, joint.rolling, jnp.asarray(joint.drive.sectors)
     normal = jnp.where(state.normal > 0.0, state.normal, 1.0)
-    friction = pairs.friction_coefficient
     traction = state.tangential / normal
     strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)
-    # above the shakedown limit the surface flows at every passage, and no law of elastic fatigue holds
-    tracks = jnp.where(strips.shakedown_ratio < 1.0, strips.tracks, jnp.nan)
-    speeds = jax.tree.map(lambda speed: speed * input_speed, unit_speeds)
-    width = strips.even_half_width / pairs.effective_radius
-    lateral = lateral_slip_ratio(
-        creep=creep, friction_coefficient=friction, width_over_radius=width, creepage=state.creepage
-    )
-    lost = capacity_loss(creep=creep, friction_coefficient=friction, width_over_radius=width)
-    axial = jnp.asarray(
-        axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral)
-    )
-    turns = jnp.asarray(input_speed) > 0.0
-    drift = drift_per_turn(state.speed_loss)
-    per_turn = cycle_rates(bodies=bodies, speeds=unit_speeds, planet_count=branches) * (
-        2.0 * jnp.pi / unit_speeds.output
-    )
-    lives = drive_lives(
-        bodies=bodies,
-        tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / per_turn,
-        planet_count=branches,
-    )
+    unit = _speeds_of_unit_input(joint, state)
+    input_speed = jnp.abs(jnp.asarray(joint.input_speed))
+    speeds, turns = jax.tree.map(lambda speed: speed * input_speed, unit), input_speed > 0.0
+    friction = _friction(pairs, creep, strips, normal, state.creepage)
+    tracks, per_turn, lives = _lives(joint, strips, unit)
     turns_an_hour = 3600.0 * speeds.output / (2.0 * jnp.pi)
     power = rolling_power(
         branches=branches,
@@ -186,24 +181,14 @@ def turning_result(
         state=state,
         half_width=strips.mean_half_width,
         speeds=speeds,
-        axial_force=axial,
+        axial_force=friction.axial,
         lateral_creepage=creep.skew,
-        bearing_power=bearing_power,
-        output_torque=output_torque,
+        bearing_power=_bearing_power(joint, state),
+        output_torque=jnp.where(jnp.asarray(joint.input_speed) < 0.0, -1.0, 1.0)
+        * jnp.asarray(joint.output_torque),
         lines=strips.lines,
     )
-    stuck = jnp.asarray(
-        stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral)
-    )
-    flash_power = jnp.asarray((power.creep + power.skew) / (branches * pairs.contact_length))
-    flash_stuck = stuck
-    if strips.middle_power_ratio is not None:
-        flash_power = flash_power * strips.middle_power_ratio
-        flash_stuck = jnp.asarray(
-            stick_fraction(
-                longitudinal_slip_ratio=strips.middle_traction / friction, lateral_slip_ratio=lateral
-            )
-        )
+    stuck, flash_temperature = _flash(joint, pairs, strips, friction, power, speeds, traction)
     pressure = jnp.asarray(
         peak_pressure(
             normal_force=strips.largest_load,
@@ -217,12 +202,14 @@ def turning_result(
         normal_force=strips.largest_load,
         rolling_speed=speeds.rolling,
     )
-    found = RollingResult(
+    drift = drift_per_turn(state.speed_loss)
+    unknown, no_loads = jnp.full_like(state.speed_loss, jnp.nan), jnp.zeros((0, *state.speed_loss.shape))
+    result = RollingResult(
         normal=state.normal,
         tangential=state.tangential,
         creepage=state.creepage,
         traction_coefficient=traction,
-        slip_ratio=jnp.abs(traction) / (friction * (1.0 - lost)),
+        slip_ratio=jnp.abs(traction) / (pairs.friction_coefficient * (1.0 - friction.lost)),
         stick_fraction=stuck,
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
@@ -230,20 +217,14 @@ def turning_result(
         rough_half_width=strips.largest_half_width * width_factor(layer_ratio=creep.layer_ratio),
         rough_peak_pressure=pressure * peak_pressure_factor(layer_ratio=creep.layer_ratio),
         skew_creepage_factor=creep.skew_factor,
-        capacity_loss=lost,
-        axial_force=axial,
-        axial_thrust=_thrust(bodies, axial, branches),
+        capacity_loss=friction.lost,
+        axial_force=friction.axial,
+        axial_thrust=_thrust(bodies_of_contacts(joint), friction.axial, branches),
         speed_loss=state.speed_loss,
         drift_per_output_turn=drift,
         drift_rate=_where(turns, drift * speeds.output / (2.0 * jnp.pi)),
         power=_where(turns, power),
-        flash_temperature=flash_temperatures(
-            materials=materials,
-            friction_power=flash_power,
-            speeds=speeds,
-            half_width=strips.largest_half_width,
-            stick_fraction=flash_stuck,
-        ),
+        flash_temperature=flash_temperature,
         film_thickness=film,
         film_ratio=film_over_roughness,
         shakedown_ratio=strips.shakedown_ratio,
@@ -254,21 +235,96 @@ def turning_result(
         life_hours=_where(
             turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)
         ),
-        duty_life_hours=jnp.full_like(state.speed_loss, jnp.nan),
-        duty_life_turns=jnp.full_like(state.speed_loss, jnp.nan),
-        duty_damage_shares=jnp.zeros((0, *state.speed_loss.shape)),
-        duty_load_hours=jnp.zeros((0, *state.speed_loss.shape)),
-        duty_shakedown_ratios=jnp.zeros((0, *state.speed_loss.shape)),
-        duty_slip_ratios=jnp.zeros((0, *state.speed_loss.shape)),
+        duty_life_hours=unknown,
+        duty_life_turns=unknown,
+        duty_damage_shares=no_loads,
+        duty_load_hours=no_loads,
+        duty_shakedown_ratios=no_loads,
+        duty_slip_ratios=no_loads,
         residual=state.residual,
         crown_creepage_factor=creep.crown_factor,
     )
-    shaped: RollingResult = jax.tree.map(lambda value: jnp.where(solved, value, jnp.nan), found)
-    return shaped
+    return _where(state.residual < ROLLING_TOLERANCE, result)
 
 
-def _where(condition: Array, values: Array | RollingPower | DriveLives):  # type: ignore[no-untyped-def]
-    return jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
+class _Friction(NamedTuple):
+    """Lateral slip over its limit [-], share of the friction that skew takes [-], axial force [N], of the contacts."""
+
+    lateral: Real
+    lost: Array
+    axial: Array
+
+
+def _friction(
+    pairs: RollerPairs, creep: ContactCreep, strips: RollingStrips, normal: Array, creepage: Array
+) -> _Friction:
+    """What skew does to the friction of the contacts."""
+    friction, width = pairs.friction_coefficient, strips.even_half_width / pairs.effective_radius
+    lateral = lateral_slip_ratio(
+        creep=creep, friction_coefficient=friction, width_over_radius=width, creepage=creepage
+    )
+    lost = capacity_loss(creep=creep, friction_coefficient=friction, width_over_radius=width)
+    axial = axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral)
+    return _Friction(lateral, lost, jnp.asarray(axial))
+
+
+def _speeds_of_unit_input(joint: Joint, state: DriveState) -> RollingSpeeds:
+    """Speeds of the surfaces and bodies over that of the input."""
+    drive = joint.drive
+    one, two = surface_speeds(drive=drive, speed=state.speed)
+    return RollingSpeeds(
+        driving=one,
+        driven=two,
+        body=jnp.abs(state.speed[:-1] - state.speed[drive.members.index(CARRIER)]),
+        output=jnp.abs(state.speed[drive.members.index(drive.output)]),
+    )
+
+
+def _lives(joint: Joint, strips: RollingStrips, unit: RollingSpeeds) -> tuple[Array, Array, DriveLives]:
+    """Lives of the tracks in cycles, their cycles in one turn of the output, and lives in turns of the output."""
+    bodies, branches = bodies_of_contacts(joint), jnp.asarray(joint.drive.sectors)
+    # above the shakedown limit the surface flows at every passage, and no law of elastic fatigue holds
+    tracks = jnp.where(strips.shakedown_ratio < 1.0, strips.tracks, jnp.nan)
+    rates = cycle_rates(bodies=bodies, speeds=unit, planet_count=branches)
+    per_turn = rates * (2.0 * jnp.pi / unit.output)
+    reliable = life_at_reliability(life=tracks, reliability=joint.rolling.reliability)
+    return tracks, per_turn, drive_lives(bodies=bodies, tracks=reliable / per_turn, planet_count=branches)
+
+
+def _flash(
+    joint: Joint,
+    pairs: RollerPairs,
+    strips: RollingStrips,
+    friction: _Friction,
+    power: RollingPower,
+    speeds: RollingSpeeds,
+    traction: Array,
+) -> tuple[Array, Array]:
+    """Shares of the contact widths that stick [-], and flash temperatures in the middle of the contacts [K]."""
+    first, second = places(joint.drive)
+
+    def stick(coefficient: Array) -> Array:
+        ratio = coefficient / pairs.friction_coefficient
+        return jnp.asarray(stick_fraction(longitudinal_slip_ratio=ratio, lateral_slip_ratio=friction.lateral))
+
+    stuck = in_middle = stick(traction)
+    heat = jnp.asarray((power.creep + power.skew) / (jnp.asarray(joint.drive.sectors) * pairs.contact_length))
+    if strips.middle_power_ratio is not None:
+        heat = heat * strips.middle_power_ratio
+        in_middle = stick(strips.middle_traction)
+    return stuck, flash_temperatures(
+        materials=[(joint.materials[a], joint.materials[b]) for a, b in zip(first, second, strict=True)],
+        friction_power=heat,
+        speeds=speeds,
+        half_width=strips.largest_half_width,
+        stick_fraction=in_middle,
+    )
+
+
+def _where(condition: Array, values: _Values) -> _Values:
+    """The numbers where a condition holds, nan elsewhere."""
+    shown: _Values = jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
+    return shown
 
 
 def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:
@@ -280,3 +336,17 @@ def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:
         force = functools.reduce(operator.add, pushed, jnp.zeros_like(axial[0]))
         found.append(branches * force if shared else force)
     return jnp.stack(jnp.broadcast_arrays(*found))
+
+
+def _bearing_power(joint: Joint, state: DriveState) -> Array:
+    """Power lost in bearings and pins at the joint's speed [W]."""
+    if joint.bearings is None:
+        return jnp.zeros_like(state.speed_loss)
+    sense = leading_sense(rotation=joint.input_speed, output_torque=joint.output_torque)
+    moments = friction_moments(
+        drive=joint.drive,
+        bearings=joint.bearings,
+        pin_force=state.pin_force,
+        ideal=sense * speeds(joint.drive),
+    )
+    return friction_power(drive=joint.drive, moments=moments, speed=state.speed * joint.input_speed)

@@ -31,7 +31,8 @@ from asperity.joint.loading_cam import (
 )
 from asperity.joint.motion import in_motion
 from asperity.joint.stiffness import loaded_stiffness
-from asperity.rolling.turning import driving_sense, turning
+from asperity.rolling.rolling import turning
+from asperity.rolling.turning import driving_sense
 from asperity.types import Real
 
 #: Torques of one call: one program serves curves of any number of points. Those of the page fill it: 49 of its curves

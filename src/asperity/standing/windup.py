@@ -113,15 +113,29 @@ def _shown_shares(stage_shares: tuple[float, float], steps: int) -> np.ndarray:
 class _Panels(NamedTuple):
     """Points between shares of the largest torque: where, their weights, and each panel's first."""
 
+    shares: np.ndarray
     at: np.ndarray
     weight: np.ndarray
     first: np.ndarray
+
+    def integral(self, values: np.ndarray) -> np.ndarray:
+        """Of values at the points, from zero to each of the shares."""
+        return np.concatenate([np.zeros(1), np.cumsum(np.add.reduceat(self.weight * values, self.first))])
+
+    def index_of(self, share: np.ndarray) -> np.ndarray:
+        """Where shares stand among those between which the panels are."""
+        return np.abs(self.shares - share[..., None]).argmin(axis=-1)
 
 
 _gauss_nodes = functools.cache(np.polynomial.legendre.leggauss)
 
 
-def _panels(shares: np.ndarray, divisions: np.ndarray) -> _Panels:
+def _panels(shown: np.ndarray, divisions: np.ndarray, steps: int) -> _Panels:
+    finer = divisions[:, None] * (1.0 - 0.25 ** np.arange(1, _GRADED + 1) / steps)
+    # Masing's rule halves distances along the loop
+    shares = _distinct(
+        np.concatenate([shown, 0.5 * (1.0 - shown), 0.5 * (1.0 + shown), divisions, finer.ravel()])
+    )
     at, weight = [], []
     for start, end in itertools.pairwise(shares):
         count = next(count for bound, count in _NODES if end <= bound)
@@ -131,7 +145,7 @@ def _panels(shares: np.ndarray, divisions: np.ndarray) -> _Panels:
         at.append(start + 0.5 * (end - start) * (1.0 + nodes))
         weight.append(0.5 * (end - start) * weights)
     first = np.cumsum([0, *(part.size for part in at[:-1])])
-    return _Panels(np.concatenate(at), np.concatenate(weight), first)
+    return _Panels(shares, np.concatenate(at), np.concatenate(weight), first)
 
 
 def windup_of(
@@ -188,75 +202,75 @@ def windup_of(
             f"stage bounds {first:g} and {second:g} (shares of the largest torque) are out of order; "
             "allowed 0 < first < second < 1"
         )
-    if not np.isfinite(float(largest_torque)) or float(largest_torque) <= 0.0:
-        raise InputError(
-            f"the largest torque is {float(largest_torque):g} N·m; it must be positive and finite"
-        )
     largest = float(largest_torque)
+    if not np.isfinite(largest) or largest <= 0.0:
+        raise InputError(f"the largest torque is {largest:g} N·m; it must be positive and finite")
     shown = _shown_shares(stage_shares, steps)
-    # Masing's rule halves distances along the loop
-    apart = np.zeros(0) if divisions is None else np.asarray(divisions)
-    finer = apart[:, None] * (1.0 - 0.25 ** np.arange(1, _GRADED + 1) / steps)
-    shares = _distinct(
-        np.concatenate([shown, 0.5 * (1.0 - shown), 0.5 * (1.0 + shown), apart, finer.ravel()])
-    )
-    panels = _panels(shares, apart)
+    panels = _panels(shown, np.zeros(0) if divisions is None else np.asarray(divisions), steps)
     positive = np.concatenate([shown, panels.at])  # at the panels' other ends nobody asks
     sampled = np.stack([positive, -positive]) * largest
-    found = compliances(sampled.reshape(-1))
-    real, without_slip = (np.asarray(each).reshape(sampled.shape) for each in found)
+    real, without_slip = (np.asarray(law).reshape(sampled.shape) for law in compliances(sampled.ravel()))
     slip = np.mean(real - without_slip, axis=0)
+    curves = _Curves(panels, shown, largest, real, slip)
+    return curves.windup(stage_shares, play)
 
-    def integral(compliance: np.ndarray) -> np.ndarray:
-        """From zero torque to each of the shares."""
-        each = np.add.reduceat(panels.weight * compliance[shown.size :], panels.first)
-        return largest * np.concatenate([np.zeros(1), np.cumsum(each)])
 
-    slip_angle = integral(slip)
+class _Curves(NamedTuple):
+    """Compliances at the shown shares of the largest torque and at the points of the panels, forward and reverse."""
 
-    def index_of(share: np.ndarray) -> np.ndarray:
-        return np.abs(shares - share[..., None]).argmin(axis=-1)
+    panels: _Panels
+    shown: np.ndarray
+    largest: float
+    real: np.ndarray
+    slip: np.ndarray
 
-    def slip_at(share: np.ndarray) -> np.ndarray:
-        return slip_angle[index_of(share)]
+    def angle(self, compliance: np.ndarray) -> np.ndarray:
+        """Angle at each of the shares of the panels [rad]."""
+        return self.largest * self.panels.integral(compliance[self.shown.size :])
 
-    where = index_of(shown)
-    forward, reverse = (integral(each)[where] for each in real)  # both counted as positive
-    signed = np.concatenate([-shown[:0:-1], shown])
-    torque = signed * largest
-    taken_up = np.asarray(play_angle(play=play, output_torque=torque))
-    angle = np.concatenate([-reverse[:0:-1], forward]) + taken_up
-    slipped = np.sign(signed) * slip_at(np.abs(signed))
-    reversible = angle - slipped
-    unloading = reversible + slip_angle[-1] - 2.0 * slip_at(0.5 * (1.0 - signed))
-    reloading = reversible - slip_angle[-1] + 2.0 * slip_at(0.5 * (1.0 + signed))
-    middle = 0.5 * (unloading + reloading)
+    def windup(self, stage_shares: tuple[float, float], play: Play) -> Windup:
+        """Both curves, and the loop by Masing's rule."""
+        panels, shown, largest = self.panels, self.shown, self.largest
+        slip_angle, at_shown = self.angle(self.slip), panels.index_of(shown)
+        forward, reverse = (self.angle(each)[at_shown] for each in self.real)  # both counted as positive
+        signed = np.concatenate([-shown[:0:-1], shown])
+        torque = signed * largest
 
-    def read(curve: np.ndarray, share: float) -> np.ndarray:
-        return curve[int(np.argmin(np.abs(signed - share)))]
+        def slip_at(share: np.ndarray) -> np.ndarray:
+            return slip_angle[panels.index_of(share)]
 
-    slip_work = largest * np.sum(panels.weight * slip[shown.size :] * panels.at)  # of T d gamma, over T_m
-    bounds = np.array([0.0, first, second, 1.0])
-    compliance = np.concatenate([real[1, shown.size - 1 : 0 : -1], real[0, : shown.size]])
+        def read(curve: np.ndarray, share: float) -> np.ndarray:
+            return curve[int(np.argmin(np.abs(signed - share)))]
 
-    def stages(curve: np.ndarray) -> np.ndarray:
-        angles = np.stack([read(curve, share) for share in (0.0, first, second, 1.0)])
-        return np.diff(bounds) * largest / np.diff(angles)
+        def stages(curve: np.ndarray) -> np.ndarray:
+            return np.diff(bounds) * largest / np.diff([read(curve, share) for share in bounds])
 
-    return Windup(
-        torque=torque,
-        stiffness=1.0 / (compliance + np.asarray(play_compliance(play=play, output_torque=torque))),
-        angle=angle,
-        slip_angle=slipped,
-        unloading_angle=unloading,
-        reloading_angle=reloading,
-        hysteresis=read(unloading, 0.0) - read(reloading, 0.0),
-        lost_motion=read(middle, LOST_MOTION_TORQUE_SHARE) - read(middle, -LOST_MOTION_TORQUE_SHARE),
-        dissipated_energy=4.0 * largest * (2.0 * slip_work - slip_angle[-1]),  # by Masing's rule
-        stage_torque=bounds * largest,
-        stage_stiffness=stages(angle),
-        reverse_stage_stiffness=stages(-angle[::-1]),
-    )
+        angle = np.concatenate([-reverse[:0:-1], forward])
+        angle = angle + np.asarray(play_angle(play=play, output_torque=torque))
+        slipped = np.sign(signed) * slip_at(np.abs(signed))
+        reversible = angle - slipped
+        unloading = reversible + slip_angle[-1] - 2.0 * slip_at(0.5 * (1.0 - signed))
+        reloading = reversible - slip_angle[-1] + 2.0 * slip_at(0.5 * (1.0 + signed))
+        middle = 0.5 * (unloading + reloading)
+        slip_work = largest * np.sum(
+            panels.weight * self.slip[shown.size :] * panels.at
+        )  # T d gamma, over T_m
+        bounds = np.array([0.0, *stage_shares, 1.0])
+        compliance = np.concatenate([self.real[1, shown.size - 1 : 0 : -1], self.real[0, : shown.size]])
+        return Windup(
+            torque=torque,
+            stiffness=1.0 / (compliance + np.asarray(play_compliance(play=play, output_torque=torque))),
+            angle=angle,
+            slip_angle=slipped,
+            unloading_angle=unloading,
+            reloading_angle=reloading,
+            hysteresis=read(unloading, 0.0) - read(reloading, 0.0),
+            lost_motion=read(middle, LOST_MOTION_TORQUE_SHARE) - read(middle, -LOST_MOTION_TORQUE_SHARE),
+            dissipated_energy=4.0 * largest * (2.0 * slip_work - slip_angle[-1]),  # by Masing's rule
+            stage_torque=bounds * largest,
+            stage_stiffness=stages(angle),
+            reverse_stage_stiffness=stages(-angle[::-1]),
+        )
 
 
 def is_symmetric(joint: Joint) -> bool:
@@ -337,7 +351,6 @@ def windup(
     require_double_precision()
     largest = abs(float(largest_torque))
     mirrored = is_symmetric(joint)
-
     slid: list[tuple[np.ndarray, np.ndarray]] = []
 
     def slides(torques: np.ndarray) -> np.ndarray:

@@ -85,36 +85,8 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
     return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
 
 
-def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> FirstLimit:
-    r"""Smallest positive value at which one of several functions becomes positive.
-
-    .. math:: \max_i g_i(x) = 0
-
-    Parameters
-    ----------
-    excesses : callable
-        Values, shape (...), to the functions g, shape (limits, ...); negative before a limit, and not negative at it
-        and beyond. A nan counts as not reached.
-    first_guess : Real
-        Value of the right order, shape (...), where the search begins; in the unit of the values [any].
-
-    Returns
-    -------
-    FirstLimit
-        The value, shape (...), with the implicit derivative of the limit that is reached; and which one that is.
-
-    Notes
-    -----
-    Doubling until a limit is reached; then the interval shrinks by chords that are nudged to the other side of the root
-    and bounded, so that it never takes more steps than halving and one. A limit that jumps instead of passing through
-    zero has no implicit derivative; 0 is returned for it.
-
-    References
-    ----------
-    Equation (A9) of :doc:`/equations`. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2021) 5.
-    """
-    start = jnp.asarray(first_guess)
-    excesses = jax.jit(excesses)  # traced once for the search and for the derivative
+def _searched(excesses: Callable[[Array], Array], start: Array) -> _Search:
+    """The interval of the first limit, narrowed to its last digits."""
 
     def unfinished(state: _Search) -> Array:
         wide = (state.upper - state.lower > SEARCH_TOLERANCE * state.upper) & (
@@ -153,7 +125,41 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
         which=jnp.argmax(nowhere[None], axis=0),
         steps=jnp.asarray(0),
     )
-    last = jax.lax.stop_gradient(jax.lax.while_loop(unfinished, narrow, first))
+    last: _Search = jax.lax.while_loop(unfinished, narrow, first)
+    return last
+
+
+def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> FirstLimit:
+    r"""Smallest positive value at which one of several functions becomes positive.
+
+    .. math:: \max_i g_i(x) = 0
+
+    Parameters
+    ----------
+    excesses : callable
+        Values, shape (...), to the functions g, shape (limits, ...); negative before a limit, and not negative at it
+        and beyond. A nan counts as not reached.
+    first_guess : Real
+        Value of the right order, shape (...), where the search begins; in the unit of the values [any].
+
+    Returns
+    -------
+    FirstLimit
+        The value, shape (...), with the implicit derivative of the limit that is reached; and which one that is.
+
+    Notes
+    -----
+    Doubling until a limit is reached; then the interval shrinks by chords that are nudged to the other side of the root
+    and bounded, so that it never takes more steps than halving and one. A limit that jumps instead of passing through
+    zero has no implicit derivative; 0 is returned for it.
+
+    References
+    ----------
+    Equation (A9) of :doc:`/equations`. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2021) 5.
+    """
+    start = jnp.asarray(first_guess)
+    excesses = jax.jit(excesses)  # traced once for the search and for the derivative
+    last = jax.lax.stop_gradient(_searched(excesses, start))
     lower, upper, bracketed, index = last.lower, last.upper, last.bracketed, last.which
     at_once = bracketed & (upper <= SMALLEST_SHARE * start)
     fixed = ~bracketed | at_once

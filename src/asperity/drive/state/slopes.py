@@ -67,140 +67,180 @@ class Slopes(NamedTuple):
     structure: Array
 
 
+class _HeldRows(NamedTuple):
+    """Slopes of slips or creeps by the forces of the contacts and by the structure, shape (contacts, ...)."""
+
+    normal: Array
+    tangential: Array
+    displacement: Array
+    turn: Array
+    pin: Array
+
+
 def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns) -> Slopes:
     """Slopes of :func:`asperity.drive.state.equations.state_misfits`."""
-    drive, laws, matrices = machine.drive, machine.laws, machine.matrices
-    length, largest, lever = machine.length, machine.largest, machine.lever
-    reference, limit = laws.reference_force, machine.friction * laws.reference_force
-    normal, tangential = contact_forces(machine, x)
-    kind = jnp.asarray(task.kind)
-    stands, rolls, assembled = kind == STANDING, kind == ROLLING, kind == ASSEMBLED
-    ones, none = jnp.ones_like(normal), jnp.zeros_like(normal)
+    reference, limit = machine.laws.reference_force, machine.friction * machine.laws.reference_force
+    largest, matrices, count = machine.largest, machine.matrices, x.normal.size
+    turning = matrices.turning[:, np.array(turning_members(machine.drive), dtype=int)]
+    turns = turning.shape[1]
+    assembled = jnp.asarray(task.kind) == ASSEMBLED
+    approach_pins, slip_pins = _by_pins(machine, x)
+    held = _held_rows(machine, task, x, slip_pins)
+    if len(numbers_of_pairs(machine.drive)):
+        held = _with_equal_coefficients(machine, task, x, held)
+    sliding = _HeldRows(-_diagonal(slides), jnp.eye(count), *(jnp.zeros_like(rows) for rows in held[2:]))
+    held = _in_rows((slides != 0.0) | assembled, sliding, held)
+    pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x)
+    moments = -turning.T * _moment_scale(machine)[:, None] * limit / (machine.lever * largest)
+    size = jnp.where(assembled & by_force, reference[0] / largest, 0.0)
+    return Slopes(
+        approach=_approaches(machine, x),
+        held_normal=held.normal,
+        held_tangential=held.tangential,
+        approach_moves=jnp.concatenate(
+            [-matrices.approach, jnp.zeros((count, turns)), approach_pins, -machine.pattern[:, None]], axis=1
+        ),
+        held_moves=jnp.concatenate([*held[2:], jnp.zeros((count, 1))], axis=1),
+        normal=jnp.concatenate(
+            [
+                matrices.approach.T * reference / largest,
+                jnp.zeros((turns, count)),
+                pins_by_normal,
+                size * np.eye(count)[:1],
+            ]
+        ),
+        tangential=jnp.concatenate(
+            [
+                matrices.sliding.T * limit / largest,
+                jnp.where(assembled, 0.0, moments),
+                pins_by_tangential,
+                jnp.zeros((1, count)),
+            ]
+        ),
+        structure=_of_structure(machine, task, by_force, x),
+    )
 
-    def by(law: Callable[[Array, Array], Array], tangents: tuple[Array, Array]) -> tuple[Array, Array]:
-        value, slope = jax.jvp(law, (normal, tangential), tangents)
-        return value, slope
 
-    # approaches: each by its own force, and by those of the others where bodies bend
-    own = laws if laws.coupling is None else dataclasses.replace(laws, coupling=None)
-    _, approach = jax.jvp(lambda force: contact_approach(laws=own, normal=force), (normal,), (ones,))
+def _approaches(machine: Machine, x: Unknowns) -> Array:
+    """Slopes of the approaches by the own normal force, and by those of the others where bodies bend."""
+    laws, (normal, _) = machine.laws, contact_forces(machine, x)
+    uncoupled = dataclasses.replace(laws, coupling=None)
+    _, slope = jax.jvp(
+        lambda force: contact_approach(laws=uncoupled, normal=force), (normal,), (jnp.ones_like(normal),)
+    )
     if laws.coupling is not None:
-        approach = _diagonal(approach) + laws.coupling
-    approach = approach * reference / length
+        slope = _diagonal(slope) + laws.coupling
+    return slope * laws.reference_force / machine.length
 
-    # slip at rest, or creep times rolled length
-    def slip(force: Array, friction: Array) -> Array:
-        return slip_at_rest(laws=laws, normal=force, tangential=friction)
 
-    def creep(force: Array, friction: Array) -> Array:
-        return creepages(law=laws.creep, normal=force, tangential=friction)
+def _by_pins(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
+    """Slopes of approaches and slips by the forces of pins in bores and of supports, shape (contacts, pins)."""
+    count = len(machine.drive.pinned)
+    if machine.laws.bores is None:
+        return (jnp.zeros((x.normal.size, x.pin.size)),) * 2
+    side, _, _ = sides(x.pin[:count] * machine.largest, machine.largest)
+    approach, slip = (
+        jnp.pad(slope, ((0, 0), (0, x.pin.size - count))) * machine.largest / machine.length
+        for slope in machine.laws.bores.by_pin(side)
+    )
+    return approach, slip
 
-    slip_normal, slip_tangential = by(slip, (ones, none))[1], by(slip, (none, ones))[1]
-    (share, creep_normal), creep_tangential = by(creep, (ones, none)), by(creep, (none, ones))[1]
+
+def _held_rows(machine: Machine, task: Task, x: Unknowns, slip_pins: Array) -> _HeldRows:
+    """Slopes of the slip while the drive stands, of creep times rolled length while it rolls."""
+    laws, matrices, forces = machine.laws, machine.matrices, contact_forces(machine, x)
+    stands, rolls = jnp.asarray(task.kind) == STANDING, jnp.asarray(task.kind) == ROLLING
+    ones, none = jnp.ones_like(x.normal), jnp.zeros_like(x.normal)
+
+    def slopes(law: Callable[[Array, Array], Array]) -> tuple[Array, Array, Array]:
+        """The law, and its slopes by the normal and by the tangential forces."""
+        value, by_normal = jax.jvp(law, forces, (ones, none))
+        return value, by_normal, jax.jvp(law, forces, (none, ones))[1]
+
+    _, *slip = slopes(
+        lambda normal, tangential: slip_at_rest(laws=laws, normal=normal, tangential=tangential)
+    )
+    share, *creep = slopes(
+        lambda normal, tangential: creepages(law=laws.creep, normal=normal, tangential=tangential)
+    )
     speed, _ = speeds_and_turns(machine, x, task.kind)
-    one, two = _rolled_by_speeds(drive, speed)
+    one, two = _rolled_by_speeds(machine.drive, speed)
     rolled_by = 0.5 * (one + two)
     backwards = jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
     rolled = backwards * product(rolled_by, speed)
-    scale = jnp.where(rolls, 1e3 / lever, 1.0 / length)
-    held_normal = _diagonal(jnp.where(rolls, creep_normal * rolled, slip_normal) * reference * scale)
-    held_tangential = _diagonal(jnp.where(rolls, creep_tangential * rolled, slip_tangential) * limit * scale)
-    members = np.array(turning_members(drive), dtype=int)
+    scale = jnp.where(rolls, 1e3 / machine.lever, 1.0 / machine.length)
+    by_normal, by_tangential = (
+        _diagonal(jnp.where(rolls, of_creep * rolled, of_slip) * force * scale)
+        for of_creep, of_slip, force in zip(
+            creep, slip, (laws.reference_force, machine.friction * laws.reference_force), strict=True
+        )
+    )
+    members = np.array(turning_members(machine.drive), dtype=int)
     turning = matrices.turning[:, members]
     rolling_turns = (backwards * share[:, None] * rolled_by[:, members] - turning) * scale
-    held_displacement = jnp.where(stands, -matrices.sliding, 0.0)
-    pins = x.pin.size
-    approach_pins = held_pins = jnp.zeros((ones.size, pins))
-    if laws.bores is not None:
-        wider = ((0, 0), (0, pins - len(drive.pinned)))
-        force = x.pin[: len(drive.pinned)] * largest
-        approach_pins, held_pins = (
-            jnp.pad(each, wider) * largest / length for each in laws.bores.by_pin(sides(force, largest)[0])
-        )
-        held_pins = jnp.where(stands, held_pins, 0.0)
-    held_turns = jnp.where(rolls, rolling_turns, -turning / lever)
-    paired = numbers_of_pairs(drive)
-    if len(paired):
-        first, second = paired.T
-        ratio = machine.friction[first] / machine.friction[second]
-        at = np.arange(ones.size)
-        is_second = np.isin(at, second)[:, None] & stands
-        held_normal = jnp.where(is_second, 0.0, held_normal)
-        held_normal = held_normal.at[second, first].add(jnp.where(stands, x.tangential[second], 0.0))
-        held_normal = held_normal.at[second, second].add(jnp.where(stands, -ratio * x.tangential[first], 0.0))
-        held_tangential = jnp.where(is_second, 0.0, held_tangential)
-        held_tangential = held_tangential.at[second, second].add(jnp.where(stands, x.normal[first], 0.0))
-        held_tangential = held_tangential.at[second, first].add(
-            jnp.where(stands, -ratio * x.normal[second], 0.0)
-        )
-        held_displacement = jnp.where(is_second, 0.0, held_displacement)
-        held_turns = jnp.where(is_second, 0.0, held_turns)
-        held_pins = jnp.where(is_second, 0.0, held_pins)
-    free = (slides != 0.0) | assembled
-    held_normal = jnp.where(free[:, None], -_diagonal(slides), held_normal)
-    held_tangential = jnp.where(free[:, None], _diagonal(ones), held_tangential)
-    held_displacement, held_turns, held_pins = (
-        jnp.where(free[:, None], 0.0, each) for each in (held_displacement, held_turns, held_pins)
+    return _HeldRows(
+        normal=by_normal,
+        tangential=by_tangential,
+        displacement=jnp.where(stands, -matrices.sliding, 0.0),
+        turn=jnp.where(rolls, rolling_turns, -turning / machine.lever),
+        pin=jnp.where(stands, slip_pins, 0.0),
     )
 
-    moved, turns = matrices.approach.shape[1], members.size
-    approach_moves = jnp.concatenate(
-        [-matrices.approach, jnp.zeros((ones.size, turns)), approach_pins, -machine.pattern[:, None]], axis=1
-    )
-    held_moves = jnp.concatenate(
-        [held_displacement, held_turns, held_pins, jnp.zeros((ones.size, 1))], axis=1
-    )
 
-    # balances, pins and size
-    copies = sectors_of_members(drive)[members]
-    carrier = (members == drive.members.index(CARRIER))[:, None]
-    moments = jnp.where(carrier, 0.0, -turning.T) * copies[:, None] * limit / (lever * largest)
-    size = jnp.where(assembled & by_force, reference[0] / largest, 0.0)
-    pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x)
-    of_normal = jnp.concatenate(
-        [
-            matrices.approach.T * reference / largest,
-            jnp.zeros((turns, ones.size)),
-            pins_by_normal,
-            (size * np.eye(ones.size)[0])[None],
-        ]
+def _with_equal_coefficients(machine: Machine, task: Task, x: Unknowns, held: _HeldRows) -> _HeldRows:
+    """Rows of a standing drive in which the second contact of each pair has the traction coefficient of the first."""
+    first, second = numbers_of_pairs(machine.drive).T
+    ratio = machine.friction[first] / machine.friction[second]
+    none = jax.tree.map(jnp.zeros_like, held)
+    by_normal = none.normal.at[second, first].set(x.tangential[second])
+    by_tangential = none.tangential.at[second, first].set(-ratio * x.normal[second])
+    equal = none._replace(
+        normal=by_normal.at[second, second].set(-ratio * x.tangential[first]),
+        tangential=by_tangential.at[second, second].set(x.normal[first]),
     )
-    of_tangential = jnp.concatenate(
-        [
-            matrices.sliding.T * limit / largest,
-            jnp.where(assembled, 0.0, moments),
-            pins_by_tangential,
-            jnp.zeros((1, ones.size)),
-        ]
-    )
+    is_second = jnp.asarray(np.isin(np.arange(x.normal.size), second))
+    return _in_rows(is_second & (jnp.asarray(task.kind) == STANDING), equal, held)
+
+
+def _in_rows(where: Array, chosen: _HeldRows, held: _HeldRows) -> _HeldRows:
+    """Rows of one kind at some contacts, of another at the others."""
+    rows: _HeldRows = jax.tree.map(lambda one, other: jnp.where(where[:, None], one, other), chosen, held)
+    return rows
+
+
+def _moment_scale(machine: Machine) -> Array:
+    """Copies of each turning member in the drive; none of the carrier, on which contacts have no moment."""
+    members = np.array(turning_members(machine.drive), dtype=int)
+    carrier = members == machine.drive.members.index(CARRIER)
+    return jnp.where(carrier, 0.0, sectors_of_members(machine.drive)[members])
+
+
+def _of_structure(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> Array:
+    """Slopes of the balances, the pins and the size by the structure."""
+    load, assembled = task.load, jnp.asarray(task.kind) == ASSEMBLED
+    members = np.array(turning_members(machine.drive), dtype=int)
+    moved, turns, pins = x.displacement.size, members.size, x.pin.size
     supports = jnp.zeros((moved, moved))
-    if task.load.support_stiffness is not None:
-        supports = _diagonal(jnp.repeat(task.load.support_stiffness, 2)) * length / largest
-    by_pins = jax.jacfwd(lambda pin: moments_of(machine, task, tangential, pin)[members])(x.pin * largest)
+    if load.support_stiffness is not None:
+        supports = _diagonal(jnp.repeat(load.support_stiffness, 2)) * machine.length / machine.largest
+    _, tangential = contact_forces(machine, x)
+    by_pins = jax.jacfwd(lambda pin: moments_of(machine, task, tangential, pin)[members])(
+        x.pin * machine.largest
+    )
     pin_rows, pin_slopes = _of_pins(machine, task, x)
-    corner = jnp.where(assembled & by_force, 0.0, 1.0).reshape(1, 1)
-    structure = jnp.block(
+    size = jnp.where(assembled & by_force, 0.0, 1.0).reshape(1, 1)
+    return jnp.block(
         [
-            [supports, jnp.zeros((moved, turns)), matrices.pins.T, jnp.zeros((moved, 1))],
+            [supports, jnp.zeros((moved, turns)), machine.matrices.pins.T, jnp.zeros((moved, 1))],
             [
                 jnp.zeros((turns, moved)),
                 jnp.where(assembled, np.eye(turns), 0.0),
-                jnp.where(assembled, 0.0, by_pins / lever),
+                jnp.where(assembled, 0.0, by_pins / machine.lever),
                 jnp.zeros((turns, 1)),
             ],
             [pin_rows, jnp.zeros((pins, turns)), _diagonal(pin_slopes), jnp.zeros((pins, 1))],
-            [jnp.zeros((1, moved + turns + pins)), corner],
+            [jnp.zeros((1, moved + turns + pins)), size],
         ]
-    )
-    return Slopes(
-        approach,
-        held_normal,
-        held_tangential,
-        approach_moves,
-        held_moves,
-        of_normal,
-        of_tangential,
-        structure,
     )
 
 

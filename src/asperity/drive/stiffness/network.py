@@ -95,81 +95,91 @@ def network_stiffness(
     ----------
     Equations (A8) and (M1) of :doc:`/equations`.
     """
-    matrices, members = incidence(drive), drive.members
-    count, carrier, held = len(drive.contacts), members.index(CARRIER), len(drive.pinned)
-    turning = [i for i, name in enumerate(members) if name not in (drive.input, drive.grounded)]
-    turns_at = np.array(turning)
-    out = members.index(drive.output)
-    copies = sectors_of_members(drive)
-    floats = normal_compliance is not None
-    compliance = [tangential_compliance]
-    at_carrier = np.eye(len(members))[carrier]
-    rotating = matrices.turning * (1.0 - at_carrier)
-    # rows: springs; columns: displacements of the centres, then rotations
-    moves, balances = [matrices.sliding], [rotating]
-    turns = [matrices.turning]
-    pins = jnp.broadcast_to(jnp.asarray(pin_compliance, dtype=float), (held,))
-    if supports is not None:
-        pins = jnp.concatenate([pins, supports.compliance])
-        matrices = with_supports(matrices, supports)
-    lever = -matrices.levers[:, None] * at_carrier
-    if normal_compliance is not None:
-        nothing = jnp.zeros_like(rotating)
-        compliance = [normal_compliance, *compliance, pins]
-        moves = [matrices.approach, *moves, matrices.pins]
-        turns, balances = [nothing, *turns, jnp.zeros_like(lever)], [nothing, *balances, lever]
-    else:  # the moment of the held centres on the carrier
-        balances = [matrices.turning]
-    stiff = jnp.diag(jnp.concatenate(compliance))
-    if floats and coupling is not None:
-        stiff = stiff + jnp.pad(coupling, (0, stiff.shape[0] - coupling.shape[0]))
-    scale = jnp.mean(tangential_compliance)
-    length = jnp.max(drive.second_radius)
-    kinematic = jnp.concatenate(turns)[:, turns_at] / length
-    static = jnp.concatenate(balances)[:, turns_at] * copies[turns_at] / length
-    tied = np.eye(len(turning)) if floats else _tied(drive, turning)
-    kinematic, static = product(tied.T, kinematic), product(tied.T, static)
-    if floats:
-        moved = jnp.concatenate(moves)
-        kinematic, static = (jnp.concatenate([moved, part], axis=1) for part in (kinematic, static))
-    unknown = kinematic.shape[1]
-    laws, moved_by = stiff / scale, kinematic
-    slides = jnp.zeros(stiff.shape[0], dtype=bool)
+    turning = np.array([name not in (drive.input, drive.grounded) for name in drive.members]).nonzero()[0]
+    springs = _springs(drive, normal_compliance, tangential_compliance, coupling, pin_compliance, supports)
+    count, first = len(drive.contacts), 0 if normal_compliance is None else len(drive.contacts)
+    tied = np.eye(len(turning)) if first else _tied(drive, [drive.members[i] for i in turning])
+    scale, length = jnp.mean(tangential_compliance), jnp.max(drive.second_radius)
+    copies = sectors_of_members(drive)[turning]
+    turns = product(tied.T, springs.turns[:, turning] / length)
+    moments = product(tied.T, springs.moments[:, turning] * copies / length)
+    kinematic, static = (jnp.concatenate([springs.moves, each], axis=1) for each in (turns, moments))
+    laws, moved_by, slides = springs.compliance / scale, kinematic, jnp.zeros(len(kinematic), dtype=bool)
     if sliding_friction is not None:
-        first = count if floats else 0
-        slides = jnp.pad(sliding_friction != 0.0, (first, slides.size - first - count))
-        friction = jnp.eye(stiff.shape[0])
-        if floats:
-            friction = friction - jnp.pad(
-                jnp.diag(sliding_friction), ((count, pins.size), (0, count + pins.size))
-            )
+        friction, slides = _sliding(sliding_friction, first, len(kinematic))
         laws = jnp.where(slides[:, None], friction, laws)
         moved_by = jnp.where(slides[:, None], 0.0, kinematic)
-    bearings = jnp.zeros(unknown)
-    if floats and support_stiffness is not None:
-        bearings = bearings.at[: 2 * support_stiffness.size].set(jnp.repeat(support_stiffness, 2) * scale)
+    bearings = jnp.zeros(kinematic.shape[1])
+    if first and support_stiffness is not None:
+        bearings = bearings.at[: 2 * len(support_stiffness)].set(jnp.repeat(support_stiffness, 2) * scale)
     system = jnp.block([[laws, -moved_by], [static.T, jnp.diag(bearings)]])
-    place = unknown - tied.shape[1] + int(np.argmax(tied[turning.index(out)]))
-    load = -jnp.eye(system.shape[0])[stiff.shape[0] + place] / length
-    found = solve(system, load)
-    force = found[: stiff.shape[0]]
-    turned = jnp.abs(found[stiff.shape[0] + place]) * scale / length
-    longer = jnp.where(slides, product(kinematic, found[stiff.shape[0] :]) * scale, product(stiff, force))
-    shares = drive.sectors * force * longer / turned
+    output = tied[turning == drive.members.index(drive.output)]
+    place = len(system) - tied.shape[1] + int(np.argmax(output))
+    force, moved = jnp.split(solve(system, -jnp.eye(len(system))[place] / length), [len(kinematic)])
+    turned = jnp.abs(moved[place - len(kinematic)]) * scale / length
+    longer = jnp.where(slides, product(kinematic, moved) * scale, product(springs.compliance, force))
+    shares, end = drive.sectors * force * longer / turned, first + count
     return NetworkStiffness(
         output=1.0 / turned,
-        tangential_share=shares[count : 2 * count] if floats else shares[:count],
-        normal_share=shares[:count] if floats else jnp.zeros(count),
-        pin_share=jnp.sum(shares[2 * count : 2 * count + held]) if floats else jnp.zeros(()),
-        tangential_force=force[count : 2 * count] if floats else force[:count],
-        normal_force=force[:count] if floats else jnp.zeros(count),
-        support_share=shares[2 * count + held :],
+        tangential_share=shares[first:end],
+        normal_share=shares[:count] if first else jnp.zeros(count),
+        pin_share=jnp.sum(shares[end : end + len(drive.pinned)]),
+        tangential_force=force[first:end],
+        normal_force=force[:count] if first else jnp.zeros(count),
+        support_share=shares[end + len(drive.pinned) :],
     )
 
 
-def _tied(drive: Drive, turning: list[int]) -> np.ndarray:
+class _Springs(NamedTuple):
+    """Springs of a drive: their compliances [m/N], and how centres and members move and load them, springs first."""
+
+    compliance: Array
+    moves: Array
+    turns: Array
+    moments: Array
+
+
+def _springs(
+    drive: Drive,
+    normal_compliance: Array | None,
+    tangential_compliance: Array,
+    coupling: Array | None,
+    pin_compliance: Real,
+    supports: Supports | None,
+) -> _Springs:
+    """Tangential springs of held centres; of floating ones the normal springs before, pins and supports behind them."""
+    matrices = incidence(drive)
+    if normal_compliance is None:  # the held centres pass their moments on to the carrier
+        held = jnp.zeros((tangential_compliance.size, 0))
+        return _Springs(jnp.diag(tangential_compliance), held, matrices.turning, matrices.turning)
+    pins = jnp.broadcast_to(jnp.asarray(pin_compliance, dtype=float), (len(drive.pinned),))
+    if supports is not None:
+        pins = jnp.concatenate([pins, supports.compliance])
+        matrices = with_supports(matrices, supports)
+    carrier = np.eye(len(drive.members))[drive.members.index(CARRIER)]
+    levers, nothing = -matrices.levers[:, None] * carrier, jnp.zeros_like(matrices.turning)
+    compliance = jnp.diag(jnp.concatenate([normal_compliance, tangential_compliance, pins]))
+    if coupling is not None:
+        compliance = compliance + jnp.pad(coupling, (0, len(compliance) - len(coupling)))
+    return _Springs(
+        compliance=compliance,
+        moves=jnp.concatenate([matrices.approach, matrices.sliding, matrices.pins]),
+        turns=jnp.concatenate([nothing, matrices.turning, jnp.zeros_like(levers)]),
+        moments=jnp.concatenate([nothing, matrices.turning * (1.0 - carrier), levers]),
+    )
+
+
+def _sliding(friction: Array, first: int, size: int) -> tuple[Array, Array]:
+    """Laws of sliding contacts, whose tangential springs start at ``first``, and which of the springs slide."""
+    behind = size - first - friction.size
+    laws = jnp.eye(size)
+    if first:
+        laws = laws - jnp.pad(jnp.diag(friction), ((first, behind), (0, first + behind)))
+    return laws, jnp.pad(friction != 0.0, (first, behind))
+
+
+def _tied(drive: Drive, names: list[str]) -> np.ndarray:
     """Angles of the members over the free ones, of which bodies that turn alike have one, shape (turning, free)."""
-    names = [drive.members[i] for i in turning]
     leaders = {name: group[0] for group in drive.turning_alike for name in group}
     free = [name for name in names if leaders.get(name, name) == name]
     return np.array([[float(leaders.get(name, name) == other) for other in free] for name in names])

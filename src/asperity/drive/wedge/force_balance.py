@@ -224,6 +224,18 @@ def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
     )
 
 
+def _without_losses(branch: Branch) -> tuple[Array, Array]:
+    """Where Newton's method starts: the load sum at rest, and the sun's force by (5) with (3), (4) and no losses."""
+    mechanism, sides, rest = branch.mechanism, branch.sides, branch.rest
+    leverage = 1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
+    sun_force = branch.output_torque / (mechanism.geometry.planet_count * sides.roller_orbit * leverage)
+    springs, first_rest = jax.tree.map(lambda leaf: leaf[0], (mechanism.springs, rest.normal_force))
+    batch = dataclasses.replace(mechanism, springs=springs, rest=rest._replace(normal_force=first_rest))
+    leaves = jax.tree.leaves((batch, branch.output_torque))
+    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in leaves))
+    return jnp.broadcast_to(2.0 * rest.normal_force[1], shape), jnp.broadcast_to(sun_force, shape)
+
+
 def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     r"""Solve the static force balance of one branch under a given output torque.
 
@@ -251,22 +263,12 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     ----------
     Zou et al. 2025, equations (1)–(5), with the signs of Newton's third law; (A3) of :doc:`/equations`.
     """
-    geometry, bearings = mechanism.geometry, mechanism.bearings
     branch = loaded_branch(mechanism=mechanism, output_torque=output_torque)
-    sides, rest = branch.sides, branch.rest
-    leverage = (
-        1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
-    )  # (5) with (3), (4) and no losses
-    loss_free = output_torque / (geometry.planet_count * sides.roller_orbit * leverage)
-    springs, first_rest = jax.tree.map(lambda leaf: leaf[0], (mechanism.springs, rest.normal_force))
-    batch = dataclasses.replace(mechanism, springs=springs, rest=rest._replace(normal_force=first_rest))
-    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in jax.tree.leaves((batch, output_torque))))
-    start = jnp.broadcast_to(2.0 * rest.normal_force[1], shape), jnp.broadcast_to(loss_free, shape)
 
     def residuals(unknowns: tuple[Array, Array]) -> tuple[Real, Real]:
         return _residuals(branch, unknowns)
 
-    load_sum, sun_force = implicit_root(residuals, start, _newton, _solve_two_by_two)
+    load_sum, sun_force = implicit_root(residuals, _without_losses(branch), _newton, _solve_two_by_two)
     held = held_load_sum(branch, load_sum, sun_force)
     force = branch_forces(branch, held, sun_force)
     force = jax.lax.optimization_barrier(force)  # prevents XLA from recomputing them for every use
@@ -276,13 +278,12 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     roller_floor, planet_floor = contact_floors(branch, sun_force)
     sun_contact, *others = (jnp.maximum(value, 0.0) for value in force.normal)
     normals = (jnp.where(lifted & (planet_floor >= roller_floor), 0.0, sun_contact), *others)
-    input_torque = (
-        2.0 * bearings.sun_torque + geometry.planet_count * geometry.sun_radius * force.tangential[0]
-    )  # (1)
+    geometry, bearings, traction = mechanism.geometry, mechanism.bearings, force.tangential[0]
+    input_torque = 2.0 * bearings.sun_torque + geometry.planet_count * geometry.sun_radius * traction  # (1)
     scale = _largest((*normals, *force.tangential))
     equations = balance_equations(
         geometry=geometry,
-        sides=sides,
+        sides=branch.sides,
         bearings=bearings,
         normal=normals,
         tangential=force.tangential,
