@@ -15,7 +15,7 @@ from asperity.errors import InputError
 from asperity.joint.contacts import bulk_springs
 from asperity.joint.crowned_contacts import crown_compliances, rough_slices, slice_slip_ratios, whole_contact
 from asperity.joint.description import joint_contacts
-from asperity.joint.refusal import refuse_short_contacts
+from asperity.joint.solve import refuse_short_contacts
 from asperity.rolling.life import sliced_track_lives, track_lives
 
 RADII = np.array([np.inf, 1e5, 2.0, 0.5, 0.1, 0.5])

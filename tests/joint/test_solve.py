@@ -1,6 +1,7 @@
 """Joints that cannot exist are refused with their numbers; those that can are solved."""
 
 import math
+from types import SimpleNamespace
 
 import jax
 import numpy as np
@@ -9,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from asperity.errors import AsperityError, InputError, PrecisionError
-from asperity.joint.solve import solve_joint
+from asperity.joint.solve import refuse_short_contacts, solve_joint
 
 
 def refusal(joint) -> str:
@@ -130,3 +131,17 @@ def test_the_levels_of_stiffness_have_no_value_where_every_spot_is_plastic(solve
         assert math.isnan(float(level.sun))
     assert np.isfinite(result.forces.normal).all()
     assert bool(solved_paper[1].result.contact_law_holds)
+
+
+def test_short_crowned_contacts_are_named_as_their_drive_names_them():
+    """0.3 mm of half-width: 0.6 mm wide, and 1.5 times as long."""
+    diagnostics = SimpleNamespace(
+        slices_hold=np.array([True, False]),
+        hertz_half_width=np.array([0.1e-3, 0.3e-3]),
+        loaded_length_over_width=np.array([20.0, 1.5]),
+    )
+    result = SimpleNamespace(contact_names=("sp", "pr"), diagnostics=diagnostics)
+    with pytest.raises(InputError, match=r"touch at pr over a length of 0\.9 mm and a width of 0\.6 mm"):
+        refuse_short_contacts(result)
+    diagnostics.slices_hold = None  # cylinders
+    refuse_short_contacts(result)

@@ -1,10 +1,19 @@
 """Bodies and contacts of each type of drive, and tables that name others."""
 
+from pathlib import Path
+
+import jax
+import numpy as np
 import pytest
 
+from asperity.drive.layout.drive import gaps, speed_ratio
+from asperity.drive.layout.existence import refuse_impossible
 from asperity.errors import InputError
+from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.part_names import CONTACTS, bodies_of_type
 from asperity.joint_file.parts import layout_of
+from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 
 
@@ -59,3 +68,133 @@ def test_other_names_are_told(planar_case, old, new, message):
         planar_case("planetary", (old, new))
     assert message in str(caught.value)
     assert planar_case("planetary").misnamed_parts() == []
+
+
+TEXT = (Path(__file__).parents[2] / "examples" / "planar.toml").read_text(encoding="utf-8")
+
+
+def read(*replaced):
+    text = TEXT
+    for old, new in replaced:
+        assert old in text
+        text = text.replace(old, new)
+    return parse_case(text, source="mine.toml")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            'second = "planet"',
+            'second = "planets"',
+            "contact sp: second: there is no roller 'planets'",
+        ),
+        ('grounded = "ring"', 'grounded = "sun"', "must be three different members"),
+        (
+            'output = "carrier"',
+            'output = "planet"',
+            "drive.output: 'planet' is neither a roller on the axis",
+        ),
+        ('wall_thickness = "20 mm"', "", "roller ring: it needs a wall_thickness"),
+        ('orbit = "17.5 mm"', "", "roller planet: place = 'free' needs an orbit"),
+        ('name = "pwl"', 'name = "pwr"', "contact: there is more than one 'pwr'"),
+        (
+            'name = "left"',
+            'name = "carrier"',
+            "roller: 'carrier' is the name of the member that carries the pins",
+        ),
+        (
+            'place = "axis"\n\n',
+            'place = "axis"\norbit = "1 mm"\n\n',
+            "roller sun: place = 'axis' must not have an orbit",
+        ),
+        (
+            'place = "free" ',
+            'push_angle = "1 deg"\nplace = "free" ',
+            "roller planet: push_angle is for rollers on a pin",
+        ),
+        (
+            'name = "pwl"',
+            'name = "pwl"\nsame_coefficient_as = "pwL"',
+            "contact pwl: same_coefficient_as: there is no other contact 'pwL'; did you mean 'pwr'?",
+        ),
+        (
+            'name = "wlo"',
+            'name = "wlo"\nsame_coefficient_as = "wlo"',
+            "contact wlo: same_coefficient_as: there is no other contact 'wlo'",
+        ),
+        (
+            'place = "free" ',
+            'pin_force = "constant"\nplace = "free" ',
+            "roller planet: pin_force is for rollers on a pin",
+        ),
+        (
+            'first_radius = "13.5 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "pwl"',
+            'first_radius = "13.5 mm"\nfirst_crown_radius = "2 m"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "pwl"',
+            "contact pwr: first_crown_radius: contact sp says something else of the same track of planet",
+        ),
+        ('place = "pin"', 'place = "free"', "no roller is on a pin, so that nothing turns the carrier"),
+    ],
+)
+def test_rollers_and_contacts_that_do_not_fit_together_are_told(old, new, message):
+    with pytest.raises(InputError) as caught:
+        read((old, new))
+    assert message in str(caught.value)
+
+
+def test_other_radii_need_no_other_program():
+    """Only which tracks are one is part of the program; 5.0 mm is the track of 5 mm."""
+    one, other, stepped = (
+        jax.tree.structure(joint_from_case(read(*replaced)))
+        for replaced in (
+            (),
+            (('first_radius = "4 mm"', 'first_radius = "3.9 mm"'),),
+            (
+                (
+                    'second_radius = "40 mm"\ninternal = true                    #',
+                    'second_radius = "39 mm"\ninternal = true #',
+                ),
+            ),
+        )
+    )
+    assert one == other
+    assert one != stepped
+
+
+@pytest.mark.slow
+def test_a_listed_drive_closes_its_gaps_and_has_the_ratio_of_its_formula():
+    near = (('"76.1 deg"', '"74 deg"'), ('orbit = "17.5 mm"', 'orbit = "17 mm"'))
+    drive = joint_from_case(read(*near)).drive
+    np.testing.assert_allclose(gaps(drive), 0.0, atol=1e-14)
+    refuse_impossible(drive)
+    assert float(speed_ratio(drive)) == pytest.approx(-(40.0 / 4.0 - 1.0), rel=1e-9)
+    orbits = np.hypot(*np.asarray(drive.centres).T)
+    np.testing.assert_allclose(orbits, [0.0, 17.5e-3, 35e-3, 35e-3, 0.0], atol=1e-12)
+
+
+def test_radii_that_cannot_close_are_refused_with_the_gap():
+    """Planet and roller reach 15.5 + 18.5 = 34 mm, the ring is 1 mm farther: three gaps in a row share it."""
+    loose = joint_from_case(read(('first_radius = "4 mm"', 'first_radius = "2 mm"')))
+    with pytest.raises(InputError, match=r"contact sp: sun and planet do not touch \(gap 0\.\d+ mm\)"):
+        refuse_impossible(loose.drive)
+
+
+def test_a_roller_without_an_angle_lies_above_the_axis_and_rings_have_the_interference():
+    joint = joint_from_case(read(('angle = "90 deg"\n', "")))
+    np.testing.assert_allclose(joint.drive.centres[1], [0.0, 17.5e-3], atol=1e-12)
+    assert joint.pattern == (0.0, 0.0, 0.0, 1.0, 1.0)
+
+
+def test_what_published_closures_assume():
+    """Of the paper's drive: one coefficient for both contacts of a planet with its rollers, a spring at one pin."""
+    case = read(
+        ('name = "pwl"', 'name = "pwl"\nsame_coefficient_as = "pwr"'),
+        ('name = "right"', 'name = "right"\npin_force = "constant"'),
+    )
+    closure = joint_from_case(case).drive.closure
+    assert closure.equal_coefficients == (("pwr", "pwl"),)
+    assert closure.constant_pins == ("right",)
+    assert joint_from_case(read()).drive.closure == type(closure)()
+    told = " ".join(assumptions(case))
+    assert "contact pwl: same_coefficient_as = 'pwr'" in told
+    assert "roller right: pin_force = 'constant'" in told

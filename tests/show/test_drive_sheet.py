@@ -11,11 +11,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.joint_file.build import joint_from_case
-from asperity.show.drive_sheet import drive_sheet
+from asperity.show.drive_sheet import drive_sheet, wrapped
 from asperity.show.drive_sizes import drive_clearances, sizes
 from asperity.show.sheet import Circle, Line, Text
 from asperity.show.sheet_dxf import dxf_text, sheet_dxf
-from asperity.show.sheet_figure import sheet_figure
+from asperity.show.sheet_figure import sheet_figure, text_width
 from asperity.show.taken import Box, distance, text_box
 
 EXAMPLES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025")
@@ -313,3 +313,20 @@ def test_a_long_list_is_written_smaller(idlers_case):
             ._replace(low=one.at[1])
             .meets(text_box(other, drawn.scale)._replace(high=other.at[1] + other.height / drawn.scale))
         )
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["sp: sun – planet", "the right hand loading roller of hardened steel: ⌀10, axes on ⌀70", "x" * 90, "ab_" * 40,
+     "–  left to left 50.62", ""],
+)  # fmt: skip
+@pytest.mark.parametrize("width", [40.0, 87.0])
+def test_no_line_is_too_wide_and_no_letter_is_lost(text, width):
+    lines = wrapped(text, width)
+    assert all(text_width(line) <= width for line in lines)
+    assert "".join("".join(lines).split()) == "".join(text.split())
+
+
+def test_lines_break_between_words_and_names():
+    assert wrapped("a roller on pins", 20.0) == ["a roller on", "   pins"]
+    assert all(line.endswith("_") for line in wrapped("loading_" * 8, 60.0))

@@ -21,7 +21,7 @@ from asperity.results.windup_document import (
     windup_onsets,
 )
 from asperity.rolling.onset import RollingOnset
-from asperity.standing.stages import STAGE_SHARES
+from asperity.standing import STAGE_SHARES
 from asperity.standing.windup import StiffnessLevel, Windup
 from asperity.unit_table import Dimension
 

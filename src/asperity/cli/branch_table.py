@@ -15,29 +15,29 @@ if TYPE_CHECKING:
 Document = dict[str, Any]
 
 
-def show_branches(target: Console, found: Document) -> None:
+def show_branches(target: Console, branches: Document) -> None:
     """Print what unequal branches do to a joint.
 
     Parameters
     ----------
     target : Console
         Where to print.
-    found : dict
+    branches : dict
         As :func:`asperity.results.branch_document.branch_document` makes it.
     """
-    standing, rolling = found["standing"], found["rolling"]
-    names = deviations(found)
+    standing, rolling = branches["standing"], branches["rolling"]
+    names = deviations(branches)
     shown = table(
         target,
         "\nBranches by their own sizes",
-        found["branch_is"],
+        branches["branch_is"],
         "deviation\n" + ",\n".join(names.values()) + " µm",
         "interference\nµm",
         "preload\nN",
         "share standing,\nrolling %",
         "slip standing,\nrolling -",
     )
-    for index, entry in enumerate(found["branches"]):
+    for index, entry in enumerate(branches["branches"]):
         sizes = [entry[key] for key in names]
         shown.add_row(
             str(index + 1),
@@ -48,15 +48,15 @@ def show_branches(target: Console, found: Document) -> None:
             ", ".join(_of(state, "slip_ratio", index, 1.0) for state in (standing, rolling)),
         )
     target.print(shown)
-    print_wrapped(target, f"  {found['note']}", indent=2)
-    stiffness = found.get("output_stiffness_Nm_per_rad")
+    print_wrapped(target, f"  {branches['note']}", indent=2)
+    stiffness = branches.get("output_stiffness_Nm_per_rad")
     for label, text in (
-        ("sun", _sun(found, standing)),
-        *(("centre", text) for text in _others(found, standing or found["without_torque"])),
-        ("capacity", _capacity(found, "torque_capacity")),
-        ("rolling", _capacity(found, "rolling_torque_capacity")),
+        ("sun", _sun(branches, standing)),
+        *(("centre", text) for text in _others(branches, standing or branches["without_torque"])),
+        ("capacity", _capacity(branches, "torque_capacity")),
+        ("rolling", _capacity(branches, "rolling_torque_capacity")),
         *([] if stiffness is None else [("stiffness", _stiffness(stiffness))]),
-        *([("turning", _turning(found["turning"]))] if "turning" in found else []),
+        *([("turning", _turning(branches["turning"]))] if "turning" in branches else []),
     ):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
 

@@ -140,7 +140,7 @@ def _front(
 ) -> None:
     from asperity.cli.progress import progress_bar
     from asperity.cli.terminal import console
-    from asperity.study.design.found_joint import front_diagnostics
+    from asperity.study.design.design_document import front_diagnostics
     from asperity.study.design.pareto import pareto_front, require_pymoo
 
     require_pymoo()
@@ -228,7 +228,7 @@ def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
     from asperity.cli.document_text import show_warnings
     from asperity.cli.terminal import console
-    from asperity.study.design.found_joint import found_diagnostics
+    from asperity.study.design.design_document import found_diagnostics
 
     found = found_diagnostics(result.joint_text)
     if found["diagnostics"] is None:

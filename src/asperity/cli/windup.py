@@ -9,7 +9,7 @@ import click
 from asperity.cli.columns import write_columns
 from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
-from asperity.standing.stages import STAGE_SHARES
+from asperity.standing import STAGE_SHARES
 from asperity.writing import check_file, check_image, write_image
 
 LEVELS = ("assembly", "series_with_bulk", "published")

@@ -171,18 +171,18 @@ def evaluate(joint: Joint) -> JointResult:
 def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
     """The chain, and the laws of the contacts that it derived; a state of the drive that nobody reads costs nothing."""
     joint = in_motion(joint)
-    laws, states = laws_and_states(joint, apart=True)
+    laws, states = laws_and_states(joint, separate=True)
     return joint_result(joint, laws, states), laws
 
 
-def laws_and_states(joint: Joint, *, apart: bool = False) -> tuple[ContactLaws, DriveStates]:
+def laws_and_states(joint: Joint, *, separate: bool = False) -> tuple[ContactLaws, DriveStates]:
     """The first half of the chain: the laws of the contacts, and how the drive stands and rolls.
 
     Parameters
     ----------
     joint : Joint
         One joint.
-    apart : bool, optional
+    separate : bool, optional
         As of :func:`asperity.drive.state.states.drive_states`.
 
     Returns
@@ -201,7 +201,7 @@ def laws_and_states(joint: Joint, *, apart: bool = False) -> tuple[ContactLaws, 
     def creep_of(normal: Array, tangential: Array) -> CreepLaw:
         return creep_law(joint, contacts, normal, tangential).law
 
-    return states_under_torque(joint, contacts, load, creep_of, apart=apart)
+    return states_under_torque(joint, contacts, load, creep_of, separate=separate)
 
 
 def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:

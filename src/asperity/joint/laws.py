@@ -10,6 +10,8 @@ import numpy as np
 from jax import Array
 
 from asperity.arrays import namespace
+from asperity.body.shapes import PlaneState, kolosov_constant
+from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.equal_springs import rest_forces
@@ -26,7 +28,8 @@ from asperity.joint.contacts import (
 )
 from asperity.joint.crowned_contacts import crown_compressions, lateral_strain_compliance
 from asperity.joint.description import Joint
-from asperity.joint.interference import logarithmic_decrease
+from asperity.joint.fit import BodyModel
+from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep
 from asperity.types import Real
 
@@ -255,3 +258,23 @@ def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
         standing_rotation=jnp.asarray(joint.input_speed, dtype=float),
         friction_on_carrier=joint.carrier_balance == "complete",
     )
+
+
+def logarithmic_decrease(*, contacts: JointContacts, body_model: BodyModel, plane_state: PlaneState) -> Array:
+    """Decrease of the contacts' secant compliance with the logarithm of their force.
+
+    Shape (contacts, ...) [m/N].
+    """
+
+    def of_body(body: Material) -> Real:
+        numbers = {"youngs_modulus": body.youngs_modulus, "poisson_ratio": body.poisson_ratio}
+        strain = logarithmic_compliance(contact_length=contacts.pairs.contact_length, **numbers)
+        if body_model == "springs" or plane_state == "plane_strain":
+            return strain
+        stress, plane = (
+            kolosov_constant(poisson_ratio=body.poisson_ratio, plane_state=state) + 1.0
+            for state in ("plane_stress", "plane_strain")
+        )
+        return strain * (stress / plane)
+
+    return jnp.asarray(of_body(contacts.driving) + of_body(contacts.driven))

@@ -133,7 +133,7 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
 
 
 def states_under_torque(
-    joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf, *, apart: bool = False
+    joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf, *, separate: bool = False
 ) -> tuple[ContactLaws, DriveStates]:
     """A joint assembled, standing and rolling under its torque."""
     if joint.cam is None:
@@ -146,13 +146,18 @@ def states_under_torque(
             interference=joint.interference,
             load=load,
             creep_of=creep_of,
-            apart=apart,
+            separate=separate,
         )
         return laws, states
     without_torque = assembled(joint, contacts)
     pressed = pressed_at(joint, contacts, without_torque)(joint.output_torque)
     loaded = loaded_states(
-        drive=joint.drive, laws=pressed.laws, rest=pressed.rest, load=load, creep_of=creep_of, apart=apart
+        drive=joint.drive,
+        laws=pressed.laws,
+        rest=pressed.rest,
+        load=load,
+        creep_of=creep_of,
+        separate=separate,
     )
     return without_torque.laws, DriveStates(without_torque.rest, *loaded, pressed.rest)
 

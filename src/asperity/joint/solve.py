@@ -18,7 +18,6 @@ from asperity.joint.evaluation import JointResult, joint_result, laws_and_states
 from asperity.joint.looseness import refuse_loose
 from asperity.joint.motion import in_motion
 from asperity.joint.pins import refuse_pins
-from asperity.joint.refusal import refuse_short_contacts
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.precision import require_double_precision
@@ -211,4 +210,19 @@ def refuse_no_rolling(joint: Joint, solution: Solution) -> None:
         f"{format_quantity(math.copysign(float(found.output_torque), torque), 'N*m')}, at which "
         f"{limit_words(found, contacts=solution.result.contact_names)}; lower the torque"
         f"{'' if joint.rolling.skew is None else ' or the skew'}, or raise the preload or the friction coefficient"
+    )
+
+
+def refuse_short_contacts(result: JointResult) -> None:
+    """Refuse crowned contacts that are too short for their width."""
+    holds = result.diagnostics.slices_hold
+    if holds is None or np.all(np.asarray(holds)):
+        return
+    first = int(np.argmin(np.asarray(holds)))
+    width = 2.0 * float(np.asarray(result.diagnostics.hertz_half_width)[first])
+    ratio = float(np.asarray(result.diagnostics.loaded_length_over_width)[first])
+    length, across = (format_quantity(each, "mm", 3) for each in (ratio * width, width))
+    raise InputError(
+        f"the crowned rollers touch at {result.contact_names[first]} over a length of {length} and a width of "
+        f"{across}: the slices need a contact at least twice as long as wide; choose a larger crown radius"
     )

@@ -50,16 +50,16 @@ class TorqueCapacity(eqx.Module):
     limiting_contact: Array
 
 
-def named_capacity(found: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
+def named_capacity(limit: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
     """The capacity with its kind of limit and contact, from the first of many limits."""
     each = (*_PER_CONTACT, "wall_too_thin") if walls else _PER_CONTACT
     names = ["none", "pins_lock", *(name for name in each for _ in range(contacts)), "no_solution"]
     kinds = [LIMIT_KINDS.index(name) for name in names]
     places = [contacts, contacts, *list(range(contacts)) * len(each), contacts]
     return TorqueCapacity(
-        output_torque=found.value,
-        limit=jnp.asarray(kinds)[1 + found.which],
-        limiting_contact=jnp.asarray(places)[1 + found.which],
+        output_torque=limit.value,
+        limit=jnp.asarray(kinds)[1 + limit.which],
+        limiting_contact=jnp.asarray(places)[1 + limit.which],
     )
 
 

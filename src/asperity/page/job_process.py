@@ -104,10 +104,9 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
 def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
     from asperity.errors import InputError
     from asperity.study.design.design import design
-    from asperity.study.design.design_document import design_document
+    from asperity.study.design.design_document import design_document, found_diagnostics
     from asperity.study.design.design_file import read_design
     from asperity.study.design.design_result import shortcoming
-    from asperity.study.design.found_joint import found_diagnostics
 
     problem = read_design(file)
     if len(problem.objectives) > 1:

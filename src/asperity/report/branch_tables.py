@@ -19,19 +19,19 @@ def equal_branches(document: Document) -> Iterator[Block]:
         yield Paragraph(document["branches"]["note"])
 
 
-def branch_tables(found: Document) -> Iterator[Block]:
+def branch_tables(branches: Document) -> Iterator[Block]:
     """What unequal branches do to a joint."""
-    states, names = (found["standing"], found["rolling"]), deviations(found)
+    states, names = (branches["standing"], branches["rolling"]), deviations(branches)
 
     def of(state: Document | None, name: str, index: int, factor: float = 1.0) -> str:
         return number(None if state is None else state[name][index], factor)
 
     yield Heading("Branches by their own sizes")
-    yield Paragraph(found["note"])
+    yield Paragraph(branches["note"])
     yield Table(
         "Branches",
         (
-            found["branch_is"],
+            branches["branch_is"],
             *(f"{words}\ndeviation µm" for words in names.values()),
             "interference\nµm",
             "preload\nN",
@@ -49,25 +49,25 @@ def branch_tables(found: Document) -> Iterator[Block]:
                 *(of(state, "share", index, 100.0) for state in states),
                 *(of(state, "slip_ratio", index) for state in states),
             )
-            for index, entry in enumerate(found["branches"])
+            for index, entry in enumerate(branches["branches"])
         ],
     )
-    sun = (states[0] or found["without_torque"])["sun"]
+    sun = (states[0] or branches["without_torque"])["sun"]
     when = ", standing" if states[0] else " without torque"
     rows = [
-        (f"force on the bearings of the sun{when}", quantity(force_size(found, sun["force_N"]), "N")),
+        (f"force on the bearings of the sun{when}", quantity(force_size(branches, sun["force_N"]), "N")),
         (f"displacement of the sun{when}", quantity(math.hypot(*sun["displacement_m"]), "um")),
     ]
-    others = (states[0] or found["without_torque"]).get("central_forces_N", {})
+    others = (states[0] or branches["without_torque"]).get("central_forces_N", {})
     rows += [
-        (f"force on the {name.replace('_', ' ')}{when}", quantity(force_size(found, force), "N"))
+        (f"force on the {name.replace('_', ' ')}{when}", quantity(force_size(branches, force), "N"))
         for name, force in others.items()
     ]
-    if "output_stiffness_Nm_per_rad" in found:
-        stiffness = quantity(found["output_stiffness_Nm_per_rad"], "N*m/arcmin")
+    if "output_stiffness_Nm_per_rad" in branches:
+        stiffness = quantity(branches["output_stiffness_Nm_per_rad"], "N*m/arcmin")
         rows.append(("torsional stiffness of these branches at the output, assembled", stiffness))
-    if "turning" in found:
-        turning = found["turning"]
+    if "turning" in branches:
+        turning = branches["turning"]
         if turning["unknown_because"]:
             yield Bullets([f"{reason}." for reason in turning["unknown_because"]])
         rows += [
@@ -79,12 +79,12 @@ def branch_tables(found: Document) -> Iterator[Block]:
             ("efficiency with these branches, %", number(turning["efficiency"], 100.0)),
         ]
     for words, entry in (
-        ("torque capacity", found["torque_capacity"]),
-        ("torque capacity, rolling", found["rolling_torque_capacity"]),
+        ("torque capacity", branches["torque_capacity"]),
+        ("torque capacity, rolling", branches["rolling_torque_capacity"]),
     ):
         rows += [
             (
-                f"{words}: contact {entry['first_contact']} of {found['branch_is']} {entry['first_branch']} "
+                f"{words}: contact {entry['first_contact']} of {branches['branch_is']} {entry['first_branch']} "
                 f"{entry['first_event']} first",
                 quantity(entry["first_slip_Nm"], "N*m"),
             ),

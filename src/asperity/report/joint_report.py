@@ -17,13 +17,12 @@ from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.si_tables import AnyCase
+from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.joint_file.solved_document import solve_case
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
 from asperity.report.branch_tables import branch_tables, equal_branches
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
-from asperity.report.input_tables import choices_table, inputs_table
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
 from asperity.results.loads_document import loads_document
 from asperity.results.margins import margins
@@ -36,6 +35,7 @@ from asperity.results.windup_document import (
 )
 from asperity.rolling.onset import RollingOnset
 from asperity.standing.windup import Windup
+from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from asperity.surface.measurement import SurfaceMeasurement
@@ -285,3 +285,30 @@ def _versions() -> Table:
 
 def _digest(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
+
+
+def inputs_table(case: Case) -> Table:
+    """Every number of a joint file."""
+    rows = []
+    for path, number in numeric_keys(case).items():
+        unit = number.key.unit
+        tolerance = f"± {format_quantity(number.tolerance, unit, 6)}" if number.tolerance else ""
+        rows.append((path, format_quantity(number.value, unit, 8), tolerance))
+    duty: dict[str, Any] = si_values(case).get("duty", {})
+    rows += [(f"duty.{load}.share", f"{entry['share']:.8g}", "") for load, entry in duty.items()]
+    return Table("Numbers of the joint file", ("number", "value", "tolerance"), rows)
+
+
+def choices_table(case: Case) -> Table:
+    """Everything in a joint file that is not a number."""
+    return Table(
+        "Choices of the joint file", ("key", "value"), list(_words(si_values(case), "")), words=(0, 1)
+    )
+
+
+def _words(node: Any, path: str) -> list[tuple[str, str]]:
+    if isinstance(node, dict):
+        return [
+            each for name, below in node.items() for each in _words(below, f"{path}.{name}" if path else name)
+        ]
+    return [(path, node)] if isinstance(node, str) else []

@@ -260,12 +260,12 @@ def _wedge(geometry: Document) -> list[tuple[str, str]]:
     return [(label, quantity(geometry[key], "deg")) for key, label in labels.items() if key in geometry]
 
 
-def windup(found: Document) -> Iterator[Block]:
+def windup(curves: Document) -> Iterator[Block]:
     """The figures of a wind-up.
 
     Parameters
     ----------
-    found : dict
+    curves : dict
         As :func:`asperity.results.windup_document.windup_document` makes it.
 
     Yields
@@ -277,12 +277,12 @@ def windup(found: Document) -> Iterator[Block]:
         "At the output with the input locked, assembled stiffness, up to the output torque of the file."
     )
     rows = [
-        ("largest torque of the curve", quantity(found["largest_torque_Nm"], "N*m")),
-        ("angle at plus the largest torque", quantity(found["windup_rad"], "arcmin")),
-        ("angle at minus the largest torque", quantity(-found["reverse_windup_rad"], "arcmin")),
-        ("hysteresis, width of the loop at zero torque", quantity(found["hysteresis_rad"], "arcmin")),
-        ("lost motion, between ±3 % of the torque", quantity(found["lost_motion_rad"], "arcmin")),
-        ("energy lost per cycle", f"{number(found['dissipated_energy_J'])} J"),
+        ("largest torque of the curve", quantity(curves["largest_torque_Nm"], "N*m")),
+        ("angle at plus the largest torque", quantity(curves["windup_rad"], "arcmin")),
+        ("angle at minus the largest torque", quantity(-curves["reverse_windup_rad"], "arcmin")),
+        ("hysteresis, width of the loop at zero torque", quantity(curves["hysteresis_rad"], "arcmin")),
+        ("lost motion, between ±3 % of the torque", quantity(curves["lost_motion_rad"], "arcmin")),
+        ("energy lost per cycle", f"{number(curves['dissipated_energy_J'])} J"),
     ]
     yield Table("Wind-up", ("quantity", "value"), rows)
     yield Table(
@@ -296,6 +296,6 @@ def windup(found: Document) -> Iterator[Block]:
                 number(each["stiffness_Nm_per_rad"]),
                 number(each["reverse_stiffness_Nm_per_rad"]),
             )
-            for each in found["stages"]
+            for each in curves["stages"]
         ],
     )

@@ -16,12 +16,12 @@ Document = dict[str, Any]
 _ROUNDING = 1e-11  # of forces relative to the preloads
 
 
-def force_size(found: Document, components: Sequence[float]) -> float:
+def force_size(branches: Document, components: Sequence[float]) -> float:
     """Size of a force on a member; that of rounding, beside the preloads, is none.
 
     Parameters
     ----------
-    found : dict
+    branches : dict
         :func:`branch_document`.
     components : sequence of float
         Components of the force [N].
@@ -31,48 +31,53 @@ def force_size(found: Document, components: Sequence[float]) -> float:
     float
         Its size [N].
     """
-    size, largest = math.hypot(*components), max(entry["preload_N"] for entry in found["branches"])
+    size, largest = math.hypot(*components), max(entry["preload_N"] for entry in branches["branches"])
     return size if size > _ROUNDING * largest else 0.0
 
 
-def branch_document(found: UnequalBranches) -> Document:
+def branch_document(branches: UnequalBranches) -> Document:
     """What unequal branches do to a joint, in SI units."""
-    sizes = found.sizes
-    support, life = sizes.sun_support_stiffness, least_life(found)
+    sizes = branches.sizes
+    support, life = sizes.sun_support_stiffness, least_life(branches)
     document: Document = {
-        "branch_is": found.noun,
-        "note": equal_branches_note(found),
+        "branch_is": branches.noun,
+        "note": equal_branches_note(branches),
         "sun_support_stiffness_N_per_m": support if math.isfinite(support) else None,
         "branches": [
             {
                 **{f"{name}_deviation_m": float(each[index]) for name, each in sizes.deviations.items()},
-                "interference_m": float(found.interference[index]),
-                "preload_N": float(found.preload[index]),
-                "preload_over_equal_branches": float(found.preload[index]) / found.own_preload,
+                "interference_m": float(branches.interference[index]),
+                "preload_N": float(branches.preload[index]),
+                "preload_over_equal_branches": float(branches.preload[index]) / branches.own_preload,
             }
-            for index in range(found.preload.size)
+            for index in range(branches.preload.size)
         ],
-        "without_torque": {"sun": _sun(found.rest), **_others(found.rest)},
-        "standing": _state(found.standing, found.contact_names),
-        "rolling": _state(found.rolling, found.contact_names),
+        "without_torque": {"sun": _sun(branches.rest), **_others(branches.rest)},
+        "standing": _state(branches.standing, branches.contact_names),
+        "rolling": _state(branches.rolling, branches.contact_names),
         "life_hours_like_the_worst_branch": life if math.isfinite(life) else None,
-        "torque_capacity": _capacity(found.capacity),
-        "rolling_torque_capacity": _capacity(found.rolling_capacity),
+        "torque_capacity": _capacity(branches.capacity),
+        "rolling_torque_capacity": _capacity(branches.rolling_capacity),
     }
-    if found.turning is not None:
-        slipping = slipping_in_rolling(found)
-        document["turning"] = {"unknown_because": [slipping] if slipping else [], **_turning(found.turning)}
-    if found.stiffness is not None:
-        document["output_stiffness_Nm_per_rad"] = found.stiffness if math.isfinite(found.stiffness) else None
+    if branches.turning is not None:
+        slipping = slipping_in_rolling(branches)
+        document["turning"] = {
+            "unknown_because": [slipping] if slipping else [],
+            **_turning(branches.turning),
+        }
+    if branches.stiffness is not None:
+        document["output_stiffness_Nm_per_rad"] = (
+            branches.stiffness if math.isfinite(branches.stiffness) else None
+        )
     return document
 
 
-def deviations(found: Document) -> dict[str, str]:
+def deviations(branches: Document) -> dict[str, str]:
     """Keys of the deviations of each branch, and their names in words.
 
     Parameters
     ----------
-    found : dict
+    branches : dict
         As :func:`asperity.results.branch_document.branch_document` makes it.
 
     Returns
@@ -83,7 +88,7 @@ def deviations(found: Document) -> dict[str, str]:
     ending = "_deviation_m"
     return {
         key: key.removesuffix(ending).replace("_", " ")
-        for key in found["branches"][0]
+        for key in branches["branches"][0]
         if key.endswith(ending)
     }
 
@@ -128,15 +133,15 @@ def _state(state: BranchState | None, contacts: tuple[str, ...]) -> Document | N
     }
 
 
-def _turning(found: BranchRolling) -> Document:
+def _turning(branches: BranchRolling) -> Document:
     """Drift and powers of all branches together, with the names that equal ones have."""
-    power = found.power
+    power = branches.power
     causes = {name: float(np.sum(getattr(power, name))) for name in ("creep", "skew", "hysteresis", "oil")}
     return {
-        "speed_loss": _number(found.speed_loss),
-        "drift_rad_per_output_turn": _number(found.drift_per_output_turn),
-        "drift_rad_per_hour": _number(3600.0 * found.drift_rate),
-        "output_speed_rad_per_s": _number(found.output_speed),
+        "speed_loss": _number(branches.speed_loss),
+        "drift_rad_per_output_turn": _number(branches.drift_per_output_turn),
+        "drift_rad_per_hour": _number(3600.0 * branches.drift_rate),
+        "output_speed_rad_per_s": _number(branches.output_speed),
         "efficiency": _number(power.efficiency),
         "input_power_W": _number(power.input),
         "output_power_W": _number(power.output),

@@ -18,23 +18,23 @@ from asperity.units import format_quantity
 _EVEN = 1e-9  # relative difference of preloads up to which branches are alike
 
 
-def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, ...]:
+def branch_checks(branches: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, ...]:
     """What unequal branches have to meet, each where it is met worst."""
     checks = [
-        _slip(found, found.capacity, found.standing, "standing"),
-        _looseness(found),
-        _worst(found, "pressure_over_first_yield", found.standing or found.rest),
+        _slip(branches, branches.capacity, branches.standing, "standing"),
+        _looseness(branches),
+        _worst(branches, "pressure_over_first_yield", branches.standing or branches.rest),
     ]
     if turns:
-        checks.insert(1, _slip(found, found.rolling_capacity, found.rolling, "in rolling"))
-    if turns or found.rolling is not None:  # a joint that stands is judged as if it rolled slowly
-        checks.append(_worst(found, "shakedown_ratio", found.rolling))
-    if found.beyond_equal:
-        checks.append(_beyond_equal(found))
+        checks.insert(1, _slip(branches, branches.rolling_capacity, branches.rolling, "in rolling"))
+    if turns or branches.rolling is not None:  # a joint that stands is judged as if it rolled slowly
+        checks.append(_worst(branches, "shakedown_ratio", branches.rolling))
+    if branches.beyond_equal:
+        checks.append(_beyond_equal(branches))
     return tuple(checks)
 
 
-def _beyond_equal(found: UnequalBranches) -> LimitCheck:
+def _beyond_equal(branches: UnequalBranches) -> LimitCheck:
     """The torque over what equal branches carry."""
     row = Result(
         "equal_branches_torque",
@@ -51,15 +51,16 @@ def _beyond_equal(found: UnequalBranches) -> LimitCheck:
             highest=1.0,
         ),
     )
-    return LimitCheck(row, None, _over(found.torque, found.capacity.equal))
+    return LimitCheck(row, None, _over(branches.torque, branches.capacity.equal))
 
 
 def _slip(
-    found: UnequalBranches, capacity: BranchCapacity, state: BranchState | None, when: str
+    branches: UnequalBranches, capacity: BranchCapacity, state: BranchState | None, when: str
 ) -> LimitCheck:
     """The torque over that at which the first branch slips."""
     slips = format_quantity(capacity.first_slip, "N*m", 4)
-    first = f"contact {capacity.contact_name} of {found.noun} {capacity.branch + 1} {capacity.event} first, at {slips}"
+    where = f"{branches.noun} {capacity.branch + 1}"
+    first = f"contact {capacity.contact_name} of {where} {capacity.event} first, at {slips}"
     if state is None:
         last = capacity.all_slip
         used = "steady rolling ends there"
@@ -68,7 +69,7 @@ def _slip(
     else:
         slipping = ", ".join(str(index + 1) for index in np.flatnonzero(state.slip_ratio >= 1.0))
         used = f"under the torque T/(mu N) of the worst branch is {np.nanmax(state.slip_ratio):.3g}"
-        used += f" ({found.noun}s that slip: {slipping})" if slipping else ""
+        used += f" ({branches.noun}s that slip: {slipping})" if slipping else ""
     name = "branch_slip" if when == "standing" else "branch_slip_in_rolling"
     row = Result(
         name,
@@ -86,7 +87,9 @@ def _slip(
             highest=1.0,
         ),
     )
-    return LimitCheck(row, f"{found.noun} {capacity.branch + 1}", _over(found.torque, capacity.first_slip))
+    return LimitCheck(
+        row, f"{branches.noun} {capacity.branch + 1}", _over(branches.torque, capacity.first_slip)
+    )
 
 
 def _over(torque: float, limit: float) -> float:
@@ -94,7 +97,7 @@ def _over(torque: float, limit: float) -> float:
     return torque / limit if limit else math.inf
 
 
-def _looseness(found: UnequalBranches) -> LimitCheck:
+def _looseness(branches: UnequalBranches) -> LimitCheck:
     """The preload of the loosest branch over that of equal ones."""
     name = "branch_preload"
     row = Result(
@@ -111,11 +114,13 @@ def _looseness(found: UnequalBranches) -> LimitCheck:
             lowest=0.0,
         ),
     )
-    branch = int(np.argmin(found.preload))
-    return LimitCheck(row, f"{found.noun} {branch + 1}", float(found.preload[branch]) / found.own_preload)
+    branch = int(np.argmin(branches.preload))
+    return LimitCheck(
+        row, f"{branches.noun} {branch + 1}", float(branches.preload[branch]) / branches.own_preload
+    )
 
 
-def _worst(found: UnequalBranches, name: str, state: BranchState | None) -> LimitCheck:
+def _worst(branches: UnequalBranches, name: str, state: BranchState | None) -> LimitCheck:
     """A limit of the contacts at the contact and branch where it is nearest or crossed most."""
     known = RESULTS[name]
     row = dataclasses.replace(known, name=f"branch_{name}", label=f"{known.label}, worst branch")
@@ -123,25 +128,25 @@ def _worst(found: UnequalBranches, name: str, state: BranchState | None) -> Limi
     if not np.any(np.isfinite(values)):
         return LimitCheck(row, None, math.nan)
     contact, branch = np.unravel_index(int(np.nanargmax(values)), values.shape)
-    place = f"{found.contact_names[int(contact)]} of {found.noun} {int(branch) + 1}"
+    place = f"{branches.contact_names[int(contact)]} of {branches.noun} {int(branch) + 1}"
     return LimitCheck(row, place, float(values[contact, branch]))
 
 
-def pressed(found: UnequalBranches) -> str:
+def pressed(branches: UnequalBranches) -> str:
     """How much harder the most loaded branch is pressed than equal ones, in words."""
-    branch = int(np.argmax(found.preload))
-    if np.ptp(found.preload) <= _EVEN * found.preload[branch]:
-        return f"every {found.noun} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
-    loose = ", ".join(str(index + 1) for index in np.flatnonzero(found.preload <= 0.0))
+    branch = int(np.argmax(branches.preload))
+    if np.ptp(branches.preload) <= _EVEN * branches.preload[branch]:
+        return f"every {branches.noun} is pressed {branches.preload[branch] / branches.own_preload:.3g} times as hard"
+    loose = ", ".join(str(index + 1) for index in np.flatnonzero(branches.preload <= 0.0))
     return (
-        f"{found.noun} {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
-        + (f", and loose is {found.noun} {loose}" if loose else "")
+        f"{branches.noun} {branch + 1} is pressed {branches.preload[branch] / branches.own_preload:.3g} times as hard"
+        + (f", and loose is {branches.noun} {loose}" if loose else "")
     )
 
 
-def refuse_beyond(found: UnequalBranches, output_torque: float) -> None:
+def refuse_beyond(branches: UnequalBranches, output_torque: float) -> None:
     """Refuse a torque that the branches do not carry together."""
-    most = found.capacity.all_slip
+    most = branches.capacity.all_slip
     if abs(output_torque) > most:
         raise InputError(
             f"the output torque {format_quantity(output_torque, 'N*m')} is beyond what the branches carry together, "
@@ -150,40 +155,40 @@ def refuse_beyond(found: UnequalBranches, output_torque: float) -> None:
         )
 
 
-def refuse_no_rolling_together(found: UnequalBranches) -> None:
+def refuse_no_rolling_together(branches: UnequalBranches) -> None:
     """Refuse branches that do not roll steadily under the joint's torque."""
-    refused = no_rolling_together(found)
+    refused = no_rolling_together(branches)
     if refused:
         raise NoSolutionError(refused)
 
 
-def no_rolling_together(found: UnequalBranches) -> str:
+def no_rolling_together(branches: UnequalBranches) -> str:
     """Why branches do not roll steadily under the joint's torque."""
-    if found.rolling is not None:
+    if branches.rolling is not None:
         return ""
-    capacity = found.rolling_capacity
+    capacity = branches.rolling_capacity
     return (
-        f"no steady rolling under {format_quantity(found.torque, 'N*m')}: the branches of the file, [[branch]], roll "
-        f"up to {format_quantity(capacity.first_slip, 'N*m')}, at which contact {capacity.contact_name} of "
-        f"{found.noun} {capacity.branch + 1} {capacity.event}; lower the torque, state smaller deviations, or raise "
+        f"no steady rolling under {format_quantity(branches.torque, 'N*m')}: the branches of the file, [[branch]], "
+        f"roll up to {format_quantity(capacity.first_slip, 'N*m')}, at which contact {capacity.contact_name} of "
+        f"{branches.noun} {capacity.branch + 1} {capacity.event}; lower the torque, state smaller deviations, or raise "
         "load.interference"
     )
 
 
-def equal_branches_note(found: UnequalBranches) -> str:
+def equal_branches_note(branches: UnequalBranches) -> str:
     """What of a joint is that of equal branches, and by how much the most loaded branch differs."""
     what = "Forces, pressures, stiffness, drift, losses and lives of rollers outside the section on branches"
-    note = f"{what} are those of equal branches; {pressed(found)}."
-    if found.beyond_equal:
-        sums = ["torques", *(["drift", "losses"] if found.turning else [])]
-        sums += ["the assembled stiffness"] if found.stiffness else []
+    note = f"{what} are those of equal branches; {pressed(branches)}."
+    if branches.beyond_equal:
+        sums = ["torques", *(["drift", "losses"] if branches.turning else [])]
+        sums += ["the assembled stiffness"] if branches.stiffness else []
         named = " and ".join((", ".join(sums[:-1]), sums[-1])) if sums[1:] else sums[0]
         note = (
             f"Outside the section on branches, {named} are those of these branches together; what one contact does, "
             "and lives of rollers, do not exist there: they would be those of equal branches, which carry "
-            f"{format_quantity(found.capacity.equal, 'N*m', 4)} at most; {pressed(found)}."
+            f"{format_quantity(branches.capacity.equal, 'N*m', 4)} at most; {pressed(branches)}."
         )
-    life = least_life(found)
+    life = least_life(branches)
     if math.isfinite(life):
         hours = f"{format_quantity(life, '1')} h"
         note += f" Were all loaded like the worst branch, the fatigue life under the torque would be {hours}."
@@ -212,9 +217,9 @@ def capacity_words(document: dict[str, Any], name: str) -> str:
     )
 
 
-def least_life(found: UnequalBranches) -> float:
+def least_life(branches: UnequalBranches) -> float:
     """Life of a drive all of whose branches are loaded like the one that lives shortest [h]."""
-    return shortest_life(found.rolling)
+    return shortest_life(branches.rolling)
 
 
 def shortest_life(state: BranchState | None) -> float:
@@ -225,15 +230,19 @@ def shortest_life(state: BranchState | None) -> float:
     return float(np.min(lives)) if lives.size else math.nan
 
 
-def slipping_in_rolling(found: UnequalBranches) -> str:
+def slipping_in_rolling(branches: UnequalBranches) -> str:
     """Which branches slip as a whole in rolling while others carry the rest."""
-    if found.rolling is None:
+    if branches.rolling is None:
         return ""
-    slips = [str(index + 1) for index in np.flatnonzero(found.rolling.slip_ratio >= 1.0)]
+    slips = [str(index + 1) for index in np.flatnonzero(branches.rolling.slip_ratio >= 1.0)]
     if not slips:
         return ""
-    named = f"{found.noun} {slips[0]} slips" if len(slips) == 1 else f"{found.noun}s {', '.join(slips)} slip"
+    named = (
+        f"{branches.noun} {slips[0]} slips"
+        if len(slips) == 1
+        else f"{branches.noun}s {', '.join(slips)} slip"
+    )
     return (
-        f"drift and losses are not known: in rolling under {format_quantity(found.torque, 'N*m')} {named} as a whole "
-        "while the others carry the rest"
+        f"drift and losses are not known: in rolling under {format_quantity(branches.torque, 'N*m')} {named} as a "
+        "whole while the others carry the rest"
     )

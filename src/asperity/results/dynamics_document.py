@@ -9,7 +9,7 @@ import numpy as np
 from asperity.standing.dynamics import Dynamics, Inertias
 
 
-def dynamics_document(found: Dynamics, inertias: Inertias) -> dict[str, Any]:
+def dynamics_document(dynamics: Dynamics, inertias: Inertias) -> dict[str, Any]:
     """The dynamics of a joint in SI units, ready for :func:`json.dumps`."""
     names = {
         "output_torque": "output_torque_Nm",
@@ -34,18 +34,18 @@ def dynamics_document(found: Dynamics, inertias: Inertias) -> dict[str, Any]:
             "output_kg_m2": plain(inertias.output),
             "loss_factor": plain(inertias.loss_factor),
         },
-        "at_torque": {key: plain(getattr(found.at_torque, name)) for name, key in names.items()},
-        "over_torque": {key: plain(getattr(found.over_torque, name)) for name, key in names.items()},
-        "response": {key: plain(values) for key, values in response_columns(found).items()},
+        "at_torque": {key: plain(getattr(dynamics.at_torque, name)) for name, key in names.items()},
+        "over_torque": {key: plain(getattr(dynamics.over_torque, name)) for name, key in names.items()},
+        "response": {key: plain(values) for key, values in response_columns(dynamics).items()},
     }
 
 
-def response_columns(found: Dynamics) -> dict[str, np.ndarray]:
+def response_columns(dynamics: Dynamics) -> dict[str, np.ndarray]:
     """The frequency response as columns, units in their names.
 
     Parameters
     ----------
-    found : Dynamics
+    dynamics : Dynamics
         As :func:`~asperity.standing.dynamics.dynamics` returns it.
 
     Returns
@@ -53,9 +53,9 @@ def response_columns(found: Dynamics) -> dict[str, np.ndarray]:
     dict
         Amplitudes and phases of both sides, standing and turning.
     """
-    columns = {"frequency_Hz": np.asarray(found.frequency)}
+    columns = {"frequency_Hz": np.asarray(dynamics.frequency)}
     for name in ("standing_motor", "standing_load", "turning_motor", "turning_load"):
-        angle = np.asarray(getattr(found, name))
+        angle = np.asarray(getattr(dynamics, name))
         columns[f"{name}_rad_per_Nm"] = np.abs(angle)
         phase = np.degrees(np.unwrap(np.angle(angle)))
         columns[f"{name}_phase_deg"] = phase - 360.0 * np.round(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from asperity.results import SEVERITIES, Limit, Result
 from asperity.results.drive_table import results_of_joint
-from asperity.results.held_by_pins import with_pins
+from asperity.results.self_locking import with_pins
 from asperity.results.solved import SolvedJoint
 
 

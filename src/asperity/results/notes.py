@@ -288,15 +288,15 @@ def plausibility(joint: Joint, result: JointResult) -> tuple[Note, ...]:
     return tuple(notes)
 
 
-def loss_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
+def loss_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
     """Whether a drive under load loses more than a third of its power."""
-    power = found.power
+    power = rolling.power
     entering, leaving = float(np.asarray(power.input)), float(np.asarray(power.output))
     if not (entering > 0.0 and leaving > 0.0):
         return ()
     share = 1.0 - leaving / entering
     ok = share <= LOSS_LIMIT
-    by_cause = {name: float(np.asarray(value)) for name, value in losses(found).items() if name in _CAUSES}
+    by_cause = {name: float(np.asarray(value)) for name, value in losses(rolling).items() if name in _CAUSES}
     cause = max(by_cause, key=lambda name: np.nan_to_num(by_cause[name]))
     words, remedy = _CAUSES[cause]
     where = ""
@@ -322,9 +322,9 @@ def loss_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, .
     )
 
 
-def skew_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
+def skew_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
     """Whether skewed axes leave every contact the friction for its traction."""
-    ratios, lost = np.asarray(found.slip_ratio), np.asarray(found.capacity_loss)
+    ratios, lost = np.asarray(rolling.slip_ratio), np.asarray(rolling.capacity_loss)
     # where skew alone takes all friction, the contact slips whatever its traction
     ratios = np.where(lost >= 1.0, np.inf, ratios)
     if not np.any(lost > 0.0) or np.any(np.isnan(ratios)):

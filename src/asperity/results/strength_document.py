@@ -70,15 +70,15 @@ def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
     return why
 
 
-def rim_entry(found: BodyRims) -> Document:
+def rim_entry(rims: BodyRims) -> Document:
     """Stresses and safeties of one body, ready for :func:`json.dumps`."""
     return {
         **{
-            f"{name}_Pa": dict(zip(RIM_NAMES, map(_plain, np.asarray(getattr(found, name))), strict=True))
+            f"{name}_Pa": dict(zip(RIM_NAMES, map(_plain, np.asarray(getattr(rims, name))), strict=True))
             for name in ("stress", "stress_at_rest", "mean", "amplitude")
         },
-        "yield_safety": _plain(found.yield_safety),
-        "fatigue_safety": _plain(found.fatigue_safety),
+        "yield_safety": _plain(rims.yield_safety),
+        "fatigue_safety": _plain(rims.fatigue_safety),
     }
 
 

@@ -14,7 +14,7 @@ from asperity.joint.solve import Solution, solve_joint
 from asperity.results.document import capacities_document
 from asperity.rolling.document import unknown_because
 from asperity.rolling.onset import RollingOnset, rolling_onset
-from asperity.standing.stages import STAGE_SHARES
+from asperity.standing import STAGE_SHARES
 from asperity.standing.windup import StiffnessLevel, Windup, windup
 
 

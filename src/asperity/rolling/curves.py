@@ -13,11 +13,14 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.joint.description import Joint
+from asperity.drive.state.state import DriveState
+from asperity.joint.description import Joint, joint_contacts
 from asperity.joint.evaluation import JointResult
+from asperity.joint.laws import contact_laws
+from asperity.joint.loading_cam import Pressed
 from asperity.rolling.creep_curves import creep_curves
-from asperity.rolling.over_loads import rolling_over_loads
 from asperity.rolling.rolling import RollingResult
+from asperity.rolling.turning import rolling_at
 
 _TORQUES, _SPEEDS = 49, 17
 _OVER_TORQUE, _OVER_SPEED = 2.0, 1.5  # ends of the axes over the joint's own numbers
@@ -117,3 +120,12 @@ def _shown(found: RollingResult) -> tuple[Array, Array, Array, Array]:
         found.life_hours.drive,
         found.power.efficiency,
     )
+
+
+def rolling_over_loads(joint: Joint, rest: DriveState, torque: Array, input_speed: Array) -> RollingResult:
+    """Steady rolling of a joint under torques at speeds."""
+    contacts = joint_contacts(joint)
+    found: RollingResult = jax.vmap(
+        rolling_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
+    )(torque, input_speed)
+    return found

@@ -68,12 +68,12 @@ def rolling_document(
     }
 
 
-def losses(found: RollingResult) -> Document:
+def losses(rolling: RollingResult) -> Document:
     """Losses by cause, all contacts together [W].
 
     Parameters
     ----------
-    found : RollingResult
+    rolling : RollingResult
         The joint that turns.
 
     Returns
@@ -81,7 +81,7 @@ def losses(found: RollingResult) -> Document:
     dict
         Cause → power, and their sum ``total``; nan for a loss that the joint leaves out.
     """
-    power = found.power
+    power = rolling.power
     by_contact = {
         name: np.sum(np.asarray(getattr(power, name))) for name in ("creep", "skew", "hysteresis", "oil")
     }

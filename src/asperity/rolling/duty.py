@@ -45,7 +45,7 @@ class DutyLife(eqx.Module):
 
 
 def with_duty_life(
-    found: RollingResult,
+    rolling: RollingResult,
     *,
     conditions: RollingConditions,
     bodies: BodiesOfContacts,
@@ -54,10 +54,10 @@ def with_duty_life(
 ) -> RollingResult:
     """The joint that turns with its life under its duty, if it has one."""
     if not conditions.duty:
-        return found
+        return rolling
     life = duty_life(conditions=conditions, bodies=bodies, planet_count=planet_count, rolled=rolled)
     return dataclasses.replace(
-        found,
+        rolling,
         duty_life_hours=life.hours,
         duty_life_turns=life.turns,
         duty_damage_shares=life.damage_shares,

@@ -25,9 +25,9 @@ from asperity.show.drive_sizes import (
 from asperity.show.drive_view import drive_view, reach_of, write_contact_names
 from asperity.show.free_bodies import free_bodies
 from asperity.show.sheet import TEXT_HEIGHT, Circle, Item, Line, Point, Sheet, Text, standard_scale
+from asperity.show.sheet_figure import text_width
 from asperity.show.sheet_frame import MARGIN, PLAIN, WITH_FORCES, frame, load_lines, title_block
 from asperity.show.taken import Box, Taken, text_box
-from asperity.show.wrapped import wrapped
 from asperity.units import format_quantity
 
 _FOOT = 37.0  # of the texts above the title block on paper [mm]
@@ -226,3 +226,28 @@ def _interference(joint: Joint, ring: str, less: float | None) -> str:
         f", interference {format_quantity(less, 'µm')} on the radius{cold}, in the ⌀ of the "
         f"{ring.replace('_', ' ')}"
     )
+
+
+_INDENT = "   "
+
+
+def wrapped(text: str, width: float) -> list[str]:
+    """Break a line of normal height between words, and within a word that is too long."""
+    if text_width(text) <= width:
+        return [text]
+    cut = _longest(text, width)
+    space = text.rfind(" ", 1, cut + 1)
+    if space > 0 and text[:space].strip():
+        return [text[:space], *wrapped(f"{_INDENT}{text[space:].strip()}", width)]
+    joint = text.rfind("_", cut // 2, cut)  # of a name in several words
+    cut = cut if joint < 0 else joint + 1
+    return [text[:cut], *wrapped(f"{_INDENT}{text[cut:]}", width)]
+
+
+def _longest(text: str, width: float) -> int:
+    """Number of letters of the longest beginning that fits, more than the indent."""
+    low, high = len(_INDENT) + 1, len(text)
+    while low < high:
+        middle = (low + high + 1) // 2
+        low, high = (middle, high) if text_width(text[:middle]) <= width else (low, middle - 1)
+    return low

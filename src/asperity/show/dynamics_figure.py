@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def dynamics_figure(found: Dynamics, *, title: str) -> Figure:
+def dynamics_figure(dynamics: Dynamics, *, title: str) -> Figure:
     """Amplitude and phase over frequency, standing and turning; natural frequencies over torque."""
     from matplotlib.figure import Figure
 
@@ -21,9 +21,9 @@ def dynamics_figure(found: Dynamics, *, title: str) -> Figure:
     grid = figure.add_gridspec(2, 2, width_ratios=(1.5, 1.0))
     amplitude = figure.add_subplot(grid[0, 0])
     phase = figure.add_subplot(grid[1, 0], sharex=amplitude)
-    columns = response_columns(found)
+    columns = response_columns(dynamics)
     frequency = columns["frequency_Hz"]
-    turns = bool(np.isfinite(found.at_torque.creep_damping))
+    turns = bool(np.isfinite(dynamics.at_torque.creep_damping))
     for state, style in (("standing", "-"), ("turning", "--")):
         if state == "turning" and not turns:
             continue
@@ -34,7 +34,7 @@ def dynamics_figure(found: Dynamics, *, title: str) -> Figure:
     amplitude.set(ylabel="angle per torque at the input,\nboth at the output [rad/(N·m)]")
     phase.set(xlabel="frequency [Hz]", ylabel="phase [deg]")
     amplitude.legend(frameon=False, fontsize="small")
-    over, own = found.over_torque, found.at_torque
+    over, own = dynamics.over_torque, dynamics.at_torque
     torques = figure.add_subplot(grid[0, 1])
     corner = figure.add_subplot(grid[1, 1], sharex=torques)
     for values, at, color, label in (

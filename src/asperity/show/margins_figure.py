@@ -19,11 +19,11 @@ _WORDS = 0.18  # width of the words at a bar over that of the picture
 _LETTERS = 48  # of a line of a bar's name; a longer name has two lines
 
 
-def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
+def drawn_margins(margins: Sequence[Margin]) -> list[Margin]:
     """Margins of function, damage and accuracy whose share of the limit has a meaning, the fullest first."""
     chosen = [
         each
-        for each in found
+        for each in margins
         if each.severity in _SERIOUS
         and each.result.group != "residuals"
         and not each.state
@@ -33,12 +33,12 @@ def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
     return sorted(chosen, key=lambda each: -each.utilisation)
 
 
-def margins_height(found: Sequence[Margin]) -> float:
+def margins_height(margins: Sequence[Margin]) -> float:
     """Height of the picture in which the bars have room for their names.
 
     Parameters
     ----------
-    found : sequence of Margin
+    margins : sequence of Margin
         The margins.
 
     Returns
@@ -46,20 +46,20 @@ def margins_height(found: Sequence[Margin]) -> float:
     float
         Height [in].
     """
-    return 1.0 + 0.35 * max(1, len(drawn_margins(found)))
+    return 1.0 + 0.35 * max(1, len(drawn_margins(margins)))
 
 
-def draw_margins(axes: Axes, found: Sequence[Margin]) -> None:
+def draw_margins(axes: Axes, margins: Sequence[Margin]) -> None:
     """Bars of the share of each limit that is used; the line at 100 % is the limit, and no words lie on it.
 
     Parameters
     ----------
     axes : Axes
         Where to draw.
-    found : sequence of Margin
+    margins : sequence of Margin
         The margins.
     """
-    shown = drawn_margins(found)
+    shown = drawn_margins(margins)
     names = [_name(each) for each in shown]
     used = [100.0 * each.utilisation for each in shown]
     bars = axes.barh(

@@ -34,7 +34,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.play import Play, play_angle, play_compliance
 from asperity.precision import require_double_precision
-from asperity.standing.stages import STAGE_SHARES
+from asperity.standing import STAGE_SHARES
 from asperity.standing.standing import Standing, standing_at
 from asperity.types import Real
 from asperity.units import format_quantity

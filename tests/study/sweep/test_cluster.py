@@ -14,7 +14,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.study.parameters import parse_axis
 from asperity.study.sweep.cluster import _client, worker_environment
-from asperity.study.sweep.store_integrity import unfinished_blocks
+from asperity.study.sweep.store_layout import unfinished_blocks
 from asperity.study.sweep.sweep import sweep
 
 # distributed leaves sockets and a loop to the garbage collector when a scheduler or worker vanishes

@@ -7,7 +7,7 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.study.sweep.store import open_store, prepare_store, remove_store
-from asperity.study.sweep.store_integrity import unfinished_blocks
+from asperity.study.sweep.store_layout import unfinished_blocks
 from asperity.study.sweep.sweep_plan import make_plan
 
 pytest.importorskip("zarr")

@@ -10,7 +10,7 @@ from asperity.errors import InputError
 from asperity.study.parameters import parse_axis
 from asperity.study.sweep import sweep as sweep_module
 from asperity.study.sweep.store import open_store
-from asperity.study.sweep.store_integrity import unfinished_blocks
+from asperity.study.sweep.store_layout import unfinished_blocks
 from asperity.study.sweep.sweep import sweep
 
 # the force balance stops when the last point of a batch has converged: neighbours may change its last digits,

@@ -162,7 +162,7 @@ def drive_states(
     interference: Real | None = None,
     load: DriveLoad,
     creep_of: CreepOf | None = None,
-    apart: bool = False,
+    separate: bool = False,
 ) -> DriveStates:
     """A drive assembled, standing under a torque, and rolling under it.
 
@@ -180,7 +180,7 @@ def drive_states(
         Torque, forces on the bodies, and pins.
     creep_of : callable or None, optional
         Creep law of contacts around normal and tangential forces; None for that of the laws.
-    apart : bool, optional
+    separate : bool, optional
         Whether each state has a program of its own, so that one that nobody reads costs nothing; otherwise one program
         finds all, which is sooner compiled.
 
@@ -203,7 +203,7 @@ def drive_states(
         rest = state_at_rest(
             drive=drive, laws=laws, pattern=pattern, preload=preload, interference=interference, load=load
         )
-        return DriveStates(rest, *_standing_and_rolling(drive, laws, rest, load, creep_of, apart))
+        return DriveStates(rest, *_standing_and_rolling(drive, laws, rest, load, creep_of, separate))
     machine = machine_of(drive, laws, pattern, supports=load.supports)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     start = _Carry(
@@ -216,7 +216,7 @@ def drive_states(
     )
     kinds = [(ASSEMBLED,), (STANDING,), (ROLLING,) * CREEP_PASSES]
     states = _states(
-        machine, load, start, kinds if apart else [sum(kinds, ())], creep_of, by_force=interference is None
+        machine, load, start, kinds if separate else [sum(kinds, ())], creep_of, by_force=interference is None
     )
     return DriveStates(*(states[place] for place in (0, 1, -1)))
 
@@ -278,7 +278,7 @@ def loaded_states(
     rest: DriveState,
     load: DriveLoad,
     creep_of: CreepOf,
-    apart: bool = False,
+    separate: bool = False,
 ) -> tuple[DriveState, DriveState]:
     """A drive under a torque, standing and rolling, from its assembled state.
 
@@ -294,7 +294,7 @@ def loaded_states(
         Torque, forces on the bodies, and pins.
     creep_of : callable
         Creep law of contacts around normal and tangential forces.
-    apart : bool, optional
+    separate : bool, optional
         As of :func:`drive_states`.
 
     Returns
@@ -306,7 +306,7 @@ def loaded_states(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    return _standing_and_rolling(drive, laws, rest, load, creep_of, apart)
+    return _standing_and_rolling(drive, laws, rest, load, creep_of, separate)
 
 
 def _standing_and_rolling(
@@ -315,10 +315,10 @@ def _standing_and_rolling(
     rest: DriveState,
     load: DriveLoad,
     creep_of: CreepOf | None,
-    apart: bool,
+    separate: bool,
 ) -> tuple[DriveState, DriveState]:
     kinds = [(STANDING,), (ROLLING,) * CREEP_PASSES]
-    states = _loaded(drive, laws, rest, load, kinds if apart else [sum(kinds, ())], creep_of)
+    states = _loaded(drive, laws, rest, load, kinds if separate else [sum(kinds, ())], creep_of)
     return states[0], states[-1]
 
 

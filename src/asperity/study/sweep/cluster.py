@@ -19,7 +19,7 @@ from asperity.precision import use_double_precision
 from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import require
 from asperity.study.sweep.store import write_block
-from asperity.study.sweep.store_integrity import unfinished_blocks
+from asperity.study.sweep.store_layout import unfinished_blocks
 from asperity.study.sweep.sweep_plan import Plan, block_results
 
 #: Blocks handed out ahead of each worker, so that none waits.

@@ -20,14 +20,16 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.study.datasets import require
 from asperity.study.parameters import axis_from_dict
-from asperity.study.sweep.store_integrity import damaged_blocks, same_values, unfinished_blocks
 from asperity.study.sweep.store_layout import (
     MARKS,
     build_store,
+    damaged_blocks,
     plan_identity,
+    same_values,
     store_coordinates,
     store_group,
     stored_plan,
+    unfinished_blocks,
 )
 from asperity.study.sweep.sweep_plan import PLAN, Plan
 from asperity.writing import cannot_write, check_folder

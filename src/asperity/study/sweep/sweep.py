@@ -19,7 +19,7 @@ from asperity.study.datasets import common_attributes, coordinate, dataset
 from asperity.study.parameters import SweepAxis
 from asperity.study.sweep.cluster import run_on_cluster
 from asperity.study.sweep.store import open_store, prepare_store, remove_store, write_block
-from asperity.study.sweep.store_integrity import repair_store, unfinished_blocks
+from asperity.study.sweep.store_layout import repair_store, unfinished_blocks
 from asperity.study.sweep.sweep_plan import PLAN, Plan, block_results, make_plan
 
 if TYPE_CHECKING:
