@@ -11,9 +11,11 @@ from jax import Array
 
 from asperity.arrays import namespace
 from asperity.body.shapes import PlaneState, kolosov_constant
+from asperity.contact.carter import gross_slip_creepage
 from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
+from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.equal_springs import rest_forces
 from asperity.drive.state.state import ContactLaws, DriveLoad
 from asperity.drive.state.supports import Supports, carrier_supports
@@ -51,7 +53,7 @@ def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
     Returns
     -------
     ContactLaws
-        Approach, slip, and the creep of the assembled drive without torque.
+        Approach, slip, and the creep of smooth even rollers; a rolling state takes that of :func:`creep_law`.
 
     Notes
     -----
@@ -71,9 +73,7 @@ def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
     laws = ContactLaws(
         springs=with_crowns(springs, contacts=contacts, rest_force=reference),
         reference_force=reference,
-        creep=creep_law(
-            joint, contacts, reference, jnp.zeros_like(reference), stiffness=rough.normal_stiffness
-        ).law,
+        creep=smooth_creep(contacts, reference),
         asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
         coupling=coupling,
         lateral_strain_compliance=(
@@ -151,13 +151,20 @@ def _approach(joint: Joint, contacts: JointContacts, force: Array) -> tuple[Norm
     return springs, normal - jnp.diag(own)
 
 
+def smooth_creep(contacts: JointContacts, normal_force: Array) -> CreepLaw:
+    """Creep of smooth even rollers with parallel axes, shape (contacts,)."""
+    pairs = contacts.pairs
+    limit = gross_slip_creepage(
+        friction_coefficient=pairs.friction_coefficient,
+        half_width=pairs.half_width(normal_force),
+        effective_radius=pairs.effective_radius,
+    )
+    friction = jnp.broadcast_to(pairs.friction_coefficient, normal_force.shape)
+    return CreepLaw(friction, limit / jnp.sqrt(normal_force))
+
+
 def creep_law(
-    joint: Joint,
-    contacts: JointContacts,
-    normal_force: Array,
-    tangential_force: Array,
-    *,
-    stiffness: Array | None = None,
+    joint: Joint, contacts: JointContacts, normal_force: Array, tangential_force: Array
 ) -> ContactCreep:
     """Creep of the contacts of a drive with the factors of asperities and skew around given forces.
 
@@ -169,8 +176,6 @@ def creep_law(
         The contacts.
     normal_force, tangential_force : Array
         Forces, shape (contacts,) [N].
-    stiffness : Array or None, optional
-        Normal stiffness of the asperities under them, where it is known already, shape (contacts,) [N/m].
 
     Returns
     -------
@@ -186,7 +191,6 @@ def creep_law(
         skew=joint.rolling.skew,
         normal_force=normal_force,
         tangential_force=tangential_force,
-        asperity_normal_stiffness=stiffness,
     )
     friction = jnp.broadcast_to(found.law.friction_coefficient, normal_force.shape)
     return found._replace(law=dataclasses.replace(found.law, friction_coefficient=friction))

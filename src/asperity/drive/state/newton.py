@@ -18,8 +18,13 @@ _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unkn
 
 
 def newton(
-    step_at: Callable[[Any], Any], first: Any, *, positive: int, longest: Real = math.inf
-) -> tuple[Any, Array]:
+    step_at: Callable[[Any], tuple[Any, Any]],
+    first: Any,
+    *,
+    positive: int,
+    residual: Any = None,
+    longest: Real = math.inf,
+) -> tuple[Any, Array, Any]:
     r"""Root of as many equations as unknowns, without derivatives.
 
     .. math:: x \leftarrow x - \alpha\, J^{-1} r(x)
@@ -27,11 +32,14 @@ def newton(
     Parameters
     ----------
     step_at : callable
-        From a module of unknowns, each of order 1, to the step :math:`J^{-1} r(x)`, of the same structure.
+        From a module of unknowns, each of order 1, to the step :math:`J^{-1} r(x)`, of the same structure, and to the
+        residuals r(x).
     first : module of Array
         Where the search starts.
     positive : int
         How many of the first unknowns must stay positive: a step is shortened (alpha < 1) so that they keep a fifth.
+    residual : module of Array, optional
+        Of the structure of the residuals, of any value; None where they are None.
     longest : Real, optional
         Change of an unknown in one step, not shortened, beyond which the search is given up [-].
 
@@ -42,6 +50,8 @@ def newton(
     Array
         Largest change of an unknown in the last step, not shortened [-]: large, or nan, where the unknowns are not
         determined.
+    module of Array
+        The residuals before the last step.
 
     References
     ----------
@@ -49,17 +59,19 @@ def newton(
     """
     start, shape = jax.flatten_util.ravel_pytree(first)
 
-    def unfinished(state: tuple[Array, Array, Array]) -> Array:
-        _, size, steps = state
+    def unfinished(state: tuple[Array, Array, Array, Any]) -> Array:
+        _, size, steps, _ = state
         return (size > 1e-13) & (size < longest) & (steps < _NEWTON_BUDGET)
 
-    def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
-        x, _, steps = state
-        step, _ = jax.flatten_util.ravel_pytree(step_at(shape(x)))
+    def improve(state: tuple[Array, Array, Array, Any]) -> tuple[Array, Array, Array, Any]:
+        x, _, steps, _ = state
+        change, misfit = step_at(shape(x))
+        step, _ = jax.flatten_util.ravel_pytree(change)
         normal, falling = x[:positive], step[:positive]
         room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
         share = jnp.minimum(1.0, jnp.min(room))
-        return x - share * step, jnp.max(jnp.abs(step)), steps + 1
+        return x - share * step, jnp.max(jnp.abs(step)), steps + 1, misfit
 
-    x, size, _ = jax.lax.while_loop(unfinished, improve, (start, jnp.asarray(1.0), jnp.asarray(0)))
-    return shape(x), size
+    begin = (start, jnp.asarray(1.0), jnp.asarray(0), residual)
+    x, size, _, misfit = jax.lax.while_loop(unfinished, improve, begin)
+    return shape(x), size, misfit

@@ -133,35 +133,34 @@ def solved(
     """
     fixed_machine, fixed_task, first = jax.lax.stop_gradient((machine, task, start))
     stands = jnp.asarray(task.kind) == STANDING
+    begin = jnp.zeros_like(first.normal) if slides is None else jax.lax.stop_gradient(slides)
     paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
 
     def unfinished(state: _Search) -> Array:
         return state.going
 
     def improve(state: _Search) -> _Search:
-        def misfits(x: Unknowns) -> Misfits:
-            return state_misfits(fixed_machine, fixed_task, by_force, state.trial, x)
-
         longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
 
-        def step_at(x: Unknowns) -> Unknowns:
+        def step_at(x: Unknowns) -> tuple[Unknowns, Misfits]:
             slopes = state_slopes(fixed_machine, fixed_task, by_force, state.trial, x)
-            return newton_step(slopes, misfits(x).all, solve_in_turn)
+            misfits = state_misfits(fixed_machine, fixed_task, by_force, state.trial, x)
+            return newton_step(slopes, misfits.all, solve_in_turn), misfits
 
-        tried, last = newton(step_at, state.found, positive=first.normal.size, longest=longest)
-        found_there = misfits(tried)
-        balanced = (_worst(found_there.all) < _BALANCED) & (last < _DETERMINED)
+        tried, last, misfits = newton(
+            step_at, state.found, positive=first.normal.size, residual=Misfits(first, begin), longest=longest
+        )
+        balanced = (_worst(misfits.all) < _BALANCED) & (last < _DETERMINED)
         kept = balanced | (state.steps == 0)
         found, slides, held = jax.tree.map(
             lambda new, old: jnp.where(kept, new, old),
-            (tried, state.trial, found_there.held),
+            (tried, state.trial, misfits.held),
             (state.found, state.slides, state.held),
         )
         trial = _next_slides(found, slides, held, paired)
         going = balanced & stands & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
         return _Search(found, slides, held, trial, going, state.steps + 1)
 
-    begin = jnp.zeros_like(first.normal) if slides is None else jax.lax.stop_gradient(slides)
     start_of = _Search(first, begin, begin, begin, jnp.asarray(True), jnp.asarray(0))
     end = jax.lax.while_loop(unfinished, improve, start_of)
     found = known_state(machine, task, end.found, end.slides, by_force=by_force)
