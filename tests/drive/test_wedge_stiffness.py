@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from asperity.contact.interface import series_stiffness
-from asperity.drive.layout.drives import wedge_drive
+from asperity.drive.layout.drive import Closure
+from asperity.drive.layout.drives import EQUAL_COEFFICIENTS, wedge_drive
 from asperity.drive.stiffness.network import network_stiffness
 from asperity.drive.stiffness.torsional_stiffness import series_torsional_stiffness
 from asperity.drive.wedge.geometry import CONTACT_NAMES, DriveGeometry
@@ -89,6 +90,22 @@ def test_rigid_normal_springs_put_each_side_in_series_first():
     expected = 81.0 * 3.0 * 4e-3**2 / (1.0 / sp + 1.0 / sides)
     ours = solve(PAPER, RIGID, tangential)
     assert float(ours.output) == pytest.approx(float(expected), rel=1e-8)
+
+
+@pytest.mark.parametrize("closure", [Closure(), Closure(equal_coefficients=EQUAL_COEFFICIENTS)])
+def test_with_held_centres_rollers_turn_alike_only_by_the_papers_closure(closure):
+    """Each side in series first, as above; (28) and (29) add both contacts of a planet, and both of the ring, first."""
+    sp, pwr, pwl, wro, wlo = tangential = jnp.array([1e8, 2e8, 1e8, 3e8, 0.5e8])
+    one_by_one = 1.0 / (1.0 / pwr + 1.0 / wro) + 1.0 / (1.0 / pwl + 1.0 / wlo)
+    alike = 1.0 / (1.0 / (pwr + pwl) + 1.0 / (wro + wlo))
+    sides = alike if closure.equal_coefficients else one_by_one
+    found = network_stiffness(
+        drive=wedge_drive(PAPER, planet_count=3, closure=closure),
+        normal_compliance=None,
+        tangential_compliance=1.0 / tangential,
+    )
+    expected = 81.0 * 3.0 * 4e-3**2 / (1.0 / sp + 1.0 / sides)
+    assert float(found.output) == pytest.approx(float(expected), rel=1e-8)
 
 
 def test_very_stiff_springs_are_as_good_as_rigid_ones():

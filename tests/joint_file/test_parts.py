@@ -198,3 +198,10 @@ def test_what_published_closures_assume():
     told = " ".join(assumptions(case))
     assert "contact pwl: same_coefficient_as = 'pwr'" in told
     assert "roller right: pin_force = 'constant'" in told
+
+
+def test_a_roller_may_have_any_name():
+    """Also one of those that a type of its own has: the paper's two loading rollers share a key of [bodies] there."""
+    named = read(('"right"', '"right_loading_roller"'), ("right = ", "right_loading_roller = "))
+    names = [body.name for body in joint_from_case(named).drive.bodies]
+    assert names == ["sun", "planet", "right_loading_roller", "left", "ring"]

@@ -11,6 +11,7 @@ from asperity.errors import AsperityError
 from asperity.joint.solve import solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
 from asperity.joint_file.build import joint_from_case
+from asperity.results.dynamics_document import response_columns
 from asperity.standing.dynamics import Inertias, _over_torque, dynamics
 
 COUPLED = Inertias(2e-6, 0.05, 0.02)
@@ -26,10 +27,11 @@ def test_inertias_by_hand(found):
     """Steel cylinders of 5 mm: sun 4, planets 13.5, rollers 5 mm; the ratio is 9."""
     mass = {r: 7850.0 * math.pi * r**2 * 5e-3 for r in (4e-3, 13.5e-3, 5e-3)}
     sun = 0.5 * mass[4e-3] * 4e-3**2
-    assert float(found.at_torque.input_inertia) == pytest.approx(81.0 * (2e-6 + sun), rel=1e-12)
-    planet = mass[13.5e-3] * (17.5e-3**2 + 0.5 * 13.5e-3**2 * (40 / 13.5 + 1) ** 2)
-    roller = mass[5e-3] * (35e-3**2 + 0.5 * 5e-3**2 * 7.0**2)
-    assert float(found.at_torque.output_inertia) == pytest.approx(0.05 + 3 * (planet + 2 * roller), rel=1e-12)
+    planet, roller = mass[13.5e-3], mass[5e-3]
+    spins = 0.5 * planet * 13.5e-3**2 * (40 / 13.5 + 1) ** 2 + 2 * 0.5 * roller * 5e-3**2 * 7.0**2
+    assert float(found.at_torque.input_inertia) == pytest.approx(81.0 * (2e-6 + sun) + 3 * spins, rel=1e-12)
+    orbits = planet * 17.5e-3**2 + 2 * roller * 35e-3**2
+    assert float(found.at_torque.output_inertia) == pytest.approx(0.05 + 3 * orbits, rel=1e-12)
 
 
 @pytest.mark.slow
@@ -130,6 +132,33 @@ def test_far_below_the_resonance_two_masses_move_as_one(found):
     both = float(found.at_torque.input_inertia + found.at_torque.output_inertia)
     assert slow * both == pytest.approx(1.0, rel=1e-3)
     assert found.over_torque.locked_frequency.shape == (25,)
+
+
+def test_a_response_without_losses_is_shown_beside_its_natural_frequencies(paper_joint, monkeypatch):
+    """On them rounding decides; a millionth below and above them 1 - r^2 is -+2e-6."""
+
+    def over(joint, torques, **_):
+        shape = np.size(torques)
+        each = np.column_stack([np.full(shape, 9000.0), np.ones(shape)])
+        return SimpleNamespace(
+            solved=np.full(shape, True), assembly=each, lost_speed_slope=np.full(shape, 1e-4)
+        )
+
+    limit = SimpleNamespace(output_torque=13.0, limit=LIMIT_KINDS.index("gross_slip"))
+    stiffness = SimpleNamespace(stiffness=SimpleNamespace(output=9000.0))
+    solution = SimpleNamespace(
+        result=SimpleNamespace(assembly=stiffness), capacity=limit, reverse_capacity=limit
+    )
+    monkeypatch.setattr("asperity.standing.dynamics.solve_joint", lambda _: solution)
+    monkeypatch.setattr("asperity.standing.dynamics.over_torque", over)
+    found = dynamics(paper_joint(), Inertias(2e-6, 0.05, 0.0))
+    at, columns = found.at_torque, response_columns(found)
+    assert all(np.all(np.isfinite(column)) for column in columns.values())
+    beside = np.abs(columns["frequency_Hz"] / at.free_frequency - 1.0) < 2e-6
+    assert np.sum(beside) == 2
+    both = float(at.input_inertia + at.output_inertia)
+    peak = 1.0 / (both * (2.0 * math.pi * float(at.free_frequency)) ** 2 * 2e-6)
+    np.testing.assert_allclose(columns["standing_load_rad_per_Nm"][beside], peak, rtol=1e-5)
 
 
 @pytest.mark.slow

@@ -174,7 +174,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
         by_average=film_roughness(si_values(case)) is not None,
     )
     told += [
-        fatigue_unknown(body.name, case.bodies[material_key(body.name)])
+        fatigue_unknown(body.name, case.bodies[material_key(joint.type, body.name)])
         for body, bent, material in zip(joint.drive.bodies, bends(joint), joint.materials, strict=True)
         if bent and material.fatigue_strength is None
     ]

@@ -84,7 +84,9 @@ def joint_from_values(values: Values) -> Joint:
         type=type_of(values),
         drive=drive,
         shapes=shapes,
-        materials=tuple(materials[values["bodies"][material_key(body.name)]] for body in drive.bodies),
+        materials=tuple(
+            materials[values["bodies"][material_key(type_of(values), body.name)]] for body in drive.bodies
+        ),
         surfaces=tuple(
             surface_of(entry, asperity_base=model["asperity_base"])
             for entry in entries(values["surface"], names)
@@ -216,39 +218,49 @@ def deviations_of(values: Values) -> SectorDeviations:
         With the interference that they add to every contact.
     """
     drive, *_ = layout_of(values)
-    per_size = {name: _per_size(drive, sides) for name, sides in sized_tracks(values).items()}
-    equal: Values = {str(index): {} for index in range(round(float(drive.sectors)))}
-    entries = list(values.get("branch", equal).values())
-    listed = type_of(values) not in CONTACTS
-    deviations = {
-        name: np.array(
-            [
-                float(
-                    entry.get("deviation", {}).get(name, 0.0)
-                    if listed
-                    else entry.get(f"{name}_deviation", 0.0)
-                )
-                for entry in entries
-            ]
-        )
-        for name in per_size
-    }
-    added = [np.outer(each, per_size[name]) for name, each in deviations.items()]
+    count = len(values.get("branch", ())) or round(float(drive.sectors))
     return SectorDeviations(
-        deviations=deviations,
-        added=np.sum(added, axis=0),
-        per_size=next(iter(per_size.values())),
+        deviations={name: np.array(each, dtype=float) for name, each in _deviations(values, count).items()},
+        added=np.asarray(added_by_branches(values, count)),
+        per_size=np.asarray(_per_size(drive, next(iter(sized_tracks(values).values())))),
         sun_support_stiffness=values.get("compliance", {}).get("sun_support_stiffness", math.inf),
     )
 
 
-def _per_size(drive: Drive, sides: Collection[tuple[str, str]]) -> np.ndarray:
+def added_by_branches(values: Values, count: int) -> Array:
+    """Interference that the sizes of each branch add to its contacts, shape (branches, contacts) [m]; pure."""
+    drive, *_ = layout_of(values)
+    parts = [
+        jnp.outer(
+            jnp.stack([jnp.asarray(one, dtype=float) for one in each]),
+            _per_size(drive, sized_tracks(values)[name]),
+        )
+        for name, each in _deviations(values, count).items()
+    ]
+    return jnp.sum(jnp.stack(parts), axis=0)
+
+
+def _deviations(values: Values, count: int) -> dict[str, list[Any]]:
+    """Names of the tracks → their deviations, one for each branch; 0 without sections ``[[branch]]``."""
+    stated: Values = values.get("branch", {})
+    entries = [stated.get(str(number), {}) for number in range(1, count + 1)]
+    if type_of(values) in CONTACTS:
+        return {
+            name: [entry.get(f"{name}_deviation", 0.0) for entry in entries] for name in sized_tracks(values)
+        }
+    return {
+        name: [entry.get("deviation", {}).get(name, 0.0) for entry in entries]
+        for name in sized_tracks(values)
+    }
+
+
+def _per_size(drive: Drive, sides: Collection[tuple[str, str]]) -> Array:
     """Interference of each contact over the deviation of a radius, shape (contacts,) [-]."""
     first, second = (
         jnp.array([1.0 if (contact.name, side) in sides else 0.0 for contact in drive.contacts])
         for side in ("first", "second")
     )
-    return np.asarray(interference_of_sizes(drive=drive, first=first, second=second))
+    return interference_of_sizes(drive=drive, first=first, second=second)
 
 
 class TolerancedTrack(NamedTuple):
@@ -283,7 +295,9 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[Toleranced
             known.append(TolerancedTrack(path, False, np.asarray(pattern)))
         elif section == "drive" and key.endswith("_radius") and name in size_keys(values):
             parts = [track for track, size in sizes_of_tracks(values).items() if size == name]
-            known += [TolerancedTrack(path, True, _per_size(drive, own[track])) for track in parts]
+            known += [
+                TolerancedTrack(path, True, np.asarray(_per_size(drive, own[track]))) for track in parts
+            ]
             if not parts:
                 sides = [
                     (contact, side)
@@ -291,7 +305,7 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[Toleranced
                     for side, track in zip(("first", "second"), pair, strict=True)
                     if track == name
                 ]
-                known.append(TolerancedTrack(path, False, _per_size(drive, sides)))
+                known.append(TolerancedTrack(path, False, np.asarray(_per_size(drive, sides))))
         elif section == "contact" and key.endswith("_radius") and path not in seen:
             same = paths_of_track(values, path)
             seen.update(same)
@@ -300,7 +314,7 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[Toleranced
                 (values["contact"][number]["name"], side.removesuffix("_radius")) for _, number, side in steps
             ]
             body = values["contact"][steps[0][1]][sides[0][1]]
-            known.append(TolerancedTrack(path, body in off_axis, _per_size(drive, sides)))
+            known.append(TolerancedTrack(path, body in off_axis, np.asarray(_per_size(drive, sides))))
     return known
 
 

@@ -74,12 +74,12 @@ def type_of(tables: Mapping[str, Any]) -> str:
 
 def material_keys(kind: str) -> tuple[str, ...]:
     """Keys of the section [bodies] of a type: its bodies, both loading rollers of a planet as one."""
-    return tuple(dict.fromkeys(map(material_key, bodies_of_type(kind))))
+    return tuple(dict.fromkeys(material_key(kind, body) for body in bodies_of_type(kind)))
 
 
-def material_key(body: str) -> str:
-    """Key of a body in [bodies]: both loading rollers of a planet are made of one material."""
-    return body.removeprefix("right_").removeprefix("left_") if body.endswith("_loading_roller") else body
+def material_key(kind: str, body: str) -> str:
+    """Key of a body of a type in [bodies]: both loading rollers of a planet are made of one material."""
+    return "loading_roller" if kind == WEDGE_TYPE and body.endswith("_loading_roller") else body
 
 
 def bodies_of_type(kind: str) -> tuple[str, ...]:

@@ -24,6 +24,7 @@ from asperity.standing.standing import NO_SLIP_FRICTION
 from asperity.types import Real
 
 _FREQUENCIES = 400
+_BESIDE = 1e-6  # of a natural frequency: on it a response without losses is infinite, or 0, and has no phase
 _TORQUES = 25
 _NEAR_CAPACITY = 0.98
 
@@ -163,8 +164,8 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
     over = _over_torque(numbers, coupled, torques)
     at = jax.tree.map(lambda values: values[-1], over)
     spread = np.geomspace(at.locked_frequency / 100.0, 10.0 * at.free_frequency, _FREQUENCIES)
-    own_frequencies = np.array([at.locked_frequency, at.free_frequency])
-    frequency: Array = jnp.asarray(np.sort(np.append(spread, own_frequencies)))
+    beside = np.outer([at.locked_frequency, at.free_frequency], [1.0 - _BESIDE, 1.0 + _BESIDE])
+    frequency: Array = jnp.asarray(np.sort(np.append(spread, beside)))
     both = [
         frequency_response(
             frequency=frequency,

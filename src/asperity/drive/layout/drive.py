@@ -145,9 +145,6 @@ class Drive(eqx.Module):
         Sense of rotation of the input, +1 counter-clockwise, −1 clockwise.
     closure : Closure, optional
         What is assumed in place of compatibility; nothing by default.
-    turning_alike : tuple of tuple of str, optional
-        Bodies that turn by one angle where springs act in series with the centres held, as equations (25) to (29) of
-        Zou et al. add both loading rollers of a planet; none by default.
     motion : tuple or None, optional
         What :func:`incidence`, :func:`speeds` and :func:`contact_angles` say; None where it is not known. It must not
         be taken over to a drive of another layout.
@@ -165,13 +162,22 @@ class Drive(eqx.Module):
     grounded: str = eqx.field(static=True)
     sense: int = eqx.field(static=True, default=1)
     closure: Closure = eqx.field(static=True, default=Closure())
-    turning_alike: tuple[tuple[str, ...], ...] = eqx.field(static=True, default=())
     motion: tuple[Incidence, Array, tuple[Array, Array]] | None = None
 
     @property
     def members(self) -> tuple[str, ...]:
         """All rotating members: the bodies, then the carrier."""
         return (*(body.name for body in self.bodies), CARRIER)
+
+    @property
+    def turning_alike(self) -> tuple[tuple[str, str], ...]:
+        """Bodies that turn by one angle where springs act in series: those whose contacts have one coefficient (A3).
+
+        Equations (25) to (29) of Zou et al. 2025 add both loading rollers of a planet.
+        """
+        bodies = {contact.name: {contact.first, contact.second} for contact in self.contacts}
+        pairs = [(bodies[one], bodies[other]) for one, other in self.closure.equal_coefficients]
+        return tuple((min(one - other), min(other - one)) for one, other in pairs if len(one - other) == 1)
 
     @property
     def floating(self) -> tuple[int, ...]:

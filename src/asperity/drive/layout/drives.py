@@ -85,7 +85,6 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: Real, closure: Closure
         grounded="ring",
         sense=-1,  # as the paper has it; so that a positive torque loads the right roller
         closure=Closure() if closure is None else closure,
-        turning_alike=(("right_loading_roller", "left_loading_roller"),),
     )
 
 

@@ -81,11 +81,6 @@ def unfolded(drive: Drive, *, sectors: int, floating: tuple[str, ...] = ()) -> D
                 named(body, sector) for sector in range(sectors) for body in drive.closure.constant_pins
             ),
         ),
-        turning_alike=tuple(
-            tuple(named(body, sector) for body in group)
-            for sector in range(sectors)
-            for group in drive.turning_alike
-        ),
         motion=None,
     )
 
