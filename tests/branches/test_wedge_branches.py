@@ -20,6 +20,9 @@ def branches(joint_text):
         text = text.replace('bodies = "exact"', 'bodies = "springs"').replace(
             'ring_support = "rigid_housing"', ""
         )
+        text = text.replace(
+            'yield_strength = "450 MPa"', 'yield_strength = "1200 MPa"'
+        )  # stays elastic: has a life
         if support is not None:
             text = text.replace("[model]", f'[compliance]\nsun_support_stiffness = "{support}"\n\n[model]')
         text += "".join(f'\n[[branch]]\nplanet_deviation = "{size} um"\n' for size in sizes)

@@ -14,7 +14,8 @@ FRICTION = 0.12
 
 @pytest.fixture(scope="module")
 def joint(paper_joint):
-    return paper_joint(fractal_dimension=1.9, fractal_roughness=1e-16, sun_speed=200.0)
+    """Smooth bodies of a steel that stays elastic, so that they have a life."""
+    return paper_joint(fractal_dimension=1.9, fractal_roughness=1e-16, sun_speed=200.0, yield_strength=1.2e9)
 
 
 @pytest.fixture(scope="module")

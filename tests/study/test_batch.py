@@ -43,7 +43,7 @@ def values(case):
 
 def changes(point):
     numbers = {path: np.full(2, value) for path, value in zip(PATHS, point, strict=True)}
-    return {**numbers, "load.output_torque": np.array([1e-6, 5.0]), "load.sun_speed": np.zeros(2)}
+    return {**numbers, "load.output_torque": np.array([1e-3, 5.0]), "load.sun_speed": np.zeros(2)}
 
 
 @pytest.mark.long
@@ -100,14 +100,16 @@ def test_derived_results_are_what_their_names_say(values):
 
 @pytest.mark.slow
 def test_slopes_are_the_derivatives(values):
-    _, found, slopes = derivatives_at(values, changes(POINT), NAMES, PATHS)
+    # at so large a torque the rounding of a slip ratio is less than what a difference shows
+    torque = {"load.output_torque": np.array([1.0, 5.0])}
+    _, found, slopes = derivatives_at(values, changes(POINT) | torque, NAMES, PATHS)
     for index, value in enumerate(POINT):
         step = 1e-6 * value
         ends = []
         for sign in (1.0, -1.0):
             moved = list(POINT)
             moved[index] += sign * step
-            ends.append(derivatives_at(values, changes(moved), NAMES)[1])
+            ends.append(derivatives_at(values, changes(moved) | torque, NAMES)[1])
         for name in NAMES:
             difference = (ends[0][name] - ends[1][name]) / (2.0 * step)
             scale = np.abs(found[name]).max() / value
@@ -125,8 +127,8 @@ def test_both_ways_give_the_same_numbers_where_the_joint_exists(values):
     assert np.isfinite(found["slip_ratio"]).all()  # still meaningful where a contact slips
     for name in names:
         np.testing.assert_allclose(
-            np.atleast_2d(found[name])[:, :2], raw[name][:, :2], rtol=1e-9, err_msg=name
-        )
+            np.atleast_2d(found[name])[:, :2], raw[name][:, :2], rtol=1e-9, atol=1e-15, err_msg=name
+        )  # without torque the ratio of slip is rounding
 
 
 def test_programs_run_one_at_a_time(values, monkeypatch):
