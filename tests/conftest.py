@@ -245,9 +245,7 @@ def evaluated_directly(case):
             return evaluate(joint_from_values(replace_values(si_values(case), changes)))
 
         grid = np.meshgrid(*(axis.values for axis in axes), indexing="ij")
-        found = jax.jit(jax.vmap(at, out_axes=-1))(*(np.ravel(each) for each in grid))
-        assert np.all(found.solved)
-        return found
+        return jax.jit(jax.vmap(at, out_axes=-1))(*(np.ravel(each) for each in grid))
 
     return evaluated
 

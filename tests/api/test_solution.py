@@ -139,7 +139,7 @@ def test_a_planetary_by_its_own_names(zou_file):
     )
     assert solution["torque_safety"].si == pytest.approx(solution["torque_capacity"].si / 10.0)
     assert solution.document["geometry"]["sectors"] == 3
-    with pytest.raises(InputError, match="no result 'wedge_angle': only that of Zou et al"):
+    with pytest.raises(InputError, match="no result 'wedge_angle': only one with wedges"):
         solution["wedge_angle"]
     text = str(solution)
     assert "efficiency" in text

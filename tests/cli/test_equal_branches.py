@@ -1,6 +1,7 @@
 """Commands that leave the sections [[branch]] out say so."""
 
 import json
+import math
 from pathlib import Path
 
 import pytest
@@ -91,7 +92,12 @@ def test_what_rolls_is_what_the_branches_of_the_file_do_together(call, unequal, 
     text = " ".join(shown.out.split())
     assert shown.code == 0
     assert "that of the worst branch 13.78 N·m" in text
-    assert "drift of 22.74 arcmin per output turn, losses of 8.732 W, efficiency 97.5 %, all of these" in text
+    drift = found["drift_rad_per_output_turn"] * 10800.0 / math.pi
+    lost = found["losses_W"]["total"]
+    assert (
+        f"drift of {drift:.4g} arcmin per output turn, losses of {lost:.4g} W, "
+        f"efficiency {100.0 * found['efficiency']:.1f} %, all of these" in text
+    )
     outcome = call("roll", unequal, "--plot", tmp_path / "curves.svg")
     assert outcome.code == 2
     assert "--plot: the curves are those of equal branches, which do not carry this torque" in outcome.err

@@ -39,14 +39,14 @@ def test_uncertainty_needs_tolerances_and_distributions(tmp_path):
         "--samples",
         "500",
         "--results",
-        "planet_mass",
+        "body_mass_planet",
         "--json",
         "--plot",
         "u.svg",
     ]
     done = run("uncertainty", "t.toml", *arguments)
     document = json.loads(done.stdout)
-    mass = document["results"]["planet_mass"]
+    mass = document["results"]["body_mass_planet"]
     # m = pi rho R^2 B of a solid steel roller
     assert mass["nominal"] == pytest.approx(np.pi * 7850.0 * 0.0135**2 * 0.005, rel=1e-12)
     # a uniform radius of half-width 5 um: relative standard deviation of m is 2 * 5 um / (sqrt(3) * 13.5 mm)

@@ -66,7 +66,9 @@ def test_every_body_of_the_machine_is_in_equilibrium(machines, rolls):
     up, across = np.array([zero, zero + 1.0]), np.array([zero + 1.0, zero])
     planet = op * up
     speed = x["sun_speed"] * rs / (ro - rs)
-    mass = {name: 7850.0 * math.pi * radius**2 * 5e-3 for name, radius in (("planet", rp), ("roller", rw))}
+    bore = 0.5 * x["pin_diameter"]  # each loading roller sits on a pin of its own
+    area = {"planet": math.pi * rp**2, "roller": math.pi * (rw**2 - bore**2)}
+    mass = {name: 7850.0 * each * 5e-3 for name, each in area.items()}
     on_planet = normal[0] * up + tangential[0] * across + up * mass["planet"] * speed**2 * op
     planet_moment = cross(rs * up - planet, tangential[0] * across)
     on_sun = -normal[0] * up - tangential[0] * across

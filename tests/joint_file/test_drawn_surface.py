@@ -141,8 +141,8 @@ def test_joints_at_the_ends_lie_inside(drawn_case, interval):
         ("drift", result.rolling.drift_per_output_turn, "rad_per_output_turn"),
     ):
         low, high = interval[name][f"low_{unit}"], interval[name][f"high_{unit}"]
-        assert low == pytest.approx(np.min(values), rel=1e-6), name
-        assert high == pytest.approx(np.max(values), rel=1e-6), name
+        assert low == pytest.approx(float(np.min(values)), rel=1e-6), name
+        assert high == pytest.approx(float(np.max(values)), rel=1e-6), name
         assert low < values[-1] < high
     assert interval["unsolved"] == interval["all_plastic"] == 0
 

@@ -97,15 +97,14 @@ def test_curves_pass_through_the_joint(solve):
 def test_forces_drawn_on_the_planet_balance(solve):
     """Equation (2): without rotation the three contacts hold the planet, in both directions and in moment."""
     answer = solve(load__sun_speed="0 rpm").json()
-    planet = next(each for each in answer["drawing"]["rollers"] if each["body"] == "planet")
+    planet = next(each for each in answer["drawing"]["bodies"] if each["body"] == "planet")
     sums = [0.0, 0.0, 0.0]
-    for force in answer["drawing"]["forces"]:
-        if force["on"] == "planet":
-            x = force["normal_N"][0] + force["tangential_N"][0]
-            y = force["normal_N"][1] + force["tangential_N"][1]
-            sums[0] += x
-            sums[1] += y
-            sums[2] += (force["x_m"] - planet["x_m"]) * y - (force["y_m"] - planet["y_m"]) * x
+    for force in planet["forces"]:
+        x, y = force["force_N"]
+        sums[0] += x
+        sums[1] += y
+        sums[2] += force["radius_m"] * (force["place"][0] * y - force["place"][1] * x)
+    assert len(planet["forces"]) == 6
     assert sums == pytest.approx([0.0, 0.0, 0.0], abs=1e-6)
     for force in answer["drawing"]["forces"]:
         size = math.hypot(*force["normal_N"])

@@ -41,7 +41,7 @@ def filled(case, tmp_path_factory):
 @pytest.mark.slow
 def test_equals_the_joint_solved_directly(in_memory, evaluated_directly):
     direct = evaluated_directly(AXES)
-    slips = np.any(np.asarray(direct.diagnostics.slip_ratio) >= 1.0, axis=0).reshape(5, 3, 2)
+    slips = ~np.asarray(direct.solved).reshape(5, 3, 2)  # equal coefficients: the first slip ends it
     assert 0 < slips.sum() < slips.size
     np.testing.assert_array_equal(in_memory["status"].values != 0, slips)
     stiffness = np.asarray(direct.published.output).reshape(5, 3, 2)
