@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from asperity.joint.solve import solve_joint
+from asperity.joint.evaluation import evaluate
 from asperity.standing.standing import NO_SLIP_FRICTION, standing_at
 
 
@@ -18,7 +18,7 @@ def test_own_and_without_slip_are_those_of_single_joints(paper_joint):
     found = standing_at(paper_joint(), torques)
     for k, torque in enumerate(torques):
         own, without = (
-            solve_joint(paper_joint(output_torque=torque, **friction)).result
+            evaluate(paper_joint(output_torque=torque, **friction))
             for friction in ({}, {"friction_coefficient": NO_SLIP_FRICTION})
         )
         for levels, alone in ((found.levels, own), (found.levels_without_slip, without)):

@@ -45,6 +45,9 @@ from asperity.types import Real
 #: How often a rolling state is found, each time with the creep law around the forces of the state before.
 CREEP_PASSES = 3
 
+#: A rolling state by the creep law of the laws themselves, where no forces near it are known yet.
+_FIRST_ROLLING = ROLLING + 1
+
 
 class DriveStates(NamedTuple):
     """The states of one drive.
@@ -254,15 +257,15 @@ def loaded_state(
 
     Notes
     -----
-    The creep law is taken around the forces of the assembled drive, and again around those of the rolling one, which
-    does not need that the standing drive carries the torque.
+    A rolling state is found with the creep law of the laws first, and then with that around the forces so found: those
+    of the assembled drive are too far away near gross slip, and the standing drive need not carry the torque.
 
     References
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    kind = jnp.where(rolls, ROLLING, STANDING)
-    kinds = (STANDING,) if rolls is False else (kind,) * CREEP_PASSES
+    first, kind = (jnp.where(rolls, rolling, STANDING) for rolling in (_FIRST_ROLLING, ROLLING))
+    kinds = (STANDING,) if rolls is False else (first, *(kind,) * CREEP_PASSES)
     return _loaded(drive, laws, rest, load, [kinds], creep_of)[-1]
 
 
@@ -388,7 +391,8 @@ def _states(
     drive, given = machine.drive, start.size
 
     def step(carry: _Carry, kind: Array | int) -> tuple[_Carry, DriveState]:
-        assembled = kind == ASSEMBLED
+        assembled, first = kind == ASSEMBLED, kind == _FIRST_ROLLING
+        kind = jnp.where(first, ROLLING, kind)
         acts = jnp.where(assembled, 0.0, 1.0)
         borne = dataclasses.replace(
             load, output_torque=acts * load.output_torque, body_force=acts * forces_on(drive, load)
@@ -396,6 +400,12 @@ def _states(
         here = machine
         if creep_of is not None:
             creep = creep_of(*contact_forces(machine, carry.unknowns))
+            plain = machine.laws.creep.gross_slip_scale
+            creep = dataclasses.replace(
+                creep,
+                gross_slip_scale=jnp.where(first, plain, creep.gross_slip_scale),
+                growth=None if creep.growth is None else jnp.where(first, 0.0, creep.growth),
+            )
             here = machine._replace(laws=dataclasses.replace(machine.laws, creep=creep))
         size = jnp.where(assembled, given, carry.size)
         task = Task(kind, size, borne, carry.origin, carry.pin_at_rest, carry.normal_at_rest)
