@@ -52,10 +52,11 @@ def test_document_and_picture(call, joint_file, tmp_path):
             ),
         }
     }
-    # mu N_0 9 n R_s is 12.96; of smooth rollers 1 mrad takes 3.3 % of it, with 3.24e-3 and 4.63e-3 at gross slip
+    # mu N_0 9 n R_s is 12.96; of a smooth sun 1 mrad takes 3.3 % of it, with 3.24e-3 and 4.63e-3 at gross slip; the
+    # left loading roller's ring contact, from which the torque takes normal force, has less left and slips first
     share = (1.0 / 4.63) ** 2
     smooth = ((1.0 - share) / (1.0 - share + share * 4.63 / 3.24)) ** 0.5
-    assert 12.96 * smooth < rolling["torque_capacity_Nm"] < 12.96
+    assert 10.0 < rolling["torque_capacity_Nm"] < 12.96 * smooth
     assert min(c["axial_force_N"] for c in rolling["contacts"].values()) > 0.0
     assert (tmp_path / "r.svg").read_text().count("gross slip") >= 1
 
