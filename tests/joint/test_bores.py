@@ -59,6 +59,7 @@ def test_a_hollow_planet_on_its_pin_by_hand(hollow):
     )
 
 
+@pytest.mark.slow
 def test_the_drive_winds_up_as_its_assembly_gives_way(hollow):
     """What pins add to the wind-up of the standing drive and to the compliance of the assembly, without torque."""
 

@@ -111,6 +111,7 @@ def test_forces_drawn_on_the_planet_balance(solve):
         assert size == pytest.approx(answer["document"]["standing"]["forces"]["normal_N"][force["contact"]])
 
 
+@pytest.mark.slow
 def test_torques_of_the_ring_forces_are_the_reaction_of_the_ring(solve):
     """T_in + T_out = 3 R_o (T_wro + T_wlo) without losses; on the rollers the ring pushes against the clock."""
     answer = solve().json()

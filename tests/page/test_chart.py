@@ -67,6 +67,7 @@ def test_a_family_is_one_curve_for_each_value(asked):
     assert found["joint"] is None
 
 
+@pytest.mark.slow
 def test_whole_numbers_take_whole_steps(asked):
     found = chart_answer(asked(over="drive.planets", **{"from": "2", "to": "4.5"}))
     assert found["x"] == [2.0, 3.0, 4.0]

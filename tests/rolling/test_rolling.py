@@ -178,6 +178,7 @@ def test_creep_and_bearings_are_what_is_missing_at_the_output(rolled, torque):
         assert float(power.efficiency) == pytest.approx((entering - lost) / entering, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_torque_that_drives_less_than_the_losses_has_no_efficiency(rolled):
     found = rolled(output_torque=-0.02, sun_torque=0.05)
     assert np.isnan(float(found.power.efficiency))
@@ -280,6 +281,7 @@ def lives_by_hand(found, reliability):
     return body, drive
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("reliability", [0.9, 0.99])
 def test_life_of_bodies_and_drive(rolled, reliability):
     found = rolled(conditions(reliability=reliability), sun_speed=100.0, **HARD)

@@ -160,6 +160,7 @@ def both(machine, task, by_force, slides, x):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", [ASSEMBLED, STANDING, ROLLING])
 @pytest.mark.parametrize("name", DRIVES)
 def test_slopes_are_those_of_the_equations(name, kind):

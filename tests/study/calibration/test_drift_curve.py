@@ -182,6 +182,7 @@ def test_what_cannot_be_told_apart_is_named(case):
     assert "NOT identifiable" in found.directions[0].words
 
 
+@pytest.mark.slow
 def test_polynomial_of_the_posterior(case, model):
     centre = scaled(model)
     fit = fit_surrogate(model, centre, (0.01 * np.eye(3)) ** 2, seed=0)

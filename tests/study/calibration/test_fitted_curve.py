@@ -141,6 +141,7 @@ def test_intervals_and_errors_hold_as_often_as_they_say(case, exact):
         assert low - off < np.mean(size**2) / scatter**2 < high + off
 
 
+@pytest.mark.slow
 def test_together_they_tell_what_neither_tells_alone(case, exact):
     """The roughness raises the creep as a lower preload does; the torque–angle curve knows the preload."""
     rng = np.random.default_rng(5)
@@ -165,6 +166,7 @@ def test_exact_curves_give_exact_values(case, exact):
         assert each.value == pytest.approx(true, rel=1e-4, abs=0.0), each.path
 
 
+@pytest.mark.slow
 def test_what_cannot_be_fitted_together(case, exact):
     standing, turning = both(*exact)
     with pytest.raises(

@@ -156,6 +156,7 @@ def test_a_result_that_does_not_vary_has_no_indices(spread):
     assert float(one["standard_deviation"]) == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_numbers(toleranced, spread):
     again = uncertainty(
         toleranced,

@@ -46,8 +46,9 @@ from asperity.types import Real
 # enough up to 90 % of the friction; where skew brings a contact to its limit, five leave 1e-5 of the slip ratio.
 CREEP_PASSES = 6
 
-#: A rolling state by the creep law of the laws themselves, where no forces near it are known yet.
-_FIRST_ROLLING = ROLLING + 1
+#: A rolling state by the creep law of the laws themselves, where no forces near it are known yet; and a standing state
+#: that is known already, beside rolling ones that are not.
+_FIRST_ROLLING, _KNOWN_STANDING = ROLLING + 1, ROLLING + 2
 
 
 class DriveStates(NamedTuple):
@@ -265,8 +266,8 @@ def loaded_state(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    first, kind = (jnp.where(rolls, rolling, STANDING) for rolling in (_FIRST_ROLLING, ROLLING))
-    kinds = (STANDING,) if rolls is False else (first, *(kind,) * CREEP_PASSES)
+    first, again = jnp.where(rolls, _FIRST_ROLLING, STANDING), jnp.where(rolls, ROLLING, _KNOWN_STANDING)
+    kinds = (STANDING,) if rolls is False else (first, *(again,) * CREEP_PASSES)
     return _loaded(drive, laws, rest, load, [kinds], creep_of)[-1]
 
 
@@ -392,8 +393,8 @@ def _states(
     drive, given = machine.drive, start.size
 
     def step(carry: _Carry, kind: Array | int) -> tuple[_Carry, DriveState]:
-        assembled, first = kind == ASSEMBLED, kind == _FIRST_ROLLING
-        kind = jnp.where(first, ROLLING, kind)
+        assembled, first, known = (kind == each for each in (ASSEMBLED, _FIRST_ROLLING, _KNOWN_STANDING))
+        kind = jnp.where(first, ROLLING, jnp.where(known, STANDING, kind))
         acts = jnp.where(assembled, 0.0, 1.0)
         borne = dataclasses.replace(
             load, output_torque=acts * load.output_torque, body_force=acts * forces_on(drive, load)
@@ -411,7 +412,9 @@ def _states(
         size = jnp.where(assembled, given, carry.size)
         task = Task(kind, size, borne, carry.origin, carry.pin_at_rest, carry.normal_at_rest)
         begin = jnp.where(kind == STANDING, carry.slides, 0.0)
-        found, slides = solved(here, task, carry.unknowns, slides=begin, by_force=by_force)
+        new = solved(here, task, carry.unknowns, slides=begin, by_force=by_force)
+        old = carry.unknowns, carry.slides
+        found, slides = jax.tree.map(lambda *either: jnp.where(known, *either), old, new)
         state = state_of(here, task, found, slides)
         following = _Carry(
             found,
