@@ -177,7 +177,7 @@ def test_under_a_torque_that_only_the_branches_of_the_file_carry(zou_file):
     json.dumps(found, allow_nan=False)
     # equal branches with an interference of 34 um: a planet grows into the sun and into the ring
     alike = parse_case(text.partition("[[branch]]")[0].replace('"30 um"', '"34 um"'), source="p.toml")
-    angle = windup(joint_from_case(alike), largest_torque=13.0, level="assembly").loading_angle
+    angle = windup(joint_from_case(alike), largest_torque=13.0, level="assembly").angle
     assert max(found["windup"]["loading_angle_rad"]) == pytest.approx(float(np.max(angle)), rel=1e-4)
     assert found["drawing"]["forces"] == found["drawing"]["bodies"] == []
 
