@@ -42,8 +42,8 @@ from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveSta
 from asperity.linear import product
 from asperity.types import Real
 
-#: How often a rolling state is found, each time with the creep law around the forces of the state before. Three are
-# enough up to 90 % of the friction; where skew brings a contact to its limit, five leave 1e-5 of the slip ratio.
+#: How often a rolling state is found, each time with the creep law around the forces of the state before. Where skew
+# brings a contact to its limit, three leave 1e-3 of its slip ratio and five 1e-5.
 CREEP_PASSES = 6
 
 #: A rolling state by the creep law of the laws themselves, where no forces near it are known yet; and a standing state
