@@ -79,12 +79,9 @@ def test_without_a_torque_there_is_no_windup(joint_text):
 
 
 def test_the_curves_go_up_to_the_capacity_in_the_direction_of_the_torque(monkeypatch):
-    rest = SimpleNamespace(rest=None)
-    solved = SimpleNamespace(
-        joint=None, result=rest, capacity_of_direction=SimpleNamespace(output_torque=13.0)
-    )
+    solved = SimpleNamespace(joint=None, capacity_of_direction=SimpleNamespace(output_torque=13.0))
 
-    def curves(*, joint, torque_capacity, rest):
+    def curves(*, joint, torque_capacity):
         names = (
             "published",
             "series_with_bulk",
@@ -116,7 +113,7 @@ def test_the_windup_is_that_of_the_assembly_up_to_the_torque(monkeypatch, joint_
     monkeypatch.setattr(answer, "windup", windup)
     monkeypatch.setattr(answer, "windup_columns", lambda curve: {"torque_Nm": np.array([0.0, 5.0])})
     case = parse_case(joint_text.replace('"5 N*m"', '"-5 N*m"'), source="x")
-    solved = SimpleNamespace(joint=joint_from_case(case), result=SimpleNamespace(rest=None))
+    solved = SimpleNamespace(joint=joint_from_case(case))
     assert _windup(solved, case) == {
         "unknown_because": None,
         "hysteresis_rad": 1e-4,

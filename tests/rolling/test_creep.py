@@ -1,6 +1,7 @@
 """Creep of the contacts: Carter's limit, the layer's compliance by hand, and skew."""
 
 import math
+from types import SimpleNamespace
 
 import jax.numpy as jnp
 import numpy as np
@@ -10,7 +11,6 @@ from scipy.optimize import brentq
 from asperity.contact import carter
 from asperity.contact.creep_layer import layer_creepage_factor
 from asperity.contact.skew import skewed_slip_ratios
-from asperity.drive.state.creep import creepages
 from asperity.joint.contacts import rough_joint_contacts
 from asperity.joint.crowned_contacts import rough_slices
 from asperity.joint.description import joint_contacts
@@ -24,17 +24,22 @@ KAPPA = 2.0 * 0.7 / 1.7  # tangential over normal stiffness of the asperities (M
 CARTER = FRICTION * WIDTH / RADIUS  # creepage at gross slip
 
 
-@pytest.fixture(scope="module")
-def creep(paper_joint):
+@pytest.fixture
+def creep(paper_joint, monkeypatch):
+    """The law on asperities of a given stiffness; None for that of the contact law."""
+
     def of(stiffness, skew=None, slip_ratio=0.4, crown=None):
         crowned = {} if crown is None else {"drive__planet_crown_radius": 1.0 / crown}
-        return contact_creep(
-            contacts=joint_contacts(paper_joint(**crowned)),
-            skew=skew,
-            normal_force=jnp.asarray(NORMAL),
-            tangential_force=jnp.asarray(slip_ratio * FRICTION * NORMAL),
-            asperity_normal_stiffness=None if stiffness is None else jnp.full(5, stiffness),
-        )
+        given = SimpleNamespace(normal_stiffness=None if stiffness is None else jnp.full(5, stiffness))
+        with monkeypatch.context() as patch:
+            if stiffness is not None:
+                patch.setattr("asperity.rolling.creep.rough_joint_contacts", lambda **forces: given)
+            return contact_creep(
+                contacts=joint_contacts(paper_joint(**crowned)),
+                skew=skew,
+                normal_force=jnp.asarray(NORMAL),
+                tangential_force=jnp.asarray(slip_ratio * FRICTION * NORMAL),
+            )
 
     return of
 
@@ -60,18 +65,10 @@ def test_ratio_of_the_layer(creep):
 
 
 @pytest.mark.parametrize("skew", [None, (5e-4,)])
-def test_the_law_grows_as_the_law_around_neighbouring_forces(creep, skew):
-    """Of the first order: taken at 0.4 of friction, it misses the law of 0.4 + d by d squared."""
-    found = creep(1e9, skew=skew)
-    misses = []
-    for d in (0.04, 0.02):
-        there = creep(1e9, skew=skew, slip_ratio=0.4 + d).law
-        force = {"normal": NORMAL, "tangential": (0.4 + d) * FRICTION * NORMAL}
-        misses.append(creepages(law=found.law, **force) / creepages(law=there, **force) - 1.0)
-    np.testing.assert_allclose(np.abs(misses[1]), 0.0, atol=2e-4)
-    np.testing.assert_allclose(misses[0] / misses[1], 4.0, rtol=0.1)
-    for q in (0.0, 1.5):  # around rest, and around a contact that slides while the drive stands
-        assert np.all(np.isfinite(creep(1e9, skew=skew, slip_ratio=q).law.growth))
+def test_the_law_is_finite_at_rest_and_beyond_friction(creep, skew):
+    """Where a search for a state may pass by."""
+    for q in (0.0, 1.5):
+        assert np.all(np.isfinite(creep(1e9, skew=skew, slip_ratio=q).law.gross_slip_scale))
 
 
 def test_stiffness_of_the_contact_law_where_none_is_given(creep, paper_joint):

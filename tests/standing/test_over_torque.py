@@ -50,14 +50,6 @@ def test_the_slope_of_the_curve_is_the_stiffness_of_the_solution_there(joint, cu
 
 
 @pytest.mark.slow
-def test_the_assembled_state_that_is_known_is_that_which_is_found(joint, curve):
-    rest = solve_joint(under_torque(joint, 7.0)).result.rest
-    found = windup(joint, largest_torque=10.0, level="assembly", stage_shares=STAGES, rest=rest)
-    np.testing.assert_allclose(found.angle, curve.angle, rtol=1e-12, atol=1e-20)
-    np.testing.assert_allclose(found.unloading_angle, curve.unloading_angle, rtol=1e-9, atol=1e-16)
-
-
-@pytest.mark.slow
 def test_no_slip_no_loop_and_the_same_forces(joint, curve):
     """A millionfold friction: T/(mu N) is below 1e-6, and so is what is left of the loop."""
     sticking = dataclasses.replace(joint, friction_coefficients=(1e6,))

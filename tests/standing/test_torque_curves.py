@@ -62,7 +62,7 @@ def test_columns_of_another_drive_are_those_of_its_own_sense(planar_case, monkey
     """A negative torque on a drive that turns forwards is one against which it rolls; nan beyond its balance."""
     asked = []
 
-    def made_up(joint, torques, *, no_slip_friction, rest):
+    def made_up(joint, torques, *, no_slip_friction):
         size = np.abs(np.asarray(torques))
         asked.append(np.asarray(torques))
         two = np.stack([100.0 - size, 200.0 - size], axis=1)

@@ -25,7 +25,7 @@ from asperity.joint.description import (
     joint_contacts,
 )
 from asperity.joint.diagnostics import diagnose
-from asperity.joint.laws import contact_laws, creep_law, drive_load
+from asperity.joint.laws import contact_laws, creep_law, creep_under, drive_load
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.unfolding import SectorSizes, unfolded_joint
@@ -104,7 +104,7 @@ def sector_states(
         rest=rest,
         load=load,
         rolls=jnp.asarray(True),
-        creep_of=lambda normal, tangential: creep_law(whole, contacts, normal, tangential).law,
+        creep_of=creep_under(whole, contacts),
     )
     most = jnp.stack([jnp.abs(jnp.asarray(whole.output_torque)), jnp.asarray(jnp.inf)])
     both, reached = jax.vmap(lambda torque: _followed(whole, laws, rest, load, contacts, torque))(most)

@@ -23,7 +23,7 @@ from asperity.drive.structure.bearing_life import (
 from asperity.joint.description import Joint, body_masses, joint_contacts
 from asperity.joint.evaluation import JointResult
 from asperity.joint.fit import per_contact
-from asperity.joint.laws import contact_laws, creep_law, drive_load
+from asperity.joint.laws import contact_laws, creep_under, drive_load
 from asperity.joint.loading_cam import Pressed, pressed_at
 from asperity.joint.working_loads import member_speeds, pin_speeds, working_loads
 from asperity.types import Real
@@ -209,7 +209,7 @@ def _under_duty(joint: Joint, rest: DriveState, torques: Array, speeds: Array) -
             laws=laws,
             rest=rest,
             load=drive_load(dataclasses.replace(joint, input_speed=speed), masses, torque),
-            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+            creep_of=creep_under(joint, contacts),
         )
         standing, rolling = (
             jnp.where(each.residual < STATE_TOLERANCE, 1.0, jnp.nan) * each.pin_force for each in both

@@ -12,7 +12,7 @@ from jax import Array
 
 from asperity.body.rim_moments import WIDEST_CONTACT
 from asperity.body.shapes import Annulus
-from asperity.drive.state.first_limit import first_limit, slip_ratio
+from asperity.drive.state.first_limit import FirstLimit, first_limit, slip_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
 from asperity.joint.bodies import exact_bodies
@@ -22,7 +22,7 @@ from asperity.joint.description import (
     joint_contacts,
     tracks_of,
 )
-from asperity.joint.laws import creep_law, drive_load
+from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import Pressed, pressed_at
 from asperity.joint.motion import in_motion
 from asperity.joint.torque_limits import TorqueCapacity, named_capacity
@@ -170,7 +170,7 @@ def limiting_torques(
         )
         return friction * (1.0 - lost)
 
-    def excesses_of(torque: Array, at_first: Array, rolls: Array | bool) -> Array:
+    def excesses(torque: Array, at_first: Array, rolls: Array | bool) -> Array:
         load = dataclasses.replace(unloaded, output_torque=torque)
         laws, rest = pressed(torque)
         state = loaded_state(
@@ -179,7 +179,8 @@ def limiting_torques(
             rest=rest,
             load=load,
             rolls=rolls,
-            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+            holds=at_first,
+            creep_of=creep_under(joint, contacts),
         )
         touching = state.normal > _LIFTED * rest.normal
         available = friction
@@ -197,7 +198,7 @@ def limiting_torques(
                 -jnp.ones(1),  # pins without friction do not lock
                 jnp.where(
                     touching,
-                    jnp.where(slides, jnp.where(at_first, 0.0, -1.0), slip - 1.0 - SLIP_TOLERANCE),
+                    jnp.where(slides, -1.0, slip - 1.0 - SLIP_TOLERANCE),
                     -1.0,
                 ),
                 _LIFTED - state.normal / rest.normal,
@@ -207,13 +208,17 @@ def limiting_torques(
             ]
         )
 
-    def excesses(torque: Array) -> Array:
-        each = (direction * torque, at_first)
-        if isinstance(rolls, bool):
-            return jax.lax.map(lambda given: excesses_of(given[0], given[1], rolls), each).T
-        return jax.lax.map(lambda given: excesses_of(*given), (*each, rolls)).T
-
     orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
     guess = jnp.min(friction * rest.normal) * orbit * drive.sectors
-    found = first_limit(excesses=excesses, first_guess=jnp.full(direction.size, guess))
+
+    def search(sign: Array, at_first: Array, rolls: Array | bool) -> FirstLimit:
+        return first_limit(
+            excesses=lambda torque: excesses(sign * torque, at_first, rolls), first_guess=guess
+        )
+
+    each = (direction, at_first)
+    if isinstance(rolls, bool):
+        found = jax.lax.map(lambda given: search(given[0], given[1], rolls), each)
+    else:
+        found = jax.lax.map(lambda given: search(given[0], given[1], given[2]), (*each, rolls))
     return named_capacity(found, contacts=len(drive.contacts), walls=walls is not None)

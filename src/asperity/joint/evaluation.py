@@ -14,7 +14,6 @@ from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.layout.drive import speed_ratio, speeds
 from asperity.drive.layout.expansion import ring_interference
-from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.rolling_speeds import BodiesOfContacts
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
@@ -28,7 +27,7 @@ from asperity.joint.description import (
     joint_contacts,
 )
 from asperity.joint.diagnostics import Diagnostics, diagnose
-from asperity.joint.laws import creep_law, drive_load
+from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import (
     CamOfJoint,
     Pressed,
@@ -197,11 +196,7 @@ def laws_and_states(joint: Joint, *, separate: bool = False) -> tuple[ContactLaw
     joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
     contacts = with_rims(joint, joint_contacts(joint))
     load = drive_load(joint, body_masses(joint), joint.output_torque)
-
-    def creep_of(normal: Array, tangential: Array) -> CreepLaw:
-        return creep_law(joint, contacts, normal, tangential).law
-
-    return states_under_torque(joint, contacts, load, creep_of, separate=separate)
+    return states_under_torque(joint, contacts, load, creep_under(joint, contacts), separate=separate)
 
 
 def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:

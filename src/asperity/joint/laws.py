@@ -17,7 +17,7 @@ from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.equal_springs import rest_forces
-from asperity.drive.state.state import ContactLaws, DriveLoad
+from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad
 from asperity.drive.state.supports import Supports, carrier_supports
 from asperity.joint.bodies import body_compliance
 from asperity.joint.bores import pin_compliances, pins_in_bores
@@ -186,14 +186,25 @@ def creep_law(
     ----------
     Equations (B1) and (B3) of :doc:`/equations`.
     """
-    found = contact_creep(
+    return contact_creep(
         contacts=contacts,
         skew=joint.rolling.skew,
         normal_force=normal_force,
         tangential_force=tangential_force,
     )
-    friction = jnp.broadcast_to(found.law.friction_coefficient, normal_force.shape)
-    return found._replace(law=dataclasses.replace(found.law, friction_coefficient=friction))
+
+
+def creep_under(joint: Joint, contacts: JointContacts) -> CreepOf:
+    """The creep law of :func:`creep_law` of any forces, as a module of numbers."""
+    return jax.tree_util.Partial(_creep_under, joint.rolling.skew, contacts)
+
+
+def _creep_under(
+    skew: tuple[Real, ...] | None, contacts: JointContacts, normal_force: Array, tangential_force: Array
+) -> CreepLaw:
+    return contact_creep(
+        contacts=contacts, skew=skew, normal_force=normal_force, tangential_force=tangential_force
+    ).law
 
 
 def ring_springs(joint: Joint) -> Array | None:

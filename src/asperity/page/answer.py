@@ -140,7 +140,7 @@ def plain_numbers(values: Any) -> list[float | None]:
 
 def _curves(solved: SolvedJoint) -> Answer:
     capacity = float(solved.capacity_of_direction.output_torque)
-    found = torque_curves(joint=solved.joint, torque_capacity=capacity, rest=solved.result.rest)
+    found = torque_curves(joint=solved.joint, torque_capacity=capacity)
     return {
         "torque_Nm": plain_numbers(found.torque),
         "published_Nm_per_rad": plain_numbers(found.published),
@@ -172,10 +172,8 @@ def _windup(solved: SolvedJoint, case: Case) -> Answer:
     if torque == 0.0:
         return {"unknown_because": "no torque, no wind-up: set an output torque"}
     try:
-        equal = case.branch is None
-        joint = solved.joint if equal else with_own_branches(case)
-        rest = solved.result.rest if equal else None
-        curve = windup(joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS, rest=rest)
+        joint = solved.joint if case.branch is None else with_own_branches(case)
+        curve = windup(joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS)
     except AsperityError as error:
         return {"unknown_because": str(error)}
     return {

@@ -63,7 +63,6 @@ def contact_creep(
     skew: tuple[Real, ...] | None,
     normal_force: Array,
     tangential_force: Array,
-    asperity_normal_stiffness: Array | None = None,
 ) -> ContactCreep:
     r"""Carter's creep of the contacts with their asperities as a layer between the bodies, and with skew.
 
@@ -78,19 +77,16 @@ def contact_creep(
     skew : tuple of Real or None
         Angles by which the axes are out of parallel, one or one for each contact [rad]; None for parallel axes.
     normal_force, tangential_force : Array
-        Forces around which the law is taken, shape (contacts, ...) [N].
-    asperity_normal_stiffness : Array or None, optional
-        Normal stiffness of the asperities under them, shape (contacts, ...) [N/m]; None for that of the contact law.
+        Forces under which the law is taken, shape (contacts, ...) [N].
 
     Returns
     -------
     ContactCreep
-        The law, with the growth of the factors around these forces.
+        The law under these forces.
 
     Notes
     -----
-    A state found with this law changes its forces a little, and the law around those is exact there:
-    :data:`asperity.drive.state.states.CREEP_PASSES`. The asperities' tangential over their normal stiffness is
+    The asperities' tangential over their normal stiffness is
     :math:`4G^*/E^*`. Their yield per e-fold of pressure is :math:`u_0 = N/K_n` of the contact law in use; the published
     law has no local form, so that its :math:`u_0` is taken to act at every place of the contact. Across the rolling
     direction the same asperities lie on bodies that are softer in the ratio of the creepages at gross slip. The slices
@@ -100,23 +96,16 @@ def contact_creep(
     ----------
     Equations (A6), (B1), (B3) and (B4) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
     """
-    if asperity_normal_stiffness is None:
-        asperity_normal_stiffness = rough_joint_contacts(
-            contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
-        ).normal_stiffness
-    stiffness = jnp.asarray(asperity_normal_stiffness)
+    stiffness = rough_joint_contacts(
+        contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
+    ).normal_stiffness
     friction = jnp.asarray(contacts.pairs.friction_coefficient)
     limit = friction * jnp.where(normal_force > 0.0, normal_force, 1.0)
     q = jnp.clip(jnp.abs(tangential_force) / limit, _LEAST_SLIP, _MOST_SLIP)
-
-    def around(q: Array) -> tuple[Array, ContactCreep]:
-        found = _creep_at(contacts, skew, normal_force, q, stiffness)
-        return jnp.log(jnp.asarray(found.law.gross_slip_scale)), found
-
-    _, growth, found = jax.jvp(around, (q,), (1.0 - q,), has_aux=True)
+    found = _creep_at(contacts, skew, normal_force, q, stiffness)
     # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
-    law = CreepLaw(friction, *jax.lax.optimization_barrier((found.law.gross_slip_scale, q, growth)))
-    return found._replace(law=law)
+    scale = jax.lax.optimization_barrier(found.law.gross_slip_scale)
+    return found._replace(law=CreepLaw(jnp.broadcast_to(friction, scale.shape), scale))
 
 
 def _creep_at(

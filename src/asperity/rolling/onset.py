@@ -22,7 +22,7 @@ from asperity.compilation import compile_fast
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift
 from asperity.contact.rolling_swing import still_stroke, swing_drift_share
 from asperity.drive.layout.creeping import creeping_speeds
-from asperity.drive.layout.drive import Drive
+from asperity.drive.layout.drive import Drive, speeds
 from asperity.drive.state.creep import drift_per_turn
 from asperity.errors import InputError
 from asperity.joint.description import Joint
@@ -88,7 +88,7 @@ def contacts_in_series(*, drive: Drive, rolling: RollingResult, half_width: Arra
     Equations (B1), (B10) and (M3) of :doc:`/equations`.
     """
     out = drive.members.index(drive.output)
-    ideal, _ = creeping_speeds(drive=drive, creepage=jnp.zeros_like(rolling.creepage))
+    ideal = speeds(drive)
     forwards = driving_sense(drive) * rolling.creepage
     ahead, _ = creeping_speeds(drive=drive, creepage=forwards)
     resisted = jnp.where(jnp.abs(ahead[out]) > jnp.abs(ideal[out]), -1.0, 1.0)

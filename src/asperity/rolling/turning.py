@@ -13,7 +13,7 @@ from asperity.drive.layout.drive import CARRIER, Drive, speeds
 from asperity.drive.state.states import loaded_states
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, places
-from asperity.joint.laws import creep_law, drive_load
+from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import Pressed, pressed_at
 from asperity.rolling.rolling import RollingResult, turning
 
@@ -75,7 +75,7 @@ def rolling_at(
             laws=laws,
             rest=rest,
             load=drive_load(there, masses, torque),
-            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+            creep_of=creep_under(joint, contacts),
         )
         creep = creep_law(joint, contacts, rolling.normal, rolling.tangential)
         seen = dataclasses.replace(

@@ -17,10 +17,11 @@ from asperity.drive.state.creep import drift_per_turn
 from asperity.drive.state.first_limit import slip_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
 from asperity.drive.state.states import loaded_states, standing_state
+from asperity.joint.bodies import with_rims
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, joint_contacts
 from asperity.joint.evaluation import laws_and_states
-from asperity.joint.laws import contact_laws, creep_law, drive_load
+from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import (
     CamOfJoint,
     Pressed,
@@ -98,9 +99,7 @@ class OverTorque(NamedTuple):
     lost_speed_slope: Array
 
 
-def over_torque(
-    joint: Joint, torques: np.ndarray, *, no_slip_friction: float, rest: DriveState | None = None
-) -> OverTorque:
+def over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -> OverTorque:
     """What a joint does at torques, as NumPy arrays.
 
     Parameters
@@ -111,70 +110,63 @@ def over_torque(
         Output torques of either sign, shape (torques,) [N·m].
     no_slip_friction : float
         A friction coefficient under which no contact slips [-].
-    rest : DriveState, optional
-        Its assembled state without torque, where it is known.
 
     Returns
     -------
     OverTorque
         Results of states that do not balance have no meaning.
     """
-    found: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction, rest)
+    found: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction)
     return found
 
 
-def standing_over_torque(
-    joint: Joint, torques: np.ndarray, *, no_slip_friction: float, rest: DriveState | None = None
-) -> StandingOverTorque:
+def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -> StandingOverTorque:
     """What a joint that stands does at torques, as NumPy arrays."""
-    found: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction, rest)
+    found: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction)
     return found
 
 
 def _in_batches(
-    program: Callable[..., Any],
-    joint: Joint,
-    torques: np.ndarray,
-    no_slip_friction: float,
-    known_rest: DriveState | None,
+    program: Callable[..., Any], joint: Joint, torques: np.ndarray, no_slip_friction: float
 ) -> Any:
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    if known_rest is None:
-        moving = in_motion(numbers)  # the program that solves one joint
-        known_rest = compile_fast(laws_and_states, moving)(moving)[1].rest
-    rest = jax.tree.map(np.asarray, known_rest)
+    numbers = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
+    laws, states = compile_fast(laws_and_states, numbers)(numbers)  # the program that solves one joint
+    without_torque = jax.tree.map(np.asarray, Pressed(laws, states.rest))
     asked = np.asarray(torques, dtype=float)
     filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
     friction = np.asarray(no_slip_friction)
     found = []
     for part in filled.reshape(-1, BATCH):
-        arguments = (numbers, rest, part, friction)
+        arguments = (numbers, without_torque, part, friction)
         found.append(jax.tree.map(np.asarray, compile_fast(program, *arguments)(*arguments)))
     return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *found)
 
 
 def standing_program(
-    joint: Joint, rest: DriveState, torques: Array, no_slip_friction: Real
+    joint: Joint, without_torque: Pressed, torques: Array, no_slip_friction: Real
 ) -> StandingOverTorque:
-    """What is compiled to wind a joint up."""
-    contacts = joint_contacts(joint)
+    """What is compiled to wind an assembled joint up."""
+    contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
     unloaded = _with_its_torque(joint)
-    pressed = pressed_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
+    pressed = pressed_at(joint, contacts, without_torque)
 
     def at(torque: Array) -> StandingOverTorque:
         load = dataclasses.replace(unloaded, output_torque=torque)
-        laws, there = pressed(torque)
-        state = standing_state(drive=joint.drive, laws=laws, rest=there, load=load)
-        cam = turned_cam(joint, contacts, rest, there)
+        laws, rest = pressed(torque)
+        state = standing_state(drive=joint.drive, laws=laws, rest=rest, load=load)
+        cam = turned_cam(joint, contacts, without_torque.rest, rest)
         return _standing(joint, contacts, no_slip_friction, state, cam)
 
-    return jax.vmap(at)(torques)
+    return jax.lax.map(at, torques)
 
 
-def over_torque_program(joint: Joint, rest: DriveState, torques: Array, no_slip_friction: Real) -> OverTorque:
-    """What is compiled to follow a joint over its torque."""
-    contacts, sense = joint_contacts(joint), driving_sense(joint.drive)
-    states = _states(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
+def over_torque_program(
+    joint: Joint, without_torque: Pressed, torques: Array, no_slip_friction: Real
+) -> OverTorque:
+    """What is compiled to follow an assembled joint over its torque."""
+    contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
+    sense = driving_sense(joint.drive)
+    states = _states(joint, contacts, without_torque)
 
     def at(torque: Array) -> OverTorque:
         def lost(torque: Array) -> tuple[Array, _Under]:
@@ -198,18 +190,19 @@ def over_torque_program(joint: Joint, rest: DriveState, torques: Array, no_slip_
             lost_speed_slope=jnp.where(works, slope, jnp.nan),
         )
 
-    return jax.vmap(at)(torques)
+    return jax.lax.map(at, torques)
 
 
 def curve_program(joint: Joint, torques: Array, no_slip_friction: Real) -> dict[str, Array]:
     """What a measured curve shows of a joint, assembled within the same program; for derivatives by its numbers."""
-    contacts = joint_contacts(joint)
+    joint = in_motion(joint)
+    contacts = with_rims(joint, joint_contacts(joint))
     states = _states(joint, contacts, assembled(joint, contacts))
 
     def at(torque: Array) -> dict[str, Array]:
         return _shown(joint, contacts, no_slip_friction, torque, states(torque))
 
-    return jax.vmap(at)(torques)
+    return jax.lax.map(at, torques)
 
 
 class _Under(NamedTuple):
@@ -232,7 +225,7 @@ def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> C
             laws=laws,
             rest=rest,
             load=dataclasses.replace(unloaded, output_torque=torque),
-            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+            creep_of=creep_under(joint, contacts),
         )
         return _Under(standing, rolling, turned_cam(joint, contacts, without_torque.rest, rest))
 
@@ -291,16 +284,14 @@ def _shown(
     drive, rolls = joint.drive, under.rolling
     out = drive.members.index(drive.output)
 
-    def drift(creepage: Array) -> Array:
-        """Angle lost in one turn of the output, (B3); negative where the creep runs ahead."""
-        ideal, speed = (
-            jnp.abs(creeping_speeds(drive=drive, creepage=each)[0][out])
-            for each in (jnp.zeros_like(creepage), creepage)
-        )
-        return drift_per_turn(1.0 - speed / ideal)
+    def turned(way: Array) -> Array:
+        """Speed of the output with the creep of the one sense, of the other, or of neither."""
+        return jnp.abs(creeping_speeds(drive=drive, creepage=way * rolls.creepage)[0][out])
 
-    with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
-    both = jnp.stack([drift(way * with_torque * rolls.creepage) * way for way in (1.0, -1.0)])
+    with_torque, ways = jnp.where(torque < 0.0, -1.0, 1.0), jnp.array([1.0, -1.0, 0.0])
+    speed = jax.lax.map(turned, with_torque * ways)
+    # angle lost in one turn of the output, (B3); negative where the creep runs ahead
+    both = ways[:2] * drift_per_turn(1.0 - speed[:2] / speed[2])
     return {
         **_standing(joint, contacts, no_slip_friction, under.standing, under.cam)._asdict(),
         "drift": jnp.where(rolls.residual < STATE_TOLERANCE, with_torque * both, jnp.nan),

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.drive.state.state import DriveState
 from asperity.joint.description import Joint
 from asperity.standing.over_torque import standing_over_torque
 
@@ -40,9 +39,9 @@ class Standing(NamedTuple):
     levels_without_slip: dict[str, np.ndarray]
 
 
-def standing_at(joint: Joint, torques: np.ndarray, rest: DriveState | None = None) -> Standing:
+def standing_at(joint: Joint, torques: np.ndarray) -> Standing:
     """What a wind-up needs to know of a joint with any type of drive."""
-    found = standing_over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION, rest=rest)
+    found = standing_over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
     own, without = ({name: np.asarray(getattr(found, name))[:, k] for name in LEVELS} for k in range(2))
     holds, ratio = np.asarray(found.solved), np.asarray(found.slip_ratio).T
     return Standing(np.asarray(found.balanced), holds, ratio, own, without)

@@ -7,7 +7,6 @@ import math
 import equinox as eqx
 import numpy as np
 
-from asperity.drive.state.state import DriveState
 from asperity.joint.description import Joint
 from asperity.standing.over_torque import over_torque
 from asperity.standing.standing import LEVELS, NO_SLIP_FRICTION
@@ -49,7 +48,7 @@ class TorqueCurves(eqx.Module):
     slip_ratio: np.ndarray
 
 
-def torque_curves(*, joint: Joint, torque_capacity: float, rest: DriveState | None = None) -> TorqueCurves:
+def torque_curves(*, joint: Joint, torque_capacity: float) -> TorqueCurves:
     """Stiffness, drift and efficiency of a joint from no torque to its capacity."""
     own = float(joint.output_torque)
     limited = math.isfinite(torque_capacity) and torque_capacity > 0.0
@@ -57,7 +56,7 @@ def torque_curves(*, joint: Joint, torque_capacity: float, rest: DriveState | No
     towards = np.linspace(0.0, 1.0, _TORQUES)
     # the curves are steep near gross slip
     torque = math.copysign(largest, own) * (towards * (2.0 - towards) if limited else towards)
-    found = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION, rest=rest)
+    found = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION)
     slip = np.max(np.asarray(found.slip_ratio), axis=1)
     holds = np.asarray(found.solved)
     levels = {name: np.where(holds, np.asarray(getattr(found, name))[:, 0], np.nan) for name in LEVELS}

@@ -29,7 +29,7 @@ import jax
 import numpy as np
 
 from asperity.drive.layout.mirror import mirror_image
-from asperity.drive.state.state import SLIP_TOLERANCE, DriveState
+from asperity.drive.state.state import SLIP_TOLERANCE
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.play import Play, play_angle, play_compliance
@@ -307,7 +307,6 @@ def windup(
     level: StiffnessLevel,
     stage_shares: tuple[float, float] = STAGE_SHARES,
     steps: int = _STEPS,
-    rest: DriveState | None = None,
 ) -> Windup:
     """Load a joint up to a torque in both directions, and follow the hysteresis loop between them.
 
@@ -323,8 +322,6 @@ def windup(
         Bounds T1/T_m and T2/T_m of the catalogue stages [-], 0 < T1 < T2 < T_m.
     steps : int, optional
         Even steps of the torque in each direction.
-    rest : DriveState, optional
-        The assembled state of a drive without torque, where it is known.
 
     Returns
     -------
@@ -354,11 +351,11 @@ def windup(
     slid: list[tuple[np.ndarray, np.ndarray]] = []
 
     def slides(torques: np.ndarray) -> np.ndarray:
-        return _slides(standing_at(joint, torques, rest))
+        return _slides(standing_at(joint, torques))
 
     def compliances(torques: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         asked, place = np.unique(np.abs(torques) if mirrored else torques, return_inverse=True)
-        found = standing_at(joint, asked, rest)
+        found = standing_at(joint, asked)
         slid.append((asked, _slides(found)))
         _refuse(found, asked, largest, joint.contact_names)
         real, elastic = (levels[level][place] for levels in (found.levels, found.levels_without_slip))

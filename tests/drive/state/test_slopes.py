@@ -27,13 +27,15 @@ from asperity.drive.state.equations import (
     STANDING,
     Task,
     Unknowns,
+    contact_forces,
+    contact_responses,
     machine_of,
     no_displacement,
     no_force,
     state_misfits,
     turning_members,
 )
-from asperity.drive.state.slopes import newton_step, state_slopes
+from asperity.drive.state.slopes import newton_step, responses_and_slopes, state_slopes
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import DriveLoad
 from asperity.drive.state.supports import carrier_supports
@@ -71,6 +73,12 @@ BEARINGS = Bearings(
 )
 
 
+def creep_that_grows(law, normal, tangential):
+    """A creep law whose size depends on both forces."""
+    grows = 1.0 + normal / 3000.0 + 0.4 * jnp.abs(tangential) / (law.friction_coefficient * normal)
+    return dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * grows)
+
+
 def described(name, *, coupled, pressed):
     drive = DRIVES[name]
     count = len(drive.contacts)
@@ -103,7 +111,8 @@ def described(name, *, coupled, pressed):
         rotation=-1.0,
         supports=supports if held else None,
     )
-    machine = machine_of(drive, laws, jnp.linspace(0.2, 1.0, count), None, load.supports)
+    creep_of = jax.tree_util.Partial(creep_that_grows, laws.creep)
+    machine = machine_of(drive, laws, jnp.linspace(0.2, 1.0, count), None, load.supports, creep_of)
     return drive, machine, load
 
 
@@ -148,9 +157,11 @@ def both(machine, task, by_force, slides, x):
     flat, shape = jax.flatten_util.ravel_pytree(x)
 
     def residual(at):
-        return jax.flatten_util.ravel_pytree(state_misfits(machine, task, by_force, slides, shape(at)).all)[0]
+        responses = contact_responses(machine, task, *contact_forces(machine, shape(at)))
+        misfits = state_misfits(machine, task, by_force, slides, shape(at), responses)
+        return jax.flatten_util.ravel_pytree(misfits.all)[0]
 
-    slopes = state_slopes(machine, task, by_force, slides, x)
+    slopes = state_slopes(machine, task, by_force, slides, x, responses_and_slopes(machine, task, x))
     step = newton_step(slopes, shape(residual(flat)), solve)
     return (
         jax.jacfwd(residual)(flat),

@@ -1,5 +1,6 @@
 """States of every drive: forces by hand, energy, the wedge drive's own solver, and published figures."""
 
+import dataclasses
 import math
 
 import jax
@@ -8,7 +9,9 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import incidence, speed_ratio
-from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.drive.state.smooth_laws import smooth_contact_laws
+from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
+from asperity.drive.state.states import loaded_state, rolling_state, state_at_rest
 
 NAMES = ["wedge", "planetary", "multiroller", "stepped"]
 TORQUE = {"wedge": 5.0, "planetary": 8.0, "multiroller": 20.0, "stepped": 6.0}
@@ -122,3 +125,55 @@ def test_gross_slip_is_not_a_state(solved):
     _, found = solved("planetary", 40.0)  # 222 N of 120
     assert not bool(found.residual < STATE_TOLERANCE)
     assert jnp.isfinite(solved("planetary", 10.0)[1].residual)
+
+
+def _grown(law, normal, tangential):
+    """A creep law whose size depends on both forces."""
+    used = jnp.abs(tangential) / (law.friction_coefficient * normal)
+    return dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * (1.0 + normal / 2000.0 + used**2))
+
+
+def test_the_creep_law_under_the_forces_is_met_by_the_rolling_state(drives):
+    """By passes with the law around the forces of the last pass, until they stay; its derivative by differences."""
+    drive = drives["planetary"]
+
+    @jax.jit
+    def states(torque):
+        laws = smooth_contact_laws(
+            drive=drive,
+            youngs_modulus=206e9,
+            poisson_ratio=0.3,
+            friction_coefficient=0.12,
+            contact_length=5e-3,
+            ring_wall_thickness=60e-3,
+            reference_force=500.0,
+        )
+        rest = state_at_rest(drive=drive, laws=laws, pattern=jnp.array([0.0, 1.0]), preload=1000.0)
+
+        def at_once(torque):
+            found = loaded_state(
+                drive=drive,
+                laws=laws,
+                rest=rest,
+                load=DriveLoad(torque),
+                rolls=True,
+                creep_of=jax.tree_util.Partial(_grown, laws.creep),
+            )
+            return found.speed_loss, found
+
+        def once_more(_, before):
+            around = dataclasses.replace(laws, creep=_grown(laws.creep, before.normal, before.tangential))
+            return rolling_state(
+                drive=drive, laws=around, interference=rest.interference, output_torque=torque, start=before
+            )
+
+        _, slope, found = jax.jvp(at_once, (torque,), (jnp.ones_like(torque),), has_aux=True)
+        passed = jax.lax.fori_loop(0, 20, once_more, once_more(0, rest))
+        ends = [at_once(torque + way)[0] for way in (1e-3, -1e-3)]
+        return found, passed, slope, (ends[0] - ends[1]) / 2e-3
+
+    found, passed, slope, expected = states(jnp.asarray(15.0))  # 83 N of 120
+    assert float(found.residual) < STATE_TOLERANCE
+    np.testing.assert_allclose(found.creepage, passed.creepage, rtol=1e-9)
+    np.testing.assert_allclose(found.tangential, passed.tangential, rtol=1e-9)
+    assert float(slope) == pytest.approx(float(expected), rel=1e-6)

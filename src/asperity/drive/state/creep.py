@@ -16,11 +16,9 @@ _NEAR_SLIP = 0.999  # Carter's curve is continued as a line above this share of 
 
 
 class CreepLaw(eqx.Module):
-    r"""Creep of the contacts, Carter's with a factor that grows with the traction.
+    r"""Carter's creep of the contacts.
 
-    .. math::
-        \xi = \kappa\sqrt N\,\left[1-\sqrt{1-q}\right] \left[1 + \beta \ln\frac{1 - q_0}{1 - q}\right], \qquad
-        q = \frac{|T|}{\mu N}
+    .. math:: \xi = \kappa\sqrt N\,\left[1-\sqrt{1-q}\right], \qquad q = \frac{|T|}{\mu N}
 
     Parameters
     ----------
@@ -28,24 +26,17 @@ class CreepLaw(eqx.Module):
         mu, shape (contacts or 1, ...) [-].
     gross_slip_scale : Real
         kappa: creepage at gross slip over the root of the normal force, shape (contacts, ...) [1/√N]. For Carter's
-        contact :math:`\mu a/(R\sqrt N)`, times the factors of asperities, crowns and skew at the slip ratio q_0.
-    slip_ratio, growth : Real or None, optional
-        q_0, below 1, and beta, the derivative of the logarithm of these factors by :math:`-\ln(1-q)`, shape
-        (contacts, ...) [-]; None where the factor is constant.
+        contact :math:`\mu a/(R\sqrt N)`, times the factors of asperities, crowns and skew.
     """
 
     friction_coefficient: Real
     gross_slip_scale: Real
-    slip_ratio: Real | None = None
-    growth: Real | None = None
 
 
 def creepages(*, law: CreepLaw, normal: Array, tangential: Array) -> Array:
     r"""Creepage of contacts under given forces.
 
-    .. math::
-        \xi = \kappa\sqrt N\,\frac{q}{1 + \sqrt{1-|q|}} \left[1 + \beta \ln\frac{1 - q_0}{1 - |q|}\right], \qquad
-        q = \frac{T}{\mu N}
+    .. math:: \xi = \kappa\sqrt N\,\frac{q}{1 + \sqrt{1-|q|}}, \qquad q = \frac{T}{\mu N}
 
     Parameters
     ----------
@@ -67,11 +58,7 @@ def creepages(*, law: CreepLaw, normal: Array, tangential: Array) -> Array:
     touching = normal > 0.0
     safe_normal = jnp.where(touching, normal, 1.0)
     q = tangential / (law.friction_coefficient * safe_normal)
-    found = law.gross_slip_scale * _creep_shape(safe_normal, q)
-    if law.growth is not None:
-        held = jnp.minimum(jnp.abs(q), _NEAR_SLIP)
-        found = found * (1.0 + law.growth * (jnp.log1p(-jnp.asarray(law.slip_ratio)) - jnp.log1p(-held)))
-    return jnp.where(touching, found, 0.0)
+    return jnp.where(touching, law.gross_slip_scale * _creep_shape(safe_normal, q), 0.0)
 
 
 @jax.custom_jvp

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from typing import Any, NamedTuple
 
@@ -17,6 +18,7 @@ from asperity.drive.state.creep import creepages
 from asperity.drive.state.loads import member_moments
 from asperity.drive.state.state import (
     ContactLaws,
+    CreepOf,
     DriveLoad,
     contact_approach,
     slip_at_rest,
@@ -75,6 +77,8 @@ class Machine(NamedTuple):
         Scales: approach [m], force [N] and lever [m].
     added : Array or None, optional
         Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
+    creep_of : callable or None, optional
+        Creep law of the contacts under their normal and tangential forces; None for that of the laws.
     """
 
     drive: Drive
@@ -87,6 +91,7 @@ class Machine(NamedTuple):
     largest: Array
     lever: Array
     added: Array | None = None
+    creep_of: CreepOf | None = None
 
 
 class Task(NamedTuple):
@@ -106,6 +111,8 @@ class Task(NamedTuple):
         Forces of the pins of the assembled drive, shape (pins,) [N].
     normal_at_rest : Array or None, optional
         Normal forces of the assembled drive, shape (contacts,) [N]; None for none.
+    by_laws : Array or bool, optional
+        Whether a rolling drive has the creep of the laws, although the machine knows that under the forces.
     """
 
     kind: Any
@@ -114,6 +121,7 @@ class Task(NamedTuple):
     origin: Array
     pin_at_rest: Array
     normal_at_rest: Array | None = None
+    by_laws: Any = False
 
 
 def machine_of(
@@ -122,6 +130,7 @@ def machine_of(
     pattern: Array,
     added: Array | None = None,
     supports: Supports | None = None,
+    creep_of: CreepOf | None = None,
 ) -> Machine:
     """What all states of a drive have in common.
 
@@ -137,6 +146,8 @@ def machine_of(
         Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
     supports : Supports or None, optional
         Those of the load; None for none.
+    creep_of : callable or None, optional
+        As of :class:`Machine`.
 
     Returns
     -------
@@ -162,6 +173,7 @@ def machine_of(
         largest=largest,
         lever=lever,
         added=added,
+        creep_of=creep_of,
     )
 
 
@@ -284,6 +296,59 @@ def no_force(drive: Drive) -> Array:
     return jnp.zeros(len(drive.pinned))
 
 
+class Responses(NamedTuple):
+    """What the contacts do under their forces, each under its own, shape (contacts,).
+
+    Parameters
+    ----------
+    approach, slip : Array
+        Approach of the bodies, and slip while the drive stands [m].
+    creepage : Array
+        Creepage while it rolls [-].
+    """
+
+    approach: Array
+    slip: Array
+    creepage: Array
+
+
+def contact_responses(machine: Machine, task: Task, normal: Array, tangential: Array) -> Responses:
+    """What the contacts do under normal and tangential forces.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    normal, tangential : Array
+        Forces of the contacts, shape (contacts,) [N].
+
+    Returns
+    -------
+    Responses
+        Without what bodies that bend add to the approaches of each other's contacts.
+
+    References
+    ----------
+    Equations (B1) and (M3) of :doc:`/equations`.
+    """
+    laws, creep = machine.laws, machine.laws.creep
+    if machine.creep_of is not None:
+        law, known = machine.creep_of, creep.gross_slip_scale
+        scale = jax.lax.cond(
+            (jnp.asarray(task.kind) == ROLLING) & ~jnp.asarray(task.by_laws),
+            lambda: jnp.asarray(law(normal, tangential).gross_slip_scale),
+            lambda: jnp.asarray(known),
+        )
+        creep = dataclasses.replace(creep, gross_slip_scale=scale)
+    return Responses(
+        contact_approach(laws=dataclasses.replace(laws, coupling=None), normal=normal),
+        slip_at_rest(laws=laws, normal=normal, tangential=tangential),
+        creepages(law=creep, normal=normal, tangential=tangential),
+    )
+
+
 class Misfits(NamedTuple):
     """Residuals of a state, each relative to its scale.
 
@@ -301,8 +366,10 @@ class Misfits(NamedTuple):
 
 
 @functools.partial(jax.jit, static_argnames="by_force")  # traced once for all kinds of states
-def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns) -> Misfits:
-    """All equations of a state."""
+def state_misfits(
+    machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns, responses: Responses
+) -> Misfits:
+    """All equations of a state, from what its contacts do under its forces."""
     drive, laws, matrices = machine.drive, machine.laws, machine.matrices
     length, largest, lever = machine.length, machine.largest, machine.lever
     normal, tangential = contact_forces(machine, x)
@@ -310,15 +377,15 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     speed, turned = speeds_and_turns(machine, x, task.kind)
     kind = jnp.asarray(task.kind)
 
-    approach = contact_approach(laws=laws, normal=normal)
-    slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
+    approach, slip, creep = responses
+    if laws.coupling is not None:
+        approach = approach + product(laws.coupling, normal)
     if laws.bores is not None:
         force = pin[: len(drive.pinned)]
         pressed, slid = laws.bores.moved(force, largest)
         _, at_rest = laws.bores.moved(task.pin_at_rest, largest)
         approach, slip = approach + pressed, slip + slid - at_rest
     misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
-    creep = creepages(law=laws.creep, normal=normal, tangential=tangential)
     backwards = jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
     rolling = backwards * creep * _rolled(drive, speed) - product(matrices.turning, speed)
     standing = slip - product(matrices.sliding, moved - task.origin) - product(matrices.turning, turned)

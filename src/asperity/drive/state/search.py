@@ -10,7 +10,6 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.drive.state.creep import creepages
 from asperity.drive.state.equations import (
     ROLLING,
     STANDING,
@@ -20,6 +19,7 @@ from asperity.drive.state.equations import (
     Unknowns,
     contact_forces,
     contact_interference,
+    contact_responses,
     moments_of,
     no_displacement,
     numbers_of_pairs,
@@ -28,7 +28,7 @@ from asperity.drive.state.equations import (
     turning_members,
 )
 from asperity.drive.state.newton import newton
-from asperity.drive.state.slopes import newton_step, state_slopes
+from asperity.drive.state.slopes import newton_step, responses_and_slopes, state_slopes
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, DriveState
 from asperity.linear import solve, solve_in_turn
 
@@ -96,7 +96,14 @@ class _Search(NamedTuple):
 
 
 def solved(
-    machine: Machine, task: Task, start: Unknowns, *, slides: Array | None = None, by_force: bool
+    machine: Machine,
+    task: Task,
+    start: Unknowns,
+    *,
+    slides: Array | None = None,
+    by_force: bool,
+    known: Array | bool = False,
+    holds: Array | bool = False,
 ) -> tuple[Unknowns, Array]:
     """Unknowns of a state, and which contacts slide.
 
@@ -112,6 +119,10 @@ def solved(
         Signs of the contacts that slide there, shape (contacts,) [-]; None for none.
     by_force : bool
         Whether an assembled state has a given preload instead of a given interference.
+    known : Array or bool, optional
+        Whether the start is the state itself, which is not sought then.
+    holds : Array or bool, optional
+        Whether no contact begins to slide.
 
     Returns
     -------
@@ -132,7 +143,7 @@ def solved(
     Equation (M3) of :doc:`/equations`.
     """
     fixed_machine, fixed_task, first = jax.lax.stop_gradient((machine, task, start))
-    stands = jnp.asarray(task.kind) == STANDING
+    may_slide = (jnp.asarray(task.kind) == STANDING) & ~jnp.asarray(holds)
     begin = jnp.zeros_like(first.normal) if slides is None else jax.lax.stop_gradient(slides)
     paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
 
@@ -143,8 +154,9 @@ def solved(
         longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
 
         def step_at(x: Unknowns) -> tuple[Unknowns, Misfits]:
-            slopes = state_slopes(fixed_machine, fixed_task, by_force, state.trial, x)
-            misfits = state_misfits(fixed_machine, fixed_task, by_force, state.trial, x)
+            responses = responses_and_slopes(fixed_machine, fixed_task, x)
+            slopes = state_slopes(fixed_machine, fixed_task, by_force, state.trial, x, responses)
+            misfits = state_misfits(fixed_machine, fixed_task, by_force, state.trial, x, responses.value)
             return newton_step(slopes, misfits.all, solve_in_turn), misfits
 
         tried, last, misfits = newton(
@@ -158,10 +170,10 @@ def solved(
             (state.found, state.slides, state.held),
         )
         trial = _next_slides(found, slides, held, paired)
-        going = balanced & stands & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
+        going = balanced & may_slide & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
         return _Search(found, slides, held, trial, going, state.steps + 1)
 
-    start_of = _Search(first, begin, begin, begin, jnp.asarray(True), jnp.asarray(0))
+    start_of = _Search(first, begin, begin, begin, ~jnp.asarray(known), jnp.asarray(0))
     end = jax.lax.while_loop(unfinished, improve, start_of)
     found = known_state(machine, task, end.found, end.slides, by_force=by_force)
     return found, end.slides
@@ -184,11 +196,13 @@ def _derivative(by_force: bool, primals: tuple[Any, Any], tangents: tuple[Any, A
 
     def equations(given: _Given) -> Unknowns:
         machine, task, slides = given
-        return state_misfits(machine, task, by_force, slides, at).all
+        responses = contact_responses(machine, task, *contact_forces(machine, at))
+        return state_misfits(machine, task, by_force, slides, at, responses).all
 
     machine, task, slides = given
     _, change = jax.jvp(equations, (given,), (moved,))
-    step = newton_step(state_slopes(machine, task, by_force, slides, at), change, solve)
+    responses = responses_and_slopes(machine, task, at)
+    step = newton_step(state_slopes(machine, task, by_force, slides, at, responses), change, solve)
     return at, jax.tree.map(jnp.negative, step)
 
 
@@ -230,12 +244,13 @@ def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> DriveS
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    drive, laws = machine.drive, machine.laws
+    drive = machine.drive
     normal, tangential = contact_forces(machine, x)
     pin = x.pin * machine.largest
     speed, turned = speeds_and_turns(machine, x, task.kind)
     rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
-    misfits = state_misfits(machine, task, False, slides, x)
+    responses = contact_responses(machine, task, normal, tangential)
+    misfits = state_misfits(machine, task, False, slides, x, responses)
     within = jnp.abs(tangential) <= machine.friction * normal * (1.0 + SLIP_TOLERANCE)
     carried = jnp.all((normal > 0.0) & within)
     worst = _worst(misfits.all._replace(interference=jnp.zeros(1)))
@@ -248,7 +263,7 @@ def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> DriveS
         displacement=(x.displacement * machine.length).reshape(-1, 2),
         rotation=turned,
         speed=speed,
-        creepage=rolls * creepages(law=laws.creep, normal=normal, tangential=tangential),
+        creepage=rolls * responses.creepage,
         interference=contact_interference(machine, x),
         input_torque=-drive.sense * moments_of(machine, task, tangential, pin)[entry],
         speed_loss=1.0 - speed[out] / machine.ideal[out],

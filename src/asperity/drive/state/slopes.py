@@ -6,7 +6,7 @@ the interference as unknowns.
 
 from __future__ import annotations
 
-import dataclasses
+import functools
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -17,22 +17,22 @@ from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, sectors_of_members
 from asperity.drive.state.bores import sides
-from asperity.drive.state.creep import creepages
 from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
     STANDING,
     Machine,
+    Responses,
     Task,
     Unknowns,
     change_of_normal,
     contact_forces,
+    contact_responses,
     moments_of,
     numbers_of_pairs,
     speeds_and_turns,
     turning_members,
 )
-from asperity.drive.state.state import contact_approach, slip_at_rest
 from asperity.linear import product
 
 
@@ -77,7 +77,25 @@ class _HeldRows(NamedTuple):
     pin: Array
 
 
-def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns) -> Slopes:
+class ResponsesAndSlopes(NamedTuple):
+    """What the contacts do under their forces, and its slopes by the normal and by the tangential forces."""
+
+    value: Responses
+    by_normal: Responses
+    by_tangential: Responses
+
+
+def responses_and_slopes(machine: Machine, task: Task, x: Unknowns) -> ResponsesAndSlopes:
+    """Of :func:`asperity.drive.state.equations.contact_responses`."""
+    forces = contact_forces(machine, x)
+    value, towards = jax.linearize(functools.partial(contact_responses, machine, task), *forces)
+    one, none = jnp.ones_like(x.normal), jnp.zeros_like(x.normal)
+    return ResponsesAndSlopes(value, towards(one, none), towards(none, one))
+
+
+def state_slopes(
+    machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns, responses: ResponsesAndSlopes
+) -> Slopes:
     """Slopes of :func:`asperity.drive.state.equations.state_misfits`."""
     reference, limit = machine.laws.reference_force, machine.friction * machine.laws.reference_force
     largest, matrices, count = machine.largest, machine.matrices, x.normal.size
@@ -85,7 +103,7 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
     turns = turning.shape[1]
     assembled = jnp.asarray(task.kind) == ASSEMBLED
     approach_pins, slip_pins = _by_pins(machine, x)
-    held = _held_rows(machine, task, x, slip_pins)
+    held = _held_rows(machine, task, x, slip_pins, responses)
     if len(numbers_of_pairs(machine.drive)):
         held = _with_equal_coefficients(machine, task, x, held)
     sliding = _HeldRows(-_diagonal(slides), jnp.eye(count), *(jnp.zeros_like(rows) for rows in held[2:]))
@@ -94,7 +112,7 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
     moments = -turning.T * _moment_scale(machine)[:, None] * limit / (machine.lever * largest)
     size = jnp.where(assembled & by_force, reference[0] / largest, 0.0)
     return Slopes(
-        approach=_approaches(machine, x),
+        approach=_approaches(machine, responses.by_normal.approach),
         held_normal=held.normal,
         held_tangential=held.tangential,
         approach_moves=jnp.concatenate(
@@ -121,13 +139,9 @@ def state_slopes(machine: Machine, task: Task, by_force: bool, slides: Array, x:
     )
 
 
-def _approaches(machine: Machine, x: Unknowns) -> Array:
+def _approaches(machine: Machine, slope: Array) -> Array:
     """Slopes of the approaches by the own normal force, and by those of the others where bodies bend."""
-    laws, (normal, _) = machine.laws, contact_forces(machine, x)
-    uncoupled = dataclasses.replace(laws, coupling=None)
-    _, slope = jax.jvp(
-        lambda force: contact_approach(laws=uncoupled, normal=force), (normal,), (jnp.ones_like(normal),)
-    )
+    laws = machine.laws
     if laws.coupling is not None:
         slope = _diagonal(slope) + laws.coupling
     return slope * laws.reference_force / machine.length
@@ -146,23 +160,12 @@ def _by_pins(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
     return approach, slip
 
 
-def _held_rows(machine: Machine, task: Task, x: Unknowns, slip_pins: Array) -> _HeldRows:
+def _held_rows(
+    machine: Machine, task: Task, x: Unknowns, slip_pins: Array, responses: ResponsesAndSlopes
+) -> _HeldRows:
     """Slopes of the slip while the drive stands, of creep times rolled length while it rolls."""
-    laws, matrices, forces = machine.laws, machine.matrices, contact_forces(machine, x)
+    laws, matrices = machine.laws, machine.matrices
     stands, rolls = jnp.asarray(task.kind) == STANDING, jnp.asarray(task.kind) == ROLLING
-    ones, none = jnp.ones_like(x.normal), jnp.zeros_like(x.normal)
-
-    def slopes(law: Callable[[Array, Array], Array]) -> tuple[Array, Array, Array]:
-        """The law, and its slopes by the normal and by the tangential forces."""
-        value, by_normal = jax.jvp(law, forces, (ones, none))
-        return value, by_normal, jax.jvp(law, forces, (none, ones))[1]
-
-    _, *slip = slopes(
-        lambda normal, tangential: slip_at_rest(laws=laws, normal=normal, tangential=tangential)
-    )
-    share, *creep = slopes(
-        lambda normal, tangential: creepages(law=laws.creep, normal=normal, tangential=tangential)
-    )
     speed, _ = speeds_and_turns(machine, x, task.kind)
     one, two = _rolled_by_speeds(machine.drive, speed)
     rolled_by = 0.5 * (one + two)
@@ -170,14 +173,15 @@ def _held_rows(machine: Machine, task: Task, x: Unknowns, slip_pins: Array) -> _
     rolled = backwards * product(rolled_by, speed)
     scale = jnp.where(rolls, 1e3 / machine.lever, 1.0 / machine.length)
     by_normal, by_tangential = (
-        _diagonal(jnp.where(rolls, of_creep * rolled, of_slip) * force * scale)
-        for of_creep, of_slip, force in zip(
-            creep, slip, (laws.reference_force, machine.friction * laws.reference_force), strict=True
+        _diagonal(jnp.where(rolls, slope.creepage * rolled, slope.slip) * force * scale)
+        for slope, force in (
+            (responses.by_normal, laws.reference_force),
+            (responses.by_tangential, machine.friction * laws.reference_force),
         )
     )
     members = np.array(turning_members(machine.drive), dtype=int)
     turning = matrices.turning[:, members]
-    rolling_turns = (backwards * share[:, None] * rolled_by[:, members] - turning) * scale
+    rolling_turns = (backwards * responses.value.creepage[:, None] * rolled_by[:, members] - turning) * scale
     return _HeldRows(
         normal=by_normal,
         tangential=by_tangential,

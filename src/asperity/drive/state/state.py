@@ -25,7 +25,7 @@ STATE_TOLERANCE = 1e-9
 #: just its friction.
 SLIP_TOLERANCE = 1e-11
 
-#: Creep law of contacts from their normal and tangential forces of the standing drive.
+#: Creep law of contacts under normal and tangential forces; a module of numbers, as ``jax.tree_util.Partial`` is one.
 CreepOf = Callable[[Array, Array], CreepLaw]
 
 _NEAR_SLIP = 0.999  # the slip of a standing contact is continued as a line above this share of friction

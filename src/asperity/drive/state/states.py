@@ -31,7 +31,6 @@ from asperity.drive.state.equations import (
     Machine,
     Task,
     Unknowns,
-    contact_forces,
     forces_on,
     machine_of,
     no_displacement,
@@ -42,12 +41,8 @@ from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveSta
 from asperity.linear import product
 from asperity.types import Real
 
-#: How often a rolling state is found, each time with the creep law around the forces of the state before. Where skew
-# brings a contact to its limit, three leave 1e-3 of its slip ratio and five 1e-5.
-CREEP_PASSES = 6
-
-#: A rolling state by the creep law of the laws themselves, where no forces near it are known yet; and a standing state
-#: that is known already, beside rolling ones that are not.
+#: A rolling state by the creep law of the laws themselves, from which that with the law under the forces is sought; and
+#: a standing state that is known already, beside rolling ones that are not.
 _FIRST_ROLLING, _KNOWN_STANDING = ROLLING + 1, ROLLING + 2
 
 
@@ -184,7 +179,7 @@ def drive_states(
     load : DriveLoad
         Torque, forces on the bodies, and pins.
     creep_of : callable or None, optional
-        Creep law of contacts around normal and tangential forces; None for that of the laws.
+        Creep law of contacts under normal and tangential forces; None for that of the laws.
     separate : bool, optional
         Whether each state has a program of its own, so that one that nobody reads costs nothing; otherwise one program
         finds all, which is sooner compiled.
@@ -197,8 +192,7 @@ def drive_states(
     Notes
     -----
     While the drive stands, the slip of each contact is that of one loading from rest, the asperities with their
-    stiffness at the normal force of the assembled state. The creep law is taken around the forces of the standing
-    drive, and again around those of the rolling one.
+    stiffness at the normal force of the assembled state.
 
     References
     ----------
@@ -209,7 +203,7 @@ def drive_states(
             drive=drive, laws=laws, pattern=pattern, preload=preload, interference=interference, load=load
         )
         return DriveStates(rest, *_standing_and_rolling(drive, laws, rest, load, creep_of, separate))
-    machine = machine_of(drive, laws, pattern, supports=load.supports)
+    machine = machine_of(drive, laws, pattern, supports=load.supports, creep_of=creep_of)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     start = _Carry(
         assembled_guess(machine),
@@ -219,9 +213,9 @@ def drive_states(
         no_force(drive),
         jnp.zeros_like(laws.reference_force),
     )
-    kinds = [(ASSEMBLED,), (STANDING,), (ROLLING,) * CREEP_PASSES]
+    kinds = [(ASSEMBLED,), (STANDING,), _rolling_kinds(creep_of)]
     states = _states(
-        machine, load, start, kinds if separate else [sum(kinds, ())], creep_of, by_force=interference is None
+        machine, load, start, kinds if separate else [sum(kinds, ())], by_force=interference is None
     )
     return DriveStates(*(states[place] for place in (0, 1, -1)))
 
@@ -233,6 +227,7 @@ def loaded_state(
     rest: DriveState,
     load: DriveLoad,
     rolls: Array | bool,
+    holds: Array | bool = False,
     creep_of: CreepOf | None = None,
 ) -> DriveState:
     """A drive under a torque, standing or rolling, from its assembled state.
@@ -249,8 +244,10 @@ def loaded_state(
         Torque, forces on the bodies, and pins.
     rolls : Array or bool
         Whether it rolls.
+    holds : Array or bool, optional
+        Whether every contact of the standing drive holds, one beyond its friction too.
     creep_of : callable or None, optional
-        Creep law of contacts around normal and tangential forces; None for that of the laws.
+        Creep law of contacts under normal and tangential forces; None for that of the laws.
 
     Returns
     -------
@@ -259,16 +256,16 @@ def loaded_state(
 
     Notes
     -----
-    A rolling state is found with the creep law of the laws first, and then with that around the forces so found: those
-    of the assembled drive are too far away near gross slip, and the standing drive need not carry the torque.
+    A rolling state is found with the creep law of the laws first, and from there with that under its forces: those of
+    the assembled drive are too far away near gross slip, and the standing drive need not carry the torque.
 
     References
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    first, again = jnp.where(rolls, _FIRST_ROLLING, STANDING), jnp.where(rolls, ROLLING, _KNOWN_STANDING)
-    kinds = (STANDING,) if rolls is False else (first, *(again,) * CREEP_PASSES)
-    return _loaded(drive, laws, rest, load, [kinds], creep_of)[-1]
+    rolling, standing = _rolling_kinds(creep_of), (STANDING, _KNOWN_STANDING)
+    kinds = tuple(jnp.where(rolls, *either) for either in zip(rolling, standing, strict=False))
+    return _loaded(drive, laws, rest, load, [(STANDING,) if rolls is False else kinds], creep_of, holds)[-1]
 
 
 def standing_state(*, drive: Drive, laws: ContactLaws, rest: DriveState, load: DriveLoad) -> DriveState:
@@ -298,7 +295,7 @@ def loaded_states(
     load : DriveLoad
         Torque, forces on the bodies, and pins.
     creep_of : callable
-        Creep law of contacts around normal and tangential forces.
+        Creep law of contacts under normal and tangential forces.
     separate : bool, optional
         As of :func:`drive_states`.
 
@@ -322,7 +319,7 @@ def _standing_and_rolling(
     creep_of: CreepOf | None,
     separate: bool,
 ) -> tuple[DriveState, DriveState]:
-    kinds = [(STANDING,), (ROLLING,) * CREEP_PASSES]
+    kinds = [(STANDING,), _rolling_kinds(creep_of)]
     states = _loaded(drive, laws, rest, load, kinds if separate else [sum(kinds, ())], creep_of)
     return states[0], states[-1]
 
@@ -334,10 +331,11 @@ def _loaded(
     load: DriveLoad,
     kinds: _Kinds,
     creep_of: CreepOf | None,
+    holds: Array | bool = False,
 ) -> list[DriveState]:
     laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
     size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
-    machine = machine_of(drive, laws, rest.interference / size, supports=load.supports)
+    machine = machine_of(drive, laws, rest.interference / size, supports=load.supports, creep_of=creep_of)
     start = _Carry(
         started_from(machine, rest, size),
         rest.slides,
@@ -346,7 +344,7 @@ def _loaded(
         rest.pin_force,
         rest.normal,
     )
-    return _states(machine, load, start, kinds, creep_of, by_force=False)
+    return _states(machine, load, start, kinds, by_force=False, holds=holds)
 
 
 def closed_around(
@@ -369,6 +367,11 @@ def closed_around(
 _Kinds = Sequence[tuple[Array | int, ...]]
 
 
+def _rolling_kinds(creep_of: CreepOf | None) -> tuple[int, ...]:
+    """Kinds of the states by which rolling is found, one after the other."""
+    return (ROLLING,) if creep_of is None else (_FIRST_ROLLING, ROLLING)
+
+
 class _Carry(NamedTuple):
     """What one state passes to the next."""
 
@@ -385,9 +388,9 @@ def _states(
     load: DriveLoad,
     start: _Carry,
     kinds: _Kinds,
-    creep_of: CreepOf | None,
     *,
     by_force: bool,
+    holds: Array | bool = False,
 ) -> list[DriveState]:
     """One state after the other, each from the one before it; those of one tuple by one program."""
     drive, given = machine.drive, start.size
@@ -399,23 +402,13 @@ def _states(
         borne = dataclasses.replace(
             load, output_torque=acts * load.output_torque, body_force=acts * forces_on(drive, load)
         )
-        here = machine
-        if creep_of is not None:
-            creep = creep_of(*contact_forces(machine, carry.unknowns))
-            plain = machine.laws.creep.gross_slip_scale
-            creep = dataclasses.replace(
-                creep,
-                gross_slip_scale=jnp.where(first, plain, creep.gross_slip_scale),
-                growth=None if creep.growth is None else jnp.where(first, 0.0, creep.growth),
-            )
-            here = machine._replace(laws=dataclasses.replace(machine.laws, creep=creep))
         size = jnp.where(assembled, given, carry.size)
-        task = Task(kind, size, borne, carry.origin, carry.pin_at_rest, carry.normal_at_rest)
+        task = Task(kind, size, borne, carry.origin, carry.pin_at_rest, carry.normal_at_rest, by_laws=first)
         begin = jnp.where(kind == STANDING, carry.slides, 0.0)
-        new = solved(here, task, carry.unknowns, slides=begin, by_force=by_force)
-        old = carry.unknowns, carry.slides
-        found, slides = jax.tree.map(lambda *either: jnp.where(known, *either), old, new)
-        state = state_of(here, task, found, slides)
+        found, slides = solved(
+            machine, task, carry.unknowns, slides=begin, by_force=by_force, known=known, holds=holds
+        )
+        state = state_of(machine, task, found, slides)
         following = _Carry(
             found,
             slides,
