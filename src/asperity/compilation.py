@@ -84,11 +84,19 @@ class Program:
 
     def __call__(self, *arguments: Any) -> Any:
         """The results for arguments of the structure and shapes that it was compiled for."""
+        return self._call(jax.tree.leaves(arguments))
+
+    def with_first(self, *first: Any) -> Callable[..., Any]:
+        """A function of the last arguments alone, for many calls with the same first ones."""
+        given = [jnp.asarray(leaf) for leaf in jax.tree.leaves(first)]
+        return lambda *last: self._call([*given, *jax.tree.leaves(last)])
+
+    def _call(self, leaves: list[Any]) -> Any:
         called = _CALLED.get()
         if called is not None:
             called.add(self)
         call = self._again or self._compiled.result()
-        return jax.tree.unflatten(jax.tree.structure(self.results), call(jax.tree.leaves(arguments)))
+        return jax.tree.unflatten(jax.tree.structure(self.results), call(leaves))
 
 
 #: The programs that are called in a block of :func:`called_programs`.

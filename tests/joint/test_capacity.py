@@ -165,7 +165,7 @@ def test_the_search_from_rest_finds_the_capacity_of_one_loading():
             laws,
             direction=jnp.ones(2),
             rolls=jnp.zeros(2, dtype=bool),
-            at_first=jnp.array([False, True]),
+            holds=jnp.array([False, True]),
         )
         end, torque = followed(
             drive=there.drive,

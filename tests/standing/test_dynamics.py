@@ -111,9 +111,10 @@ def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monke
     made_up = SimpleNamespace(
         solved=np.array([True, True, False]),
         assembly=np.array([[9000.0, 1.0], [8000.0, 1.0], [7000.0, 1.0]]),
-        lost_speed_slope=np.array([2e-3, 0.0, 2e-3]),
     )
-    monkeypatch.setattr("asperity.standing.dynamics.over_torque", lambda *_, **__: made_up)
+    monkeypatch.setattr("asperity.standing.dynamics.standing_over_torque", lambda *_, **__: made_up)
+    slopes = np.array([2e-3, 0.0, 2e-3])
+    monkeypatch.setattr("asperity.standing.dynamics.lost_speed_slopes", lambda *_: slopes)
     monkeypatch.setattr("asperity.standing.dynamics.joint_inertias", lambda _: (1e-6, 0.01))
     found = _over_torque(joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0]))
     lost = 2e-3 * 1500.0 * math.pi / 30.0 / 6.0
@@ -140,9 +141,7 @@ def test_a_response_without_losses_is_shown_beside_its_natural_frequencies(paper
     def over(joint, torques, **_):
         shape = np.size(torques)
         each = np.column_stack([np.full(shape, 9000.0), np.ones(shape)])
-        return SimpleNamespace(
-            solved=np.full(shape, True), assembly=each, lost_speed_slope=np.full(shape, 1e-4)
-        )
+        return SimpleNamespace(solved=np.full(shape, True), assembly=each)
 
     limit = SimpleNamespace(output_torque=13.0, limit=LIMIT_KINDS.index("gross_slip"))
     stiffness = SimpleNamespace(stiffness=SimpleNamespace(output=9000.0))
@@ -150,7 +149,10 @@ def test_a_response_without_losses_is_shown_beside_its_natural_frequencies(paper
         result=SimpleNamespace(assembly=stiffness), capacity=limit, reverse_capacity=limit
     )
     monkeypatch.setattr("asperity.standing.dynamics.solve_joint", lambda _: solution)
-    monkeypatch.setattr("asperity.standing.dynamics.over_torque", over)
+    monkeypatch.setattr("asperity.standing.dynamics.standing_over_torque", over)
+    monkeypatch.setattr(
+        "asperity.standing.dynamics.lost_speed_slopes", lambda _, torques: np.full(np.size(torques), 1e-4)
+    )
     found = dynamics(paper_joint(), Inertias(2e-6, 0.05, 0.0))
     at, columns = found.at_torque, response_columns(found)
     assert all(np.all(np.isfinite(column)) for column in columns.values())

@@ -145,7 +145,7 @@ def sector_states(
             laws,
             direction=jnp.repeat(jnp.where(jnp.asarray(whole.output_torque) < 0.0, -1.0, 1.0), 2),
             rolls=jnp.array([False, True]),
-            at_first=jnp.array([True, False]),
+            holds=jnp.array([True, False]),
         ),
         most_torque=reached[1],
     )

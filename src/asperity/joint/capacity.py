@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import NamedTuple
 
 import jax
@@ -10,15 +11,22 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.body.rim_moments import WIDEST_CONTACT
 from asperity.body.shapes import Annulus
-from asperity.drive.state.first_limit import FirstLimit, first_limit, slip_ratio
+from asperity.drive.state.first_limit import (
+    FirstLimit,
+    first_limit,
+    first_limit_of_numbers,
+    slip_ratio,
+)
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
 from asperity.joint.bodies import exact_bodies
 from asperity.joint.description import (
     Joint,
     body_masses,
+    each_contact,
     joint_contacts,
     tracks_of,
 )
@@ -41,14 +49,14 @@ class TorqueCapacities(NamedTuple):
         At rest, positive and negative torque along the first axis.
     rolling : TorqueCapacity
         In rolling, likewise.
-    first_slip : TorqueCapacity or None
+    first_slip : TorqueCapacity
         Torques at rest at which the first contact slides, while others may still hold, likewise; the capacity where
-        another limit comes first. None where it was not asked for.
+        another limit comes first.
     """
 
     standing: TorqueCapacity
     rolling: TorqueCapacity
-    first_slip: TorqueCapacity | None = None
+    first_slip: TorqueCapacity
 
 
 def smaller_sizes(joint: Joint) -> Array:
@@ -87,79 +95,62 @@ def _widths_of_walls(joint: Joint) -> Array | None:
     return widths
 
 
-def torque_capacities(
-    joint: Joint, rest: DriveState, laws: ContactLaws, *, first_slip: bool = False
-) -> TorqueCapacities:
-    """Torque capacities of a joint in both directions.
+class UnderTorque(NamedTuple):
+    """A joint under a torque.
+
+    Parameters
+    ----------
+    state : DriveState
+        Standing or rolling.
+    pressed : DriveState
+        Assembled, as its loading cam presses it under the torque; without a cam as it is without torque.
+    excesses : Array
+        By how much each limit is exceeded, negative where it is kept [-].
+    """
+
+    state: DriveState
+    pressed: DriveState
+    excesses: Array
+
+
+def under_torque(
+    joint: Joint, without_torque: Pressed, torque: Real, rolls: Array | bool, holds: Array | bool
+) -> UnderTorque:
+    """A joint under an output torque; for :func:`asperity.compilation.compile_fast`.
 
     Parameters
     ----------
     joint : Joint
-        One joint.
-    rest : DriveState
-        Its assembled state without torque.
-    laws : ContactLaws
-        Laws of its contacts there.
-    first_slip : bool, optional
-        Whether the torque of the first slip is wanted too.
+        One joint; its own torque does not count.
+    without_torque : Pressed
+        The joint as it is assembled.
+    torque : Real
+        Output torque [N·m].
+    rolls, holds : Array or bool
+        As of :func:`asperity.drive.state.states.loaded_state`.
 
     Returns
     -------
-    TorqueCapacities
-        As positive torques [N·m].
+    UnderTorque
+        Its state, and how it keeps its limits: slip, lift-off, widths of strips and walls, a solution.
 
     References
     ----------
     Equations (A9) and (M3) of :doc:`/equations`.
     """
-    searches = 6 if first_slip else 4
-    found = limiting_torques(
-        joint,
-        rest,
-        laws,
-        direction=jnp.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])[:searches],
-        rolls=jnp.array([False, False, True, True, False, False])[:searches],
-        at_first=jnp.arange(searches) >= 4,
-    )
-    return TorqueCapacities(
-        *(jax.tree.map(lambda leaf, k=k: leaf[k : k + 2], found) for k in range(0, searches, 2))
-    )
+    return _loading(in_motion(joint), without_torque)(jnp.asarray(torque), rolls, holds)
 
 
-def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:
-    """Torque capacity of a joint in both directions, at rest or in rolling: a half of :func:`torque_capacities`.
-
-    [N·m].
-    """
-    return limiting_torques(
-        joint,
-        rest,
-        laws,
-        direction=jnp.array([1.0, -1.0]),
-        rolls=rolls,
-        at_first=jnp.zeros(2, dtype=bool),
-    )
-
-
-def limiting_torques(
-    joint: Joint,
-    rest: DriveState,
-    laws: ContactLaws,
-    *,
-    direction: Array,
-    rolls: Array | bool,
-    at_first: Array,
-) -> TorqueCapacity:
-    """Largest output torques that keep every limit: slip, lift-off, widths of strips and walls, a solution.
-
-    Shape (searches,) [N·m].
-    """
-    joint = in_motion(joint)
-    drive, contacts = joint.drive, dataclasses.replace(joint_contacts(joint), rims=laws.rims)
-    masses, sizes, walls = body_masses(joint), smaller_sizes(joint), _widths_of_walls(joint)
+def _loading(
+    joint: Joint, without_torque: Pressed
+) -> Callable[[Array, Array | bool, Array | bool], UnderTorque]:
+    """The joint under torques, from its assembled state."""
+    drive, laws = joint.drive, without_torque.laws
+    contacts = dataclasses.replace(joint_contacts(joint), rims=laws.rims)
+    sizes, walls = smaller_sizes(joint), _widths_of_walls(joint)
     friction = contacts.pairs.friction_coefficient
-    unloaded = drive_load(joint, masses, 0.0)
-    pressed = pressed_at(joint, contacts, Pressed(laws, rest))
+    unloaded = drive_load(joint, body_masses(joint), 0.0)
+    pressed = pressed_at(joint, contacts, without_torque)
 
     def friction_left(state: DriveState) -> Array:
         """Friction that skew leaves to the joint that turns."""
@@ -170,16 +161,15 @@ def limiting_torques(
         )
         return friction * (1.0 - lost)
 
-    def excesses(torque: Array, at_first: Array, rolls: Array | bool) -> Array:
-        load = dataclasses.replace(unloaded, output_torque=torque)
+    def at(torque: Array, rolls: Array | bool, holds: Array | bool) -> UnderTorque:
         laws, rest = pressed(torque)
         state = loaded_state(
             drive=drive,
             laws=laws,
             rest=rest,
-            load=load,
+            load=dataclasses.replace(unloaded, output_torque=torque),
             rolls=rolls,
-            holds=at_first,
+            holds=holds,
             creep_of=creep_under(joint, contacts),
         )
         touching = state.normal > _LIFTED * rest.normal
@@ -189,36 +179,127 @@ def limiting_torques(
         slip = slip_ratio(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=available
         )
-        slides = state.slides != 0.0
+        begins = jnp.where(state.slides != 0.0, -1.0, slip - 1.0 - SLIP_TOLERANCE)
         width = contacts.largest_half_width(jnp.where(touching, state.normal, rest.normal))
         if joint.cam is not None:
             width = jnp.fmax(width, contacts.largest_half_width(laws.reference_force))
-        return jnp.concatenate(
+        excesses = jnp.concatenate(
             [
                 -jnp.ones(1),  # pins without friction do not lock
-                jnp.where(
-                    touching,
-                    jnp.where(slides, -1.0, slip - 1.0 - SLIP_TOLERANCE),
-                    -1.0,
-                ),
+                jnp.where(touching, begins, -1.0),
                 _LIFTED - state.normal / rest.normal,
                 jnp.where(touching | (joint.cam is not None), width / sizes - 1.0, -1.0),
                 *(() if walls is None else (width / walls - 1.0,)),
                 jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
             ]
         )
+        return UnderTorque(state, rest, excesses)
 
-    orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
-    guess = jnp.min(friction * rest.normal) * orbit * drive.sectors
+    return at
 
-    def search(sign: Array, at_first: Array, rolls: Array | bool) -> FirstLimit:
+
+def _first_guess(joint: Joint, rest: DriveState) -> Real:
+    """The torque at which all contacts of one kind would slip [N·m]."""
+    drive, xp = joint.drive, namespace(joint, rest)
+    friction = each_contact(joint, joint.friction_coefficients)
+    orbit = xp.max(abs(xp.asarray(drive.centres))) + xp.max(drive.second_radius)
+    guess: Real = xp.min(friction * rest.normal) * orbit * drive.sectors
+    return guess
+
+
+def _named(joint: Joint, found: FirstLimit) -> TorqueCapacity:
+    walls = joint.cam is not None and joint.body_model != "springs"
+    return named_capacity(found, contacts=len(joint.drive.contacts), walls=walls)
+
+
+def torque_capacities(
+    joint: Joint, without_torque: Pressed, under: Callable[..., UnderTorque]
+) -> TorqueCapacities:
+    """Torque capacities of one joint in both directions, and its first slip.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, of NumPy's numbers.
+    without_torque : Pressed
+        The joint as it is assembled.
+    under : callable
+        :func:`under_torque` of this joint, compiled: of the torque and the two flags.
+
+    Returns
+    -------
+    TorqueCapacities
+        As positive torques [N·m].
+
+    References
+    ----------
+    Equations (A9) and (M3) of :doc:`/equations`.
+    """
+    guess = _first_guess(joint, without_torque.rest)
+
+    def search(rolls: bool, holds: bool) -> TorqueCapacity:
+        def one_way(sign: float) -> FirstLimit:
+            def excesses(torque: np.ndarray) -> np.ndarray:
+                found = under(np.asarray(sign * torque), np.asarray(rolls), np.asarray(holds))
+                return np.asarray(found.excesses)
+
+            return first_limit_of_numbers(excesses=excesses, first_guess=guess)
+
+        both: FirstLimit = jax.tree.map(lambda *ways: np.stack(ways), one_way(1.0), one_way(-1.0))
+        return jax.tree.map(np.asarray, _named(joint, both))
+
+    return TorqueCapacities(search(False, False), search(True, False), search(False, True))
+
+
+def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:
+    """Torque capacity of a joint in both directions, at rest or in rolling, with derivatives.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    rest : DriveState
+        Its assembled state without torque.
+    laws : ContactLaws
+        Laws of its contacts there.
+    rolls : bool
+        Whether it rolls.
+
+    Returns
+    -------
+    TorqueCapacity
+        As positive torques, of positive and of negative ones [N·m].
+
+    References
+    ----------
+    Equations (A9) and (M3) of :doc:`/equations`.
+    """
+    both = jnp.array([1.0, -1.0])
+    return limiting_torques(joint, rest, laws, direction=both, rolls=rolls, holds=jnp.zeros(2, dtype=bool))
+
+
+def limiting_torques(
+    joint: Joint,
+    rest: DriveState,
+    laws: ContactLaws,
+    *,
+    direction: Array,
+    rolls: Array | bool,
+    holds: Array,
+) -> TorqueCapacity:
+    """Largest output torques that keep every limit: signs, and as of :func:`under_torque`, shape (searches,) [N·m]."""
+    joint = in_motion(joint)
+    loaded = _loading(joint, Pressed(laws, rest))
+    guess = jnp.asarray(_first_guess(joint, rest))
+
+    def search(sign: Array, holds: Array, rolls: Array | bool) -> FirstLimit:
         return first_limit(
-            excesses=lambda torque: excesses(sign * torque, at_first, rolls), first_guess=guess
+            excesses=lambda torque: loaded(sign * torque, rolls, holds).excesses, first_guess=guess
         )
 
-    each = (direction, at_first)
+    each = (direction, holds)
     if isinstance(rolls, bool):
         found = jax.lax.map(lambda given: search(given[0], given[1], rolls), each)
     else:
         found = jax.lax.map(lambda given: search(given[0], given[1], given[2]), (*each, rolls))
-    return named_capacity(found, contacts=len(drive.contacts), walls=walls is not None)
+    return _named(joint, found)

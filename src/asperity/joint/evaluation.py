@@ -31,6 +31,7 @@ from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import (
     CamOfJoint,
     Pressed,
+    assembled,
     states_under_torque,
     turned_cam,
     with_its_cam,
@@ -172,6 +173,12 @@ def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
     joint = in_motion(joint)
     laws, states = laws_and_states(joint, separate=True)
     return joint_result(joint, laws, states), laws
+
+
+def assembled_joint(joint: Joint) -> Pressed:
+    """A joint under its preload or interference alone, and the laws of its contacts."""
+    joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
+    return assembled(joint, with_rims(joint, joint_contacts(joint)))
 
 
 def laws_and_states(joint: Joint, *, separate: bool = False) -> tuple[ContactLaws, DriveStates]:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import equinox as eqx
 import jax
 import numpy as np
 
-from asperity.compilation import compile_fast
+from asperity.compilation import Program, compile_fast
 from asperity.drive.layout.existence import refuse_impossible
-from asperity.drive.state.state import ContactLaws, DriveState
+from asperity.drive.state.states import DriveStates
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.capacity import TorqueCapacities, torque_capacities
+from asperity.joint.capacity import TorqueCapacities, torque_capacities, under_torque
 from asperity.joint.description import Joint, track_lengths, tracks_of
-from asperity.joint.evaluation import JointResult, joint_result, laws_and_states
+from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
+from asperity.joint.loading_cam import Pressed
 from asperity.joint.looseness import refuse_loose
 from asperity.joint.motion import in_motion
 from asperity.joint.pins import refuse_pins
@@ -51,20 +53,48 @@ class Solution(eqx.Module):
 def result_and_capacity(joint: Joint) -> tuple[JointResult, TorqueCapacities]:
     """Everything about one joint, and its capacities, without a judgement whether it exists."""
     joint = in_motion(joint)
-    first = compile_fast(laws_and_states, joint)
-    laws, states = first.results
-    second = compile_fast(joint_result, joint, laws, states)
-    limits = compile_fast(_capacities, joint, states.rest, laws)
+    programs = _programs(joint)
     if any(bends(joint)):
-        compile_fast(joint_rims, joint, second.results)  # which every document asks for next
-    laws, states = jax.tree.map(np.asarray, first(joint))
-    result: JointResult = jax.tree.map(np.asarray, second(joint, laws, states))
-    capacity: TorqueCapacities = jax.tree.map(np.asarray, limits(joint, states.rest, laws))
-    return result, capacity
+        compile_fast(joint_rims, joint, programs.result.results)  # which every document asks for next
+    result, without_torque = _solved(joint, programs)
+    under = programs.under_torque.with_first(joint, without_torque)
+    return result, torque_capacities(joint, without_torque, under)
 
 
-def _capacities(joint: Joint, rest: DriveState, laws: ContactLaws) -> TorqueCapacities:
-    return torque_capacities(joint, rest, laws, first_slip=True)
+def joint_state(joint: Joint) -> JointResult:
+    """What one joint does under its own torque and speed, of NumPy's numbers, without its capacities."""
+    joint = in_motion(joint)
+    return _solved(joint, _programs(joint))[0]
+
+
+class _Programs(NamedTuple):
+    """What is compiled to solve one joint: that with its state serves its capacities too."""
+
+    assembled: Program
+    under_torque: Program
+    result: Program
+
+
+def _programs(joint: Joint) -> _Programs:
+    first = compile_fast(assembled_joint, joint)
+    torque, flag = np.asarray(joint.output_torque), np.asarray(False)
+    second = compile_fast(under_torque, joint, first.results, torque, flag, flag)
+    states = DriveStates(first.results.rest, second.results.state, second.results.state)
+    if joint.cam is not None:
+        states = states._replace(pressed=second.results.pressed)
+    return _Programs(first, second, compile_fast(joint_result, joint, first.results.laws, states))
+
+
+def _solved(joint: Joint, programs: _Programs) -> tuple[JointResult, Pressed]:
+    without_torque: Pressed = jax.tree.map(np.asarray, programs.assembled(joint))
+    torque, no = np.asarray(joint.output_torque), np.asarray(False)
+    standing, rolling = (
+        programs.under_torque(joint, without_torque, torque, np.asarray(rolls), no) for rolls in (False, True)
+    )
+    pressed = None if joint.cam is None else standing.pressed
+    states = DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
+    result: JointResult = jax.tree.map(np.asarray, programs.result(joint, without_torque.laws, states))
+    return result, without_torque
 
 
 def solve_joint(joint: Joint) -> Solution:

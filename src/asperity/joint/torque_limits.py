@@ -6,9 +6,9 @@ import math
 from typing import Any
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.drive.state.first_limit import FirstLimit
 from asperity.units import format_quantity
 
@@ -56,10 +56,11 @@ def named_capacity(limit: FirstLimit, *, contacts: int, walls: bool = False) -> 
     names = ["none", "pins_lock", *(name for name in each for _ in range(contacts)), "no_solution"]
     kinds = [LIMIT_KINDS.index(name) for name in names]
     places = [contacts, contacts, *list(range(contacts)) * len(each), contacts]
+    xp = namespace(limit)
     return TorqueCapacity(
         output_torque=limit.value,
-        limit=jnp.asarray(kinds)[1 + limit.which],
-        limiting_contact=jnp.asarray(places)[1 + limit.which],
+        limit=xp.asarray(kinds)[1 + limit.which],
+        limiting_contact=xp.asarray(places)[1 + limit.which],
     )
 
 

@@ -22,10 +22,10 @@ from asperity.drive.state.state import ContactLaws
 from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
 from asperity.joint.description import Joint, each_contact, pin_names, tracks_of
-from asperity.joint.evaluation import JointResult, joint_result, laws_and_states
+from asperity.joint.evaluation import JointResult
 from asperity.joint.motion import in_motion
 from asperity.joint.rims import branch_rims, joint_rims
-from asperity.joint.solve import Solution
+from asperity.joint.solve import Solution, joint_state
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
 from asperity.results.notes import Note, loss_notes, plausibility, skew_notes
@@ -196,10 +196,7 @@ class SolvedJoint:
             there = dataclasses.replace(
                 numbers, output_torque=point.output_torque, input_speed=point.sun_speed
             )
-            moving = in_motion(there)
-            laws, states = compile_fast(laws_and_states, moving)(moving)
-            result: JointResult = compile_fast(joint_result, moving, laws, states)(moving, laws, states)
-            found.append((there, jax.tree.map(np.asarray, result)))
+            found.append((there, joint_state(there)))
         return tuple(found)
 
     def _rims(self, joint: Joint, result: JointResult) -> Any:

@@ -19,7 +19,7 @@ from asperity.joint.description import Joint
 from asperity.joint.inertias import joint_inertias
 from asperity.joint.solve import Solution, solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
-from asperity.standing.over_torque import over_torque
+from asperity.standing.over_torque import lost_speed_slopes, standing_over_torque
 from asperity.standing.standing import NO_SLIP_FRICTION
 from asperity.types import Real
 
@@ -108,10 +108,10 @@ def _between_inertias(
 
 def _over_torque(joint: Joint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
     """A joint about each of the torques, as NumPy arrays."""
-    found = over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
+    found = standing_over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
     stiffness = np.where(found.solved, np.asarray(found.assembly)[:, 0], np.nan)
     ratio = float(np.asarray(speed_ratio(joint.drive)))
-    slope = np.asarray(found.lost_speed_slope) * abs(float(joint.input_speed) / ratio)
+    slope = lost_speed_slopes(joint, np.asarray(torques)) * abs(float(joint.input_speed) / ratio)
     made = _between_inertias(
         jnp.asarray(torques),
         jnp.asarray(stiffness),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -16,11 +17,11 @@ from asperity.drive.layout.creeping import creeping_speeds
 from asperity.drive.state.creep import drift_per_turn
 from asperity.drive.state.first_limit import slip_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
-from asperity.drive.state.states import loaded_states, standing_state
+from asperity.drive.state.states import loaded_state, loaded_states, standing_state
 from asperity.joint.bodies import with_rims
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, joint_contacts
-from asperity.joint.evaluation import laws_and_states
+from asperity.joint.evaluation import assembled_joint
 from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import (
     CamOfJoint,
@@ -81,8 +82,6 @@ class OverTorque(NamedTuple):
         Power lost [W].
     life_hours, life_turns : Array
         Fatigue life of the drive [h], and in turns of the output [-].
-    lost_speed_slope : Array
-        Change of the lost share of the output speed with the torque [1/(N·m)].
     """
 
     balanced: Array
@@ -96,7 +95,6 @@ class OverTorque(NamedTuple):
     total_loss: Array
     life_hours: Array
     life_turns: Array
-    lost_speed_slope: Array
 
 
 def over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -> OverTorque:
@@ -126,12 +124,30 @@ def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction:
     return found
 
 
+def lost_speed_slopes(joint: Joint, torques: np.ndarray) -> np.ndarray:
+    """Change of the lost share of the output speed with the torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint; its own output torque is replaced.
+    torques : ndarray
+        Output torques of either sign, shape (torques,) [N·m].
+
+    Returns
+    -------
+    ndarray
+        Slopes, shape (torques,) [1/(N·m)]; nan where there is no steady rolling.
+    """
+    found: np.ndarray = _in_batches(slope_program, joint, torques, math.inf)
+    return found
+
+
 def _in_batches(
     program: Callable[..., Any], joint: Joint, torques: np.ndarray, no_slip_friction: float
 ) -> Any:
     numbers = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
-    laws, states = compile_fast(laws_and_states, numbers)(numbers)  # the program that solves one joint
-    without_torque = jax.tree.map(np.asarray, Pressed(laws, states.rest))
+    without_torque = jax.tree.map(np.asarray, compile_fast(assembled_joint, numbers)(numbers))
     asked = np.asarray(torques, dtype=float)
     filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
     friction = np.asarray(no_slip_friction)
@@ -169,11 +185,7 @@ def over_torque_program(
     states = _states(joint, contacts, without_torque)
 
     def at(torque: Array) -> OverTorque:
-        def lost(torque: Array) -> tuple[Array, _Under]:
-            under = states(torque)
-            return under.rolling.speed_loss, under
-
-        _, slope, under = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
+        under = states(torque)
         rolls = under.rolling
         creep = creep_law(joint, contacts, rolls.normal, rolls.tangential)
         shown = dataclasses.replace(
@@ -187,8 +199,31 @@ def over_torque_program(
             total_loss=jnp.where(works, turned.power.loss, jnp.nan),
             life_hours=jnp.where(works, turned.life_hours.drive, jnp.nan),
             life_turns=jnp.where(works, turned.life_turns.drive, jnp.nan),
-            lost_speed_slope=jnp.where(works, slope, jnp.nan),
         )
+
+    return jax.lax.map(at, torques)
+
+
+def slope_program(joint: Joint, without_torque: Pressed, torques: Array, no_slip_friction: Real) -> Array:
+    """What is compiled to differentiate the lost speed."""
+    contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
+    unloaded, pressed = _with_its_torque(joint), pressed_at(joint, contacts, without_torque)
+
+    def at(torque: Array) -> Array:
+        def lost(torque: Array) -> tuple[Array, DriveState]:
+            laws, rest = pressed(torque)
+            rolling = loaded_state(
+                drive=joint.drive,
+                laws=laws,
+                rest=rest,
+                load=dataclasses.replace(unloaded, output_torque=torque),
+                rolls=True,
+                creep_of=creep_under(joint, contacts),
+            )
+            return rolling.speed_loss, rolling
+
+        _, slope, rolling = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
+        return jnp.where(rolling.residual < STATE_TOLERANCE, slope, jnp.nan)
 
     return jax.lax.map(at, torques)
 

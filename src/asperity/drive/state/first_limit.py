@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.implicit import implicit_root
 from asperity.types import Real
 
@@ -39,7 +41,7 @@ class FirstLimit(NamedTuple):
 class _Search(NamedTuple):
     lower: Array  # no limit is reached here
     upper: Array  # one is, once bracketed
-    below: Array  # the largest excess at the lower bound; -inf while that is 0
+    below: Array  # the largest excess at the lower bound; at 0 taken as that of a ratio to its limit
     above: Array  # and at the upper one
     bracketed: Array
     slack: Array  # width that as many halvings would have left
@@ -49,15 +51,16 @@ class _Search(NamedTuple):
 
 def _within(state: _Search) -> Array:
     """Where to look next: near the root of the chord, but no farther off than halving can make up for."""
-    lower, upper = state.lower, state.upper
+    xp, lower, upper = namespace(state), state.lower, state.upper
     width, half = upper - lower, 0.5 * (lower + upper)
     chord = (state.above * lower - state.below * upper) / (state.above - state.below)
-    side = jnp.sign(half - chord)
-    nudge = jnp.maximum(_NUDGE * width**2 / upper, 0.5 * SEARCH_TOLERANCE * upper)
-    near = jnp.where(nudge < jnp.abs(half - chord), chord + side * nudge, half)
-    reach = jnp.maximum(state.slack - 0.5 * width, 0.0)
-    trial = jnp.where(jnp.abs(near - half) <= reach, near, half - side * reach)
-    return jnp.where(jnp.isfinite(trial), trial, half)
+    side = xp.sign(half - chord)
+    nudge = xp.maximum(_NUDGE * width**2 / upper, 0.5 * SEARCH_TOLERANCE * upper)
+    near = xp.where(nudge < abs(half - chord), chord + side * nudge, half)
+    reach = xp.maximum(state.slack - 0.5 * width, 0.0)
+    trial = xp.where(abs(near - half) <= reach, near, half - side * reach)
+    found: Array = xp.where(xp.isfinite(trial), trial, half)
+    return found
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -85,48 +88,85 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
     return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
 
 
-def _searched(excesses: Callable[[Array], Array], start: Array) -> _Search:
+_Loop = Callable[[Callable[[_Search], Array], Callable[[_Search], _Search], _Search], _Search]
+
+
+def _searched(excesses: Callable[[Array], Array], start: Array, loop: _Loop) -> _Search:
     """The interval of the first limit, narrowed to its last digits."""
+    xp = namespace(start)
 
     def unfinished(state: _Search) -> Array:
         wide = (state.upper - state.lower > SEARCH_TOLERANCE * state.upper) & (
             state.upper > SMALLEST_SHARE * start
         )
         searching = ~state.bracketed & (state.upper < 2.0**40 * start) | state.bracketed & wide
-        return jnp.any(searching) & (state.steps < _MOST_STEPS)
+        more: Array = xp.any(searching) & (state.steps < _MOST_STEPS)
+        return more
 
     def narrow(state: _Search) -> _Search:
         """Double the upper bound until a limit is reached there, then narrow the interval."""
-        trial = jnp.where(state.bracketed, _within(state), state.upper)
+        trial = xp.where(state.bracketed, _within(state), state.upper)
         found = excesses(trial)
         beyond = found >= 0.0
-        reached = jnp.any(beyond, axis=0)
-        largest = jnp.max(jnp.where(jnp.isnan(found), -1.0, found), axis=0)
+        reached = xp.any(beyond, axis=0)
+        largest = xp.max(xp.where(xp.isnan(found), -1.0, found), axis=0)
         return _Search(
-            lower=jnp.where(reached, state.lower, trial),
-            upper=jnp.where(reached, trial, jnp.where(state.bracketed, state.upper, 2.0 * state.upper)),
-            below=jnp.where(reached, state.below, largest),
-            above=jnp.where(reached, largest, state.above),
+            lower=xp.where(reached, state.lower, trial),
+            upper=xp.where(reached, trial, xp.where(state.bracketed, state.upper, 2.0 * state.upper)),
+            below=xp.where(reached, state.below, largest),
+            above=xp.where(reached, largest, state.above),
             bracketed=state.bracketed | reached,
-            slack=jnp.where(state.bracketed, 0.5 * state.slack, jnp.where(reached, trial - state.lower, 0.0)),
-            which=jnp.where(reached, jnp.argmax(beyond, axis=0), state.which),
+            slack=xp.where(state.bracketed, 0.5 * state.slack, xp.where(reached, trial - state.lower, 0.0)),
+            which=xp.where(reached, xp.argmax(beyond, axis=0), state.which),
             steps=state.steps + 1,
         )
 
-    nowhere = jnp.zeros_like(start, dtype=bool)
-    nothing = jnp.zeros_like(start)
+    nowhere = xp.zeros_like(start, dtype=bool)
+    nothing = xp.zeros_like(start)
     first = _Search(
         lower=nothing,
         upper=start,
-        below=nothing - jnp.inf,
+        below=nothing - 1.0,
         above=nothing,
         bracketed=nowhere,
         slack=nothing,
-        which=jnp.argmax(nowhere[None], axis=0),
-        steps=jnp.asarray(0),
+        which=xp.argmax(nowhere[None], axis=0),
+        steps=xp.asarray(0),
     )
-    last: _Search = jax.lax.while_loop(unfinished, narrow, first)
-    return last
+    return loop(unfinished, narrow, first)
+
+
+def _step_by_step(
+    unfinished: Callable[[_Search], Array], narrow: Callable[[_Search], _Search], state: _Search
+) -> _Search:
+    """A loop over numbers that are known."""
+    with np.errstate(all="ignore"):  # an interval without a chord is halved
+        while unfinished(state):
+            state = narrow(state)
+    return state
+
+
+def first_limit_of_numbers(*, excesses: Callable[[Any], Any], first_guess: Real) -> FirstLimit:
+    """The limit that :func:`first_limit` finds, of functions of known numbers: of programs that are compiled already.
+
+    Parameters
+    ----------
+    excesses : callable
+        As of :func:`first_limit`, of NumPy's arrays.
+    first_guess : Real
+        As of :func:`first_limit`.
+
+    Returns
+    -------
+    FirstLimit
+        As of :func:`first_limit`, without derivatives.
+    """
+    start: Any = np.asarray(first_guess, dtype=float)
+    last = _searched(excesses, start, _step_by_step)
+    at_once = last.bracketed & (last.upper <= SMALLEST_SHARE * start)
+    value: Any = np.where(last.bracketed, np.where(at_once, 0.0, last.lower), np.inf)
+    which: Any = np.where(last.bracketed, last.which, -1)
+    return FirstLimit(value, which)
 
 
 def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> FirstLimit:
@@ -159,7 +199,7 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
     """
     start = jnp.asarray(first_guess)
     excesses = jax.jit(excesses)  # traced once for the search and for the derivative
-    last = jax.lax.stop_gradient(_searched(excesses, start))
+    last = jax.lax.stop_gradient(_searched(excesses, start, jax.lax.while_loop))
     lower, upper, bracketed, index = last.lower, last.upper, last.bracketed, last.which
     at_once = bracketed & (upper <= SMALLEST_SHARE * start)
     fixed = ~bracketed | at_once
