@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextvars
 import math
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -42,6 +44,9 @@ def joint_answer(request: JointRequest) -> Answer:
     interval = drawn_interval(case)
     if interval is not None:
         document["stiffness_interval"] = interval
+    with ThreadPoolExecutor(1) as beside:  # the programs of both run at the same time
+        wound = beside.submit(contextvars.copy_context().run, _windup, solved, case)
+        curves = _curves(solved)
     return {
         "id": request.identity,
         "name": request.name,
@@ -49,9 +54,9 @@ def joint_answer(request: JointRequest) -> Answer:
         "document": document,
         "drawing": _drawing(solved) | {"made_interference_m": made_interference(case, solved.result).size},
         "margins": [_margin(each) for each in margins(solved)],
-        "curves": _curves(solved),
+        "curves": curves,
         "creep": _creep(solved),
-        "windup": _windup(solved, case),
+        "windup": wound.result(),
     }
 
 
