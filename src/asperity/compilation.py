@@ -105,20 +105,7 @@ _CALLED: ContextVar[set[Program] | None] = ContextVar("called programs", default
 
 @contextlib.contextmanager
 def called_programs() -> Iterator[set[Program]]:
-    """The programs that this thread calls within a block.
-
-    Yields
-    ------
-    set of Program
-        Filled as they are called.
-
-    Examples
-    --------
-    >>> with called_programs() as called:
-    ...     four = call_compiled(jnp.square, 2.0)
-    >>> len(called)
-    1
-    """
+    """The programs that this thread calls within a block, filled as they are called."""
     called: set[Program] = set()
     before = _CALLED.set(called)
     try:

@@ -47,18 +47,7 @@ def optional_module(name: str, *, extra: str, needs: str, otherwise: str = "") -
 
 
 def install_command(extra: str) -> str:
-    """The command that adds an optional group of packages to this installation.
-
-    Parameters
-    ----------
-    extra : str
-        Name of the group in ``pyproject.toml``, e.g. ``study``.
-
-    Returns
-    -------
-    str
-        For a package index, or for the folder of the source that this installation was made from.
-    """
+    """The command that adds an optional group of packages to this installation, from an index or its own source."""
     source = _source_folder()
     if source is None:
         return f"pip install 'asperity[{extra}]'"

@@ -46,23 +46,7 @@ def outline(tree: Any) -> Any:
 
 
 def of_outline(stated: Any) -> Any:
-    """Nested results with zeros for their numbers.
-
-    Parameters
-    ----------
-    stated : object
-        What :func:`outline` returned.
-
-    Returns
-    -------
-    object
-        The results.
-
-    Raises
-    ------
-    ValueError
-        If it is no outline, or names what is no class of results.
-    """
+    """Nested results with zeros for their numbers; ValueError for no outline or what is no class of results."""
     match stated:
         case ["none"]:
             return None

@@ -62,20 +62,7 @@ def own_folder(path: Path) -> Path:
 
 
 def foreign_files(folder: Path, ending: str) -> list[str]:
-    """Files of a folder that this user has not written, or that are no regular files.
-
-    Parameters
-    ----------
-    folder : Path
-        The folder.
-    ending : str
-        How their names end.
-
-    Returns
-    -------
-    list of str
-        Their names.
-    """
+    """Names of a folder's files that this user has not written, or that are no regular files."""
     with os.scandir(folder) as entries:
         return [
             entry.name
@@ -87,21 +74,8 @@ def foreign_files(folder: Path, ending: str) -> list[str]:
 def read_own(file: Path) -> bytes:
     """The content of a file that only this user can have written; it is marked as used.
 
-    Parameters
-    ----------
-    file : Path
-        A file in an :func:`own_folder`.
-
-    Returns
-    -------
-    bytes
-        All of it.
-
-    Raises
-    ------
-    OSError
-        If there is none that can be read; :class:`NotOwnError` if it is a pipe or a device, or belongs to or can be
-        written by others.
+    An OSError if there is none that can be read; :class:`NotOwnError` if it is a pipe or a device, or belongs to or can
+    be written by others.
     """
     if _HAS_USERS:
         folder = file.parent.lstat()
@@ -121,20 +95,7 @@ def read_own(file: Path) -> bytes:
 
 
 def write_own(file: Path, content: bytes) -> None:
-    """Write a new file that only this user can read or write.
-
-    Parameters
-    ----------
-    file : Path
-        A file that does not exist.
-    content : bytes
-        What it contains.
-
-    Raises
-    ------
-    OSError
-        If it exists or cannot be written.
-    """
+    """Write a new file that only this user can read or write; OSError if it exists or cannot be written."""
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     with open(os.open(file, flags, 0o600), "wb") as stream:
         stream.write(content)

@@ -51,25 +51,7 @@ def _refusal(path: str | Path, error: OSError, hint: str = "") -> InputError:
 
 
 def check_regular(path: str | Path, *, hint: str = "") -> int:
-    """Size of a file, if it is one that can be read to its end.
-
-    Parameters
-    ----------
-    path : str or Path
-        File name.
-    hint : str, optional
-        What to do if there is no such file.
-
-    Returns
-    -------
-    int
-        Its size [byte].
-
-    Raises
-    ------
-    InputError
-        If it does not exist, cannot be reached, or is a directory, a pipe, a device or a socket.
-    """
+    """Size of a file [byte], if it is one that can be read to its end; the hint is what to do if there is none."""
     try:
         found = Path(path).stat()
     except OSError as error:
@@ -150,23 +132,7 @@ def read_text(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "") 
 
 @contextmanager
 def open_text(path: str | Path) -> Iterator[TextIO]:
-    """A regular text file of any size, to be read line by line; line ends are left as they are.
-
-    Parameters
-    ----------
-    path : str or Path
-        File name.
-
-    Yields
-    ------
-    TextIO
-        The open file.
-
-    Raises
-    ------
-    InputError
-        As :func:`check_regular`, or if it cannot be read or is not text in UTF-8.
-    """
+    """A regular UTF-8 text file of any size, to be read line by line; line ends are left as they are."""
     check_regular(path)
     try:
         stream = open(path, encoding="utf-8-sig", newline="")  # noqa: SIM115 (an error inside the block is not ours)
@@ -240,25 +206,7 @@ def read_toml(path: str | Path, *, largest: int = LARGEST_FILE) -> dict[str, Any
 
 
 def read_json(path: str | Path, *, largest: int = LARGEST_FILE) -> Any:
-    """Document of a JSON file.
-
-    Parameters
-    ----------
-    path : str or Path
-        File name.
-    largest : int, optional
-        Largest allowed size [byte].
-
-    Returns
-    -------
-    object
-        What it contains.
-
-    Raises
-    ------
-    InputError
-        As :func:`read_text`, if it is not valid JSON, or nested deeper than :data:`MOST_LEVELS`.
-    """
+    """Document of a JSON file of a largest size [byte] and at most :data:`MOST_LEVELS` levels."""
     text = read_text(path, largest=largest)
     try:
         document = json.loads(text)
@@ -277,20 +225,7 @@ def _too_deep(source: str | Path) -> InputError:
 
 
 def check_depth(document: Any, source: str | Path) -> None:
-    """Raise if tables and lists are nested too deeply for code that walks through them.
-
-    Parameters
-    ----------
-    document : object
-        Nested dictionaries and lists.
-    source : str or Path
-        Its name, for the message.
-
-    Raises
-    ------
-    InputError
-        If there are more than :data:`MOST_LEVELS` levels.
-    """
+    """Raise if tables and lists are nested too deeply (:data:`MOST_LEVELS`) for code that walks through them."""
     level = [document] if isinstance(document, dict | list) else []
     for _ in range(MOST_LEVELS):
         if not level:

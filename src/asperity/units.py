@@ -219,28 +219,9 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
 
 
 def parse_tolerance(text: object, dimension: Dimension, *, example: str | None = None) -> tuple[float, float]:
-    """Value and tolerance of a text such as ``"13.5 mm +- 5 µm"``, in SI units.
+    """Value and tolerance of a text such as ``"13.5 mm +- 5 µm"``, in SI units; the tolerance is not negative.
 
     Both parts carry their own unit. ``±``, ``+-`` and ``+/-`` are equivalent.
-
-    Parameters
-    ----------
-    text : str
-        The value, the sign, the tolerance.
-    dimension : Dimension
-        Dimension that both must have.
-    example : str, optional
-        What to quote in messages; the example of the dimension by default.
-
-    Returns
-    -------
-    tuple of float
-        Value and tolerance in ``dimension.si_unit``; the tolerance is zero or positive.
-
-    Raises
-    ------
-    InputError
-        If there is not exactly one sign, one of the parts is not such a quantity, or the tolerance is negative.
 
     Examples
     --------

@@ -21,20 +21,7 @@ _NO_DATE = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
 
 
 def cannot_write(path: str | Path, error: OSError) -> InputError:
-    """The error about something that cannot be written, with the reason.
-
-    Parameters
-    ----------
-    path : str or Path
-        File or folder.
-    error : OSError
-        The reason.
-
-    Returns
-    -------
-    InputError
-        Ready to be raised.
-    """
+    """The error that says why a file cannot be written."""
     return InputError(f"{path}: cannot be written: {error.strerror or error}")
 
 

@@ -129,6 +129,6 @@ def test_more_friction_never_softens_and_rougher_never_stiffens(chain, x, more):
     found = chain(**x)
     (here, sticky, rougher), solved = found["published"].sun, found["solved"]
     if solved[:2].all() and not np.isnan(here):
-        assert sticky >= here
+        assert sticky >= here * (1 - 1e-12)  # without torque both are equal, but for rounding
     if solved[[0, 2]].all() and not np.isnan(rougher):
         assert rougher <= here * (1 + 1e-9)

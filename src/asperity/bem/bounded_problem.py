@@ -81,26 +81,7 @@ def _masked_sum(mask: Array, field: Array) -> Array:
 
 
 def shifted_within_bounds(traction: Array, chosen: Array, lower: Array, upper: Array, total: Array) -> Array:
-    r"""Nearest traction within the bounds that has the prescribed sum: clipped after a common shift.
-
-    .. math:: \sum_{\text{chosen}} \min(\max(t + c, l), h) + \sum_{\text{others}} t = T
-
-    Parameters
-    ----------
-    traction : array
-        Traction, inside its bounds where not chosen [Pa].
-    chosen : array of bool
-        Points that may change.
-    lower, upper : array
-        Bounds [Pa]; the upper one may be infinite.
-    total : array, scalar
-        Prescribed sum [Pa], attainable by the chosen points.
-
-    Returns
-    -------
-    array
-        The traction; c is found by Newton's method inside a shrinking bracket.
-    """
+    """Nearest traction [Pa] within the bounds that has the prescribed sum: chosen points clipped after a common shift."""
     need = total - _masked_sum(~chosen, traction)
 
     def excess(c: Array) -> tuple[Array, Array]:

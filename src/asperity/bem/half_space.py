@@ -77,20 +77,7 @@ def mixed(field: Array, symbols: Array, shape: tuple[int, ...]) -> Array:
 
 
 def wavenumbers(shape: tuple[int, ...], pixel_size: Array) -> list[Array]:
-    """Angular wavenumber [rad/m] along each axis of the half-spectrum, broadcastable against each other.
-
-    Parameters
-    ----------
-    shape : tuple of int
-        Points along each axis.
-    pixel_size : array, shape (axes,)
-        Spacing along each axis [m].
-
-    Returns
-    -------
-    list of arrays
-        One per axis.
-    """
+    """Angular wavenumber [rad/m] along each axis of the half-spectrum, broadcastable against each other."""
     last = len(shape) - 1
     q = []
     for axis, n in enumerate(shape):
@@ -151,60 +138,20 @@ class HalfSpace(eqx.Module):
 
 
 def normal_symbol(pair: ElasticPair, q: Array) -> Array:
-    r""":math:`2/(E q)`, zero for the mean (the mean plane of the surface is the reference).
-
-    Parameters
-    ----------
-    pair : ElasticPair
-        The two bodies.
-    q : array
-        Magnitude of the wavenumber [rad/m].
-
-    Returns
-    -------
-    array
-        Displacement per pressure [m/Pa].
-    """
+    r""":math:`2/(E q)` [m/Pa], zero for the mean (the mean plane of the surface is the reference)."""
     return jnp.where(q > 0.0, 2.0 / (pair.contact_modulus * jnp.where(q > 0.0, q, 1.0)), 0.0)
 
 
 def wavenumber_magnitude(shape: tuple[int, ...], pixel_size: Array) -> Array:
-    """Magnitude of the wavenumber [rad/m] over the half-spectrum.
-
-    Parameters
-    ----------
-    shape : tuple of int
-        Points along each axis.
-    pixel_size : array, shape (axes,)
-        Spacing along each axis [m].
-
-    Returns
-    -------
-    array
-        The magnitude.
-    """
+    """Magnitude of the wavenumber [rad/m] over the half-spectrum."""
     return jnp.sqrt(sum((k**2 for k in wavenumbers(shape, pixel_size)), jnp.zeros(())))
 
 
 def shear_symbols(pair: ElasticPair, q_axes: list[Array], shape: tuple[int, ...]) -> Array:
-    r"""Cerruti's kernel in Fourier space.
+    r"""Cerruti's kernel in Fourier space [m/Pa], components xx, yy and xy (one axis: xx and yy); zero for the mean.
 
     .. math:: \hat u_i = \frac1q\left[\frac1G(\delta_{ij} - n_i n_j) + \frac2E n_i n_j\right]\hat\tau_j,
               \qquad n = \mathbf q/q
-
-    Parameters
-    ----------
-    pair : ElasticPair
-        The two bodies.
-    q_axes : list of arrays
-        Wavenumbers along the axes [rad/m].
-    shape : tuple of int
-        Points along each axis.
-
-    Returns
-    -------
-    array, shape (3, *half-spectrum), or (2, *half-spectrum) with one axis
-        Displacement per traction [m/Pa], components xx, yy and xy; zero for the mean.
     """
     q = jnp.sqrt(sum((k**2 for k in q_axes), jnp.zeros(())))
     safe = jnp.where(q > 0.0, q, 1.0)
@@ -230,18 +177,7 @@ def shear_symbols(pair: ElasticPair, q_axes: list[Array], shape: tuple[int, ...]
 def nearest_neighbour_weights(shape: tuple[int, ...], pixel_size: Array) -> Array:
     """The part of the operator :math:`q` that reaches the nearest neighbours, diagonal ones included [1/m].
 
-    Parameters
-    ----------
-    shape : tuple of int
-        Points along each axis.
-    pixel_size : array, shape (axes,)
-        Spacing along each axis [m].
-
-    Returns
-    -------
-    array, shape (3,) or (3, 3)
-        Weights; symmetric, and positive as an operator because the long-range part they leave out is
-        negative.
+    Symmetric, and positive as an operator because the long-range part that it leaves out is negative.
     """
     kernel = jnp.fft.irfftn(wavenumber_magnitude(shape, pixel_size), s=shape)
     near = jnp.array([1, 0, 1])
@@ -249,20 +185,7 @@ def nearest_neighbour_weights(shape: tuple[int, ...], pixel_size: Array) -> Arra
 
 
 def weighted_neighbours(field: Array, weights: Array) -> Array:
-    """Each value replaced by the weighted sum of its neighbourhood, zero beyond the edge.
-
-    Parameters
-    ----------
-    field : array, shape (..., *grid)
-        Real field.
-    weights : array, shape (3,) or (3, 3)
-        Weights of the neighbours.
-
-    Returns
-    -------
-    array, shape of ``field``
-        The sums.
-    """
+    """Each value replaced by the weighted sum of its neighbourhood, zero beyond the edge."""
     axes = weights.ndim
     grid_shape = field.shape[-axes:]
     padded = jnp.pad(field, [(0, 0)] * (field.ndim - axes) + [(1, 1)] * axes)

@@ -27,20 +27,9 @@ def _over_pixel(
 
 
 def patch_integrals(x: Array, y: Array, *, pixel_size: Array) -> tuple[Array, Array, Array]:
-    r"""Integrals of :math:`x^2/r^3`, :math:`y^2/r^3`, :math:`xy/r^3` over the pixel centred at (x, y).
+    r"""Integrals [m] of :math:`x^2/r^3`, :math:`y^2/r^3`, :math:`xy/r^3` over the pixel centred at (x, y).
 
-    Parameters
-    ----------
-    x, y : array
-        Distances between pixel centres [m]; multiples of the pixel size, so that no corner has x = 0 or y =
-        0.
-    pixel_size : array, shape (2,)
-        Sides of the pixel [m].
-
-    Returns
-    -------
-    tuple of arrays
-        The three integrals [m].
+    No corner may have x = 0 or y = 0: x and y are multiples of the pixel size.
     """
     dx, dy = pixel_size[0], pixel_size[1]
     xx = _over_pixel(lambda a, b: b * jnp.arcsinh(a / jnp.abs(b)), x, y, dx, dy)
@@ -50,19 +39,7 @@ def patch_integrals(x: Array, y: Array, *, pixel_size: Array) -> tuple[Array, Ar
 
 
 def normal_patch(pair: ElasticPair, xx: Array, yy: Array) -> Array:
-    r"""Normal displacement per pressure, :math:`\frac{1}{\pi E} \int\!\!\int \frac1r`.
-
-    Parameters
-    ----------
-    pair : ElasticPair
-        The two bodies.
-    xx, yy : array
-        From :func:`patch_integrals` [m].
-
-    Returns
-    -------
-    array
-        Influence coefficients [m/Pa].
+    r"""Normal displacement per pressure [m/Pa], :math:`\frac{1}{\pi E} \int\!\!\int \frac1r`.
 
     References
     ----------
@@ -73,23 +50,11 @@ def normal_patch(pair: ElasticPair, xx: Array, yy: Array) -> Array:
 
 
 def shear_patch(pair: ElasticPair, xx: Array, yy: Array, xy: Array) -> tuple[Array, Array, Array]:
-    r"""Tangential displacements per shear traction on a pixel (Cerruti), components xx, yy, xy.
+    r"""Tangential displacements per shear traction on a pixel [m/Pa] (Cerruti), components xx, yy, xy.
 
     .. math::
         u_{xx} = \frac{1}{2\pi}\int\!\!\int\left[\frac{x^2}{G r^3} + \frac{2 y^2}{E r^3}\right], \quad
         u_{xy} = \frac{1}{2\pi}\left(\frac1G - \frac2E\right)\int\!\!\int\frac{xy}{r^3}
-
-    Parameters
-    ----------
-    pair : ElasticPair
-        The two bodies.
-    xx, yy, xy : array
-        From :func:`patch_integrals` [m].
-
-    Returns
-    -------
-    tuple of arrays
-        Influence coefficients [m/Pa].
 
     References
     ----------
@@ -135,20 +100,10 @@ def strip_integral(x: Array, *, pixel_size: Array, reference_distance: Array) ->
 
 
 def coupling_integral(x: Array, *, pixel_size: Array) -> Array:
-    r"""Integral of :math:`-\tfrac12\operatorname{sgn}(x - s)` over the pixel centred at s = 0.
+    r"""Integral [m] of :math:`-\tfrac12\operatorname{sgn}(x - s)` over the pixel centred at s = 0.
 
-    Parameters
-    ----------
-    x : array
-        Distances between pixel centres [m].
-    pixel_size : array, scalar
-        Width of the pixel [m].
-
-    Returns
-    -------
-    array
-        The integral [m]; times :math:`2\beta/E` it is the displacement across the strip per pressure, and
-        with the opposite sign the normal displacement per traction across the strip.
+    Times :math:`2\beta/E` it is the displacement across the strip per pressure, and with the opposite sign the normal
+    displacement per traction across the strip.
 
     References
     ----------

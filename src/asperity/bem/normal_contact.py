@@ -65,18 +65,7 @@ class NormalContact(eqx.Module):
 
 
 def pressure_weighted_displacement(pressure: Array, displacement: Array) -> Array:
-    """Mean displacement weighted by the pressure: twice the elastic energy over the load [m].
-
-    Parameters
-    ----------
-    pressure, displacement : array
-        Pressure [Pa] and displacement [m].
-
-    Returns
-    -------
-    array, scalar
-        The mean.
-    """
+    """Mean displacement weighted by the pressure: twice the elastic energy over the load [m]."""
     return jnp.sum(pressure * displacement) / jnp.sum(pressure)
 
 
@@ -216,22 +205,7 @@ def normal_contact(
 
 
 def refuse_unconverged(what: str, found: BoundedSolution, tolerance: float) -> None:
-    """Raise unless the solution is converged and finite.
-
-    Parameters
-    ----------
-    what : str
-        For the message.
-    found : BoundedSolution
-        The last iterate.
-    tolerance : float
-        Upper bound of its residual [-].
-
-    Raises
-    ------
-    NoSolutionError
-        If it is not converged or not finite.
-    """
+    """Raise :class:`NoSolutionError` unless the solution is converged to the tolerance [-] and finite."""
     residual, iterations = float(jnp.max(found.residual)), int(jnp.max(found.iterations))
     if not residual <= tolerance or not bool(jnp.all(jnp.isfinite(found.traction))):
         raise NoSolutionError(

@@ -75,31 +75,7 @@ def shear_history(
 
     .. math:: u(\tau) + u_p = \delta + s, \qquad s_k(x) = s_{k-1}(x + d_k) + \Delta s
 
-    Parameters
-    ----------
-    half_space : HalfSpace
-        Elastic bodies and grid.
-    cap : array, shape (\*grid)
-        Largest traction [Pa].
-    path : array, shape (steps,)
-        Forces [N; N/m on a strip] or displacements [m].
-    rolled_pixels : array of int, shape (steps,), or None
-        Pixels by which the contact moves in each step; None at rest.
-    layer_compliance : array, shape (\*grid), or None
-        Compliance of a thin layer between the bodies [m/Pa].
-    coupled_displacement : array, shape (\*grid), or None
-        Tangential displacement under the pressure [m].
-    force_driven : bool
-        Whether the path contains forces.
-    axis : int
-        Direction of the shear.
-    tolerance, max_iterations : array, scalar
-        As for :func:`partial_slip`.
-
-    Returns
-    -------
-    tuple
-        Solutions (their displacement is the slip s), stick fraction, friction work, force; one per step.
+    Solutions (their displacement is the slip s), stick fraction, friction work and force, one per step.
     """
 
     def response(traction: Array) -> Array:
@@ -167,27 +143,7 @@ def solved_shear(
     max_iterations: int,
     what: str,
 ) -> PartialSlip:
-    """Check the input of a history of shear, solve it, and raise an error if it does not converge.
-
-    Parameters
-    ----------
-    half_space, pressure, friction_coefficient, axis, tangential_force, displacement, tolerance, max_iterations
-        As for :func:`partial_slip`.
-    rolled_pixels, layer_compliance, coupled_displacement
-        As for :func:`shear_history`.
-    what : str
-        Name of the problem, for messages.
-
-    Returns
-    -------
-    PartialSlip
-        The history.
-
-    Raises
-    ------
-    InputError, NoSolutionError
-        As for :func:`partial_slip`.
-    """
+    """The history of shear of checked input, or the error that it has none; arguments as for :func:`partial_slip`."""
     if axis not in (0, 1):
         raise InputError(f"axis = {axis}: the tangential directions are 0 and 1")
     mu = positive("friction_coefficient", friction_coefficient, "")

@@ -54,28 +54,9 @@ def conjugate_gradients(
 ) -> tuple[Array, Array, Array]:
     r"""Solve A t = b on the usable points, preconditioned; call it inside a compiled function.
 
-    Parameters
-    ----------
-    response, estimate : callable
-        A and its rough inverse.
-    usable : array of bool, shape of ``target``
-        Where t may differ from zero.
-    target : array
-        b, zero where not usable.
-    tolerance : array, scalar
-        Bound on :math:`r \cdot M r / t \cdot b`, M the rough inverse and r the residual [-].
-    max_iterations : array, scalar
-        Maximum number of iterations.
-
-    Returns
-    -------
-    tuple of arrays
-        t, the iterations used and the last value of that ratio.
-
-    Notes
-    -----
-    If M were the exact inverse, the ratio would be the relative error of :math:`t \cdot b`, which conjugate
-    gradients approach from below. That error is second order in the error of t.
+    Returns t, the iterations used and the last value of :math:`r \cdot M r / t \cdot b`, M the rough inverse and r the
+    residual. If M were the exact inverse, that ratio would be the relative error of :math:`t \cdot b`, which conjugate
+    gradients approach from below; it is second order in the error of t.
     """
 
     def restricted(field: Array) -> Array:

@@ -34,25 +34,7 @@ class TransientRolling(eqx.Module):
 
 
 def layer_on_grid(layer_compliance: ArrayLike, pressure: np.ndarray) -> Array | None:
-    """Layer compliance as a field, zero outside the contact; None without a layer.
-
-    Parameters
-    ----------
-    layer_compliance : array, scalar or shape of ``pressure``
-        Tangential displacement per traction of a thin layer [m/Pa].
-    pressure : ndarray
-        Contact pressure [Pa].
-
-    Returns
-    -------
-    Array or None
-        The field [m/Pa].
-
-    Raises
-    ------
-    InputError
-        If a value in the contact is negative or not finite.
-    """
+    """Layer compliance as a field [m/Pa], zero outside the contact; None without a layer."""
     layer = np.where(pressure > 0.0, np.asarray(layer_compliance, dtype=np.float64), 0.0)
     if not np.all(np.isfinite(layer)) or layer.min() < 0.0:
         raise InputError(

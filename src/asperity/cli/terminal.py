@@ -78,13 +78,7 @@ class CheckedStream:
         return getattr(self.stream, attribute)
 
     def unescaped(self) -> CheckedStream:
-        """The same stream for text whose control characters are our own.
-
-        Returns
-        -------
-        CheckedStream
-            Without escapes.
-        """
+        """The same stream for text whose control characters are our own."""
         return CheckedStream(self.stream, self._name, escape=False, required=self._required)
 
     def write(self, text: str) -> int:

@@ -91,20 +91,9 @@ def rolling_conditions(values: Values) -> RollingConditions:
 
 
 def film_roughness(values: Values) -> tuple[Any, ...] | None:
-    r"""Roughness of both surfaces of a contact to which the oil film is compared: that of the file, or from their Ra.
+    r"""Roughness of a contact [m] that the oil film is compared with: that of the file, or from Ra; None without either.
 
     .. math:: \sigma = \sqrt{\pi/2}\,\sqrt{R_{a1}^2 + R_{a2}^2}
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    tuple or None
-        Root mean square of the heights of both together, one for all contacts or one each [m]; None where the file
-        gives no oil film to compare, or neither the roughness nor the Ra of every surface.
 
     References
     ----------

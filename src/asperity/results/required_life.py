@@ -19,22 +19,12 @@ _HOUR = 3600.0
 
 
 def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
-    r"""The lives of the drive and of its rolling bearings, compared with the life that is required.
+    r"""The lives of the drive and of its rolling bearings, compared with the life that is required; empty without one.
 
     Under a duty the lives are those under the duty. Those of unequal branches are a lower bound: as if all branches
     were loaded like the worst, and under a duty
 
     .. math:: \frac1T \le \sum_j \frac{\varphi_j}{L_j}
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint, without batch axes.
-
-    Returns
-    -------
-    tuple of LimitCheck
-        None where no life is required. A bearing whose life is not known, or that stands, is left out.
 
     References
     ----------

@@ -22,25 +22,8 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
         s(x) = \frac{1}{\alpha\lambda_c} \exp\left[-\pi\left(\frac{x}{\alpha\lambda_c}\right)^2\right], \qquad
         \frac{a_1}{a_0} = \exp\left[-\pi\left(\frac{\alpha\lambda_c}{\lambda}\right)^2\right]
 
-    Parameters
-    ----------
-    heights : array, shape (points,) or (profiles, points)
-        Heights [m]; missing points (NaN) carry no weight.
-    spacing : float
-        Distance of the points [m].
-    cutoff : float
-        Cutoff wavelength [m], at which half of the amplitude passes; at least twice the spacing.
-
-    Returns
-    -------
-    array, shape of ``heights``
-        The weights are renormalised where they extend beyond an end or over a gap, so a constant stays a constant;
-        within half a cutoff of the ends the result is that of the truncated weights.
-
-    Raises
-    ------
-    InputError
-        If the cutoff is below twice the spacing or above the length of the profile.
+    The weights are renormalised where they extend beyond an end or over a gap (NaN), so a constant stays a constant;
+    within half a cutoff of the ends the result is that of the truncated weights.
 
     References
     ----------

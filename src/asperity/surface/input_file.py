@@ -15,13 +15,7 @@ LARGEST_SPAN = 1e50
 
 
 def checked_file(*, path: str | Path, largest: int) -> Path:
-    """The path, if it is a regular file that is not empty and not larger than a limit [bytes].
-
-    Raises
-    ------
-    InputError
-        As :func:`asperity.reading.check_regular`, or if the file is empty or too large.
-    """
+    """The path, if it is a regular file that is not empty and not larger than a limit [bytes]."""
     size = check_regular(path)
     if size == 0:
         raise InputError(f"{path} is empty")

@@ -128,30 +128,11 @@ def _fitted(
 
 
 def without_outliers(*, topography: Topography, threshold: float, window: int) -> Topography:
-    """The surface with outliers marked as missing.
+    """The surface with outliers marked as missing; its notes say how many.
 
-    A point is an outlier if it is further from the running median of its neighbours along x than
-    ``threshold`` times the robust standard deviation (1.4826 times the median absolute value) of such
-    distances.
-
-    Parameters
-    ----------
-    topography : Topography
-        Profile or map.
-    threshold : float
-        In robust standard deviations, positive; 6 is gentle.
-    window : int
-        Odd number of points of the running median.
-
-    Returns
-    -------
-    Topography
-        Its notes say how many points were marked; missing points are then treated by an explicit choice.
-
-    Raises
-    ------
-    InputError
-        If threshold or window are out of range.
+    A point is an outlier if it is further from the running median of its neighbours along x (an odd number of points)
+    than ``threshold`` times the robust standard deviation (1.4826 times the median absolute value) of such distances;
+    6 is gentle.
     """
     if not threshold > 0.0 or window < 3 or window % 2 == 0:
         raise InputError(

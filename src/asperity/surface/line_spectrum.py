@@ -87,22 +87,7 @@ def line_concentration(*, profile: NDArray[np.float64], frequency_ratio: float) 
 
 
 def fit_lines(*, profiles: NDArray[np.float64], spacing: float, frequency_ratio: float) -> LineFit | None:
-    """Find the comb of lines in each profile and fit D and G to their amplitudes.
-
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m], no missing points. Of long or many profiles a part is used.
-    spacing : float
-        Distance of the points [m].
-    frequency_ratio : float
-        gamma [-], above 1.
-
-    Returns
-    -------
-    LineFit or None
-        None if the spectrum does not consist of such lines over at least one decade.
-    """
+    """D and G fitted to the amplitudes of a comb of lines in each profile; None without such lines over a decade."""
     sample = profiles[:: max(1, profiles.shape[0] // _MOST_PROFILES), :_LONGEST]
     if line_concentration(profile=sample[0], frequency_ratio=frequency_ratio) < _CONCENTRATION:
         return None

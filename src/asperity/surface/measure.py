@@ -74,13 +74,7 @@ def conditioned(*, topography: Topography, conditioning: Conditioning) -> Measur
 
 
 def pooled_profiles(*, surfaces: list[Topography], direction: str) -> tuple[NDArray[np.float64], float, bool]:
-    """Profiles of several surfaces, cut to a common length; their spacing; whether rows of one map.
-
-    Raises
-    ------
-    InputError
-        If the surfaces have different spacings.
-    """
+    """Profiles of several surfaces of one spacing, cut to a common length; their spacing; whether rows of one map."""
     sets = [surface.profiles(direction=direction) for surface in surfaces]
     spacing = sets[0][1]
     for surface, (_, other) in zip(surfaces, sets, strict=True):
@@ -129,13 +123,7 @@ def directional_fits(
     shortest_wavelength: float | None,
     longest_wavelength: float | None,
 ) -> DirectionalFits:
-    """D and G along x and, if there is a map, along y.
-
-    Raises
-    ------
-    InputError
-        If the surfaces cannot be averaged; a missing power law is returned as its reason instead.
-    """
+    """D and G along x and, if there is a map, along y; a missing power law is returned as its reason."""
     steps = [surface.height_step for surface in surfaces if surface.height_step is not None]
 
     def attempt(direction: str) -> FractalFit | str:

@@ -105,13 +105,7 @@ def measurement_document(*, measurement: SurfaceMeasurement) -> dict[str, Any]:
 
 
 def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
-    """Measurement from such a document.
-
-    Raises
-    ------
-    InputError
-        If the document is of another kind or version, was refused, misses a key or holds an impossible value.
-    """
+    """Measurement from a document of this kind and version that was not refused."""
     if not isinstance(document, dict) or document.get("schema") != SCHEMA:
         raise InputError(f"this is not a surface measurement: its key 'schema' must be '{SCHEMA}'")
     if document.get("schema_version") != SCHEMA_VERSION:

@@ -58,24 +58,7 @@ def depth_cut_off(*, mean_roughness_depth: float) -> float:
 
 
 def depth_over_average(*, fractal_dimension: float, cut_off: float) -> float:
-    """Ratio of the mean Rz to the mean Ra of normally distributed heights.
-
-    Parameters
-    ----------
-    fractal_dimension : float
-        D [-], 1 < D < 2.
-    cut_off : float
-        Cut-off lambda_c of the profile filter [m]: 0.08, 0.25, 0.8, 2.5 or 8 mm.
-
-    Returns
-    -------
-    float
-        Rz/Ra [-], both behind the same filters.
-
-    Raises
-    ------
-    InputError
-        If the cut-off is none of the standard's.
+    """Ratio Rz/Ra [-] of the means of normally distributed heights, both behind the same filters.
 
     Notes
     -----
@@ -92,25 +75,7 @@ def depth_over_average(*, fractal_dimension: float, cut_off: float) -> float:
 
 
 def scatter_of_depth(*, fractal_dimension: float, cut_off: float) -> float:
-    """Relative standard deviation of Rz from one evaluation length to the next.
-
-    Parameters
-    ----------
-    fractal_dimension : float
-        D [-], 1 < D < 2.
-    cut_off : float
-        Cut-off lambda_c of the profile filter [m]: 0.08, 0.25, 0.8, 2.5 or 8 mm.
-
-    Returns
-    -------
-    float
-        Relative standard deviation [-] over five sampling lengths, of normally distributed heights.
-
-    Raises
-    ------
-    InputError
-        If the cut-off is none of the standard's.
-    """
+    """Relative standard deviation [-] of Rz over five sampling lengths from one evaluation length to the next."""
     return _fitted(1, fractal_dimension, cut_off)
 
 
@@ -122,29 +87,10 @@ def average_from_depth(
     dimension_tolerance: float,
     cut_off: float,
 ) -> tuple[float, float]:
-    """Ra of normally distributed heights with a given Rz, and how far it may be from there.
+    """Ra [m] of normally distributed heights with a given Rz [m], and how far it may be from there to both sides [m].
 
-    Parameters
-    ----------
-    mean_roughness_depth, tolerance : float
-        Rz and its tolerance [m]; with the tolerance 0 Rz is that of one evaluation length, within two standard
-        deviations of the mean.
-    fractal_dimension, dimension_tolerance : float
-        D [-] and half the width of its range.
-    cut_off : float
-        Cut-off lambda_c of the profile filter [m]: 0.08, 0.25, 0.8, 2.5 or 8 mm.
-
-    Returns
-    -------
-    average : float
-        Ra [m] for the stated Rz and D.
-    half_range : float
-        The same distance to both sides [m], which holds Ra for every D of the range and every Rz of the tolerance.
-
-    Raises
-    ------
-    InputError
-        If the cut-off is none of the standard's.
+    The distance holds Ra for every D of the range and every Rz of the tolerance; with the tolerance 0 Rz is that of one
+    evaluation length, within two standard deviations of the mean.
     """
     average = mean_roughness_depth / depth_over_average(fractal_dimension=fractal_dimension, cut_off=cut_off)
     half = 0.0

@@ -52,29 +52,7 @@ def text_format(beginning: bytes) -> str | None:
 
 
 def instrument_topography(*, path: Path, beginning: bytes, height_unit: str | None) -> Topography:
-    """Heights of an instrument file in metres.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    beginning : bytes
-        Its first bytes.
-    height_unit : str or None
-        Unit of lengths and heights, for formats that do not store one.
-
-    Returns
-    -------
-    Topography
-
-    Raises
-    ------
-    InputError
-        If the format or its variant is not known, a unit is missing or contradicts the file, or the reader's
-        sizes are not those of the header.
-    MissingExtraError
-        If SurfaceTopography is not installed.
-    """
+    """Heights of an instrument file in metres, by its first bytes; a unit for formats that do not store one."""
     name = _format_name(path, beginning)
     if name == "XML":
         raise InputError(

@@ -25,32 +25,10 @@ _HEADER_LINES = 500
 def text_topography(
     *, path: Path, position_unit: str | None, height_unit: str | None, spacing: float | None, decimal: str
 ) -> Topography:
-    """Profile or map from a text file of numbers.
+    """Profile or map in metres from a text file of numbers; missing values are NaN.
 
     Two columns are position and height; three columns are position, height and a valid flag (a heading that
     says so) or x, y, z of a full grid; one column, or more than three, are heights that need ``spacing``.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    position_unit, height_unit : str or None
-        Units of the columns, where the heading of the file does not name them.
-    spacing : float or None
-        Distance of the points [m], where the file has no column of positions.
-    decimal : {"auto", "point", "comma"}
-        The decimal sign.
-
-    Returns
-    -------
-    Topography
-        Heights in metres; missing values are NaN.
-
-    Raises
-    ------
-    InputError
-        If the numbers or their units cannot be read, a given unit contradicts the heading, or positions are
-        not equally spaced.
     """
     text = _decoded(path)
     lines = re.split(r"\r\n|\n|\r", text)
@@ -94,13 +72,7 @@ def text_topography(
 
 
 def numpy_topography(*, path: Path, height_unit: str | None, spacing: float | None) -> Topography:
-    """Heights from an ``.npy`` file: a line or a grid of numbers whose unit and spacing are given.
-
-    Raises
-    ------
-    InputError
-        If the array is not a line or grid of real numbers, or its unit or spacing is not given.
-    """
+    """Heights from an ``.npy`` file: a line or a grid of numbers whose unit and spacing are given."""
     try:
         # a memory map: a header that promises more than the file holds reserves no memory
         array = np.load(path, allow_pickle=False, mmap_mode="r")

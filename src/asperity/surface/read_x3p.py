@@ -29,20 +29,9 @@ def is_x3p(path: Path) -> bool:
 
 
 def x3p_container(path: Path) -> tuple[str | io.BytesIO, tuple[float, float]]:
-    """The container as the reader wants it, and its size along x and y [m].
+    """The container as the reader wants it, and its size along x and y [m], points times increment.
 
-    Returns
-    -------
-    source : str or io.BytesIO
-        The file, or a copy with the entries on top, without clutter, empty offsets written as zero.
-    size : tuple of float
-        Points times increment along x and y [m].
-
-    Raises
-    ------
-    InputError
-        If the container is damaged or too large, holds its heights as text, is no surface with equally
-        spaced points, or has impossible sizes.
+    A copy has the entries on top, is without clutter, and empty offsets are written as zero.
     """
     try:
         with zipfile.ZipFile(path) as archive:

@@ -60,15 +60,7 @@ def passed_variance(*, fractal_dimension: Any) -> Any:
     .. math::
         I(H) = \frac{\Gamma(1-H)\,(\ln 2)^H\,(2 - 2^H)}{2H}, \qquad H = 2 - D
 
-    Parameters
-    ----------
-    fractal_dimension : float or Array
-        D [-], 1 < D < 2. A float needs no JAX; of an array the derivatives are exact.
-
-    Returns
-    -------
-    float or Array
-        I [-].
+    A float needs no JAX; of an array the derivatives are exact.
     """
     h = 2.0 - fractal_dimension
     return _gamma(1.0 - h) * math.log(2.0) ** h * (2.0 - 2.0**h) / (2.0 * h)
@@ -161,22 +153,10 @@ def pair_average(*, first: Any, second: Any) -> Any:
 
 
 def scatter_of_average(*, fractal_dimension: float, cut_offs: float) -> float:
-    r"""Relative standard deviation of an Ra that is measured over a few cut-offs.
+    r"""Relative standard deviation [-] of an Ra that is measured over n cut-offs (5 by the standards).
 
     .. math::
         \frac{s(R_a)}{R_a} = \frac{1}{2\,I(H)} \left[\frac1n \int_0^\infty u^{-2-4H} (1 - 2^{-u^2})^4 du\right]^{1/2}
-
-    Parameters
-    ----------
-    fractal_dimension : float
-        D [-], 1 < D < 2.
-    cut_offs : float
-        Evaluation length over the cut-off n [-]; 5 by the standards.
-
-    Returns
-    -------
-    float
-        Relative standard deviation [-].
 
     Notes
     -----
@@ -223,20 +203,9 @@ class CorrespondingAverage:
 def corresponding_average(
     *, fractal_dimension: float, fractal_roughness: float, cut_off: float | None
 ) -> CorrespondingAverage:
-    """Ra of two like bodies whose equivalent surface has given D and G.
+    """Ra of two like bodies whose equivalent surface has given D and G, and its scatter over one evaluation length.
 
-    Parameters
-    ----------
-    fractal_dimension, fractal_roughness : float
-        D [-] and G [m] of the equivalent surface.
-    cut_off : float or None
-        Cut-off of the profile filter [m]; None for that of ISO 4288, the shortest at which Ra does not exceed its
-        class.
-
-    Returns
-    -------
-    CorrespondingAverage
-        Ra of each body and its scatter over one evaluation length.
+    Without a cut-off [m] that of ISO 4288 is taken, the shortest at which Ra does not exceed its class.
     """
     for largest, tried in STANDARD_CUT_OFFS if cut_off is None else ((math.inf, cut_off),):
         pair = roughness_average(

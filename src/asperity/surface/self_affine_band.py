@@ -48,24 +48,10 @@ def widest_power_law(
     noise_density: float,
     resolved_frequency: float,
 ) -> BandSearch:
-    """Search for the widest self-affine band, or judge the band that is given.
+    """Widest self-affine band of a spectrum between frequencies that may be given [1/m].
 
-    Parameters
-    ----------
-    spectrum : BinnedSpectrum
-        Averaged spectrum.
-    low, high : float or None
-        Limits of the band [1/m]; None lets the search choose that limit.
-    noise_density : float
-        Known white noise of the instrument (such as that of quantised heights) [m^3]; zero if none is known.
-    resolved_frequency : float
-        Frequency above which the instrument does not resolve heights [1/m]; the search stays below it.
-
-    Returns
-    -------
-    BandSearch
-        With the widest accepted band. A band is accepted if it spans at least one decade above any white
-        floor, 1 < D < 2, and ln P scatters and bends about the fit by no more than the limits of this module.
+    A band is accepted if it spans at least one decade above any white floor (a known one is given [m^3]), 1 < D < 2,
+    and ln P scatters and bends about the fit by no more than the limits of this module.
     """
     lowest = LOWEST_ORDINATE / (spectrum.points * spectrum.spacing)
     highest = min(spectrum.nyquist, resolved_frequency)

@@ -168,16 +168,10 @@ def fit_spectrum(
 ) -> SpectralFit | None:
     r"""Fit the power law and its departures to the bins between two frequencies [1/m].
 
-    Returns
-    -------
-    SpectralFit or None
-        None if fewer than three bins more than parameters lie in the band, or the spectrum vanishes in one.
-
-    Notes
-    -----
-    The variance of ln P in a bin is :math:`1/\nu + \tau^2`; the misfit :math:`\tau` is such that the
-    weighted sum of squared residuals equals its degrees of freedom (Paule & Mandel), zero if it is below.
-    The covariance is enlarged by chi-square per degree of freedom where that says more.
+    None if fewer than three bins more than parameters lie in the band, or the spectrum vanishes in one. The variance of
+    ln P in a bin is :math:`1/\nu + \tau^2`; the misfit :math:`\tau` is such that the weighted sum of squared residuals
+    equals its degrees of freedom (Paule & Mandel), zero if it is below. The covariance is enlarged by chi-square per
+    degree of freedom where that says more.
 
     References
     ----------
@@ -235,23 +229,11 @@ def fit_spectrum(
 
 
 def areal_share(frequency_share: NDArray[np.float64], exponent: float) -> NDArray[np.float64]:
-    r"""Share of the profile spectrum left in a row of an isotropic map without power above the sampling limit.
+    r"""Share [-] of the profile spectrum left in a row of an isotropic map without power above the sampling limit.
 
     .. math::
         \frac{\int_0^{f_N} (f^2 + f_y^2)^{-(\beta + 1)/2} df_y}{\int_0^\infty (f^2 + f_y^2)^{-(\beta + 1)/2} df_y}
         = I_{1/(1 + (f/f_N)^2)}(\tfrac12, \tfrac{\beta}{2})
-
-    Parameters
-    ----------
-    frequency_share : array
-        f over the sampling limit [-].
-    exponent : float
-        beta of the profile spectrum [-], positive.
-
-    Returns
-    -------
-    array
-        The share [-].
     """
     beta = max(exponent, LEAST_FOLDING_EXPONENT)
     return np.asarray(betainc(0.5, 0.5 * beta, 1.0 / (1.0 + frequency_share**2)))

@@ -68,26 +68,12 @@ class BinnedSpectrum:
 def power_spectral_densities(
     *, profiles: NDArray[np.float64], spacing: float, window: str | tuple[str, float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    r"""One-sided power spectral density of each profile, straight line removed, windowed.
+    r"""Frequencies [1/m] and one-sided power spectral density [m^3] of each profile, straight line removed, windowed.
 
     .. math::
         P(f_j) = \frac{2 \Delta}{\sum_i w_i^2} \left| \sum_i w_i z_i e^{-2\pi i f_j x_i} \right|^2
 
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m], no missing points.
-    spacing : float
-        Distance of the points [m].
-    window : str or tuple
-        A window of ``scipy.signal.get_window``, such as ``"hann"``.
-
-    Returns
-    -------
-    frequency : array, shape (frequencies,)
-        f [1/m], from 1/length to the sampling limit.
-    density : array, shape (profiles, frequencies)
-        P [m^3]. The ordinate at the sampling limit of an even number of points is one-sided as well.
+    The ordinate at the sampling limit of an even number of points is one-sided as well.
     """
     _check(profiles, spacing)
     points = profiles.shape[1]

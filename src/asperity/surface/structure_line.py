@@ -37,24 +37,6 @@ class StructureLine:
 def structure_line(*, profiles: NDArray[np.float64], spacing: float, fit: SpectralFit) -> StructureLine:
     r"""Straight line of ln S on ln lag, weights 1/lag, within the usable band of a spectral fit.
 
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m], no missing points; the least-squares line of each is subtracted first.
-    spacing : float
-        Distance of the points [m].
-    fit : SpectralFit
-        The accepted fit of their spectrum.
-
-    Returns
-    -------
-    StructureLine
-
-    Raises
-    ------
-    NoSolutionError
-        If less than a decade of lags lies in the band, or D is not between 1 and 2.
-
     Notes
     -----
     The covariance is that of the jackknife over blocks of the record, plus the square of the systematic

@@ -76,24 +76,9 @@ def spectral_profile(
     periodic: bool,
     random: np.random.Generator,
 ) -> NDArray[np.float64]:
-    r"""Gaussian profile whose spectrum is :math:`P(f)` up to the sampling limit and nothing above.
+    r"""Gaussian profile [m] whose spectrum is :math:`P(f)` up to the sampling limit and nothing above.
 
-    Parameters
-    ----------
-    points, spacing : int, float
-        Number of points and their distance [m].
-    fractal_dimension, fractal_roughness : float
-        D [-] and G [m].
-    periodic : bool
-        True: one period of a periodic profile. False: a quarter cut from a periodic profile four times as
-        long.
-    random : numpy.random.Generator
-        Source of randomness.
-
-    Returns
-    -------
-    array, shape (points,)
-        Height [m].
+    One period of a periodic profile, or a quarter cut from a periodic profile four times as long.
     """
     D, G = conventions.validated_fractal(
         fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness

@@ -116,27 +116,11 @@ _RECTANGLE_CELLS = 400_000
 
 
 def without_missing(topography: Topography, *, choice: str) -> Topography:
-    """The surface without missing points, by an explicit choice.
+    """The surface without missing points, by an explicit choice; the notes say how many were dropped or filled.
 
-    Parameters
-    ----------
-    topography : Topography
-        Surface that may have missing points.
-    choice : {"refuse", "longest", "interpolate"}
-        ``refuse`` raises if a point is missing. ``longest`` keeps of a profile its longest complete piece
-        and of a map its largest complete rectangle. ``interpolate`` first fills the gaps inside each row by
-        straight lines along x (never beyond the first and last measured point), then keeps the largest
-        piece likewise.
-
-    Returns
-    -------
-    Topography
-        Without NaN; the notes say how many points were dropped or filled.
-
-    Raises
-    ------
-    InputError
-        If points are missing and the choice is ``refuse``, or nothing usable is left.
+    ``refuse`` raises if a point is missing. ``longest`` keeps of a profile its longest complete piece and of a map its
+    largest complete rectangle. ``interpolate`` first fills the gaps inside each row by straight lines along x (never
+    beyond the first and last measured point), then keeps the largest piece likewise.
     """
     if choice not in MISSING_CHOICES:
         raise InputError(f"missing points: choose one of {', '.join(MISSING_CHOICES)}, not '{choice}'")

@@ -29,20 +29,7 @@ FORMAT = 2
 
 
 def store_group(path: str | Path, mode: str) -> Any:
-    """The Zarr group of a store.
-
-    Parameters
-    ----------
-    path : str or Path
-        The store.
-    mode : {"r", "r+"}
-        For reading, or also for writing.
-
-    Returns
-    -------
-    zarr.Group
-        Open.
-    """
+    """The open Zarr group of a store."""
     return require("zarr").open_group(str(path), mode=mode)
 
 
@@ -111,18 +98,7 @@ def build_store(folder: Path, plan: Plan) -> None:
 
 
 def store_coordinates(plan: Plan) -> Iterator[tuple[str, tuple[str, ...], np.ndarray, dict[str, Any]]]:
-    """The coordinates of a sweep.
-
-    Parameters
-    ----------
-    plan : Plan
-        The sweep.
-
-    Yields
-    ------
-    tuple
-        Name, dimensions, values and attributes of each.
-    """
+    """Name, dimensions, values and attributes of each coordinate of a sweep."""
     for axis in plan.axes:
         yield axis.path, *coordinate(axis)
     for row, (dimensions, names, attrs) in row_coordinates(plan.rows).items():

@@ -59,22 +59,7 @@ class MapLimit:
 
 
 def parse_limit(text: str) -> MapLimit:
-    """Read a limit.
-
-    Parameters
-    ----------
-    text : str
-        ``NAME<=VALUE`` or ``NAME>=VALUE``, with the unit of the result; ``<`` and ``>`` mean the same.
-
-    Returns
-    -------
-    MapLimit
-        The limit.
-
-    Raises
-    ------
-    InputError
-        If it has another form, or there is no such result.
+    """The limit of a text ``NAME<=VALUE`` or ``NAME>=VALUE`` in the unit of the result; ``<`` and ``>`` mean the same.
 
     Examples
     --------

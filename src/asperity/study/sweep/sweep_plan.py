@@ -83,18 +83,7 @@ class Plan:
         )
 
     def block_place(self, index: int) -> tuple[int, ...]:
-        """Which block it is along each axis.
-
-        Parameters
-        ----------
-        index : int
-            Number of the block, the last axis running fastest.
-
-        Returns
-        -------
-        tuple of int
-            Numbers from 0.
-        """
+        """Which block it is along each axis, from 0; the last axis runs fastest."""
         return tuple(int(place) for place in np.unravel_index(index, self._block_grid))
 
     @property

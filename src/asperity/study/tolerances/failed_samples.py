@@ -26,22 +26,9 @@ def worse_end(row: Result) -> Literal["low", "high", ""]:
 def quantiles_with_failed(
     values: np.ndarray, shares: np.ndarray, *, worse: Literal["low", "high", ""]
 ) -> np.ndarray:
-    """Values below which given shares of all samples lie, where those without a value are the worst.
+    """Values below which given shares of all samples lie, where those without a value (nan) are the worst.
 
-    Parameters
-    ----------
-    values : ndarray
-        Samples of one result, nan where a sample has none, shape (samples,).
-    shares : ndarray
-        Shares [-].
-    worse : {"low", "high", ""}
-        Which values are the worse ones. Where neither are, a sample without a value may lie anywhere.
-
-    Returns
-    -------
-    ndarray
-        Shape of the shares; infinite, low or high, where so many samples have no value, and nan where a quantile may
-        lie anywhere.
+    Infinite, low or high, where so many samples have no value; nan where a quantile may lie anywhere.
 
     Examples
     --------
