@@ -204,14 +204,14 @@ def test_limits_in_the_sense_of_the_torque(planetary_of_three, monkeypatch, way)
         "_working_interference": lambda *_: six,
         "_output_moments": lambda *_: six,
         "_centre_moments": lambda *_: six,
-        "creep_law": lambda joint, contacts, *forces: SimpleNamespace(law=forces),
+        "creep_under": lambda joint, contacts: lambda *forces: forces,
         "limiting_torques": lambda *_, **given: given,
     }.items():
         monkeypatch.setattr(f"{module}.{name}", fake)
     found = sector_states(3, ("sun",), joint, sizes, state)
     np.testing.assert_array_equal(found.limits["direction"], [way, way])
     np.testing.assert_array_equal(found.limits["rolls"], [False, True])
-    np.testing.assert_array_equal(found.limits["at_first"], [True, False])
+    np.testing.assert_array_equal(found.limits["holds"], [True, False])
     np.testing.assert_array_equal(found.slip_ratio, [[0.25, 1.0], [0.25, 0.25], [1.0, 0.25]])
     assert float(found.most_torque) == np.inf
     assert found.losses == RollingLosses(

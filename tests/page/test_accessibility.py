@@ -38,7 +38,8 @@ def test_no_rule_is_broken(page, axe, theme, width):
     page.evaluate(axe)
     assert violations(page) == []
     page.get_by_role("button", name="Give each branch its own sizes").click()
-    page.wait_for_selector("html[data-state=error]")  # they need an interference; the results are greyed
+    # they need an interference, which the page says after its answer with the load; the results are greyed
+    page.wait_for_selector("html[data-state=error]", timeout=300_000)
     assert violations(page, "'#controls'") == []
 
 
