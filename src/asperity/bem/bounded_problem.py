@@ -81,7 +81,7 @@ def _masked_sum(mask: Array, field: Array) -> Array:
 
 
 def shifted_within_bounds(traction: Array, chosen: Array, lower: Array, upper: Array, total: Array) -> Array:
-    """Nearest traction [Pa] within the bounds that has the prescribed sum: chosen points clipped after a common shift."""
+    """Nearest traction [Pa] within bounds with the prescribed sum: the chosen points clipped after a common shift."""
     need = total - _masked_sum(~chosen, traction)
 
     def excess(c: Array) -> tuple[Array, Array]:

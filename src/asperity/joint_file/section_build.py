@@ -91,7 +91,7 @@ def rolling_conditions(values: Values) -> RollingConditions:
 
 
 def film_roughness(values: Values) -> tuple[Any, ...] | None:
-    r"""Roughness of a contact [m] that the oil film is compared with: that of the file, or from Ra; None without either.
+    r"""Roughness of a contact [m] that the oil film is compared with, from the file or Ra; None without either.
 
     .. math:: \sigma = \sqrt{\pi/2}\,\sqrt{R_{a1}^2 + R_{a2}^2}
 

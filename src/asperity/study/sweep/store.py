@@ -112,7 +112,22 @@ def _arrays(path: str, _made: tuple[int, int]) -> dict[str, Any]:
 def open_store(path: str | Path, *, verify: bool = True) -> xarray.Dataset:
     """The dataset of a store; its arrays are read when they are used.
 
-    With ``verify`` all data are read once and compared with their checksums; without it a deleted chunk reads as nan.
+    Parameters
+    ----------
+    path : str or Path
+        The store.
+    verify : bool, optional
+        Whether to read all data once and compare them with their checksums. Without it a deleted chunk reads as nan.
+
+    Returns
+    -------
+    xarray.Dataset
+        Lazy.
+
+    Raises
+    ------
+    InputError
+        If this is not the store of a sweep, or data of it are damaged.
     """
     xr = require("xarray")
     stored = stored_plan(Path(path))
