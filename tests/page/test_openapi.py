@@ -3,8 +3,7 @@
 import jsonschema
 import pytest
 
-from asperity.page.openapi import openapi
-from asperity.page.openapi_work import job_schema
+from asperity.page.openapi import _job_schema, openapi
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +58,7 @@ def test_every_address_of_the_application_is_described(described, joint_text):
 
 
 def test_states_of_a_job():
-    schema = job_schema()
+    schema = _job_schema()
     jsonschema.validate({"id": "a", "state": "running", "done": 3, "total": 10, "result": None}, schema)
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate({"state": "lost"}, schema)

@@ -2,61 +2,119 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import asperity
 from asperity.page.chart import MOST_CURVES, MOST_POINTS
 from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
+from asperity.page.jobs import FEWEST_SAMPLES, KINDS, MOST_SAMPLES
 from asperity.page.joint_request import MOST_CHANGES
 from asperity.page.list_changes import EACH
-from asperity.page.openapi_work import job_schema, work_paths
+from asperity.page.upload import LARGEST_SURFACE, LONGEST_MEASUREMENT
 from asperity.results import SEVERITIES
 
 Schema = dict[str, Any]
 
-_NUMBERS: Schema = {"type": "array", "items": {"type": ["number", "null"]}}
+_TEXT: Schema = {"type": "string"}
+_TEXT_OR_NULL: Schema = {"type": ["string", "null"]}
+_WHOLE: Schema = {"type": "integer"}
+_FLAG: Schema = {"type": "boolean"}
+_NUMBER: Schema = {"type": ["number", "null"]}
+_OBJECT: Schema = {"type": "object"}
+
+
+def _said(schema: Schema, description: str) -> Schema:
+    return {**schema, "description": description}
+
+
+def _list(items: Schema, **limits: Any) -> Schema:
+    return {"type": "array", "items": items, **limits}
+
+
+def _fields(properties: Schema, **more: Any) -> Schema:
+    return {**_OBJECT, "properties": properties, **more}
+
+
+def _by_name(values: Schema, **more: Any) -> Schema:
+    return {**_OBJECT, "additionalProperties": values, **more}
+
+
+def _ref(name: str) -> Schema:
+    return {"$ref": f"#/components/schemas/{name}"}
+
+
+def _content(kind: str, schema: Schema) -> Schema:
+    return {"content": {kind: {"schema": schema}}}
+
+
+def _json(schema: Schema, description: str) -> Schema:
+    return _said(_content("application/json", schema), description)
+
+
+def _parameter(name: str, description: str) -> Schema:
+    return {"name": name, "in": "query", "schema": _TEXT, "description": description}
+
+
+def _in_path(name: str, schema: Schema = _TEXT) -> Schema:
+    return {"name": name, "in": "path", "required": True, "schema": schema}
+
+
+def _get(summary: str, responses: Schema | None = None, parameters: Sequence[Schema] = ()) -> Schema:
+    answer = {"summary": summary, "responses": responses or {"200": _json(_OBJECT, summary)}}
+    return {"get": {**answer, "parameters": list(parameters)} if parameters else answer}
+
+
+def _post(
+    summary: str,
+    body: Schema,
+    found: Schema,
+    *,
+    kind: str = "application/json",
+    status: str = "200",
+    parameters: Sequence[Schema] = (),
+) -> Schema:
+    answer = {
+        "summary": summary,
+        "requestBody": {"required": True, **_content(kind, body)},
+        "responses": {status: found, **_PROBLEMS},
+    }
+    return {"post": {**answer, "parameters": list(parameters)} if parameters else answer}
+
+
+_PROBLEMS = {
+    "403": _json(_ref("Error"), "The request comes from another web site."),
+    "408": _json(_ref("Error"), "The body did not arrive in time."),
+    "413": _json(_ref("Error"), f"The body is larger than {LARGEST_BODY} bytes."),
+    "415": _json(_ref("Error"), "The body has another type."),
+    "422": _json(_ref("Error"), "The joint is described wrongly, cannot exist or has no solution."),
+    "503": _json(_ref("Error"), "Too many computations are waiting."),
+}
+_NUMBERS = _list(_NUMBER)
 _VALUE: Schema = {
-    "type": "object",
-    "properties": {
-        "value": {"type": "number", "description": "In the unit of the key's range."},
-        "si": {"type": "number"},
-        "tolerance": {"type": "number", "description": "In SI; 0 where the file states none."},
-    },
+    "value": _said({"type": "number"}, "In the unit of the key's range."),
+    "si": {"type": "number"},
+    "tolerance": _said({"type": "number"}, "In SI; 0 where the file states none."),
 }
-_LIST: Schema = {
-    "meaning": {"type": "string"},
-    "keys": {"type": "array", "items": {"type": "string"}, "description": "Of each section, in their order."},
-    "one_for_each": {
-        "type": ["string", "null"],
-        "description": "Dotted path of the number of sections that the list has to have; null for any number.",
-    },
-    "most": {"type": "integer", "description": "Largest number of sections."},
-    "of_file": {
-        "type": "array",
-        "items": {"type": "object", "additionalProperties": {"type": "string"}},
-        "description": "What each section of the file says, without the changes.",
-    },
+_SECTIONS = {
+    "meaning": _TEXT,
+    "keys": _list(_TEXT, description="Of each section, in their order."),
+    "one_for_each": _said(
+        _TEXT_OR_NULL,
+        "Dotted path of the number of sections that the list has to have; null for any number.",
+    ),
+    "most": _said(_WHOLE, "Largest number of sections."),
+    "of_file": _list(_by_name(_TEXT), description="What each section of the file says, without the changes."),
 }
-_STATED: Schema = {
-    "numbers": {"type": "object", "additionalProperties": _VALUE, "description": "By dotted path."},
-    "entered": {
-        "type": "object",
-        "additionalProperties": {
-            **_VALUE,
-            "properties": {
-                **_VALUE["properties"],
-                "text": {"type": "string", "description": "As the file has it."},
-            },
-        },
-        "description": "By dotted path: numbers that no study varies, an Rz and the shares of a duty.",
-    },
-    "lists": {
-        "type": "object",
-        "additionalProperties": {"type": "object", "properties": _LIST},
-        "description": "By name: the sections [[duty]] and [[branch]].",
-    },
-    "choices": {"type": "object", "additionalProperties": {"type": "string"}},
+_STATED = {
+    "numbers": _by_name(_fields(_VALUE), description="By dotted path."),
+    "entered": _by_name(
+        _fields({**_VALUE, "text": _said(_TEXT, "As the file has it.")}),
+        description="By dotted path: numbers that no study varies, an Rz and the shares of a duty.",
+    ),
+    "lists": _by_name(_fields(_SECTIONS), description="By name: the sections [[duty]] and [[branch]]."),
+    "choices": _by_name(_TEXT),
 }
 
 
@@ -70,250 +128,241 @@ def openapi() -> Schema:
             "description": "A traction-drive joint in, its results out. Numbers are in SI units, with the unit at the "
             "end of each name; null stands for a number that does not exist. Requests of other web sites are refused.",
         },
-        "paths": {
-            "/api/description": {"get": _get("Parameters of a joint file: meaning, unit, range, default.")},
-            "/api/schema": {"get": _get("JSON schema of a joint file.")},
-            "/api/results": {"post": _results()},
-            "/api/joint": {"post": _joint()},
-            "/api/chart": {"post": _chart()},
-            "/api/joint/{id}/joint.{kind}": {"get": _download()},
-            "/api/file": {"post": _file()},
-            **work_paths(_PROBLEMS, _request_schema()),
-        },
+        "paths": {**_joint_paths(), **_work_paths()},
         "components": {
             "schemas": {
                 "Error": _error_schema(),
                 "Request": _request_schema(),
                 "Answer": _answer_schema(),
                 "Chart": _chart_answer_schema(),
-                "Job": job_schema(),
+                "Job": _job_schema(),
             }
         },
     }
 
 
-def _json(schema: Schema, description: str) -> Schema:
-    return {"description": description, "content": {"application/json": {"schema": schema}}}
-
-
-def _ref(name: str) -> Schema:
-    return {"$ref": f"#/components/schemas/{name}"}
-
-
-def _get(summary: str, kind: str = "object") -> Schema:
-    return {"summary": summary, "responses": {"200": _json({"type": kind}, summary)}}
-
-
-_PROBLEMS = {
-    "403": _json(_ref("Error"), "The request comes from another web site."),
-    "408": _json(_ref("Error"), "The body did not arrive in time."),
-    "413": _json(_ref("Error"), f"The body is larger than {LARGEST_BODY} bytes."),
-    "415": _json(_ref("Error"), "The body has another type."),
-    "422": _json(_ref("Error"), "The joint is described wrongly, cannot exist or has no solution."),
-    "503": _json(_ref("Error"), "Too many computations are waiting."),
-}
-
-
-def _joint() -> Schema:
+def _joint_paths() -> Schema:
+    """Addresses that answer about a joint."""
+    kinds = {"enum": ["toml", "json", "html", "pdf"]}
+    files = ("application/toml", "application/json", "text/html", "application/pdf")
     return {
-        "summary": "Solve one joint: the document of 'asperity joint --json', with drawing, wind-up and curves.",
-        "requestBody": {"required": True, "content": {"application/json": {"schema": _ref("Request")}}},
-        "responses": {"200": _json(_ref("Answer"), "The joint."), **_PROBLEMS},
+        "/api/description": _get("Parameters of a joint file: meaning, unit, range, default."),
+        "/api/schema": _get("JSON schema of a joint file."),
+        "/api/results": _post(
+            "Results that charts of a joint can show: name, label, unit, group.",
+            _ref("Request"),
+            _json({"type": "array"}, "One entry for each number."),
+        ),
+        "/api/joint": _post(
+            "Solve one joint: the document of 'asperity joint --json', with drawing, wind-up and curves.",
+            _ref("Request"),
+            _json(_ref("Answer"), "The joint."),
+        ),
+        "/api/chart": _post(
+            "One number of the joint file against one result, by the evaluator of 'asperity sweep'.",
+            _request_schema(chart=_chart_schema()),
+            _json(_ref("Chart"), "Curves; SI units, and those of displays."),
+        ),
+        "/api/joint/{id}/joint.{kind}": _get(
+            f"Joint file, JSON document or report of one of the latest {MOST_KEPT} joints.",
+            {
+                "200": {"description": "The file.", "content": {kind: {} for kind in files}},
+                "404": _json(_ref("Error"), "This joint is no longer kept."),
+                "422": _json(_ref("Error"), "A PDF needs the extra 'report'."),
+            },
+            [_in_path("id"), _in_path("kind", kinds)],
+        ),
+        "/api/file": _post(
+            "Check a joint file and list what it states.",
+            _TEXT,
+            _json(_fields({"name": _TEXT, "toml": _TEXT, **_STATED}), "Its text and its values."),
+            kind="application/toml",
+            parameters=[_parameter("name", "For messages.")],
+        ),
     }
 
 
-def _chart() -> Schema:
-    request = _request_schema()
-    request["properties"]["chart"] = _chart_schema()
-    request["required"] = ["chart"]
+def _work_paths() -> Schema:
+    """Addresses for files and jobs."""
+
+    def upload(summary: str, found: Schema) -> Schema:
+        file = {"type": "string", "format": "binary", "maxLength": LARGEST_SURFACE}
+        units = ("position_unit", "height_unit", "spacing")
+        parameters = [_parameter(name, "Where the file does not say it.") for name in units]
+        return _post(
+            summary,
+            file,
+            _json(_fields(found), summary),
+            kind="application/octet-stream",
+            parameters=[_parameter("name", "For messages."), *parameters],
+        )
+
+    def of_job(summary: str, description: str, content: Schema) -> Schema:
+        gone = {"description": "This job is no longer kept."}
+        return _get(summary, {"200": {"description": description, **content}, "410": gone}, [_in_path("id")])
+
+    within = f"within {LONGEST_MEASUREMENT:g} s"
+    begin, end = "Begin a long job.", "End a job at once."
     return {
-        "summary": "One number of the joint file against one result, by the evaluator of 'asperity sweep'.",
-        "requestBody": {"required": True, "content": {"application/json": {"schema": request}}},
-        "responses": {"200": _json(_ref("Chart"), "Curves; SI units, and those of displays."), **_PROBLEMS},
+        "/api/open": upload(
+            f"Open a file, recognised by its content; a surface is measured {within}.",
+            {"kind": {"enum": ["joint", "design", "measurement"]}},
+        ),
+        "/api/measure": upload(
+            f"D and G of a measured surface, or of a measurement document, {within}.",
+            {"document": _OBJECT, "changes": _OBJECT},
+        ),
+        "/api/jobs": _post(
+            begin, _request_schema(job=_asked_job_schema()), _json(_ref("Job"), begin), status="202"
+        ),
+        "/api/jobs/{id}": of_job(
+            "State of a job, and its result.", "The job.", _content("application/json", _ref("Job"))
+        ),
+        "/api/jobs/{id}/events": of_job(
+            "Each change of a job until its end, as server-sent events.",
+            "Events.",
+            {"content": {"text/event-stream": {}}},
+        ),
+        "/api/jobs/{id}/stop": _post(end, _OBJECT, _json(_ref("Job"), end), parameters=[_in_path("id")]),
+        "/api/jobs/{id}/result.json": of_job(
+            "The result of a job as a file.", "JSON.", {"content": {"application/json": {}}}
+        ),
     }
 
 
-def _results() -> Schema:
-    return {
-        "summary": "Results that charts of a joint can show: name, label, unit, group.",
-        "requestBody": {"required": True, "content": {"application/json": {"schema": _ref("Request")}}},
-        "responses": {"200": _json({"type": "array"}, "One entry for each number."), **_PROBLEMS},
-    }
+def _asked_job_schema() -> Schema:
+    return _fields(
+        {
+            "kind": {"enum": list(KINDS)},
+            "samples": {**_WHOLE, "minimum": FEWEST_SAMPLES, "maximum": MOST_SAMPLES},
+            "seed": _WHOLE,
+            "distribution": {**_TEXT, "examples": ["uniform", "normal 2 sigma"]},
+            "design": _said(_TEXT, "Text of a design file; its joint is that of the request."),
+            "file": _said(_TEXT, "Name of the design file, for messages."),
+        },
+        required=["kind"],
+    )
+
+
+def _job_schema() -> Schema:
+    return _fields(
+        {
+            "id": _TEXT,
+            "kind": {"enum": list(KINDS)},
+            "name": _said(_TEXT, "Name of the joint."),
+            "state": {"enum": ["waiting", "running", "done", "failed", "stopped"]},
+            "done": _WHOLE,
+            "total": _said(_WHOLE, "0 as long as it is not known."),
+            "seconds": _said({"type": "number"}, "Since it began to run."),
+            "message": _said(_TEXT, "Why it failed."),
+            "result": _said({"type": ["object", "null"]}, "As the command of the same name prints it."),
+        }
+    )
 
 
 def _chart_schema() -> Schema:
-    text: Schema = {"type": "string"}
-    family = {"over": text, "values": {"type": "array", "items": text, "maxItems": MOST_CURVES}}
-    return {
-        "type": "object",
-        "required": ["over", "from", "to", "result"],
-        "additionalProperties": False,
-        "properties": {
-            "over": {"type": "string", "description": "Dotted path of a number that the joint file states."},
-            "from": {"type": "string", "description": "With its unit."},
-            "to": text,
-            "points": {"type": "integer", "minimum": 2, "maximum": MOST_POINTS},
+    return _fields(
+        {
+            "over": _said(_TEXT, "Dotted path of a number that the joint file states."),
+            "from": _said(_TEXT, "With its unit."),
+            "to": _TEXT,
+            "points": {**_WHOLE, "minimum": 2, "maximum": MOST_POINTS},
             "scale": {"enum": ["linear", "log"]},
-            "result": {"type": "string", "description": "A name of /api/results."},
-            "family": {
-                "type": "object",
-                "properties": family,
-                "description": "Another number, a curve for each of its values.",
-            },
+            "result": _said(_TEXT, "A name of /api/results."),
+            "family": _fields(
+                {"over": _TEXT, "values": _list(_TEXT, maxItems=MOST_CURVES)},
+                description="Another number, a curve for each of its values.",
+            ),
         },
-        "examples": [
+        required=["over", "from", "to", "result"],
+        additionalProperties=False,
+        examples=[
             {"over": "load.preload", "from": "200 N", "to": "2 kN", "result": "assembly_stiffness_output"}
         ],
-    }
+    )
 
 
 def _chart_answer_schema() -> Schema:
-    number: Schema = {"type": ["number", "null"]}
-    status: Schema = {"type": "integer", "description": "0 is solved; 'reasons' says what the others mean."}
+    status = _said(_WHOLE, "0 is solved; 'reasons' says what the others mean.")
     curve = {
-        "value": number,
-        "value_shown": {"type": "string"},
-        "y": _NUMBERS,
-        "y_shown": _NUMBERS,
-        "status": {"type": "array", "items": status},
+        "value": _NUMBER,
+        "value_shown": _TEXT,
+        **dict.fromkeys(("y", "y_shown"), _NUMBERS),
+        "status": _list(status),
     }
-    point = {"x": number, "x_shown": number, "y": number, "y_shown": number, "status": status}
-    words = ("over", "unit", "result", "result_label", "result_unit")
-    return {
-        "type": "object",
-        "properties": {
-            **{name: {"type": "string"} for name in words},
-            "family": {"type": ["string", "null"]},
-            "x": _NUMBERS,
-            "x_shown": _NUMBERS,
-            "curves": {"type": "array", "items": {"type": "object", "properties": curve}},
+    point = {**dict.fromkeys(("x", "x_shown", "y", "y_shown"), _NUMBER), "status": status}
+    return _fields(
+        {
+            **dict.fromkeys(("over", "unit", "result", "result_label", "result_unit"), _TEXT),
+            "family": _TEXT_OR_NULL,
+            **dict.fromkeys(("x", "x_shown"), _NUMBERS),
+            "curves": _list(_fields(curve)),
             "joint": {"type": ["object", "null"], "properties": point},
-            "reasons": {"type": "object", "additionalProperties": {"type": "string"}},
-        },
-    }
-
-
-def _download() -> Schema:
-    return {
-        "summary": f"Joint file, JSON document or report of one of the latest {MOST_KEPT} joints.",
-        "parameters": [
-            {"name": "id", "in": "path", "required": True, "schema": {"type": "string"}},
-            {
-                "name": "kind",
-                "in": "path",
-                "required": True,
-                "schema": {"enum": ["toml", "json", "html", "pdf"]},
-            },
-        ],
-        "responses": {
-            "200": {
-                "description": "The file.",
-                "content": {
-                    "application/toml": {},
-                    "application/json": {},
-                    "text/html": {},
-                    "application/pdf": {},
-                },
-            },
-            "404": _json(_ref("Error"), "This joint is no longer kept."),
-            "422": _json(_ref("Error"), "A PDF needs the extra 'report'."),
-        },
-    }
-
-
-def _file() -> Schema:
-    name = {"name": "name", "in": "query", "schema": {"type": "string"}, "description": "For messages."}
-    return {
-        "summary": "Check a joint file and list what it states.",
-        "parameters": [name],
-        "requestBody": {"required": True, "content": {"application/toml": {"schema": {"type": "string"}}}},
-        "responses": {
-            "200": _json(
-                {
-                    "type": "object",
-                    "properties": {"name": {"type": "string"}, "toml": {"type": "string"}, **_STATED},
-                },
-                "Its text and its values.",
-            ),
-            **_PROBLEMS,
-        },
-    }
+            "reasons": _by_name(_TEXT),
+        }
+    )
 
 
 def _error_schema() -> Schema:
-    return {
-        "type": "object",
-        "required": ["error", "kind", "keys"],
-        "properties": {
-            "error": {"type": "string", "description": "The message of the command line."},
+    return _fields(
+        {
+            "error": _said(_TEXT, "The message of the command line."),
             "kind": {"enum": ["input", "no_solution", "busy", "refused", "failed"]},
-            "keys": {
-                "type": "object",
-                "additionalProperties": {"type": "string"},
-                "description": "Dotted path of a key of the joint file → what is wrong with it.",
-            },
+            "keys": _by_name(
+                _TEXT, description="Dotted path of a key of the joint file → what is wrong with it."
+            ),
         },
-    }
+        required=["error", "kind", "keys"],
+    )
 
 
-def _request_schema() -> Schema:
-    return {
-        "type": "object",
-        "additionalProperties": False,
-        "oneOf": [{"required": ["toml"]}, {"required": ["joint"]}],
-        "properties": {
-            "toml": {"type": "string", "description": "The text of a joint file."},
-            "joint": {
-                "type": "object",
-                "description": "The tables of a joint file; /api/schema is their schema.",
-            },
-            "changes": {
-                "type": "object",
-                "additionalProperties": {"type": ["string", "number"]},
-                "maxProperties": MOST_CHANGES,
-                "description": "Dotted path → value with its unit, or one of the words of a choice; empty to leave a "
-                "key out. Name of a list → its sections as their places in the file, '1 3 0' with 0 for a new one, "
-                f"empty for none; for 'branch' also '{EACH}', one for each branch of the drive: changes of sections "
-                "beyond them wait. Sections are counted from 1 in the new arrangement.",
-                "examples": [
-                    {"load.output_torque": "6000 N*mm", "model.closure": "constant_pin_force"},
-                    {"branch": EACH, "branch.2.planet_deviation": "2 um", "duty": "2"},
-                ],
-            },
-            "name": {"type": "string", "description": "What messages and downloads call the joint."},
-        },
+def _request_schema(**asked: Schema) -> Schema:
+    """Body of a request about a joint, with what else is asked for."""
+    changes = {
+        "additionalProperties": {"type": ["string", "number"]},
+        "maxProperties": MOST_CHANGES,
+        "description": "Dotted path → value with its unit, or one of the words of a choice; empty to leave a "
+        "key out. Name of a list → its sections as their places in the file, '1 3 0' with 0 for a new one, "
+        f"empty for none; for 'branch' also '{EACH}', one for each branch of the drive: changes of sections "
+        "beyond them wait. Sections are counted from 1 in the new arrangement.",
+        "examples": [
+            {"load.output_torque": "6000 N*mm", "model.closure": "constant_pin_force"},
+            {"branch": EACH, "branch.2.planet_deviation": "2 um", "duty": "2"},
+        ],
     }
+    return _fields(
+        {
+            "toml": _said(_TEXT, "The text of a joint file."),
+            "joint": _said(_OBJECT, "The tables of a joint file; /api/schema is their schema."),
+            "changes": {**_OBJECT, **changes},
+            "name": _said(_TEXT, "What messages and downloads call the joint."),
+            **asked,
+        },
+        additionalProperties=False,
+        oneOf=[{"required": ["toml"]}, {"required": ["joint"]}],
+        **({"required": list(asked)} if asked else {}),
+    )
 
 
 def _margin_schema() -> Schema:
-    number: Schema = {"type": ["number", "null"]}
-    text: Schema = {"type": "string"}
-    return {
-        "type": "object",
-        "properties": {
-            **dict.fromkeys(("name", "label", "place", "unit"), text),
-            **dict.fromkeys(("actual", "lowest", "highest"), number),
-            "infinite": {
-                "type": "boolean",
-                "description": "Whether the actual value is infinite; if so, it is null.",
-            },
-            "inclusive": {
-                "type": "boolean",
-                "description": "Whether the bounds 'lowest' and 'highest' themselves are allowed.",
-            },
-            "used": {"type": ["number", "null"], "description": "Share of the limit that is used."},
-            "ok": {"type": "boolean"},
+    return _fields(
+        {
+            **dict.fromkeys(("name", "label", "place", "unit"), _TEXT),
+            **dict.fromkeys(("actual", "lowest", "highest"), _NUMBER),
+            "infinite": _said(_FLAG, "Whether the actual value is infinite; if so, it is null."),
+            "inclusive": _said(_FLAG, "Whether the bounds 'lowest' and 'highest' themselves are allowed."),
+            "used": _said(_NUMBER, "Share of the limit that is used."),
+            "ok": _FLAG,
             "severity": {"enum": list(SEVERITIES)},
-            "state": {"type": "string", "description": "State of the joint where that is no failure."},
-        },
-    }
+            "state": _said(_TEXT, "State of the joint where that is no failure."),
+        }
+    )
 
 
 def _answer_schema() -> Schema:
-    names = ("published", "series_with_bulk", "assembly")
     curves = (
         "torque_Nm",
-        *(f"{name}_Nm_per_rad" for name in names),
+        *(f"{name}_Nm_per_rad" for name in ("published", "series_with_bulk", "assembly")),
         "drift_rad_per_output_turn",
         "efficiency",
         "total_loss_W",
@@ -328,41 +377,32 @@ def _answer_schema() -> Schema:
         "unloading_angle_rad",
         "reloading_angle_rad",
     )
-    return {
-        "type": "object",
-        "properties": {
-            "id": {"type": "string", "description": "For downloads."},
-            "name": {"type": "string"},
+    sizes = ("hysteresis_rad", "lost_motion_rad", "dissipated_energy_J")
+    return _fields(
+        {
+            "id": _said(_TEXT, "For downloads."),
+            "name": _TEXT,
             **_STATED,
-            "form": {
-                "type": ["object", "null"],
-                "description": "Groups of numbers and choices of another drive than the paper's; null for the paper's.",
-            },
-            "document": {"type": "object", "description": "As 'asperity joint FILE --json' prints it."},
-            "drawing": {"type": "object", "description": "Circles and contact forces of the drive."},
-            "margins": {
-                "type": "array",
-                "items": _margin_schema(),
-                "description": "What is required and reached, in the unit of each entry.",
-            },
-            "creep": {
-                "type": "object",
-                "additionalProperties": {
-                    "type": "object",
-                    "properties": {"traction": _NUMBERS, "creepage": _NUMBERS},
-                },
-                "description": "Contact → its creep curve: traction T/N over creepage, up to gross slip.",
-            },
-            "curves": {"type": "object", "properties": dict.fromkeys(curves, _NUMBERS)},
-            "windup": {
-                "type": "object",
-                "properties": {
-                    "unknown_because": {"type": ["string", "null"]},
-                    "hysteresis_rad": {"type": "number"},
-                    "lost_motion_rad": {"type": "number"},
-                    "dissipated_energy_J": {"type": "number"},
+            "form": _said(
+                {"type": ["object", "null"]},
+                "Groups of numbers and choices of another drive than the paper's; null for the paper's.",
+            ),
+            "document": _said(_OBJECT, "As 'asperity joint FILE --json' prints it."),
+            "drawing": _said(_OBJECT, "Circles and contact forces of the drive."),
+            "margins": _list(
+                _margin_schema(), description="What is required and reached, in the unit of each entry."
+            ),
+            "creep": _by_name(
+                _fields(dict.fromkeys(("traction", "creepage"), _NUMBERS)),
+                description="Contact → its creep curve: traction T/N over creepage, up to gross slip.",
+            ),
+            "curves": _fields(dict.fromkeys(curves, _NUMBERS)),
+            "windup": _fields(
+                {
+                    "unknown_because": _TEXT_OR_NULL,
+                    **{key: {"type": "number"} for key in sizes},
                     **dict.fromkeys(windup, _NUMBERS),
-                },
-            },
-        },
-    }
+                }
+            ),
+        }
+    )
