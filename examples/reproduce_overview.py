@@ -9,7 +9,7 @@ from pathlib import Path
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.zou2025.criteria import peak
 from asperity.zou2025.curves import JointCurves, compute
-from asperity.zou2025.overview import overview_figure
+from asperity.zou2025.figures import overview_figure
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "zou2025_overview.png"
 

@@ -12,7 +12,7 @@ from asperity.export.elements import fitted_elements
 from asperity.export.fmu import fmu_parts
 from asperity.export.mjcf import mjcf_file
 from asperity.export.modelica import modelica_file
-from asperity.export.table import csv_file
+from asperity.export.targets import csv_file
 from asperity.joint.description import Joint
 from asperity.joint.play import Play
 from asperity.joint.solve import solve_joint

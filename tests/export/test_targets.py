@@ -1,9 +1,22 @@
 """Targets by name, endings of files, refusals."""
 
+import io
+
+import numpy as np
 import pytest
+from scipy.io import loadmat
 
 from asperity.errors import InputError
-from asperity.export.targets import SUFFIXES, Exported, check_target, exported, write_exported
+from asperity.export.targets import (
+    SUFFIXES,
+    Exported,
+    check_target,
+    csv_file,
+    exported,
+    mat_file,
+    table_columns,
+    write_exported,
+)
 
 
 @pytest.mark.parametrize(
@@ -35,3 +48,47 @@ def test_every_target_writes_every_ending(content, tmp_path):
 def test_what_cannot_be_written(tmp_path):
     with pytest.raises(InputError, match="there is no folder"):
         write_exported(Exported(b""), tmp_path / "nowhere" / "a.csv")
+
+
+def loop(closed_form, torque, skewness, sign):
+    """Masing's rule by hand: the branch that comes from plus (1) or minus (-1) the largest torque."""
+    turned = sign * (
+        closed_form.slip_angle(closed_form.LARGEST)
+        - 2.0 * closed_form.slip_angle(0.5 * (closed_form.LARGEST - sign * torque))
+    )
+    return closed_form.reversible_angle(torque, skewness) + turned
+
+
+@pytest.mark.parametrize("skewness", [0.0, 0.01])
+def test_columns_are_the_closed_forms(made_content, closed_form, skewness):
+    found = table_columns(made_content(skewness=skewness))
+    torque = found["torque_Nm"]
+    assert (torque[0], torque[-1]) == (-closed_form.LARGEST, closed_form.LARGEST)
+    expected = {
+        "loading_rad": closed_form.reversible_angle(torque, skewness) + closed_form.slip_angle(torque),
+        "unloading_rad": loop(closed_form, torque, skewness, 1.0),
+        "reloading_rad": loop(closed_form, torque, skewness, -1.0),
+        "slip_rad": closed_form.slip_angle(torque),
+    }
+    for name, angle in expected.items():
+        np.testing.assert_allclose(found[name], angle, rtol=0.0, atol=1e-12 * 1.7e-4, err_msg=name)
+
+
+def test_csv_has_units_in_its_head_and_reads_back(content, read_table):
+    data = csv_file(content)
+    assert all(name.rsplit("_", 1)[-1] in ("Nm", "rad", "turn", "ratio") for name in read_table(data))
+    for name, values in read_table(data).items():
+        np.testing.assert_array_equal(values, table_columns(content)[name])
+    comments = [line for line in data.decode().splitlines() if line.startswith("#")]
+    assert any("Stiffness at 5 N*m" in line for line in comments)
+    assert any("Drift per output turn at 5 N*m" in line for line in comments)
+
+
+def test_mat_file_reads_back_and_has_no_date(content):
+    data = mat_file(content)
+    found = loadmat(io.BytesIO(data))
+    for name, values in table_columns(content).items():
+        np.testing.assert_array_equal(found[name][:, 0], values)
+    assert "Stiffness at 5 N*m" in "\n".join(cell[0] for cell in found["about"][:, 0])
+    assert data == mat_file(content)
+    assert data[:19] == b"MATLAB 5.0 MAT-file"

@@ -1,11 +1,23 @@
+"""Load share and capacity over the size of a planet as a picture."""
+
 import itertools
 import types
 
+import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
+from asperity.branches.size_errors import SizeErrorCurves
 from asperity.drive.wedge.geometry import CONTACT_NAMES
+from asperity.joint.fit import Fit
+from asperity.joint.temperature_curves import TemperatureCurves
 from asperity.results.solved import SolvedJoint
-from asperity.show.compliance_figure import compliance_figure, compliance_shares
+from asperity.show.compliance_figure import (
+    compliance_figure,
+    compliance_shares,
+    draw_size_errors,
+    draw_temperatures,
+)
 
 SHARES = {
     "tangential_share": [0.1, 0.0, 0.0, 0.0, 0.0],
@@ -89,3 +101,38 @@ def test_tick_labels_of_the_levels_do_not_run_together(solved, ratio):
     assert len(labels) >= 2
     ends = [label.get_window_extent() for label in labels]
     assert all(one.x1 < other.x0 for one, other in itertools.pairwise(ends))
+
+
+def test_shares_capacity_and_force_are_drawn():
+    share = np.array([[0.3, 0.35, 0.35], [0.4, 0.3, 0.3]])
+    curves = SizeErrorCurves(
+        np.array([-2e-6, 2e-6]),
+        share,
+        share + 0.01,
+        np.array([9.0, 13.0]),
+        np.array([13.0, 14.0]),
+        np.array([10.0, 20.0]),
+    )
+    panels = Figure().subplots(1, 3)
+    draw_size_errors(panels, curves)
+    assert panels[0].lines[0].get_ydata() == pytest.approx([30.0, 40.0])
+    assert panels[0].lines[0].get_xdata() == pytest.approx([-2.0, 2.0])
+    assert [line.get_ydata()[0] for line in panels[1].lines[:2]] == [9.0, 13.0]
+    assert panels[2].lines[0].get_ydata() == pytest.approx([10.0, 20.0])
+
+
+@pytest.mark.parametrize(("per_kelvin", "loose"), [(-0.5e-6, (46.0, 60.0)), (0.5e-6, (-6.0, -20.0))])
+def test_curves_marks_and_where_the_drive_is_loose(per_kelvin, loose):
+    temperature = np.linspace(-20.0, 60.0, 5)
+    curves = TemperatureCurves(
+        temperature, np.arange(5.0), np.array([1e4, 2e4, np.nan, 3e4, 4e4]), np.ones(5)
+    )
+    panels = Figure().subplots(1, 3)
+    draw_temperatures(panels, curves, Fit(13e-6, per_kelvin, 20.0, 40.0))
+    assert panels[0].lines[0].get_ydata() == pytest.approx(np.arange(5.0))
+    assert panels[1].lines[0].get_ydata()[0] == pytest.approx(1e4 * np.pi / 10800)
+    assert [line.get_xdata()[0] for line in panels[0].lines[1:]] == [20.0, 40.0]
+    (span,) = panels[0].patches
+    assert sorted(span.get_extents().transformed(panels[0].transData.inverted()).intervalx) == pytest.approx(
+        sorted(loose)
+    )

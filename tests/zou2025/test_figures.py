@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 import pytest
 
-from asperity.zou2025.figures import axis_label, engineering_exponent, panel_figure
+from asperity.zou2025.figures import axis_label, engineering_exponent, overview_figure, panel_figure
 from asperity.zou2025.panels import Axis, all_panels
 
 NAMES = ["4a", "4b", "4c", "4d", "4e", "4f", "5a", "5b", "6a", "6b", "7a", "7b", "8a", "8b"]
@@ -62,3 +62,15 @@ def test_axes_have_several_ticks_and_texts_stay_inside_and_apart(drawn, name):
     outside = [t for t, b in boxes if min(b.x0, b.y0) < 0.0 or b.x1 > page.x1 or b.y1 > page.y1]
     assert outside == []
     assert [(t, u) for (t, a), (u, b) in itertools.combinations(boxes, 2) if a.overlaps(b)] == []
+
+
+def test_overview_draws_the_ring_wall_of_the_joint_and_its_stiffness(curves):
+    drive, stiffness = overview_figure(curves).axes[:2]
+    assert (drive.patches[0].r, drive.patches[0].width) == (
+        100.0,
+        60.0,
+    )  # 40 mm inside, the assumed 60 mm wall
+    assert len(stiffness.lines) == len(curves.dimension.output_torque) + 1  # and the marks of the peaks
+    drawn = np.asarray(stiffness.lines[0].get_ydata()) * 1e9
+    np.testing.assert_allclose(drawn, curves.dimension.output_stiffness[0])
+    assert "N·m/rad" in stiffness.get_ylabel()

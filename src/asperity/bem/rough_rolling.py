@@ -21,7 +21,7 @@ from typing import NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.bem.influence import strip_integral
+from asperity.bem.free_half_space import strip_integral
 from asperity.errors import NoSolutionError
 
 _TOLERANCE = 1e-10

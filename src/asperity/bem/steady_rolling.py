@@ -12,8 +12,7 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.bem.checks import field_on_grid, positive
-from asperity.bem.free_half_space import FreeHalfSpace
-from asperity.bem.influence import strip_integral
+from asperity.bem.free_half_space import FreeHalfSpace, strip_integral
 from asperity.bem.transient_rolling import layer_on_grid
 from asperity.errors import InputError, NoSolutionError
 

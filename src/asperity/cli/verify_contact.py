@@ -154,7 +154,7 @@ def verify_contact(
             for sample in samples
         ]
     if plot_file:
-        from asperity.verify.figure import comparison_figure
+        from asperity.verify.comparison import comparison_figure
 
         write_image(comparison_figure(samples, found), plot_file)
         say_written(plot_file)

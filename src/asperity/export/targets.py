@@ -1,17 +1,34 @@
-"""The programs a joint can be exported to: their names, the endings of their files, and who writes them."""
+"""The programs a joint can be exported to: names and endings of their files, who writes them; files of columns."""
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
+import asperity
 from asperity.errors import InputError, quoted
-from asperity.export.content import ExportContent
+from asperity.export.content import ExportContent, heading
 from asperity.writing import check_file, replacing
 
 #: Endings of the files of each target.
 SUFFIXES = {"table": (".csv", ".mat"), "mujoco": (".xml",), "fmu": (".fmu",), "modelica": (".mo",)}
+#: A MAT file begins with this many letters of text.
+_MAT_TEXT = 116
+
+_COLUMNS = (
+    "Columns:",
+    "  stiffness_*: incremental stiffness on first loading at three levels of the model, without play.",
+    "  loading, unloading, reloading: angle on first loading from rest in either direction, and both branches of the "
+    "loop between minus and plus the largest torque, play included.",
+    "  slip: share of the loading angle that is lost to slip; it follows Masing's rule, the rest is reversible.",
+    "  drift_driving, drift_braking: angle by which the output gives way to the torque in one turn of its own in "
+    "steady rolling, if the drive turns with the torque or against it.",
+    "  largest_slip_ratio: the largest T/(mu N) of all contacts, standing under the torque.",
+)
 
 
 @dataclass(frozen=True)
@@ -99,7 +116,6 @@ def write_exported(made: Exported, path: str | Path) -> None:
 
 
 def _table(content: ExportContent, suffix: str) -> Exported:
-    from asperity.export.table import csv_file, mat_file
 
     return Exported(csv_file(content) if suffix == ".csv" else mat_file(content))
 
@@ -133,3 +149,48 @@ _WRITERS: dict[str, Callable[[ExportContent, str], Exported]] = {
     "fmu": _fmu,
     "modelica": _modelica,
 }
+
+
+def table_columns(content: ExportContent) -> dict[str, np.ndarray]:
+    """The curves at the torques of the wind-up, shape (n,)."""
+    curve, found = content.windup, content.curves
+    columns = {
+        "torque_Nm": curve.torque,
+        "stiffness_published_Nm_per_rad": found.published,
+        "stiffness_series_Nm_per_rad": found.series_with_bulk,
+        "stiffness_assembly_Nm_per_rad": found.assembly,
+        "loading_rad": curve.angle,
+        "unloading_rad": curve.unloading_angle,
+        "reloading_rad": curve.reloading_angle,
+        "slip_rad": curve.slip_angle,
+        "drift_driving_rad_per_turn": found.driving_drift,
+        "drift_braking_rad_per_turn": found.braking_drift,
+        "largest_slip_ratio": found.slip_ratio,
+    }
+    return {name: np.asarray(values, dtype=float) for name, values in columns.items()}
+
+
+def table_text(content: ExportContent) -> list[str]:
+    """What is said about the columns, one line each."""
+    return [*heading(content, what="Table"), *_COLUMNS]
+
+
+def csv_file(content: ExportContent) -> bytes:
+    """The table as CSV: comment lines that begin with #, the names of the columns, numbers in full precision."""
+    columns = table_columns(content)
+    lines = [f"# {line}" for line in table_text(content)]
+    lines.append(",".join(columns))
+    lines += [",".join(repr(float(value)) for value in row) for row in zip(*columns.values(), strict=True)]
+    return ("\n".join(lines) + "\n").encode("ascii")
+
+
+def mat_file(content: ExportContent) -> bytes:
+    """The table as a MAT file: a column vector for every column, and the text ``about``."""
+    from scipy.io import savemat
+
+    target = io.BytesIO()
+    vectors = {name: values[:, None] for name, values in table_columns(content).items()}
+    savemat(target, {"about": np.array(table_text(content), dtype=object)[:, None], **vectors})
+    made = f"MATLAB 5.0 MAT-file, asperity {asperity.__version__}, {Path(content.source).name}"  # without the date
+    text = made.encode("ascii", "replace")[:_MAT_TEXT].ljust(_MAT_TEXT)
+    return text + target.getvalue()[_MAT_TEXT:]

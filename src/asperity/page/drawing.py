@@ -10,7 +10,7 @@ from asperity.drive.layout.drive import sector_rotation
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.show.body_force import BodyForce
-from asperity.show.drive_forces import body_forces
+from asperity.show.free_bodies import body_forces
 
 
 def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:

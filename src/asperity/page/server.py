@@ -1,13 +1,15 @@
-"""The server of the page: one process on the loopback address."""
+"""The server of the page: one process on the loopback address, impatient with slow clients."""
 
 from __future__ import annotations
 
+import asyncio
 import ipaddress
 import logging
 import os
 import socket
 import sys
 from collections.abc import Callable
+from typing import Any
 
 from asperity.errors import InputError
 from asperity.extras import optional_module
@@ -15,6 +17,12 @@ from asperity.page.joint_request import JointRequest
 
 #: Requests that are served at the same time; more are refused.
 MOST_CONNECTIONS = 64
+#: Time in which the header of a request must arrive, from the connection or from the last answer on [s].
+LONGEST_HEADER = 10.0
+#: Time in which the other end must read more of an answer [s].
+LONGEST_READING = 30.0
+#: Connections that may wait for a header at the same time: half of those that are served.
+MOST_SILENT = 32
 
 
 def require_packages() -> None:
@@ -79,7 +87,6 @@ def serve(
 
     from asperity.page.application import LONGEST_ANSWER, application
     from asperity.page.computation import Computations, FasterPrograms
-    from asperity.page.slow_clients import impatient_protocol
 
     port = listening.getsockname()[1]
     computations, charts = Computations(longest=LONGEST_ANSWER), Computations(longest=LONGEST_ANSWER)
@@ -119,3 +126,60 @@ def serve(
     stopping(stopped)
     sys.stderr.flush()
     os._exit(0 if type(stopped) is KeyboardInterrupt else 143)
+
+
+def impatient_protocol() -> type[asyncio.Protocol]:
+    """The HTTP protocol of uvicorn with limits of time."""
+    from uvicorn.protocols.http.auto import AutoHTTPProtocol
+
+    class Impatient(AutoHTTPProtocol):  # type: ignore[misc, valid-type]
+        _header: asyncio.TimerHandle | None = None
+        _reading: asyncio.TimerHandle | None = None
+
+        def connection_made(self, transport: Any) -> None:
+            super().connection_made(transport)
+            self._look(LONGEST_HEADER)
+            silent = [each for each in self.connections if each._header is not None]
+            if len(silent) > MOST_SILENT:
+                min(silent, key=lambda each: each._header.when())._leave()
+
+        def data_received(self, data: bytes) -> None:
+            super().data_received(data)
+            self._look(LONGEST_HEADER)
+
+        def on_response_complete(self) -> None:
+            super().on_response_complete()
+            # a browser that has read one page may wait longer before it asks for the next
+            self._look(max(LONGEST_HEADER, self.timeout_keep_alive))
+
+        def connection_lost(self, exc: Exception | None) -> None:
+            self._leave()
+            super().connection_lost(exc)
+
+        def pause_writing(self) -> None:
+            super().pause_writing()
+            self._reading = self.loop.call_later(LONGEST_READING, self._leave)
+
+        def resume_writing(self) -> None:
+            super().resume_writing()
+            if self._reading is not None:
+                self._reading.cancel()
+                self._reading = None
+
+        def _leave(self) -> None:
+            for timer in (self._header, self._reading):
+                if timer is not None:
+                    timer.cancel()
+            self._header = self._reading = None
+            self.transport.abort()
+
+        def _look(self, longest: float) -> None:
+            """Wait for a header no longer than this, where no request is being answered."""
+            if self.cycle is not None and not self.cycle.response_complete:
+                if self._header is not None:
+                    self._header.cancel()
+                    self._header = None
+            elif self._header is None and not self.transport.is_closing():
+                self._header = self.loop.call_later(longest, self._leave)
+
+    return Impatient

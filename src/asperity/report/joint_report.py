@@ -19,10 +19,10 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.joint_file.solved_document import solve_case
-from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
-from asperity.report.branch_tables import branch_tables, equal_branches
+from asperity.report import limit_tables, load_tables, result_tables, rolling_tables
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
+from asperity.report.load_tables import branch_tables, equal_branches
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
 from asperity.results.loads_document import loads_document
 from asperity.results.margins import margins
@@ -172,7 +172,7 @@ def _parts(source: ReportSource) -> _Parts:
         solved,
         document,
         loads,
-        surfaces=(*_measured(solved.joint, source, source.case), surface_tables.averages(document)),
+        surfaces=(*_measured(solved.joint, source, source.case), result_tables.averages(document)),
         drive=(*drive, *load_tables.rims(document)),
         branches=() if solved.branches is None else tuple(branch_tables(document["branches"])),
     )
@@ -246,14 +246,14 @@ def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str
 def _measured(joint: Joint, source: ReportSource, case: Case) -> Iterator[Block]:
     """The interval of stiffness and drift from the uncertainty of a measured surface, or of one stated by its Ra."""
     if source.measurement is None:
-        yield from surface_tables.drawn_stiffness(drawn_interval(case))
+        yield from result_tables.drawn_stiffness(drawn_interval(case))
         return
     # not above: a report without a measurement does without SciPy's signal processing
     from asperity.joint.measured_surface import stiffness_interval
     from asperity.surface.measurement import measurement_document
 
     measured = measurement_document(measurement=source.measurement)
-    yield from surface_tables.measured_stiffness(measured, stiffness_interval(joint, source.measurement))
+    yield from result_tables.measured_stiffness(measured, stiffness_interval(joint, source.measurement))
 
 
 def _appendix(source: ReportSource) -> Iterator[Block]:

@@ -11,7 +11,6 @@ from jax import Array
 
 from asperity.errors import InputError
 from asperity.results import (
-    bearing_rows,
     contact_rows,
     drive_rows,
     limit_rows,
@@ -35,7 +34,6 @@ RESULTS: dict[str, Result] = {
         *limit_rows.ROWS,
         *rolling_rows.ROWS,
         *load_rows.ROWS,
-        *bearing_rows.ROWS,
         *stress_rows.ROWS,
         *drive_rows.ROWS,
     )

@@ -1,21 +1,22 @@
-"""What gives way in a joint, as a picture: shares of the compliance, and the stiffness on every level."""
+"""A joint as pictures: shares of its compliance, stiffness on every level, curves over temperature and size errors."""
 
 from __future__ import annotations
 
 import textwrap
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.joint.temperature_curves import temperature_curves
+from asperity.joint.fit import Fit
+from asperity.joint.looseness import loose_temperature
+from asperity.joint.temperature_curves import TemperatureCurves, temperature_curves
 from asperity.results import LEVELS, RESULTS
 from asperity.results.document import NO_SHARE, WHOLE_BODIES
 from asperity.results.margins import margins
 from asperity.results.solved import SolvedJoint
-from asperity.show.branch_figure import draw_size_errors
 from asperity.show.margins_figure import draw_margins, margins_height
-from asperity.show.style import mark_few_decades
-from asperity.show.temperature_figure import draw_temperatures
+from asperity.show.style import ACCENT, MARK, MUTED, mark_few_decades
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -24,9 +25,12 @@ if TYPE_CHECKING:
 
     from asperity.branches.size_errors import SizeErrorCurves
 
+
 _PER_ARCMINUTE = np.pi / 10800.0
 _NOTE_WIDTH = 58  # letters below a panel of half a sheet
 _ROW = 3.7  # height of a row of panels [in]
+#: A ground that hides the line at 0.
+_LEGEND: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0, "edgecolor": "none"}
 
 
 def compliance_shares(solved: SolvedJoint) -> dict[str, float]:
@@ -115,3 +119,57 @@ def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
     if np.isfinite(known).any():
         mark_few_decades(axes.xaxis, *axes.get_xlim())
     axes.set(xlabel="torsional stiffness at the output [N·m/arcmin]")
+
+
+def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
+    """Three panels over a further deviation of the first planet; 0 is the joint as its file has it."""
+    x = 1e6 * curves.deviation
+    whose = "" if curves.track == curves.noun else f"{curves.track} "
+    shares, capacity, sun = axes
+    for name, values, style in (
+        ("standing", curves.standing_share, "-"),
+        ("rolling", curves.rolling_share, "--"),
+    ):
+        shares.plot(x, 100.0 * values[:, 0], style, color=ACCENT, label=f"{curves.noun} 1, {name}")
+        shares.plot(x, 100.0 * values[:, 1:], style, color=MUTED, linewidth=1.0)
+        shares.plot([], [], style, color=MUTED, linewidth=1.0, label=f"others, {name}")
+    shares.set(ylabel="share of the torque [%]")
+    shares.legend(**_LEGEND)
+    capacity.plot(x, curves.first_slip, color=ACCENT, label="first branch slips")
+    capacity.plot(x, curves.all_slip, "--", color=MARK, label="all branches slip")
+    capacity.set(ylabel="torque, standing [N·m]")
+    capacity.legend(**_LEGEND)
+    sun.plot(x, curves.sun_force, color=ACCENT)
+    sun.set(ylabel="force on the sun's bearings [N]")
+    for panel in axes:
+        panel.axvline(0.0, color="black", linestyle=":", linewidth=1.0)
+        panel.set_ylim(bottom=0.0)
+        panel.set_xlim(x[0], x[-1])
+        panel.set(xlabel=f"added to the {whose}radius of {curves.noun} 1 [µm]")
+
+
+def draw_temperatures(axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit) -> None:
+    """Three panels over temperature, with the temperatures of assembly and work."""
+    temperature = np.asarray(curves.temperature)
+    panels = (
+        ("preload [N]", np.asarray(curves.preload)),
+        ("assembled stiffness [N·m/arcmin]", np.asarray(curves.stiffness) * _PER_ARCMINUTE),
+        ("torque capacity [N·m]", np.asarray(curves.torque_capacity)),
+    )
+    loose = float(np.asarray(loose_temperature(fit)))
+    marks = (
+        ("assembly", float(fit.assembly_temperature), MUTED, ":"),
+        ("work", float(fit.working_temperature), "black", "--"),
+    )
+    for panel, (label, values) in zip(axes, panels, strict=True):
+        known = np.where(np.isfinite(values), values, np.nan)
+        panel.plot(temperature, known, color=ACCENT)
+        for name, at, color, style in marks:
+            panel.axvline(at, color=color, linestyle=style, linewidth=1.0, label=name)
+        if temperature[0] < loose < temperature[-1]:
+            end = temperature[-1] if fit.change_per_kelvin < 0.0 else temperature[0]
+            panel.axvspan(loose, end, color=MARK, alpha=0.12, label="loose")
+        panel.set_xlim(temperature[0], temperature[-1])
+        panel.set_ylim(bottom=0.0)
+        panel.set(xlabel="temperature [°C]", ylabel=label)
+    axes[0].legend(frameon=False, fontsize="small")

@@ -1,4 +1,4 @@
-"""The drawing of a drive: its view with dimensions, what the view does not say, and the forces on request."""
+"""The drawing of a drive: frame, view with dimensions, what the view does not say, and the forces on request."""
 
 from __future__ import annotations
 
@@ -8,30 +8,47 @@ from itertools import groupby
 
 import numpy as np
 
+import asperity
 from asperity.drive.layout.drive import CARRIER, speed_ratio
 from asperity.drive.layout.wedge import wedge_angles, wedges
+from asperity.errors import printable
 from asperity.joint.description import Joint, each_contact, tracks_of
-from asperity.joint.evaluation import JointResult
+from asperity.joint.evaluation import JointForces, JointResult
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.show.dimension_lines import dimension
-from asperity.show.drive_dimensions import place_dimensions
 from asperity.show.drive_sizes import (
     Clearance,
     Size,
     contact_interferences,
     drive_clearances,
+    place_dimensions,
     sizes,
 )
 from asperity.show.drive_view import drive_view, reach_of, write_contact_names
 from asperity.show.free_bodies import free_bodies
-from asperity.show.sheet import TEXT_HEIGHT, Circle, Item, Line, Point, Sheet, Text, standard_scale
+from asperity.show.sheet import (
+    TEXT_HEIGHT,
+    TITLE_HEIGHT,
+    Circle,
+    Item,
+    Line,
+    Point,
+    Sheet,
+    Text,
+    scale_text,
+    standard_scale,
+)
 from asperity.show.sheet_figure import text_width
-from asperity.show.sheet_frame import MARGIN, PLAIN, WITH_FORCES, frame, load_lines, title_block
 from asperity.show.taken import Box, Taken, text_box
 from asperity.units import format_quantity
 
 _FOOT = 37.0  # of the texts above the title block on paper [mm]
 _SPACING = 4.4
+#: From the edge of the paper to the frame of a drawing [mm].
+MARGIN = 10.0
+_LONGEST_TITLE = 42
+#: Size of the paper, room of the view, and left edge of the column beside it, all in mm: A4 and A3.
+PLAIN, WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
 
 
 def drive_sheet(
@@ -251,3 +268,46 @@ def _longest(text: str, width: float) -> int:
         middle = (low + high + 1) // 2
         low, high = (middle, high) if text_width(text[:middle]) <= width else (low, middle - 1)
     return low
+
+
+def frame(on_paper: Callable[[float, float], Point], width: float, height: float) -> Item:
+    """The frame of a sheet of paper."""
+    right, top = width - MARGIN, height - MARGIN
+    corners = ((MARGIN, MARGIN), (right, MARGIN), (right, top), (MARGIN, top), (MARGIN, MARGIN))
+    return Line(tuple(on_paper(*corner) for corner in corners), "frame")
+
+
+def title_block(
+    on_paper: Callable[[float, float], Point],
+    column: float,
+    width: float,
+    name: str,
+    scale: float,
+    *,
+    kind: str = "Planetary traction drive",
+) -> list[Item]:
+    """What a drawing is called, its scale and unit, in the lower right corner."""
+    title = printable(name).replace("\n", " ")
+    shown = title if len(title) <= _LONGEST_TITLE else f"…{title[1 - _LONGEST_TITLE :]}"
+    top, left = MARGIN + 22.0, column - 3.0
+    edge = (on_paper(left, MARGIN), on_paper(left, top), on_paper(width - MARGIN, top))
+    return [
+        Line(edge, "frame"),
+        Text(on_paper(column, top - 6.5), kind, height=TITLE_HEIGHT),
+        Text(on_paper(column, top - 12.5), shown),
+        Text(
+            on_paper(column, top - 18.5),
+            f"Scale {scale_text(scale)}   dimensions in mm   asperity {asperity.__version__}",
+        ),
+    ]
+
+
+def load_lines(joint: Joint, forces: JointForces, *, part: str) -> list[str]:
+    """What stands beside bodies that are drawn apart."""
+    entry, out = (name.replace("_", " ") for name in joint.ends)
+    return [
+        f"Forces on the bodies of one {part}, drawn apart, without centrifugal forces.",
+        "Arrows show directions, not sizes.",
+        f"Torque at the {entry} {format_quantity(float(forces.input_torque), 'N*m')}, "
+        f"at the {out} {format_quantity(float(forces.output_torque), 'N*m')}.",
+    ]

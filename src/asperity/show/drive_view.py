@@ -11,7 +11,27 @@ from asperity.drive.layout.drive import contact_angles
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.show.sheet import Circle, Item, Line, Point, Text
 from asperity.show.taken import Taken, text_box
-from asperity.show.view_parts import LONGEST_WALL, SHOWN_OF_BROKEN, break_line
+
+#: Wall over inner radius of the ring from which on the drawing breaks it off.
+LONGEST_WALL = 0.5
+#: How much of a wall that is broken off is drawn, over the inner radius.
+SHOWN_OF_BROKEN = 0.3
+_WAVES = 24
+#: How many clearances are drawn.
+MOST_GAPS = 3
+
+
+def break_line(inner: float, shown: float) -> Line:
+    """A wavy line around the part of a ring that is drawn."""
+    count = 16 * _WAVES
+    amplitude = 0.03 * (shown - inner)
+    points = []
+    for index in range(count + 1):
+        angle = 2.0 * math.pi * index / count
+        radius = shown + amplitude * math.sin(_WAVES * angle)
+        points.append((radius * math.cos(angle), radius * math.sin(angle)))
+    return Line(tuple(points), "break")
+
 
 _LONGEST_NAME = 16
 _DISTANCES = (4.5, 6.0, 8.0, 11.0, 15.0, 20.0)  # of a name from its contact [mm on paper]

@@ -1,4 +1,4 @@
-"""Draw the panels of the paper from computed curves."""
+"""Draw the panels of the paper from computed curves, and an overview with the joint to scale."""
 
 from __future__ import annotations
 
@@ -13,9 +13,12 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, StrMethodFormatter
 
+from asperity.show.drive_drawing import draw_drive
 from asperity.show.style import ACCENT, CONTACT_LABELS, CONTACT_STYLES, MARK, MUTED, STYLE, torque_colors
+from asperity.zou2025 import preset
 from asperity.zou2025.criteria import peak
-from asperity.zou2025.panels import Axis, Panel
+from asperity.zou2025.curves import Curves
+from asperity.zou2025.panels import Axis, Panel, joint_panels
 
 _HEIGHT = 4.45  # inches
 _AXES_BOX = (0.75, 0.85, 4.75, 2.90)  # left, bottom, width, height in inches
@@ -153,4 +156,29 @@ def panel_figure(panel: Panel) -> Figure:
         )
         note = textwrap.fill(panel.note, round(_NOTE_CHARACTERS * total))
         figure.text(left / total, 0.34 / _HEIGHT, note, fontsize=7.5, color=MUTED, va="top")
+    return figure
+
+
+def overview_figure(curves: Curves) -> Figure:
+    """The drive to scale beside panel 7a, with the design window of the paper."""
+    joint = preset.table_2_joint(preset.operating_grid())
+    panel = joint_panels(curves)[0]
+    with rc_context(STYLE):
+        figure = Figure(figsize=(11.0, 4.8), layout="constrained")
+        FigureCanvasAgg(figure)
+        drive, stiffness = figure.subplots(1, 2, width_ratios=(1.0, 1.3))
+        draw_drive(drive, joint.geometry, ring_wall_thickness=joint.ring_wall_thickness)
+        drive.set_title("Planetary traction drive, to scale")
+        draw(stiffness, panel)
+        stiffness.set_title("Its stiffness, from the asperities alone")
+        stiffness.axvspan(*preset.DESIGN_WINDOW, color="#eef4f8", lw=0, zorder=0)
+        stiffness.text(
+            float(np.mean(preset.DESIGN_WINDOW)),
+            0.03,
+            "window advised\nby the paper",
+            transform=stiffness.get_xaxis_transform(),
+            ha="center",
+            fontsize=8.5,
+            color=MUTED,
+        )
     return figure

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -17,15 +17,15 @@ from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.part_names import paths_of_track
 from asperity.joint_file.si_tables import AnyCase, NumericKey, numeric_keys, si_values
-from asperity.results import LEVELS, chosen_results
+from asperity.results import LEVELS, Result, chosen_results
 from asperity.study.batch import evaluate_points
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
-from asperity.study.tolerances.failed_samples import quantiles_with_failed, worse_end
 from asperity.study.tolerances.sensitivity import refuse_failed
 
 if TYPE_CHECKING:
     import xarray
+
 
 #: Results that are followed unless others are asked for, where the drive has them.
 DEFAULT_RESULTS = (*(f"{level}_stiffness_output" for level in LEVELS), "slip_ratio")
@@ -35,6 +35,8 @@ _RESAMPLES = 100
 _FEWEST = 100
 #: Numbers of inputs and results together that are held in memory.
 _MOST_NUMBERS = 200_000_000
+_LOW_IS_WORSE = ("capacity", "life", "assembly", "bearings")
+_HIGH_IS_WORSE = ("losses", "stresses")
 
 
 def toleranced_inputs(
@@ -281,3 +283,40 @@ def _sobol(analyser: Any, problem: dict[str, Any], row: np.ndarray, seed: int) -
         problem, row, calc_second_order=False, num_resamples=_RESAMPLES, conf_level=COVERAGE, seed=seed
     )
     return np.stack([found[name] for name in ("S1", "S1_conf", "ST", "ST_conf")])
+
+
+def worse_end(row: Result) -> Literal["low", "high", ""]:
+    """Which values of a result are the worse ones; empty where neither are."""
+    if row.limit is not None and math.isfinite(row.limit.lowest) != math.isfinite(row.limit.highest):
+        return "low" if math.isfinite(row.limit.lowest) else "high"
+    if any(word in row.name for word in ("stiffness", "safety", "efficiency")) or row.group in _LOW_IS_WORSE:
+        return "low"
+    worse = "pressure" in row.name or "drift" in row.name or row.group in _HIGH_IS_WORSE
+    return "high" if worse else ""
+
+
+def quantiles_with_failed(
+    values: np.ndarray, shares: np.ndarray, *, worse: Literal["low", "high", ""]
+) -> np.ndarray:
+    """Values below which given shares of all samples lie, where those without a value (nan) are the worst.
+
+    Infinite, low or high, where so many samples have no value; nan where a quantile may lie anywhere.
+
+    Examples
+    --------
+    >>> quantiles_with_failed(np.array([1.0, 2.0, 3.0, np.nan]), np.array([0.1, 0.5]), worse="low").tolist()
+    [-inf, 1.0]
+    """
+    known = values[~np.isnan(values)]
+    failed = values.size - known.size
+    if not failed:
+        return np.quantile(known, shares)
+
+    def counted_as(worst: float, method: Literal["lower", "higher"]) -> np.ndarray:
+        return np.quantile(np.append(known, np.full(failed, worst)), shares, method=method)
+
+    lowest, highest = counted_as(-math.inf, "lower"), counted_as(math.inf, "higher")
+    if worse:
+        return lowest if worse == "low" else highest
+    widest = np.where(shares < 0.5, lowest, np.where(shares > 0.5, highest, np.nan))
+    return np.where(np.isfinite(widest), widest, np.nan)
