@@ -1,8 +1,11 @@
 """Names of files are checked before anything is computed; a file is there whole or not at all."""
 
+import csv
+import math
 import os
 from pathlib import Path
 
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
@@ -13,6 +16,7 @@ from asperity.writing import (
     check_folder,
     check_image,
     replacing,
+    write_columns,
     write_image,
     write_text,
 )
@@ -105,3 +109,26 @@ def test_what_is_read_is_not_written_over(tmp_path):
         with pytest.raises(InputError, match="this is the file that is read; give another name"):
             check_file(tmp_path / path, str(tmp_path / "joint.toml"))
     check_file(tmp_path / "other.csv", str(tmp_path / "joint.toml"), tmp_path / "absent.csv")
+
+
+def test_no_digit_is_lost(tmp_path):
+    file = tmp_path / "columns.csv"
+    torque, stiffness = np.array([0.0, 0.1, 1.0 / 3.0]), [1e-300, math.pi, 5.04e6]
+    write_columns({"torque [N*m]": torque, "stiffness, mean [N*m/rad]": stiffness}, str(file))
+    with file.open(newline="") as source:
+        head, *rows = csv.reader(source)
+    assert head == ["torque [N*m]", "stiffness, mean [N*m/rad]"]
+    assert [[float(cell) for cell in row] for row in rows] == list(
+        map(list, zip(torque, stiffness, strict=True))
+    )
+
+
+def test_columns_of_unlike_length_write_nothing(tmp_path):
+    with pytest.raises(ValueError, match="dimension"):
+        write_columns({"a": [1.0, 2.0], "b": [1.0]}, str(tmp_path / "columns.csv"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_that_does_not_exist_is_told(tmp_path):
+    with pytest.raises((InputError, OSError), match="nowhere"):
+        write_columns({"a": [1.0]}, str(tmp_path / "nowhere" / "columns.csv"))

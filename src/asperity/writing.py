@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import csv
 import tempfile
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from asperity.errors import InputError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
 
 #: Endings of images.
 IMAGE_SUFFIXES = (".png", ".svg", ".pdf")
@@ -160,3 +162,22 @@ def write_image(figure: Figure, path: str | Path) -> None:
 
     with replacing(path) as part, rc_context({"svg.hashsalt": "asperity"}):
         figure.savefig(part, dpi=_DOTS_PER_INCH, metadata=_NO_DATE.get(Path(path).suffix.lower()))
+
+
+def write_columns(columns: Mapping[str, Any], path: str) -> None:
+    """Write columns of one length, completely or not at all.
+
+    Parameters
+    ----------
+    columns : mapping
+        Header with its unit → numbers.
+    path : str
+        The file.
+    """
+    import numpy as np
+
+    rows = np.column_stack([np.asarray(column) for column in columns.values()])
+    with replacing(path) as part, part.open("w", newline="") as target:
+        writer = csv.writer(target)
+        writer.writerow(columns)
+        writer.writerows([repr(float(value)) for value in row] for row in rows)

@@ -54,9 +54,9 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),
     "serve": ("asperity.cli.serve", "serve", "The joint as a page in the browser, with sliders and curves."),
     "materials": ("asperity.cli.materials", "materials", "Library of materials and finishes, with sources."),
-    "init": ("asperity.cli.init", "init", "Write a commented joint file to start from."),
-    "schema": ("asperity.cli.schema", "schema", "Print the JSON schema of joint files, for editors."),
-    "completion": ("asperity.cli.completion", "completion", "Print a shell completion script."),
+    "init": ("asperity.cli.start", "init", "Write a commented joint file to start from."),
+    "schema": ("asperity.cli.start", "schema", "Print the JSON schema of joint files, for editors."),
+    "completion": ("asperity.cli.start", "completion", "Print a shell completion script."),
     "reproduce": (
         "asperity.cli.reproduce",
         "reproduce",

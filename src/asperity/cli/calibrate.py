@@ -58,9 +58,7 @@ def calibrate(
     torque-angle curve follows the history. A curve of the joint at rest and a drift curve can be fitted together:
     give both files; 'offset of drift' is then the offset of the drift curve.
     """
-    from asperity.cli.equal_branches import read_for_equal_branches
-    from asperity.cli.named_file import about
-    from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import about, progress_bar, read_case_of_branches
     from asperity.errors import InputError
     from asperity.precision import use_compilation_cache, use_double_precision
 
@@ -69,7 +67,7 @@ def calibrate(
     check_file(out, file, *data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
-    case = read_for_equal_branches(file)
+    case = read_case_of_branches(file, own=False)
     use_double_precision()
     use_compilation_cache()
     from asperity.study.calibration.calibrate import calibrate as fit

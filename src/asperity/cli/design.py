@@ -70,7 +70,7 @@ def design(
     Pareto front), limits, and the torques and tolerances for which they must hold. Where no design meets all limits,
     the command says which of them conflict and by how much, and ends with exit code 3.
     """
-    from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import progress_bar
     from asperity.precision import use_compilation_cache, use_double_precision
 
     check_image(plot)
@@ -138,8 +138,7 @@ def _front(
     population: int,
     generations: int,
 ) -> None:
-    from asperity.cli.progress import progress_bar
-    from asperity.cli.terminal import console
+    from asperity.cli.terminal import console, progress_bar
     from asperity.study.design.design_document import front_diagnostics
     from asperity.study.design.pareto import pareto_front, require_pymoo
 

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.named_file import about
-from asperity.cli.terminal import say, say_written
+from asperity.cli.terminal import about, say, say_written
 from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
 
@@ -38,7 +37,7 @@ def draw(file: str, out: str, forces: bool) -> None:
     the one to be made, smaller by the interference that makes the preload, which is stated. A DXF file contains the
     true sizes in mm; it needs the optional package ezdxf.
     """
-    from asperity.cli.equal_branches import read_for_equal_branches
+    from asperity.cli.terminal import read_case_of_branches
     from asperity.joint_file.reader import read_case
 
     suffix = Path(out).suffix.lower()
@@ -49,7 +48,7 @@ def draw(file: str, out: str, forces: bool) -> None:
         from asperity.show.sheet_dxf import require_ezdxf
 
         require_ezdxf()
-    case = read_for_equal_branches(file) if forces else read_case(file)
+    case = read_case_of_branches(file, own=False) if forces else read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

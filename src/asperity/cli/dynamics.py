@@ -6,10 +6,8 @@ from typing import Any
 
 import click
 
-from asperity.cli.columns import write_columns
-from asperity.cli.named_file import about
-from asperity.cli.terminal import say_written
-from asperity.writing import check_file, check_image, write_image
+from asperity.cli.terminal import about, say_written
+from asperity.writing import check_file, check_image, write_columns, write_image
 
 
 @click.command()
@@ -35,11 +33,11 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     The section [dynamics] of FILE gives the inertias of motor and load. The joint is linear about its output torque.
     While it turns, creep acts as a damper in series with its spring.
     """
-    from asperity.cli.equal_branches import read_for_own_branches
+    from asperity.cli.terminal import read_case_of_branches
 
     check_image(plot_file)
     check_file(csv_file, file)
-    case = read_for_own_branches(file)
+    case = read_case_of_branches(file, own=True)
     from asperity.joint_file.own_branches import with_own_branches
     from asperity.joint_file.section_build import inertias_from_case
     from asperity.precision import use_compilation_cache, use_double_precision

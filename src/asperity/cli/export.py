@@ -6,8 +6,7 @@ from pathlib import Path
 
 import click
 
-from asperity.cli.named_file import about
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import about, say_written
 
 #: Names of the targets; asperity.export.targets has their writers.
 TARGETS = ("table", "mujoco", "fmu", "modelica")
@@ -50,12 +49,12 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     Every file states the stiffness and the drift, which are two regimes: the wind-up of a joint that stands comes back,
     the drift of a joint that turns does not.
     """
-    from asperity.cli.equal_branches import read_for_own_branches
+    from asperity.cli.terminal import read_case_of_branches
     from asperity.errors import InputError
     from asperity.export.targets import check_target
 
     check_target(to, out, file)
-    case = read_for_own_branches(file)
+    case = read_case_of_branches(file, own=True)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 

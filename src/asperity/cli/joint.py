@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.named_file import about
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import about, say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:

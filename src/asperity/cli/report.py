@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.named_file import about
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import about, say_written
 from asperity.errors import InputError
 from asperity.writing import check_file, replacing, write_text
 
@@ -90,7 +89,7 @@ def report(
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import progress_bar
     from asperity.report.joint_report import ReportSource, joint_report
 
     if distribution is not None and not tolerances:
@@ -139,8 +138,7 @@ def _studies(
     design_file: str | None,
 ) -> ReportStudies:
     """Make the studies that a report is to show."""
-    from asperity.cli.named_file import about
-    from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import about, progress_bar
     from asperity.joint_file.distribution import parse_distribution
     from asperity.reading import read_text
     from asperity.report.study_sections import STUDIED, ReportStudies

@@ -37,10 +37,9 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
     An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result.
     """
-    from asperity.cli.equal_branches import read_for_equal_branches
-    from asperity.cli.named_file import about
+    from asperity.cli.terminal import about, read_case_of_branches
 
-    case = read_for_equal_branches(file)
+    case = read_case_of_branches(file, own=False)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

@@ -96,15 +96,14 @@ def sweep(
     asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
         --over "load.preload=500 N:2000 N:40" --results stiffness,slip_ratio --out sweep.nc
     """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
-    from asperity.cli.equal_branches import read_for_equal_branches
+    from asperity.cli.terminal import read_case_of_branches
 
-    case = read_for_equal_branches(file)
+    case = read_case_of_branches(file, own=False)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.cli.named_file import about
-    from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import about, progress_bar
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values
     from asperity.results import chosen_results

@@ -17,11 +17,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.errors import InputError, printable
+from asperity.errors import InputError, NoSolutionError, printable
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
+
+    from asperity.joint_file.si_tables import AnyCase
+
 
 WIDEST = 100
 
@@ -266,3 +269,77 @@ def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
         return
     with target.status(f"0 {unit}") as status:
         yield lambda done: status.update(f"{done} {unit}")
+
+
+@contextmanager
+def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
+    """A bar that shows how much of the work is done.
+
+    Parameters
+    ----------
+    what : str
+        What is counted.
+
+    Yields
+    ------
+    callable
+        Takes the number done and the total.
+    """
+    if not sys.stderr.isatty():
+        yield lambda done, total: None
+        return
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=rich_console(stderr=True), transient=True) as progress:
+        task = progress.add_task(f"compiling, then {what}", total=None)
+
+        def report(done: int, total: int) -> None:
+            progress.update(task, completed=done, total=total, description=what if done else None)
+
+        yield report
+
+
+@contextmanager
+def about(file: str, *others: str | None) -> Iterator[None]:
+    """While the joint of a file is solved: refusals begin with the name of the file.
+
+    Parameters
+    ----------
+    file : str
+        The joint file.
+    *others : str or None
+        Further files of the command: a refusal that begins with the name of one of them is about that file.
+
+    Yields
+    ------
+    None
+
+    Raises
+    ------
+    InputError, NoSolutionError
+        As they are raised within, after the name.
+    """
+    try:
+        yield
+    except (InputError, NoSolutionError) as error:
+        if any(str(error).startswith((f"{name}: ", f"{name}, ")) for name in (file, *others)):
+            raise
+        raise type(error)(f"{file}: {error}", options=error.options) from None
+
+
+def read_case_of_branches(file: str, *, own: bool) -> AnyCase:
+    """A joint file; a note says whether the results are those of its sections ``[[branch]]``, if it has them."""
+    from asperity.joint_file.reader import read_case
+
+    case = read_case(file)
+    if case.branch is not None:
+        said = (
+            "the results are those of the branches of the file, [[branch]]; contacts and rollers have the number of "
+            "theirs"
+            if own
+            else "the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads', 'roll', "
+            "'windup', 'dynamics', 'export' and 'report'"
+        )
+        click.echo(f"asperity: note: {said}", err=True)
+    return case

@@ -63,18 +63,17 @@ def uncertainty(
     Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
-    from asperity.cli.equal_branches import read_for_equal_branches
-    from asperity.cli.named_file import about
+    from asperity.cli.terminal import about, read_case_of_branches
     from asperity.joint_file.distribution import parse_distribution
     from asperity.joint_file.reader import read_case
 
-    case = read_for_equal_branches(file) if branches is None else read_case(file)
+    case = read_case_of_branches(file, own=False) if branches is None else read_case(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import progress_bar
     from asperity.study.tolerances.uncertainty import uncertainty as propagate
 
     check_image(plot)
@@ -105,7 +104,7 @@ def uncertainty(
 
 def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, seed: int) -> dict[str, Any]:
     """What drives do whose branches have sizes of their own."""
-    from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import progress_bar
     from asperity.study.tolerances.branch_scatter import branch_scatter
 
     asked: dict[str, Any] = {"distribution": otherwise, "draws": draws, "seed": seed}

@@ -26,7 +26,7 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
     import json
     from pathlib import Path
 
-    from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import progress_bar
     from asperity.errors import InputError
     from asperity.writing import check_file, replacing, write_text
 

@@ -6,11 +6,9 @@ from typing import Any
 
 import click
 
-from asperity.cli.columns import write_columns
-from asperity.cli.named_file import about
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import about, say_written
 from asperity.standing import STAGE_SHARES
-from asperity.writing import check_file, check_image, write_image
+from asperity.writing import check_file, check_image, write_columns, write_image
 
 LEVELS = ("assembly", "series_with_bulk", "published")
 
@@ -78,13 +76,13 @@ def windup(
     Stiffness holds for an input that stands. Once it turns under torque, the contacts creep and the output drifts:
     the second table says from which angle on, and by how much. 'asperity roll' has more on the drift.
     """
-    from asperity.cli.equal_branches import read_for_own_branches
+    from asperity.cli.terminal import read_case_of_branches
     from asperity.errors import InputError
 
     check_file(csv_file, file)
     check_file(rolling_file, file)
     check_image(plot_file)
-    case = read_for_own_branches(file)
+    case = read_case_of_branches(file, own=True)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 
