@@ -1,6 +1,8 @@
 """Surfaces stated by their Ra: the interval over D and Ra holds the joints at its ends."""
 
 import math
+import tomllib
+from pathlib import Path
 
 import jax
 import numpy as np
@@ -13,10 +15,11 @@ from asperity.joint_file import drawn_surface as module
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.drawn_surface import _words, drawn_interval, surfaces_by_average
-from asperity.joint_file.reader import parse_case
+from asperity.joint_file.reader import case_from_tables, parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import roughness_average, scatter_of_average
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 SURFACE = '[surface]\nfinish = "ground"\nroughness_average = "0.2 um"\n'
 
 
@@ -220,3 +223,25 @@ def test_what_leaves_nothing_open_is_the_joint_of_another_drive(planar_case):
     ):
         assert list(found[level].values()) == pytest.approx([float(value)] * 2, rel=1e-5)
     assert found["surfaces"]["surface"]["fractal_dimension"] == [1.5, 1.5]
+
+
+@pytest.mark.parametrize("name", ["zou2025", "planetary"])
+def test_a_surface_by_its_heights_has_the_interval_of_its_law(name):
+    """K_n = N/(0.48 h) in every drive; both ends are the joints with 0.57 and 1.14 of the heights."""
+
+    def joint_file(height):
+        tables = tomllib.loads((EXAMPLES / f"{name}.toml").read_text(encoding="utf-8"))
+        return case_from_tables(tables | {"surface": {"rms_height": height}}, source="a.toml")
+
+    case = joint_file("0.2 um +- 0.02 um")
+    result = solve_joint(joint_from_case(case)).result
+    np.testing.assert_allclose(
+        result.contacts.normal_stiffness, np.asarray(result.forces.normal) / (0.48 * 0.2e-6), rtol=1e-12
+    )
+    interval = drawn_interval(case)
+    for end, height in (("low", "0.2508 um"), ("high", "0.1026 um")):
+        there = solve_joint(joint_from_case(joint_file(height))).result.assembly.stiffness.output
+        assert interval["assembly"][f"{end}_Nm_per_rad"] == pytest.approx(float(there), rel=1e-6)
+    told = " ".join(assumptions(case))
+    assert "randomly rough elastic surfaces" in told
+    assert "not published" not in told

@@ -3,7 +3,8 @@
 import pytest
 from pydantic import ValidationError
 
-from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
+from asperity.errors import InputError
+from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry, one_kind_of_roughness
 
 STEEL = {
     "youngs_modulus": "206 GPa",
@@ -42,6 +43,34 @@ def test_a_surface_has_one_roughness(given, found):
         ValidationError, match=f"exactly one of 'fractal_roughness' and 'roughness_average'.*got {found}"
     ):
         SurfaceEntry.model_validate(GROUND | given)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (GROUND, "leave fractal_dimension, frequency_ratio out"),
+        ({"roughness_average": "0.1 um"}, "leave roughness_average out"),
+        ({"rms_height": "0.2 um +- 0.2 um"}, "its tolerance has to be smaller"),
+    ],
+)
+def test_the_heights_alone_are_all_that_their_law_knows(given, said):
+    alone = SurfaceEntry.model_validate({"rms_height": "0.2 um"})
+    assert alone.rms_height.value == pytest.approx(2e-7)
+    with pytest.raises(ValidationError, match=said):
+        SurfaceEntry.model_validate({"rms_height": "0.2 um"} | given)
+
+
+def test_a_fractal_surface_has_both_its_numbers():
+    with pytest.raises(ValidationError, match=r"frequency_ratio missing.*or give the rms_height"):
+        SurfaceEntry.model_validate({"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm"})
+
+
+def test_all_contacts_have_one_contact_law():
+    fractal = SurfaceEntry.model_validate(GROUND | {"fractal_roughness": "1e-8 mm"})
+    by_heights = SurfaceEntry.model_validate({"rms_height": "0.2 um"})
+    assert one_kind_of_roughness({"sp": fractal, "pr": fractal})["sp"] is fractal
+    with pytest.raises(InputError, match=r"one contact law for all contacts: pr by rms_height, sp fractal"):
+        one_kind_of_roughness({"sp": fractal, "pr": by_heights})
 
 
 @pytest.mark.parametrize(

@@ -47,7 +47,7 @@ def test_the_schema_tells_editors_what_a_joint_file_may_say(schema):
     assert drive["properties"]["sun_radius"]["type"] == "string"  # a quantity is text with a unit
     assert drive["properties"]["planets"]["type"] == "integer"
     assert "planet_length" not in drive["required"]
-    number, text = schema["$defs"]["SurfaceEntry"]["properties"]["fractal_dimension"]["anyOf"]
+    number, text, _ = schema["$defs"]["SurfaceEntry"]["properties"]["fractal_dimension"]["anyOf"]
     assert (number["exclusiveMinimum"], number["exclusiveMaximum"]) == (1.0, 2.0)
     assert text["type"] == "string"
     assert schema["$defs"]["WedgeModelChoice"]["properties"]["closure"]["enum"] == [

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.contact.fractal import FractalContact
+from asperity.contact.rough_contact import RoughContact
 from asperity.drive.wedge.geometry import triangle
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
@@ -47,35 +47,35 @@ NO_LOAD, SLIPPING, FREE = (len(REFERENCE) + i for i in range(3))
 
 
 @pytest.fixture(scope="module")
-def contact() -> FractalContact:
+def contact() -> RoughContact:
     dimension, normal, tangential = jnp.array(POINTS).T
-    solved: FractalContact = eqx.filter_jit(preset.table_1_contact)(
+    solved: RoughContact = eqx.filter_jit(preset.table_1_contact)(
         fractal_dimension=dimension, normal_force=normal, tangential_force=tangential
     )
     return solved
 
 
-def test_case_c_agrees_with_the_reference(contact: FractalContact) -> None:
+def test_case_c_agrees_with_the_reference(contact: RoughContact) -> None:
     stiffness = np.asarray(contact.tangential_stiffness)[: len(REFERENCE)] * 1e-3
     np.testing.assert_allclose(stiffness, list(REFERENCE.values()), rtol=6e-4)
 
 
-def test_highest_of_the_reference_points_is_at_1_85(contact: FractalContact) -> None:
+def test_highest_of_the_reference_points_is_at_1_85(contact: RoughContact) -> None:
     top = int(np.argmax(np.asarray(contact.tangential_stiffness)[: len(REFERENCE)]))
     assert list(REFERENCE)[top] == 1.85
 
 
-def test_no_load_means_no_contact(contact: FractalContact) -> None:
+def test_no_load_means_no_contact(contact: RoughContact) -> None:
     assert float(contact.tangential_stiffness[NO_LOAD]) == 0.0
     assert float(contact.real_contact_area[NO_LOAD]) == 0.0
 
 
-def test_gross_slip_means_no_stiffness_but_contact(contact: FractalContact) -> None:
+def test_gross_slip_means_no_stiffness_but_contact(contact: RoughContact) -> None:
     assert float(contact.tangential_stiffness[SLIPPING]) == 0.0
     assert float(contact.largest_area[SLIPPING]) > 0.0
 
 
-def test_tangential_force_enters_as_the_cube_root_of_what_friction_has_left(contact: FractalContact) -> None:
+def test_tangential_force_enters_as_the_cube_root_of_what_friction_has_left(contact: RoughContact) -> None:
     stiffness = np.asarray(contact.tangential_stiffness)[FREE:]
     np.testing.assert_allclose(stiffness[1:], stiffness[0] * np.cbrt(1.0 - np.array(SHARES)), rtol=1e-12)
 

@@ -101,7 +101,7 @@ def _show_stiffness(target: Console, document: Document) -> None:
 def _interval_title(document: Document) -> str:
     measured = document.get("measured_surface")
     if measured is None:
-        return "Interval over what the Ra of the surfaces leaves open"
+        return str(document["stiffness_interval"]["title"])
     return (
         f"{document['stiffness_interval']['confidence']:.0%} interval from the measured surface "
         f"(D = {measured['fractal_dimension']:.3f}, G = {in_unit(measured['fractal_roughness_m'], 'mm')})"

@@ -135,9 +135,24 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
         _print(measured)
     if isinstance(measured.fit, str):
         if not as_json:
-            click.echo(f"refused: {measured.fit}", err=True)
+            click.echo(f"refused: {measured.fit}\n{_way_on(measured, options['lambda_c'])}", err=True)
         click.get_current_context().exit(3)
     return 0
+
+
+def _way_on(measured: MeasuredFiles, long_cutoff: float | None) -> str:
+    """How a surface without D and G becomes a joint."""
+    if long_cutoff is None:
+        return (
+            "A joint needs neither D nor G: measure again with --lambda-c, the width of its contacts (2b, as 'asperity "
+            "joint' prints it), and give the Rq or Sq of both bodies as surface.rms_height."
+        )
+    squares = [surface.heights.root_mean_square**2 for surface in measured.surfaces]
+    one = (sum(squares) / len(squares)) ** 0.5
+    return (
+        "A joint needs neither D nor G: for a joint file, against a smooth surface or one like this,\n"
+        f'[surface]\nrms_height = "{1e6 * one:.4g} um"  # or "{1e6 * 2.0**0.5 * one:.4g} um"'
+    )
 
 
 def _write_figure(plot: Path, measured: MeasuredFiles) -> None:

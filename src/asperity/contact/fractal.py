@@ -26,6 +26,7 @@ from jax import Array
 
 from asperity.contact.asperity import AsperityBase, base_factor, slip_factor
 from asperity.contact.population import log_critical_area, log_domain_extension_factor
+from asperity.contact.rough_contact import RoughContact
 from asperity.types import Real
 
 #: Range of fractal dimensions in which the contact law is verified to rounding, narrower than what it accepts.
@@ -55,34 +56,6 @@ class Surface(eqx.Module):
     fractal_roughness: Real
     frequency_ratio: Real
     asperity_base: AsperityBase = eqx.field(static=True)
-
-
-class FractalContact(eqx.Module):
-    """The state of one rough contact under load; arrays of one broadcast shape, SI units.
-
-    Parameters
-    ----------
-    largest_area, critical_area : Array
-        Largest spot a_l and critical spot a_c [m^2].
-    real_contact_area : Array
-        Real area of contact A_r [m^2].
-    elastic_load, plastic_load : Array
-        Shares F_e and F_p of the normal force carried by elastic and by plastic spots [N].
-    tangential_stiffness, normal_stiffness : Array
-        K_t and K_n of all elastic spots together [N/m].
-    domain_extension_factor, contact_factor : Array
-        psi and lambda [-].
-    """
-
-    largest_area: Array
-    critical_area: Array
-    real_contact_area: Array
-    elastic_load: Array
-    plastic_load: Array
-    tangential_stiffness: Array
-    normal_stiffness: Array
-    domain_extension_factor: Array
-    contact_factor: Array
 
 
 def _relative_expm1(x: Array) -> Array:
@@ -210,7 +183,7 @@ def fractal_contact(
     contact_modulus: Real,
     tangential_contact_modulus: Real,
     hardness: Real,
-) -> FractalContact:
+) -> RoughContact:
     r"""Spots, load shares and stiffnesses of a rough contact under load.
 
     .. math::
@@ -240,7 +213,7 @@ def fractal_contact(
 
     Returns
     -------
-    FractalContact
+    RoughContact
         All results of the law, in the broadcast shape of the inputs.
 
     Notes
@@ -312,4 +285,4 @@ def fractal_contact(
         jnp.exp(log_psi),
         contact_factor,
     )
-    return FractalContact(*values)
+    return RoughContact(*values)

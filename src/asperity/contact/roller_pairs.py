@@ -9,13 +9,19 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact import hertz_line
-from asperity.contact.fractal import FractalContact, Surface, fractal_contact
+from asperity.contact.exponential import RandomRoughness, random_contact
+from asperity.contact.fractal import Surface, fractal_contact
 from asperity.contact.population import ContactFactorModel, contact_factor
+from asperity.contact.rough_contact import RoughContact
 from asperity.materials import ContactPair
 from asperity.types import Real
 
 #: Models of the contact factor, in the order of the numbers of :func:`numbered_contact_factors`.
 CONTACT_FACTOR_MODELS: tuple[ContactFactorModel, ...] = get_args(ContactFactorModel)
+
+
+#: What the roughness of a contact is described by.
+Roughness = Surface | RandomRoughness
 
 
 class RollerPairs(eqx.Module):
@@ -35,8 +41,8 @@ class RollerPairs(eqx.Module):
         Friction coefficient mu [-].
     moduli : ContactPair
         Moduli and limits of the two materials.
-    surface : Surface
-        Fractal roughness of the equivalent surface.
+    surface : Surface or RandomRoughness
+        Roughness of the equivalent surface, fractal or by its heights: it decides the contact law.
     """
 
     radius_1: Real
@@ -46,7 +52,7 @@ class RollerPairs(eqx.Module):
     contact_length: Real
     friction_coefficient: Real
     moduli: ContactPair
-    surface: Surface
+    surface: Roughness
 
     def half_width(self, normal_force: Real) -> Real:
         """Half-width of the Hertzian strips [m], for one newton where the contact is open.
@@ -77,7 +83,7 @@ def roller_pairs(
     contact_length: Real,
     friction_coefficient: Real,
     moduli: ContactPair,
-    surface: Surface,
+    surface: Roughness,
 ) -> RollerPairs:
     """Roller pairs from radii, length, friction, materials and surface.
 
@@ -93,8 +99,8 @@ def roller_pairs(
         mu [-].
     moduli : ContactPair
         Moduli and limits of the materials.
-    surface : Surface
-        Fractal roughness.
+    surface : Surface or RandomRoughness
+        Roughness.
 
     Returns
     -------
@@ -173,7 +179,7 @@ def numbered_contact_factors(*, pairs: RollerPairs, model_number: Array, normal_
 
 def rough_contacts(
     *, pairs: RollerPairs, contact_factor: Real, normal_force: Real, tangential_force: Real
-) -> FractalContact:
+) -> RoughContact:
     """Spots, load shares and stiffnesses of roller pairs under load.
 
     Parameters
@@ -187,20 +193,23 @@ def rough_contacts(
 
     Returns
     -------
-    FractalContact
-        As :func:`asperity.contact.fractal.fractal_contact` gives it.
+    RoughContact
+        As :func:`asperity.contact.fractal.fractal_contact` or :func:`asperity.contact.exponential.random_contact`
+        gives it, by the kind of the surface.
 
     References
     ----------
-    Zou et al. 2025, equations (10)–(12), (20), (22)–(24).
+    Zou et al. 2025, equations (10)–(12), (20), (22)–(24); (A10) of :doc:`/equations`.
     """
+    under = {
+        "normal_force": normal_force,
+        "tangential_force": jnp.abs(tangential_force),
+        "friction_coefficient": pairs.friction_coefficient,
+        "contact_modulus": pairs.moduli.contact_modulus,
+        "tangential_contact_modulus": pairs.moduli.tangential_contact_modulus,
+    }
+    if isinstance(pairs.surface, RandomRoughness):
+        return random_contact(roughness=pairs.surface, **under)
     return fractal_contact(
-        surface=pairs.surface,
-        normal_force=normal_force,
-        tangential_force=jnp.abs(tangential_force),
-        friction_coefficient=pairs.friction_coefficient,
-        contact_factor=contact_factor,
-        contact_modulus=pairs.moduli.contact_modulus,
-        tangential_contact_modulus=pairs.moduli.tangential_contact_modulus,
-        hardness=pairs.moduli.hardness,
+        surface=pairs.surface, contact_factor=contact_factor, hardness=pairs.moduli.hardness, **under
     )

@@ -11,7 +11,6 @@ from jax import Array
 
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_line import CrownedLine
-from asperity.contact.fractal import FractalContact
 from asperity.contact.hertz_line import (
     logarithmic_compliance,
     ring_secant_compliance,
@@ -20,6 +19,7 @@ from asperity.contact.hertz_line import (
 from asperity.contact.interface import Interface, bulk_tangential_stiffness
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
+from asperity.contact.rough_contact import RoughContact
 from asperity.drive.mechanism import NormalSprings, crowned_springs
 from asperity.joint.crowned_contacts import (
     CrownCompliance,
@@ -104,7 +104,7 @@ class LoadedContacts(NamedTuple):
         Half-width of the Hertzian strips under even loads [m]; 0 where a contact is open.
     traction : Array
         T/(mu N) [-]; 1 where a contact is open or slips.
-    rough : FractalContact
+    rough : RoughContact
         Spots and stiffnesses of the rough surfaces.
     interfaces : Interface
         Stiffnesses of asperities and of bulk [N/m]; all 0 where a contact is open.
@@ -116,7 +116,7 @@ class LoadedContacts(NamedTuple):
 
     half_width: Array
     traction: Array
-    rough: FractalContact
+    rough: RoughContact
     interfaces: Interface
     lines: CrownedLine | None = None
     crown: CrownCompliance | None = None
@@ -184,7 +184,7 @@ def rough_joint_contacts(
     normal_force: Array,
     tangential_force: Array,
     lines: CrownedLine | None = None,
-) -> FractalContact:
+) -> RoughContact:
     """The fractal contact law at the contacts of a joint.
 
     Parameters
@@ -198,7 +198,7 @@ def rough_joint_contacts(
 
     Returns
     -------
-    FractalContact
+    RoughContact
         Spots and stiffnesses, shape (contacts, ...).
     """
     lines = contacts.loads_along(normal_force) if lines is None else lines
@@ -217,7 +217,7 @@ def rough_joint_contacts(
 
 def _rough_crowned(
     contacts: JointContacts, lines: CrownedLine, normal_force: Array, tangential_force: Array
-) -> FractalContact:
+) -> RoughContact:
     slices = rough_slices(
         pairs=contacts.pairs,
         model=contacts.contact_factor_model,

@@ -17,9 +17,9 @@ from asperity.contact.crowned_line import (
     crowned_line,
 )
 from asperity.contact.crowned_shear import crown_shear_compliance
-from asperity.contact.fractal import FractalContact
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
+from asperity.contact.rough_contact import RoughContact
 from asperity.contact.strip_theory import strip_creepage
 from asperity.materials import Material
 
@@ -104,7 +104,7 @@ def rough_slices(
     lines: CrownedLine,
     normal_force: Array,
     tangential_force: Array,
-) -> FractalContact:
+) -> RoughContact:
     """The fractal contact law at the line load of each slice, as if it acted on the whole line.
 
     Parameters
@@ -120,7 +120,7 @@ def rough_slices(
 
     Returns
     -------
-    FractalContact
+    RoughContact
         Shape (slices, contacts, ...); the length share of a slice is its share in the contact.
     """
     share = lines.line_load * pairs.contact_length / _pressed(normal_force)
@@ -133,11 +133,11 @@ def rough_slices(
     )
 
 
-def whole_contact(*, slices: FractalContact, lines: CrownedLine) -> FractalContact:
+def whole_contact(*, slices: RoughContact, lines: CrownedLine) -> RoughContact:
     """Spots and stiffnesses of contacts from those of their slices."""
-    added: FractalContact = jax.tree.map(lambda value: jnp.sum(lines.length_share * value, axis=0), slices)
+    added: RoughContact = jax.tree.map(lambda value: jnp.sum(lines.length_share * value, axis=0), slices)
     middle = jax.tree.map(lambda value: value[0], slices)
-    return FractalContact(
+    return RoughContact(
         largest_area=middle.largest_area,
         critical_area=middle.critical_area,
         real_contact_area=added.real_contact_area,

@@ -10,9 +10,8 @@ import numpy as np
 from jax import Array
 
 from asperity.body.shapes import PlaneState
-from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
-from asperity.contact.roller_pairs import roller_pairs
+from asperity.contact.roller_pairs import Roughness, roller_pairs
 from asperity.drive.layout.drive import Drive
 from asperity.drive.mechanism import Bearings
 from asperity.drive.state.rolling_speeds import BodiesOfContacts
@@ -77,7 +76,7 @@ class Joint(eqx.Module):
         What each body is, in the order of the drive's bodies.
     materials : tuple of Material
         Of each body.
-    surfaces : tuple of Surface
+    surfaces : tuple of Surface or RandomRoughness
         Fractal roughness.
     contact_lengths, friction_coefficients : tuple of Real
         Lengths B [m] and friction coefficients mu [-].
@@ -138,7 +137,7 @@ class Joint(eqx.Module):
     drive: Drive
     shapes: tuple[BodyShape, ...]
     materials: tuple[Material, ...]
-    surfaces: tuple[Surface, ...]
+    surfaces: tuple[Roughness, ...]
     contact_lengths: tuple[Real, ...]
     friction_coefficients: tuple[Real, ...]
     pattern: tuple[Real, ...]

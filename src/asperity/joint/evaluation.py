@@ -10,8 +10,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
+from asperity.contact.rough_contact import RoughContact
 from asperity.drive.layout.drive import speed_ratio, speeds
 from asperity.drive.layout.expansion import ring_interference
 from asperity.drive.state.rolling_speeds import BodiesOfContacts
@@ -88,7 +88,7 @@ class JointResult(eqx.Module):
         The assembled drive without torque.
     forces : JointForces
         Forces under the torque while the joint stands.
-    contacts : FractalContact
+    contacts : RoughContact
         Spots and stiffnesses, shape (contacts,).
     contact_torsional_stiffness : Array
         Each contact's own K_T at its driven roller, shape (contacts,) [N·m/rad].
@@ -117,7 +117,7 @@ class JointResult(eqx.Module):
     interference: Array
     rest: DriveState
     forces: JointForces
-    contacts: FractalContact
+    contacts: RoughContact
     contact_torsional_stiffness: Array
     interfaces: Interface
     published: TorsionalStiffness

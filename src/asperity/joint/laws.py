@@ -12,6 +12,7 @@ from jax import Array
 from asperity.arrays import namespace
 from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.contact.carter import gross_slip_creepage
+from asperity.contact.exponential import RandomRoughness
 from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
@@ -82,6 +83,7 @@ def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
         rims=contacts.rims,
         linear_compliance=ring_springs(joint),
         bores=pins_in_bores(joint),
+        slip_exponent=1.0 if isinstance(contacts.pairs.surface, RandomRoughness) else 1.0 / 3.0,
     )
     if joint.closure_springs is None:
         return laws

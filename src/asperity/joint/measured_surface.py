@@ -83,11 +83,12 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
             f"{np.count_nonzero(~inside)} of {DRAWS} draws of the measured D = {centre[0]:.3f} lie outside 1 to 2: the "
             "measurement is too uncertain; measure more profiles"
         )
+    (base,) = {each.asperity_base for each in joint.surfaces if isinstance(each, Surface)}
     surface = Surface(
         fractal_dimension=jnp.asarray(dimension[inside]),
         fractal_roughness=jnp.asarray(np.exp(log_roughness[inside])),
         frequency_ratio=jnp.full(np.count_nonzero(inside), float(measurement.frequency_ratio)),
-        asperity_base=joint.surfaces[0].asperity_base,
+        asperity_base=base,
     )
     shape = np.shape(surface.fractal_dimension)
     result = over_surfaces(joint, (surface,), shape=shape)

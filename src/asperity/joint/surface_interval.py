@@ -9,19 +9,19 @@ import jax
 import numpy as np
 
 from asperity.compilation import compile_fast
-from asperity.contact.fractal import Surface
+from asperity.contact.roller_pairs import Roughness
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
 
 
-def over_surfaces(joint: Joint, surfaces: tuple[Surface, ...], *, shape: tuple[int, ...]) -> JointResult:
+def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple[int, ...]) -> JointResult:
     """One joint with many surfaces.
 
     Parameters
     ----------
     joint : Joint
         One joint; its own surfaces do not count.
-    surfaces : tuple of Surface
+    surfaces : tuple of Surface or RandomRoughness
         For all contacts or for each, as those of a joint; their numbers broadcast to the batch.
     shape : tuple of int
         Shape of the batch, of one axis.
@@ -39,7 +39,7 @@ def over_surfaces(joint: Joint, surfaces: tuple[Surface, ...], *, shape: tuple[i
     return found
 
 
-def _each_surface(joint: Joint, surfaces: tuple[Surface, ...]) -> JointResult:
+def _each_surface(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
     found: JointResult = jax.vmap(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
     return found
 

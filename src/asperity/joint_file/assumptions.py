@@ -28,6 +28,11 @@ _EQUAL_COEFFICIENTS = (
 )
 _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
 #: What is taken of crowned rollers in every drive.
+RANDOM_ROUGHNESS = (
+    "surface.rms_height: the contact law of randomly rough elastic surfaces in place of the published one, K_n = "
+    "N/(0.48 rms_height) and K_t in proportion to 1 - T/(mu N); the heights are those of both bodies together and "
+    "of the waves shorter than the contacts are wide: longer ones make the joint look softer than it is"
+)
 LOADING_CAM = (
     "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far as the "
     "work on the contacts demands; a cam that sticks is stiffer, and adds hysteresis of its own"
@@ -125,11 +130,14 @@ def assumptions(case: Case) -> tuple[str, ...]:
         if any(
             entry.roughness_average is not None and (entry.fractal_dimension.tolerance > 0.0) == ranged
             for entry in entries
+            if entry.fractal_dimension is not None
         ):
             told.append(
                 f"roughness_average: Ra leaves D open, and all results are those of the {which}; 'asperity joint' "
                 "gives the interval of stiffness and drift"
             )
+    if any(entry.rms_height is not None for entry in entries):
+        told.append(RANDOM_ROUGHNESS)
     told += _surfaces(case)
     sizes = [
         path
@@ -167,7 +175,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
     told += temperature_assumptions(case, housed=not case.without_housing())
     if joint.crown_curvatures is not None:
         told.append(CROWNED)
-    told += rolling_assumptions(case.rolling)
+    told += rolling_assumptions(case.rolling, fractal=all(entry.rms_height is None for entry in entries))
     told += lubrication_assumptions(
         case.lubrication,
         materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},
@@ -260,11 +268,12 @@ def fatigue_unknown(body: str, material: str) -> str:
     )
 
 
-def rolling_assumptions(rolling: Rolling | None) -> list[str]:
+def rolling_assumptions(rolling: Rolling | None, *, fractal: bool) -> list[str]:
     """What the model of rolling takes for every joint, and what a file leaves out of it."""
+    local = ": the local form of the contact law is not published" if fractal else ""
     told = [
-        "rolling: steady, the asperities yield in both directions, by u_0 = N/K_n for e times the pressure: the local "
-        "form of the contact law is not published; the churning of the oil is not counted",
+        f"rolling: steady, the asperities yield in both directions, by u_0 = N/K_n for e times the pressure{local}; "
+        "the churning of the oil is not counted",
         "life: rolling-contact fatigue of through-hardened bearing steel, no factors for film, cleanliness or "
         "traction; as for shakedown, under the pressure of smooth bodies, which is higher than that of rough ones",
     ]

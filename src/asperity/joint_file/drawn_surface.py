@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.joint_file import limits
 from asperity.joint_file.build import joint_from_case, joint_from_values
@@ -70,7 +71,8 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     dict or None
         As :func:`asperity.joint.measured_surface.stiffness_interval`, with the smallest and the largest value in place
         of percentiles; ``surfaces``: path → the ranges of D and Ra; and ``words``, the same in sentences.
-        None where no surface is stated by its Ra.
+        None where no surface is stated by its Ra or by its rms_height; of the latter, the ends are those of the
+        contact law's own error.
 
     Notes
     -----
@@ -78,16 +80,19 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %; likewise
     that of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
     """
-    entries = surfaces_by_average(case)
+    entries, heights = surfaces_by_average(case), _surfaces_by_height(case)
+    if heights:
+        return _interval_by_height(case, heights)
     if not entries:
         return None
     across, along = np.meshgrid(np.linspace(-1.0, 1.0, DIMENSIONS), np.linspace(-1.0, 1.0, AVERAGES))
     changes: dict[str, Any] = {}
     surfaces = {}
     for path, entry in entries.items():
-        average = entry.roughness_average
+        average, stated = entry.roughness_average, entry.fractal_dimension
         assert average is not None
-        dimension = entry.fractal_dimension.value + entry.fractal_dimension.tolerance * across.ravel()
+        assert stated is not None
+        dimension = stated.value + stated.tolerance * across.ravel()
         averages = {
             key: each.value + _half_width(each, dimension) * along.ravel()
             for key in (_AVERAGE, _PARTNER)
@@ -110,7 +115,36 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
         **result_ends(result, shape=shape, percentiles=(0.0, 100.0), least_usable=1.0),
         "surfaces": surfaces,
     }
-    return {**interval, "words": _words(interval)}
+    return {
+        **interval,
+        "title": "Interval over what the Ra of the surfaces leaves open",
+        "words": _words(interval),
+    }
+
+
+def _surfaces_by_height(case: Case) -> dict[str, Quantity]:
+    """The surfaces of a joint file that are stated by the rms of their heights."""
+    return {path: entry.rms_height for path, entry in _entries(case) if entry.rms_height is not None}
+
+
+def _interval_by_height(case: Case, heights: dict[str, Quantity]) -> dict[str, Any]:
+    """Both ends of the contact law's error, with the tolerance of the heights."""
+    least, most = OVER_BOUNDARY_ELEMENTS
+    changes, told = {}, []
+    for path, height in heights.items():
+        ends = least * (height.value - height.tolerance), most * (height.value + height.tolerance)
+        changes[f"{path}.rms_height"] = np.array(ends)
+        told.append(f"{path}.rms_height {' to '.join(format_quantity(each, 'um', 3) for each in ends)}")
+    values = replace_values(si_values(case), changes)
+    result = over_surfaces(joint_from_case(case), joint_from_values(values).surfaces, shape=(2,))
+    return {
+        "states": 2,
+        **result_ends(result, shape=(2,), percentiles=(0.0, 100.0), least_usable=1.0),
+        "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"].tolist()} for path in heights},
+        "title": "Interval of the contact law, and of rms_height",
+        "words": f"As {', '.join(told)}: the law is {least:g} to {most:g} times as stiff as boundary elements on "
+        "measured surfaces, elastic; plastic spots make the contacts stiffer. All other values are those of the file.",
+    }
 
 
 def _words(interval: dict[str, Any]) -> str:

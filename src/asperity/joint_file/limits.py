@@ -79,6 +79,7 @@ FRACTAL_DIMENSION = Key(Dimension.DIMENSIONLESS, 1.0, 2.0, open_lower=True, open
 FRACTAL_ROUGHNESS = Key(Dimension.LENGTH, 1e-60, 1.0, "mm", open_lower=True, example="1e-8 mm")
 ROUGHNESS_AVERAGE = Key(Dimension.LENGTH, 1e-4, 100.0, "um", example="0.2 um")
 # 4.4 to 8 times Ra
+RMS_HEIGHT = Key(Dimension.LENGTH, 1e-4, 100.0, "um", example="0.15 um")
 MEAN_ROUGHNESS_DEPTH = Key(Dimension.LENGTH, 1e-3, 100.0, "um", example="1.6 um")
 PARTNER_AVERAGE = Key(Dimension.LENGTH, 0.0, 100.0, "um", example="0.1 um")
 CUT_OFF = Key(Dimension.LENGTH, 0.01, 100.0, "mm", example="0.8 mm")

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from asperity.contact.asperity import AsperityBase
+from asperity.contact.exponential import RandomRoughness
 from asperity.contact.fractal import Surface
+from asperity.contact.roller_pairs import Roughness
 from asperity.joint_file.si_tables import Values
 from asperity.materials import Material, hardness
 from asperity.surface.roughness_average import (
@@ -14,8 +16,10 @@ from asperity.surface.roughness_average import (
 from asperity.types import Real
 
 
-def surface_of(entry: Values, *, asperity_base: AsperityBase) -> Surface:
+def surface_of(entry: Values, *, asperity_base: AsperityBase) -> Roughness:
     """The equivalent surface of both bodies of a contact."""
+    if "rms_height" in entry:
+        return RandomRoughness(entry["rms_height"])
     dimension, roughness = entry["fractal_dimension"], entry.get("fractal_roughness")
     if roughness is None:
         average = entry["roughness_average"]

@@ -55,14 +55,17 @@ class MaterialEntry(Section):
 
 
 class SurfaceEntry(Section):
-    """Fractal roughness of a contact: G of the equivalent surface of both bodies, or the Ra of each body."""
+    """Roughness of a contact: D and G of both bodies together, the Ra of each, or the rms of the heights of both."""
 
     finish: Annotated[str, StringConstraints(max_length=60)] | None = None
     """Finish of the library, e.g. "ground": gives fractal_dimension with its published range, and frequency_ratio."""
-    fractal_dimension: Annotated[Quantity, limits.FRACTAL_DIMENSION]
+    rms_height: Annotated[Quantity, limits.RMS_HEIGHT] | None = None
+    """Root mean square of the heights of both bodies together, of the waves shorter than the contact is wide; in place
+    of all other keys of this section, for the contact law of randomly rough surfaces."""
+    fractal_dimension: Annotated[Quantity, limits.FRACTAL_DIMENSION] | None = None
     """Fractal dimension D of a profile; that of the finish if absent."""
     fractal_roughness: Annotated[Quantity, limits.FRACTAL_ROUGHNESS] | None = None
-    """Fractal roughness G; either this or roughness_average."""
+    """Fractal roughness G; either this, roughness_average or rms_height."""
     roughness_average: Annotated[Quantity, limits.ROUGHNESS_AVERAGE] | None = None
     """Ra of one body, from its drawing. It does not say what D is: the stiffness comes out as an interval."""
     mean_roughness_depth: DepthText | None = None
@@ -75,12 +78,30 @@ class SurfaceEntry(Section):
     cut_off: Annotated[Quantity, limits.CUT_OFF] | None = None
     """Cut-off of the profile filter with which roughness_average is measured; that of ISO 4288 for this Ra or Rz
     if absent. With an Rz one of 0.08, 0.25, 0.8, 2.5 and 8 mm."""
-    frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO]
+    frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO] | None = None
     """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5, as if a finish is
     given."""
 
     @model_validator(mode="after")
     def _one_roughness(self) -> SurfaceEntry:
+        if self.rms_height is not None:
+            beside = [name for name in self.model_fields_set if name != "rms_height"]
+            if beside:
+                raise InputError(
+                    f"rms_height is all that its law knows of a surface; leave {', '.join(sorted(beside))} out, "
+                    "or rms_height itself"
+                )
+            if self.rms_height.tolerance >= self.rms_height.value:
+                raise InputError(
+                    f"rms_height: {quoted(self.rms_height.text)} reaches down to zero; its tolerance has to be smaller"
+                )
+            return self
+        missing = [name for name in ("fractal_dimension", "frequency_ratio") if getattr(self, name) is None]
+        if missing:
+            raise InputError(
+                f"{' and '.join(missing)} missing: a fractal surface needs both, and a finish has them; or give the "
+                "rms_height of the surfaces alone"
+            )
         if (self.fractal_roughness is None) == (self.roughness_average is None):
             found = "neither" if self.fractal_roughness is None else "both"
             raise InputError(
@@ -100,6 +121,21 @@ class SurfaceEntry(Section):
                     f"{name}: {quoted(average.text)} reaches below zero; its tolerance has to be smaller"
                 )
         return self
+
+
+def one_kind_of_roughness(surface: Any) -> Any:
+    """The surfaces of all contacts, which one law has to describe; or a refusal."""
+    if isinstance(surface, Mapping):
+        kinds = {name: entry.rms_height is not None for name, entry in surface.items()}
+        if len(set(kinds.values())) > 1:
+            by_heights, fractal = (
+                ", ".join(name for name in kinds if kinds[name] is kind) for kind in (True, False)
+            )
+            raise InputError(
+                f"one contact law for all contacts: {by_heights} by rms_height, {fractal} fractal; give all of them in "
+                "one way"
+            )
+    return surface
 
 
 def unknown_materials(bodies: Any, known: Iterable[str]) -> list[str]:

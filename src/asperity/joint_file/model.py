@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
 from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
 from asperity.joint_file.branch_sections import refuse_branches
 from asperity.joint_file.drive_sections import BENT, PartFriction, PartName, PartSkews, PartSurfaces
-from asperity.joint_file.material_entries import MaterialEntry, MaterialName, unknown_materials
+from asperity.joint_file.material_entries import (
+    MaterialEntry,
+    MaterialName,
+    one_kind_of_roughness,
+    unknown_materials,
+)
 from asperity.joint_file.part_names import CONTACTS, material_keys
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section, WholeFile
@@ -171,7 +176,7 @@ class Case(WholeFile):
     """Materials by name."""
     bodies: dict[PartName, MaterialName]
     """Which material each body is made of."""
-    surface: PartSurfaces
+    surface: Annotated[PartSurfaces, AfterValidator(one_kind_of_roughness)]
     """Roughness: one table for all contacts, or tables surface.NAME for each."""
 
     #: Their number in [drive], and their name.

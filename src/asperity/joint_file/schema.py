@@ -91,8 +91,10 @@ def _offer_finishes(schema: Schema) -> None:
         "enum": list(read_finishes()),
     }
     heights = [{"required": ["roughness_average"]}, {"required": ["mean_roughness_depth"]}]
-    entry["oneOf"] = [{"required": ["fractal_roughness"]}, *heights]
-    entry["anyOf"] = [{"required": ["finish"]}, {"required": entry.pop("required")}]
+    entry["oneOf"] = [{"required": [key]} for key in ("fractal_roughness", "rms_height")] + heights
+    entry["anyOf"] = [
+        {"required": keys} for keys in (["finish"], ["fractal_dimension", "frequency_ratio"], ["rms_height"])
+    ]
     entry["dependentSchemas"] = {
         name: {"anyOf": heights}
         for name in ("partner_roughness_average", "partner_mean_roughness_depth", "cut_off")

@@ -318,9 +318,9 @@ def measured_stiffness(measured: Document, interval: Document) -> Iterator[Block
 
 
 def drawn_stiffness(interval: Document | None) -> Iterator[Block]:
-    """Interval of stiffness and drift over what the Ra of the surfaces leaves open."""
+    """Interval of stiffness and drift over what a file leaves open of its surfaces."""
     if interval is not None:
-        yield from _interval("Interval over what the Ra of the surfaces leaves open", interval)
+        yield from _interval(interval["title"], interval)
         yield Paragraph(interval["words"])
 
 

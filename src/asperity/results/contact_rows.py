@@ -10,11 +10,12 @@ import numpy as np
 
 from asperity.arrays import namespace
 from asperity.results.result import Result
-from asperity.results.solved import SolvedJoint
+from asperity.results.solved import SolvedJoint, has_spots
 from asperity.unit_table import Dimension
 
 _force = functools.partial(Result, group="forces")
 _contact = functools.partial(Result, group="contacts", axis="contact")
+_spot = functools.partial(_contact, present=has_spots, note="nan for surfaces by their rms_height")
 
 _FORCE, _TORQUE, _STIFFNESS = Dimension.FORCE, Dimension.TORQUE, Dimension.STIFFNESS
 _AREA, _NUMBER = Dimension.AREA, Dimension.DIMENSIONLESS
@@ -190,17 +191,17 @@ ROWS = (
         "diagnostics.end_line_load_ratio",
         "0 where the ends are free; without the stress concentration of an edge",
     ),
-    _contact("largest_area", "largest contact spot", _AREA, "mm^2", "result.contacts.largest_area"),
-    _contact("critical_area", "critical contact spot", _AREA, "mm^2", "result.contacts.critical_area"),
-    _contact("real_contact_area", "real area of contact", _AREA, "mm^2", "result.contacts.real_contact_area"),
+    _spot("largest_area", "largest contact spot", _AREA, "mm^2", "result.contacts.largest_area"),
+    _spot("critical_area", "critical contact spot", _AREA, "mm^2", "result.contacts.critical_area"),
+    _spot("real_contact_area", "real area of contact", _AREA, "mm^2", "result.contacts.real_contact_area"),
     _contact("elastic_load", "load carried by elastic spots", _FORCE, "N", "result.contacts.elastic_load"),
     _contact("plastic_load", "load carried by plastic spots", _FORCE, "N", "result.contacts.plastic_load"),
-    _contact(
+    _spot(
         "domain_extension_factor",
         "domain extension factor psi",
         _NUMBER,
         "1",
         "result.contacts.domain_extension_factor",
     ),
-    _contact("contact_factor", "contact factor lambda", _NUMBER, "1", "result.contacts.contact_factor"),
+    _spot("contact_factor", "contact factor lambda", _NUMBER, "1", "result.contacts.contact_factor"),
 )

@@ -10,6 +10,7 @@ import jax
 import numpy as np
 
 import asperity
+from asperity.contact.fractal import Surface
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.wedge import wedge_angles, wedges
 from asperity.drive.state.loads import pin_components
@@ -354,11 +355,13 @@ def _rims(solved: SolvedJoint) -> Document:
 
 
 def surface_averages(joint: Joint, stated: dict[str, Any]) -> list[dict[str, Any]]:
-    """What an instrument would show on the surfaces of a joint [m]."""
+    """What an instrument would show on the fractal surfaces of a joint [m]."""
     contacts = joint.contact_names
     shared = [contacts] if len(joint.surfaces) == 1 else [(name,) for name in contacts]
     found: dict[tuple[float, float, float | None], list[str]] = {}
     for names, surface in zip(shared, joint.surfaces, strict=True):
+        if not isinstance(surface, Surface):
+            continue
         entry = stated.get(names[0], stated)
         values = (float(surface.fractal_dimension), float(surface.fractal_roughness), _cut_off(entry))
         found.setdefault(values, []).extend(names)

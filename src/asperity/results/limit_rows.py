@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import functools
+import math
 
 import jax.numpy as jnp
 
-from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
+from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS, Surface
 from asperity.drive.layout.wedge import self_locking_ratio
 from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE
 from asperity.joint.description import each_contact
 from asperity.results.result import Limit, Result
-from asperity.results.solved import SolvedJoint
+from asperity.results.solved import SolvedJoint, has_spots
 from asperity.unit_table import Dimension
 
 _ratio = functools.partial(Result, dimension=Dimension.DIMENSIONLESS, display_unit="1", group="diagnostics")
@@ -37,7 +38,8 @@ _TRUST_THE_ASSEMBLY = "use the assembled stiffness; the published one, without t
 def _fractal_dimensions(solved: SolvedJoint) -> list[object]:
     surfaces = solved.joint.surfaces
     count = len(solved.result.contact_names)
-    return [s.fractal_dimension for s in (surfaces if len(surfaces) > 1 else surfaces * count)]
+    each = surfaces if len(surfaces) > 1 else surfaces * count
+    return [s.fractal_dimension if isinstance(s, Surface) else math.nan for s in each]
 
 
 ROWS = (
@@ -109,6 +111,7 @@ ROWS = (
         "critical over largest spot",
         value="result.diagnostics.critical_over_largest_spot",
         axis="contact",
+        present=has_spots,
         limit=Limit(
             "accuracy",
             "some contact spots are elastic",
@@ -122,6 +125,7 @@ ROWS = (
         "fractal dimension D",
         value=_fractal_dimensions,
         axis="contact",
+        present=has_spots,
         needs="geometry",
         limit=Limit(
             "accuracy",
@@ -138,6 +142,7 @@ ROWS = (
         "real area over Hertz area",
         value="result.diagnostics.real_area_over_hertz_area",
         axis="contact",
+        present=has_spots,
         limit=Limit(
             "model",
             "the real area of contact is part of the Hertz area 2bB",
@@ -151,6 +156,7 @@ ROWS = (
         "largest spot over Hertz area",
         value="result.diagnostics.largest_spot_over_hertz_area",
         axis="contact",
+        present=has_spots,
         limit=Limit(
             "model",
             "the largest contact spot is part of the Hertz area 2bB",

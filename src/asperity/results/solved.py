@@ -15,6 +15,7 @@ from jax import Array
 from asperity.branches.bearings import branch_bearing_lives
 from asperity.branches.results import NO_EQUAL_STATE, UnequalBranches
 from asperity.compilation import call_compiled, compile_fast
+from asperity.contact.fractal import Surface
 from asperity.drive.layout.drive import sectors_of_members
 from asperity.drive.layout.existence import neighbour_gaps, neighbours
 from asperity.drive.state.loads import MemberLoads
@@ -53,6 +54,11 @@ class JointSize(eqx.Module):
     def envelope_volume(self) -> Array:
         """Volume of the cylinder around the rolling parts [m^3]."""
         return 0.25 * jnp.pi * self.envelope_diameter**2 * self.envelope_length
+
+
+def has_spots(solved: SolvedJoint) -> tuple[bool, ...]:
+    """Which contacts have a law that knows their spots: those of fractal surfaces."""
+    return (isinstance(solved.joint.surfaces[0], Surface),) * len(solved.joint.drive.contacts)
 
 
 def joint_size(joint: Joint, result: JointResult) -> JointSize:

@@ -10,8 +10,9 @@ import jax.numpy as jnp
 import numpy as np
 from jax.typing import ArrayLike
 
-from asperity.contact.fractal import FractalContact, Surface
+from asperity.contact.fractal import Surface
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
+from asperity.contact.rough_contact import RoughContact
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
@@ -199,7 +200,7 @@ def _rough_surface(fractal_dimension: Real, fractal_roughness: Real) -> Surface:
     )
 
 
-def table_1_contact(**varied: Real) -> FractalContact:
+def table_1_contact(**varied: Real) -> RoughContact:
     """Contact spots and stiffnesses of the roller pair of Table 1."""
     unknown = set(varied) - set(TABLE_1)
     if unknown:

@@ -37,6 +37,10 @@ def test_slip_is_the_integral_of_the_incremental_compliance(share):
     assert float(found[0]) == pytest.approx(LIMIT * float(weights @ compliance), rel=1e-8)
     back = slip_at_rest(laws=laws(), normal=NORMAL, tangential=jnp.array([-share * LIMIT]))
     assert float(back[0]) == -float(found[0])
+    random = dataclasses.replace(laws(), slip_exponent=1.0)  # asperities c_a/(1 - q)
+    compliance = 4.2e-9 - 0.8e-9 * np.log1p(-q) + 2e-10 / (1.0 - q)
+    found = slip_at_rest(laws=random, normal=NORMAL, tangential=jnp.array([share * LIMIT]))
+    assert float(found[0]) == pytest.approx(LIMIT * float(weights @ compliance), rel=1e-8)
 
 
 def test_beyond_999_thousandths_the_tangent_goes_on():

@@ -44,6 +44,9 @@ class ContactLaws(eqx.Module):
         Carter's creep.
     asperity_compliance : Array or None, optional
         Tangential compliance of the asperities without traction [m/N]; None for smooth bodies.
+    slip_exponent : float, optional
+        Exponent n of the asperities' stiffness, in proportion to :math:`(1 - q)^n`: 1/3 of the fractal law, 1 of the
+        exponential one [-].
     coupling : Array or None, optional
         Approach of one contact under the normal force of another, shape (contacts, contacts) with 0 on the diagonal
         [m/N]; None where every contact deforms under its own force only.
@@ -71,6 +74,7 @@ class ContactLaws(eqx.Module):
     linear_compliance: Array | None = None
     closure: ContactLaws | None = None
     bores: Bores | None = None
+    slip_exponent: float = eqx.field(static=True, default=1.0 / 3.0)
 
 
 class DriveLoad(eqx.Module):
@@ -196,11 +200,12 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     r"""Slip of contacts that stand, on first loading.
 
     .. math::
-        s = \mu N\left[C_0 q + b\,\bigl((1-q)\ln(1-q) + q\bigr) + \tfrac32 c_a \bigl(1 - (1-q)^{2/3}\bigr)\right],
+        s = \mu N\left[C_0 q + b\,\bigl((1-q)\ln(1-q) + q\bigr) + c_a \int_0^q \frac{dq}{(1-q)^n}\right],
         \qquad q = \frac{T}{\mu N}
 
-    with the incremental compliance :math:`C_0` of the bodies, its logarithmic part b, and the asperities'
-    :math:`c_a`. Crowned contacts slip by :func:`asperity.contact.crowned_shear.crown_slip` more.
+    with the incremental compliance :math:`C_0` of the bodies, its logarithmic part b, and the asperities' :math:`c_a`;
+    the integral is :math:`\tfrac32 \bigl(1 - (1-q)^{2/3}\bigr)` for n = 1/3, and :math:`-\ln(1-q)` for 1. Crowned
+    contacts slip by :func:`asperity.contact.crowned_shear.crown_slip` more.
 
     Parameters
     ----------
@@ -218,7 +223,7 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     References
     ----------
     Integrals of the incremental compliances :func:`asperity.contact.interface.bulk_tangential_stiffness` and of
-    equation (24) of Zou et al. 2025, which falls as :math:`(1-q)^{1/3}`.
+    equation (24) of Zou et al. 2025 or of (A10) of :doc:`/equations`.
     """
     limit = laws.creep.friction_coefficient * jnp.where(normal > 0.0, normal, 1.0)
     sign = jnp.where(
@@ -235,8 +240,10 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     slip = bodies * held + bend * (left * log + held)
     slope = bodies - bend * log
     if laws.asperity_compliance is not None:
-        slip = slip + 1.5 * laws.asperity_compliance * -jnp.expm1(log * (2.0 / 3.0))
-        slope = slope + laws.asperity_compliance * jnp.exp(-log / 3.0)
+        power = 1.0 - laws.slip_exponent
+        yielded = -log if power == 0.0 else -jnp.expm1(log * power) / power
+        slip = slip + laws.asperity_compliance * yielded
+        slope = slope + laws.asperity_compliance * jnp.exp(-log * laws.slip_exponent)
     slip = limit * (slip + slope * (q - held))
     crowns = laws.springs.crowns
     if crowns is not None and laws.lateral_strain_compliance is not None:

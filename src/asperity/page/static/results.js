@@ -137,16 +137,15 @@ function drift(found) {
   return element("p", { class: "note strong" }, said);
 }
 
-/** From what to what stiffness and drift reach over what the Ra of a drawing leaves open. */
+/** From what to what stiffness and drift reach over what a file leaves open of its surfaces. */
 function interval(found) {
   const ends = found.stiffness_interval;
   if (!ends) return [];
-  const title = "Interval over what the Ra of the surfaces leaves open";
   const rows = LEVELS.map(([key, name]) => [name, ...[ends[key].low_Nm_per_rad, ends[key].high_Nm_per_rad].map((each) => number(scaled(each, 1 / arcmin(1))))]);
   const [low, high] = [ends.drift.low_rad_per_output_turn, ends.drift.high_rad_per_output_turn].map((each) => number(arcmin(each)));
   return [
-    element("h3", {}, title),
-    table(title, ["level of the model", "from, N·m/arcmin", "to, N·m/arcmin"], rows),
+    element("h3", {}, ends.title),
+    table(ends.title, ["level of the model", "from, N·m/arcmin", "to, N·m/arcmin"], rows),
     element("p", { class: "note" }, `Drift from ${low} to ${high} arcmin per output turn.`),
     element("p", { class: "note" }, ends.words),
   ];

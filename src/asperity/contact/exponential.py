@@ -1,0 +1,120 @@
+r"""The contact of randomly rough elastic surfaces: pressure falls exponentially with the distance of the bodies.
+
+.. math::
+    p = \beta E^* e^{-u/u_0}, \qquad u_0 = \gamma\, h_{rms}
+
+so that a contact of any shape has the stiffness :math:`N/u_0`, whatever its area and modulus: one number of the surface
+decides, the rms of its heights. It holds while the surfaces touch in part of their area, and far more of real, measured
+surfaces follow it than one power law with D and G.
+"""
+
+from __future__ import annotations
+
+import equinox as eqx
+import jax.numpy as jnp
+
+from asperity.contact.rough_contact import RoughContact
+from asperity.types import Real
+
+#: Decay length over the rms of the heights. Persson's theory and simulations of self-affine surfaces have 0.4 to 0.5.
+DECAY_LENGTH_RATIO = 0.48
+
+#: Stiffness by this law over that of boundary elements, elastic, on measured surfaces: between these on patches of nine
+#: ground and honed maps and on seven profiles of bearing rollers. Plastic spots make a contact stiffer than both.
+OVER_BOUNDARY_ELEMENTS = (0.57, 1.14)
+
+
+class RandomRoughness(eqx.Module):
+    """Roughness of a contact by its heights: one equivalent surface with the roughness of both bodies.
+
+    Parameters
+    ----------
+    rms_height : Real
+        Root mean square of the heights, of both bodies together, of the waves that are shorter than the contact is wide
+        across it, and up to the roll-off of the spectrum along it [m].
+    """
+
+    rms_height: Real
+
+
+def decay_length(*, rms_height: Real) -> Real:
+    r"""Distance in which the pressure falls by the factor e, :math:`u_0 = 0.48\,h_{rms}`.
+
+    Parameters
+    ----------
+    rms_height : Real
+        As of :class:`RandomRoughness` [m].
+
+    Returns
+    -------
+    Real
+        u_0 [m].
+
+    Notes
+    -----
+    Against boundary elements on elastic self-affine surfaces of Hurst exponents 0.5 to 0.8, between 30 and 300 MPa, the
+    stiffness that follows is 0.8 to 1.0 of theirs; on ground and honed surfaces as measured 0.57 to 1.14. Plastic spots
+    make a contact stiffer.
+
+    References
+    ----------
+    B. N. J. Persson, Phys. Rev. Lett. 99 (2007) 125502; B. Lorenz and B. N. J. Persson, J. Phys.: Condens. Matter 21
+    (2009) 015003. Equation (A10) of :doc:`/equations`.
+    """
+    return DECAY_LENGTH_RATIO * rms_height
+
+
+def random_contact(
+    *,
+    roughness: RandomRoughness,
+    normal_force: Real,
+    tangential_force: Real,
+    friction_coefficient: Real,
+    contact_modulus: Real,
+    tangential_contact_modulus: Real,
+) -> RoughContact:
+    r"""Stiffnesses of a randomly rough contact under load.
+
+    .. math::
+        K_n = \frac N{u_0}, \qquad K_t = \kappa\,\frac N{u_0} \Bigl(1 - \frac T{\mu N}\Bigr), \qquad
+        \kappa = \frac{4 G^*}{E^*}
+
+    Parameters
+    ----------
+    roughness : RandomRoughness
+        Heights of the equivalent surface.
+    normal_force, tangential_force : Real
+        N, and T >= 0 [N].
+    friction_coefficient : Real
+        mu [-].
+    contact_modulus, tangential_contact_modulus : Real
+        E and G* [Pa], :mod:`asperity.materials`.
+
+    Returns
+    -------
+    RoughContact
+        In the broadcast shape of the inputs; without spots, whose sizes the law does not know: nan. All the load is
+        elastic. Without contact every stiffness is 0, and that against sliding from gross slip on.
+
+    Notes
+    -----
+    Valid for elastic spots in partial contact: the real area far below the nominal one. The displacement under a
+    tangential force, :math:`-\frac{\mu u_0}\kappa \ln(1 - T/\mu N)`, is the integral of :math:`1/K_t`.
+
+    References
+    ----------
+    M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349 and J. Jäger, J. Tribol. 120 (1998) 677: tangential from
+    normal contact. Equation (A10) of :doc:`/equations`.
+    """
+    length = decay_length(rms_height=roughness.rms_height)
+    touching = jnp.asarray(normal_force) > 0.0
+    load = jnp.where(touching, normal_force, 0.0)
+    limit = friction_coefficient * jnp.where(touching, normal_force, 1.0)
+    held = jnp.where(touching, jnp.maximum(1.0 - tangential_force / limit, 0.0), 0.0)
+    normal = load / length
+    unknown = jnp.full_like(normal, jnp.nan)
+    ratio = 4.0 * tangential_contact_modulus / contact_modulus
+    values = jnp.broadcast_arrays(
+        unknown, unknown, unknown, load, jnp.zeros_like(load), ratio * normal * held, normal, unknown, unknown
+    )
+    return RoughContact(*values)
