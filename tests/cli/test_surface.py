@@ -1,6 +1,8 @@
 """The command as a user types it."""
 
 import json
+import math
+import re
 
 import matplotlib.image
 import numpy as np
@@ -14,6 +16,26 @@ from asperity.surface.measurement import measurement_from_document, read_measure
 
 def run(*arguments):
     return CliRunner().invoke(surface, [str(a) for a in arguments], catch_exceptions=True)
+
+
+def test_a_surface_without_a_power_law_gives_lines_for_a_joint_file(tmp_path):
+    """A sine of 0.2 µm amplitude and 20 µm length, of which a cut-off of 160 µm keeps all but 1 in 3000."""
+    x = np.arange(4000) * 0.5e-6
+    file = tmp_path / "sine.csv"
+    np.savetxt(
+        file,
+        np.column_stack([x, 0.2e-6 * np.sin(2.0 * np.pi * x / 20e-6)]),
+        delimiter=",",
+        header="x [m],z [m]",
+    )
+    common = ("measure", file, "--position-unit", "m", "--height-unit", "m")
+    whole = run(*common)
+    assert whole.exit_code == 3
+    assert "measure again with --lambda-c, the width of its contacts" in whole.output
+    got = run(*common, "--lambda-c", "160 um")
+    one, two = re.search(r'\[surface\]\nrms_height = "([\d.]+) um"  # or "([\d.]+) um"', got.output).groups()
+    assert float(one) == pytest.approx(0.2 / math.sqrt(2.0), rel=1e-3)
+    assert float(two) == pytest.approx(0.2, rel=1e-3)
 
 
 @pytest.mark.slow

@@ -108,7 +108,9 @@ class SpectralFit:
     def usable_band(self) -> tuple[float, float]:
         """Limits [1/m] of the part of the band where the departures stay below a factor of two."""
         f = np.logspace(np.log10(self.low), np.log10(self.high), 400)
-        departure = np.abs(np.log(self.expected(f) / self.density(f)))
+        ratio = self.expected(f) / self.density(f)
+        positive = ratio > 0.0  # a law below zero fits nowhere
+        departure = np.where(positive, np.abs(np.log(np.where(positive, ratio, 1.0))), np.inf)
         outside = departure > np.log(LARGEST_DEPARTURE)
         best = int(np.argmin(departure))
         if outside[best]:
