@@ -276,6 +276,7 @@ def test_the_interval_over_what_ra_leaves_open(document, shown):
         **dict.fromkeys(("assembly", "series_with_bulk", "published"), bounds),
         "drift": {"low_rad_per_output_turn": None, "high_rad_per_output_turn": None},
         "surfaces": {},
+        "title": "Interval over what the Ra of the surfaces leaves open",
         "words": "surface (ground): D from 1.15 to 1.5.",
     }
     text = " ".join(" ".join(shown(document)).split())

@@ -18,6 +18,7 @@ LEVELS = ("assembly", "series_with_bulk", "published")
 INTERVAL = {
     **{level: {"low_Nm_per_rad": 7000.0, "high_Nm_per_rad": None} for level in LEVELS},
     "drift": {"low_rad_per_output_turn": 0.0029088820866572, "high_rad_per_output_turn": None},
+    "title": "Interval over what the Ra of the surfaces leaves open",
     "words": "D from 1.15 to 1.5.",
 }
 
@@ -158,6 +159,7 @@ def test_the_drive_in_degrees_grams_and_millimetres():
 def test_an_interval_over_ra_with_its_drift():
     table, drift, words = drawn_stiffness(INTERVAL)
     assert isinstance(table, Table)
+    assert table.title == INTERVAL["title"]
     assert [row[1:] for row in table.rows] == [("7000", "–")] * 3
     assert drift == Paragraph("Drift from 10 arcmin to – per output turn.")
     assert words == Paragraph("D from 1.15 to 1.5.")
