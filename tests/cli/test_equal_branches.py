@@ -1,4 +1,4 @@
-"""Commands that leave the sections [[branch]] out say so."""
+"""Commands say whose results theirs are where a file has sections [[branch]]."""
 
 import json
 import math
@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-NOTE = "the results are those of equal branches; [[branch]] counts in"
+NOTE = "the results are those of the branches of the file, [[branch]]"
 
 
 @pytest.fixture(params=["zou2025", "planetary"])

@@ -10,10 +10,10 @@ import numpy as np
 
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
-from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.si_tables import AnyCase, si_values
+from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import document_of
 from asperity.results import LEVELS, Result, known_result, name_at_level
+from asperity.results.drive_table import results_of_joint
 from asperity.results.solved import SolvedJoint
 from asperity.units import format_quantity
 
@@ -53,7 +53,7 @@ class JointSolution(Shown):
     def __init__(self, case: AnyCase, solved: SolvedJoint, *, source: str, summary: str) -> None:
         self.solution, self._solved = solved.solution, solved
         self._case, self._source, self._summary = case, source, summary
-        self._table = results_of(si_values(case))
+        self._table = results_of_joint(solved)
 
     def __getitem__(self, asked: str | tuple[str, StiffnessLevel]) -> NamedQuantity:
         """One result.

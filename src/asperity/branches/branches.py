@@ -32,11 +32,9 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.solve import Solution
 from asperity.joint.torque_limits import LIMIT_KINDS, TorqueCapacity, limit_words
-from asperity.joint.unfolding import SectorSizes, assembled_sectors, reference_force, unfolded_joint
+from asperity.joint.unfolding import SETTLED, SectorSizes, SettledSectors, settled_sectors, unfolded_joint
 from asperity.units import format_quantity
 
-_SAME = 1e-9  # relative change of the reference forces at which they are those without torque
-_ROUNDS = 20
 _FIRST = {"gross_slip": "slips", "lift_off": "lifts off", "contact_too_wide": "becomes too wide"}
 
 
@@ -62,7 +60,6 @@ class BranchedJoint:
         result = solution.result
         self.interference, self.own_preload = float(result.interference), float(result.preload)
         self._equal = np.asarray(result.rest.normal)
-        self._base = np.asarray(compile_fast(reference_force, numbers)(numbers))
 
     def branches(self, sizes: SectorDeviations, *, slip: bool = True) -> UnequalBranches:
         """Everything about sectors of given sizes.
@@ -155,25 +152,20 @@ class BranchedJoint:
 
     def _settled(self, floating: tuple[str, ...], sizes: SectorDeviations) -> tuple[SectorSizes, DriveState]:
         """The sizes with the forces without torque around which the laws of the contacts are taken, and that state."""
-        force = np.tile(self._base, (self.count, 1))
         support = 0.0 if math.isinf(sizes.sun_support_stiffness) else sizes.sun_support_stiffness
-        for _ in range(_ROUNDS):
-            given = SectorSizes(*map(jnp.asarray, (sizes.added, force, support)))
-            rest = self._run(assembled_sectors, floating, given)
-            if not rest.residual < STATE_TOLERANCE:
-                raise NoSolutionError(
-                    f"no balance without torque presses every {self.noun}: one is loose, or nothing holds it; with the "
-                    f"members on the axis centred their interferences are {self._own_words(sizes)}; state smaller "
-                    "deviations, or raise load.interference"
-                )
-            following = self._base * (rest.normal.reshape(force.shape) / self._equal)
-            change = np.max(np.abs(following / force - 1.0))
-            force = following
-            if change < _SAME:
-                return given, rest
-        raise NoSolutionError(
-            "the laws of the contacts and the forces of the branches do not settle; state smaller deviations"
-        )
+        given = SectorSizes(*map(jnp.asarray, (sizes.added, np.zeros_like(sizes.added), support)))
+        found: SettledSectors = self._run(settled_sectors, floating, given)
+        if not found.rest.residual < STATE_TOLERANCE:
+            raise NoSolutionError(
+                f"no balance without torque presses every {self.noun}: one is loose, or nothing holds it; with the "
+                f"members on the axis centred their interferences are {self._own_words(sizes)}; state smaller "
+                "deviations, or raise load.interference"
+            )
+        if not found.change < SETTLED:
+            raise NoSolutionError(
+                "the laws of the contacts and the forces of the branches do not settle; state smaller deviations"
+            )
+        return found.sizes, found.rest
 
     def _own_interference(self, added: np.ndarray) -> np.ndarray:
         """Interference of each sector with the members on the axis centred [m]."""
@@ -184,7 +176,7 @@ class BranchedJoint:
 
     def _mean(self, each: np.ndarray) -> np.ndarray:
         """Interference of the rings that does the work of those of all contacts, sector by sector [m]."""
-        drive, forces = self.joint.drive, jnp.asarray(self._base)
+        drive, forces = self.joint.drive, jnp.asarray(self._equal)
         return np.array(
             [
                 float(ring_interference(drive=drive, forces=forces, interference=jnp.asarray(row)))

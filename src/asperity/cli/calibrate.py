@@ -67,7 +67,7 @@ def calibrate(
     check_file(out, file, *data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
-    case = read_case_of_branches(file, own=False)
+    case = read_case_of_branches(file, own=True)
     use_double_precision()
     use_compilation_cache()
     from asperity.study.calibration.calibrate import calibrate as fit

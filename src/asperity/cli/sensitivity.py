@@ -39,7 +39,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     """
     from asperity.cli.terminal import about, read_case_of_branches
 
-    case = read_case_of_branches(file, own=False)
+    case = read_case_of_branches(file, own=True)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

@@ -98,7 +98,7 @@ def sweep(
     """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
     from asperity.cli.terminal import read_case_of_branches
 
-    case = read_case_of_branches(file, own=False)
+    case = read_case_of_branches(file, own=True)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

@@ -338,8 +338,7 @@ def read_case_of_branches(file: str, *, own: bool) -> AnyCase:
             "the results are those of the branches of the file, [[branch]]; contacts and rollers have the number of "
             "theirs"
             if own
-            else "the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads', 'roll', "
-            "'windup', 'dynamics', 'export' and 'report'"
+            else "the forces are those of equal branches; 'asperity joint' and 'loads' have those of [[branch]]"
         )
         click.echo(f"asperity: note: {said}", err=True)
     return case

@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.state.state import DriveState
-from asperity.drive.state.states import state_at_rest
+from asperity.implicit import implicit_root
 from asperity.joint.description import (
     Joint,
     UnlikeSectors,
-    body_masses,
     joint_contacts,
 )
-from asperity.joint.laws import contact_laws, drive_load
+from asperity.joint.loading_cam import assembled
+from asperity.linear import solve
 from asperity.types import Real
+
+#: Relative change of the forces around which the laws are taken at which they are those without torque [-].
+SETTLED = 1e-9
+_ROUNDS = 20
 
 
 class SectorSizes(eqx.Module):
@@ -105,24 +111,84 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
     )
 
 
-def reference_force(joint: Joint) -> Array:
-    """Normal forces without torque around which the laws of a joint with equal sectors are taken.
+class SettledSectors(NamedTuple):
+    """A joint whose sectors differ, without torque.
 
-    Shape (contacts,) [N].
+    Parameters
+    ----------
+    sizes : SectorSizes
+        With the normal forces around which the laws of the contacts are taken.
+    rest : DriveState
+        The assembled joint.
+    change : Array
+        Largest relative difference of its forces from these; not small where they do not settle [-].
     """
-    return contact_laws(joint, joint_contacts(joint)).reference_force
+
+    sizes: SectorSizes
+    rest: DriveState
+    change: Array
 
 
-def assembled_sectors(
+def settled_sectors(
     sectors: int, floating: tuple[str, ...], joint: Joint, sizes: SectorSizes
-) -> DriveState:
-    """The assembled joint without torque."""
-    whole = unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
-    assert whole.interference is not None
-    return state_at_rest(
-        drive=whole.drive,
-        laws=contact_laws(whole, joint_contacts(whole)),
-        pattern=whole.working_pattern,
-        interference=whole.interference,
-        load=drive_load(whole, body_masses(whole), 0.0),
-    )
+) -> SettledSectors:
+    r"""The laws of the contacts around the forces without torque of sectors that differ; pure.
+
+    .. math:: N_{ref} = N_{ref}^{equal} \, \frac{N}{N^{equal}}
+
+    Parameters
+    ----------
+    sectors : int
+        Their number.
+    floating : tuple of str
+        Names of the bodies on the axis whose centres can move.
+    joint : Joint
+        A joint with equal sectors and an interference.
+    sizes : SectorSizes
+        What differs between them; their forces are not read.
+
+    Returns
+    -------
+    SettledSectors
+        With equal sizes the laws are those of equal sectors.
+
+    References
+    ----------
+    Equation (I4) of :doc:`/equations`.
+    """
+    alone = assembled(joint, joint_contacts(joint))
+    base, equal = alone.laws.reference_force, alone.rest.normal
+
+    def rest_around(force: Array) -> DriveState:
+        given = dataclasses.replace(sizes, reference_force=force)
+        unlike = unfolded_joint(joint, given, sectors=sectors, floating=floating)
+        return assembled(unlike, joint_contacts(unlike)).rest
+
+    def change(ratio: Array) -> Array:
+        return rest_around(base * ratio).normal.reshape(ratio.shape) / equal - ratio
+
+    ratio = implicit_root(change, jnp.ones_like(sizes.added), _settle, _solved)
+    rest = rest_around(base * ratio)
+    left = jnp.max(jnp.abs(rest.normal.reshape(ratio.shape) / (equal * ratio) - 1.0))
+    return SettledSectors(dataclasses.replace(sizes, reference_force=base * ratio), rest, left)
+
+
+def _settle(change: Callable[[Array], Array], start: Array) -> Array:
+    """Forces that their own laws give back, by repetition."""
+
+    def unsettled(state: tuple[Array, Array, Array]) -> Array:
+        rounds, ratio, left = state
+        return (rounds < _ROUNDS) & (jnp.max(jnp.abs(left / ratio)) > SETTLED)
+
+    def improved(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
+        rounds, ratio, left = state
+        return rounds + 1, ratio + left, change(ratio + left)
+
+    return jax.lax.while_loop(unsettled, improved, (jnp.asarray(0), start, change(start)))[1]
+
+
+def _solved(linear: Callable[[Array], Array], right: Array) -> Array:
+    """The x for which a linear function of an array is another of its shape."""
+    unit = jnp.eye(right.size).reshape(right.size, *right.shape)
+    matrix = jax.vmap(linear)(unit).reshape(right.size, right.size).T
+    return solve(matrix, right.ravel()).reshape(right.shape)

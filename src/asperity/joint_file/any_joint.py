@@ -17,9 +17,12 @@ from asperity.joint.description import bearing_names, pin_names
 from asperity.joint.evaluation import evaluated_with_laws
 from asperity.joint.status import joint_status
 from asperity.joint_file import build
-from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.part_names import bodies_of, contacts_of, with_tracks
-from asperity.joint_file.parts import layout_of
+from asperity.joint_file.own_branches import (
+    drive_with_branches,
+    joint_with_branches,
+    parts_with_branches,
+)
+from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
 from asperity.results import Result, result_values
@@ -47,11 +50,11 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
 def _results_of_structure(structure: str) -> dict[str, Result]:
     values = json.loads(structure)
     shapes = [jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)]
-    drive = jax.eval_shape(lambda *each: layout_of(with_numbers(values, each))[0], *shapes)
+    drive = jax.eval_shape(lambda *each: drive_with_branches(with_numbers(values, each)), *shapes)
     pairs = tuple("_to_".join(pair) for pair in neighbours(drive))
     return results_of_drive(
-        contacts_of(values),
-        bodies_of(values),
+        tuple(contact.name for contact in drive.contacts),
+        tuple(body.name for body in drive.bodies),
         pairs,
         bearing_names(drive),
         pin_names(drive),
@@ -69,7 +72,7 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
     no_result: Any = None
 
     def ask(*each: Array) -> None:
-        there.extend(present(SolvedJoint(joint_from_values(with_numbers(values, each)), no_result, None)))
+        there.extend(present(SolvedJoint(parts_with_branches(with_numbers(values, each)), no_result, None)))
 
     jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)))
     return tuple(int(row) for row, present in enumerate(there) if present)
@@ -117,7 +120,7 @@ def _each_point(
     flat = [jnp.broadcast_to(leaf, points).reshape(-1) if leaf.ndim else leaf for leaf in leaves]
 
     def one(*each: Array) -> tuple[Array, dict[str, Array]]:
-        joint = joint_from_values(with_numbers(values, each))
+        joint = joint_with_branches(with_numbers(values, each))
         found, laws = evaluated_with_laws(joint)
         return joint_status(joint, found), result_values(results, SolvedJoint(joint, found, laws))
 

@@ -5,12 +5,20 @@ from __future__ import annotations
 import dataclasses
 from typing import TYPE_CHECKING
 
+import jax.numpy as jnp
+
+from asperity.drive.layout.drive import Drive
+from asperity.drive.layout.unfolding import unfolded
+from asperity.joint.unfolding import SETTLED, SectorSizes, settled_sectors, unfolded_joint
 from asperity.joint_file.build import (
+    added_by_branches,
     branched_joint,
     deviations_of,
     joint_from_case,
+    joint_from_values,
 )
-from asperity.joint_file.si_tables import AnyCase, si_values
+from asperity.joint_file.parts import layout_of
+from asperity.joint_file.si_tables import AnyCase, Values, si_values
 
 if TYPE_CHECKING:
     from asperity.joint.description import Joint
@@ -51,3 +59,61 @@ def with_own_branches(case: AnyCase) -> Joint:
     assert branched is not None
     unfolded = branched.unfolded(deviations_of(si_values(case)))
     return dataclasses.replace(unfolded, output_torque=joint.output_torque)
+
+
+def drive_with_branches(values: Values) -> Drive:
+    """The drive of a joint file, every branch by itself where it has sections ``[[branch]]``; pure."""
+    drive, *_ = layout_of(values)
+    if "branch" not in values:
+        return drive
+    return unfolded(drive, sectors=len(values["branch"]), floating=_floating(values, drive))
+
+
+def joint_with_branches(values: Values) -> Joint:
+    """The joint of a joint file, every branch by itself where it has sections ``[[branch]]``; pure.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units; numbers may be traced.
+
+    Returns
+    -------
+    Joint
+        As :func:`with_own_branches`; one whose branches do not settle has nan for the forces of its laws, and so no
+        state.
+
+    References
+    ----------
+    Equation (I4) of :doc:`/equations`.
+    """
+    if "branch" not in values:
+        return joint_from_values(values)
+    joint, sizes, sectors, floating = _sectors(values)
+    found = settled_sectors(sectors, floating, joint, sizes)
+    force = jnp.where(found.change < SETTLED, found.sizes.reference_force, jnp.nan)
+    sizes = dataclasses.replace(found.sizes, reference_force=force)
+    whole = unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
+    return dataclasses.replace(whole, rolling=dataclasses.replace(whole.rolling, duty=joint.rolling.duty))
+
+
+def parts_with_branches(values: Values) -> Joint:
+    """The same joint without the forces of its laws: bodies, contacts and bearings; pure."""
+    if "branch" not in values:
+        return joint_from_values(values)
+    joint, sizes, sectors, floating = _sectors(values)
+    return unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
+
+
+def _sectors(values: Values) -> tuple[Joint, SectorSizes, int, tuple[str, ...]]:
+    """A joint with equal branches, what differs between them, their number, and what floats on the axis."""
+    joint, count = joint_from_values(values), len(values["branch"])
+    added = added_by_branches(values, count)
+    support = jnp.asarray(values.get("compliance", {}).get("sun_support_stiffness", 0.0), dtype=float)
+    sizes = SectorSizes(added, jnp.zeros_like(added), support)
+    return joint, sizes, count, _floating(values, joint.drive)
+
+
+def _floating(values: Values, drive: Drive) -> tuple[str, ...]:
+    """The input where its bearings give way."""
+    return (drive.input,) if "sun_support_stiffness" in values.get("compliance", {}) else ()

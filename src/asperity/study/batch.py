@@ -21,8 +21,10 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
+from asperity.errors import InputError
 from asperity.joint.status import OUT_OF_RANGE, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of
+from asperity.joint_file.case_types import CASES
 from asperity.joint_file.part_names import type_of, with_tracks
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import Values, key_at, replace_values
@@ -123,6 +125,7 @@ def evaluate_points(
     """
     require_double_precision()
     values, paths = with_tracks(values), tuple(points)
+    _refuse_count(values, paths)
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
     count = next(iter(columns.values())).size
     quick = count <= QUICK_POINTS if quick is None else quick
@@ -151,6 +154,19 @@ def evaluate_points(
     for name in results:
         found[name][..., outside] = np.nan
     return status, found
+
+
+def count_of_branches(values: Values) -> str | None:
+    """Path of the number of planets, or of rollers in a row, where the sections ``[[branch]]`` state it, too."""
+    return f"drive.{CASES[type_of(values)].branches_are[0]}" if "branch" in values else None
+
+
+def _refuse_count(values: Values, paths: tuple[str, ...]) -> None:
+    if (count := count_of_branches(values)) in paths:
+        raise InputError(
+            f"{count} cannot vary: the file has {len(values['branch'])} sections [[branch]], one for each; leave them "
+            "out to vary it"
+        )
 
 
 def _outside(key: Key, column: np.ndarray) -> np.ndarray:
@@ -211,6 +227,7 @@ def derivatives_at(
     -----
     Forward-mode automatic differentiation; the points are repeated once for each variable along the batch axis.
     """
+    _refuse_count(values, variables)
     points = max((np.size(value) for value in changes.values()), default=1)
     filled = replace_values(with_tracks(values), changes)
     table = np.stack([np.broadcast_to(np.asarray(each, float), (points,)) for each in numbers(filled)])

@@ -99,7 +99,9 @@ class CurveModel:
             )
             for order, index in enumerate(self.in_joint)
         }
-        return is_symmetric(joint_from_values(replace_values(self.values, between)))
+        return "branch" not in self.values and is_symmetric(
+            joint_from_values(replace_values(self.values, between))
+        )
 
     def _first(self, unknown: Variable, stated: dict) -> float:
         """Scaled value of the first guess: the file's value, no play, no drift."""

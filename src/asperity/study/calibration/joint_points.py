@@ -11,7 +11,7 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.own_branches import joint_with_branches
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values, replace_values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
@@ -115,7 +115,7 @@ def _directional(
     tables = json.loads(structure)
 
     def found(rows: Array) -> tuple[dict[str, Array], dict[str, Array]]:
-        joint = joint_from_values(with_numbers(tables, rows))
+        joint = joint_with_branches(with_numbers(tables, rows))
         shown = curve_program(joint, torques, jnp.asarray(NO_SLIP_FRICTION))
         return {name: shown[name] for name in (*LEVELS, "drift")}, shown
 

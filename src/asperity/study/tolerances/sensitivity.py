@@ -17,12 +17,12 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import solve_joint
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.precision import require_double_precision
 from asperity.results import LEVELS, Result, known_result, row_name
 from asperity.results.document import stiffness_unknown_because
-from asperity.study.batch import derivatives_at
+from asperity.study.batch import count_of_branches, derivatives_at
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
 
@@ -80,8 +80,8 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     Notes
     -----
     One entry for all contacts is one input: all five move together. The number of planets is differentiated as if
-    it were continuous. Where a result has a kink (no torque; two longest contact lines on one roller) the derivative
-    is that of one side or their mean.
+    it were continuous, unless the file has a section ``[[branch]]`` for each. Where a result has a kink (no torque; two
+    longest contact lines on one roller) the derivative is that of one side or their mean.
     """
     require_double_precision()
     xr = require("xarray")
@@ -91,6 +91,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     asked = [name for name in DEFAULT_RESULTS if name in table] if results is None else results
     names = tuple(known_result(name, among=allowed, what="differentiable result") for name in asked)
     inputs = numeric_keys(case)
+    inputs.pop(count_of_branches(tables) or "", None)
     x = np.array([entry.value for entry in inputs.values()])
     point = {path: np.array([entry.value]) for path, entry in inputs.items()}
     status, values, slopes = derivatives_at(with_nominal_sizes(tables), point, names, tuple(inputs))
@@ -132,7 +133,7 @@ def refuse_failed(case: AnyCase, status: int) -> None:
     """Raise if a joint itself has no result, with all the numbers."""
     if status == 0:
         return
-    result = solve_joint(joint_from_case(case)).result  # says it with the numbers
+    result = solve_joint(with_own_branches(case)).result  # says it with the numbers
     reason = stiffness_unknown_because(result) or STATUS_MEANINGS[status]
     if status in (UNBALANCED, ALL_PLASTIC):
         raise NoSolutionError(reason)
