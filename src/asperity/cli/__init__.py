@@ -20,65 +20,34 @@ import click
 from asperity.cli.terminal import checked_output, silence
 from asperity.errors import RUNNING, AsperityError
 
-#: Command name -> (module that defines it, function name, one-line help shown without importing the module).
-COMMANDS: dict[str, tuple[str, str, str]] = {
-    "joint": ("asperity.cli.joint", "joint", "Forces, stiffness and warnings of a joint file."),
-    "sweep": ("asperity.cli.sweep", "sweep", "Evaluate a joint file on a grid of any of its numbers."),
-    "sensitivity": (
-        "asperity.cli.sensitivity",
-        "sensitivity",
-        "Influence of every number of a joint file, by exact derivatives.",
-    ),
-    "uncertainty": (
-        "asperity.cli.uncertainty",
-        "uncertainty",
-        "Intervals of the results from the tolerances of a joint file.",
-    ),
-    "windup": (
-        "asperity.cli.windup",
-        "windup",
-        "Torque-angle curve, hysteresis and capacity of a joint file.",
-    ),
-    "roll": ("asperity.cli.roll", "roll", "Drift, losses, thrust and life of a joint that turns."),
-    "loads": ("asperity.cli.loads", "loads", "Forces on pins, bearings, shafts and housing."),
-    "draw": ("asperity.cli.draw", "draw", "Draw the drive of a joint file to scale."),
-    "report": ("asperity.cli.report", "report", "One document about a joint for a design review."),
-    "dynamics": (
-        "asperity.cli.dynamics",
-        "dynamics",
-        "Natural frequencies and frequency response with motor and load.",
-    ),
-    "export": ("asperity.cli.export", "export", "A joint for MATLAB, MuJoCo and system simulations."),
-    "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
-    "design": ("asperity.cli.design", "design", "The best joint within limits, or a Pareto front."),
-    "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),
-    "serve": ("asperity.cli.serve", "serve", "The joint as a page in the browser, with sliders and curves."),
-    "materials": ("asperity.cli.materials", "materials", "Library of materials and finishes, with sources."),
-    "init": ("asperity.cli.start", "init", "Write a commented joint file to start from."),
-    "schema": ("asperity.cli.start", "schema", "Print the JSON schema of joint files, for editors."),
-    "completion": ("asperity.cli.start", "completion", "Print a shell completion script."),
-    "reproduce": (
-        "asperity.cli.reproduce",
-        "reproduce",
-        "Recompute the paper's figures and check its claims.",
-    ),
-    "surface": (
-        "asperity.cli.surface",
-        "surface",
-        "Measure D and G of rough surfaces, make and combine them.",
-    ),
-    "validate": (
-        "asperity.cli.validate",
-        "validate",
-        "Evidence that this installation computes correctly.",
-    ),
-    "verify-contact": (
-        "asperity.cli.verify_contact",
-        "verify_contact",
-        "Compare the fractal contact law with boundary elements.",
-    ),
+#: Command name → one-line help, shown without importing the module of the command, which has its name.
+COMMANDS: dict[str, str] = {
+    "joint": "Forces, stiffness and warnings of a joint file.",
+    "sweep": "Evaluate a joint file on a grid of any of its numbers.",
+    "sensitivity": "Influence of every number of a joint file, by exact derivatives.",
+    "uncertainty": "Intervals of the results from the tolerances of a joint file.",
+    "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",
+    "roll": "Drift, losses, thrust and life of a joint that turns.",
+    "loads": "Forces on pins, bearings, shafts and housing.",
+    "draw": "Draw the drive of a joint file to scale.",
+    "report": "One document about a joint for a design review.",
+    "dynamics": "Natural frequencies and frequency response with motor and load.",
+    "export": "A joint for MATLAB, MuJoCo and system simulations.",
+    "contact": "Stiffness of any number of roller pairs from a table.",
+    "design": "The best joint within limits, or a Pareto front.",
+    "calibrate": "Unknowns of a joint from a measured curve.",
+    "serve": "The joint as a page in the browser, with sliders and curves.",
+    "materials": "Library of materials and finishes, with sources.",
+    "init": "Write a commented joint file to start from.",
+    "schema": "Print the JSON schema of joint files, for editors.",
+    "completion": "Print a shell completion script.",
+    "reproduce": "Recompute the paper's figures and check its claims.",
+    "surface": "Measure D and G of rough surfaces, make and combine them.",
+    "validate": "Evidence that this installation computes correctly.",
+    "verify-contact": "Compare the fractal contact law with boundary elements.",
 }
-
+#: Commands that share a module.
+_MODULES = dict.fromkeys(("init", "schema", "completion"), "start")
 
 #: Objects that are made before Python looks for garbage. Imports and tracing make many objects and hardly any garbage;
 #: with Python's own 700, looking through them takes a fifth of the time of a short command.
@@ -88,44 +57,36 @@ _OBJECTS_BETWEEN_COLLECTIONS = 100_000
 class LazyGroup(click.Group):
     """A click group that imports a command's module only when that command is used."""
 
-    def __init__(
-        self, *args: Any, commands_by_module: dict[str, tuple[str, str, str]], **kwargs: Any
-    ) -> None:
-        super().__init__(*args, **kwargs)
-        self._commands_by_module = commands_by_module
-
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Names of all commands, in the order of the table."""
-        return list(self._commands_by_module)
+        return list(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of this name, imported now; None if there is none."""
-        entry = self._commands_by_module.get(cmd_name)
-        if entry is None:
+        if cmd_name not in COMMANDS:
             return None
-        module, attribute, _ = entry
         RUNNING.set(f"'asperity {cmd_name}'")
-        command: click.Command = getattr(importlib.import_module(module), attribute)
+        function = cmd_name.replace("-", "_")
+        module = importlib.import_module(f"asperity.cli.{_MODULES.get(cmd_name, function)}")
+        command: click.Command = getattr(module, function)
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list of commands from the table, without importing any of them."""
         with formatter.section("Commands"):
-            formatter.write_dl([(name, entry[2]) for name, entry in self._commands_by_module.items()])
+            formatter.write_dl(list(COMMANDS.items()))
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command; a mistyped name is answered with the nearest known one."""
         name = args[0]
-        if name not in self._commands_by_module and not name.startswith("-"):
+        if name not in COMMANDS and not name.startswith("-"):
             import difflib
 
-            near = difflib.get_close_matches(name, self._commands_by_module, n=1)
+            near = difflib.get_close_matches(name, COMMANDS, n=1)
             hint = f"; did you mean '{near[0]}'?" if near else ""
-            raise click.UsageError(
-                f"there is no command '{name}'{hint} (known: {', '.join(self._commands_by_module)})", ctx
-            )
+            raise click.UsageError(f"there is no command '{name}'{hint} (known: {', '.join(COMMANDS)})", ctx)
         return super().resolve_command(ctx, args)
 
 
@@ -139,7 +100,6 @@ def _show_version(context: click.Context, option: click.Parameter, asked: bool) 
 
 @click.group(
     cls=LazyGroup,
-    commands_by_module=COMMANDS,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.option(
