@@ -11,9 +11,8 @@ from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.joint.bearing_lives import joint_bearing_lives
 from asperity.joint.solve import solve_joint
 from asperity.results.document import joint_document
-from asperity.results.loads_document import loads_document
+from asperity.results.loads_document import bearing_entries, loads_document
 from asperity.results.solved import solved_with_capacities
-from asperity.results.strength_document import bearing_entries
 from asperity.rolling.conditions import DutyPoint
 
 PIN = RatedBearing(1500.0, 1200.0, 2.0, 0.0, "roller")

@@ -65,12 +65,12 @@ def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
     )
     monkeypatch.setattr("asperity.study.design.design.design", lambda problem, progress: result)
     monkeypatch.setattr(
-        "asperity.study.design.design_document.design_document", lambda found: {"feasible": True}
+        "asperity.study.design.design_result.design_document", lambda found: {"feasible": True}
     )
     monkeypatch.setattr("asperity.page.job_process.design_words", lambda found: "words")
     warned = {"diagnostics": [], "no_result_because": None}
     monkeypatch.setattr(
-        "asperity.study.design.design_document.found_diagnostics", lambda text: warned | {"joint_text": text}
+        "asperity.study.design.design_result.found_diagnostics", lambda text: warned | {"joint_text": text}
     )
     assert run("design") == {
         "feasible": True,

@@ -20,3 +20,12 @@ def test_every_type_of_drive_has_a_ratio():
         "stepped planets",
         "two-row multiroller",
     ]
+
+
+@pytest.mark.slow
+def test_a_size_that_is_off_is_found(monkeypatch):
+    assert [check for check in drive_checks.unlike() if not check.passed] == []
+    monkeypatch.setattr(
+        drive_checks, "_preloads", lambda moved, honest=drive_checks._preloads: honest(moved) * 1.001
+    )
+    assert not any(check.passed for check in list(drive_checks.unlike())[:2])

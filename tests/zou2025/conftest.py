@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from asperity.zou2025.claims import judge
+from asperity.zou2025.criteria import Claim
 from asperity.zou2025.curves import Curves, JointCurves, PairCurve, compute
-from asperity.zou2025.verdict import Claim
 
 
 @pytest.fixture(scope="session")

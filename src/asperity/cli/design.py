@@ -108,7 +108,7 @@ def design(
     if as_json:
         import json
 
-        from asperity.study.design.design_document import design_document
+        from asperity.study.design.design_result import design_document
 
         click.echo(json.dumps(design_document(result), indent=2, allow_nan=False))
     else:
@@ -139,7 +139,7 @@ def _front(
     generations: int,
 ) -> None:
     from asperity.cli.terminal import console, progress_bar
-    from asperity.study.design.design_document import front_diagnostics
+    from asperity.study.design.design_result import front_diagnostics
     from asperity.study.design.pareto import pareto_front, require_pymoo
 
     require_pymoo()
@@ -227,7 +227,7 @@ def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
     from asperity.cli.document_text import show_warnings
     from asperity.cli.terminal import console
-    from asperity.study.design.design_document import found_diagnostics
+    from asperity.study.design.design_result import found_diagnostics
 
     found = found_diagnostics(result.joint_text)
     if found["diagnostics"] is None:

@@ -53,8 +53,7 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 
 def _document(case: Case) -> Document:
     from asperity.joint_file.solved_document import solved_case
-    from asperity.results.loads_document import loads_document
-    from asperity.results.strength_document import bearing_entries
+    from asperity.results.loads_document import bearing_entries, loads_document
 
     solved = solved_case(case)
     bearings = bearing_entries(solved)

@@ -104,6 +104,6 @@ def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
 
     show_rolling(console(), document, source=file)
     if "branches" in document:
-        from asperity.cli.branch_table import show_branches
+        from asperity.cli.document_text import show_branches
 
         show_branches(console(), document["branches"])

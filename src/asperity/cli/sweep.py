@@ -107,10 +107,10 @@ def sweep(
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values
     from asperity.results import chosen_results
+    from asperity.study.datasets import check_table_path, write_table
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
     from asperity.study.sweep.sweep_map import parse_limit
-    from asperity.study.sweep.tables import check_table_path, write_table
 
     kind, table = case.type, results_of(si_values(case))
     grid = [parse_axis(axis, kind=kind) for axis in axes]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import re
 from collections.abc import Mapping
@@ -11,11 +12,12 @@ import tomlkit
 from pydantic import BaseModel
 from tomlkit.items import AoT, Table
 
-from asperity.joint_file.entered_values import entered_key_at
 from asperity.joint_file.key_paths import keys_by_path
+from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type, parse_case
+from asperity.joint_file.section import leaves
 from asperity.joint_file.si_tables import (
     DEPTH,
     PARTNER_DEPTH,
@@ -250,3 +252,21 @@ def _texts(node: Any) -> Any:
     if isinstance(node, tuple):
         return [_texts(value) for value in node]
     return node
+
+
+@functools.lru_cache(maxsize=1024)
+def entered_key_at(path: str, kind: str) -> Key | None:
+    """What a dotted path means where such a number stands; None where the path is that of another key."""
+    known, parts = keys_by_path(model_of_type(kind), numbers="entered"), path.split(".")
+    generic = [".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts) - 1)]
+    return next((known[each] for each in (path, *generic) if each in known), None)
+
+
+def entered_values(case: Case) -> dict[str, tuple[Key, Quantity]]:
+    """Every such number that a joint file states."""
+    kind = case.type
+    return {
+        path: (key, key.read(written))
+        for path, written in leaves(case, (str, float))
+        if (key := entered_key_at(path, kind)) is not None
+    }

@@ -94,16 +94,5 @@ def _model_of(kind: object, source: str) -> type[Case]:
 
 
 def model_of_type(kind: str) -> type[Case]:
-    """Model of the joint file of a type of drive.
-
-    Parameters
-    ----------
-    kind : str
-        Type of the drive.
-
-    Returns
-    -------
-    type
-        A class of pydantic.
-    """
+    """Model of the joint file of a type of drive."""
     return CASES[kind]

@@ -104,9 +104,8 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
 def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
     from asperity.errors import InputError
     from asperity.study.design.design import design
-    from asperity.study.design.design_document import design_document, found_diagnostics
     from asperity.study.design.design_file import read_design
-    from asperity.study.design.design_result import shortcoming
+    from asperity.study.design.design_result import design_document, found_diagnostics, shortcoming
 
     problem = read_design(file)
     if len(problem.objectives) > 1:

@@ -14,16 +14,21 @@ import tomlkit
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
-from asperity.joint_file.edited_text import leave_out, set_texts, set_words
-from asperity.joint_file.entered_values import entered_key_at
+from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words
 from asperity.joint_file.key_paths import models_of
-from asperity.joint_file.listed_sections import rearranged_text
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, material_keys, type_of
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.si_tables import key_at
 from asperity.library import read_finishes
-from asperity.page.list_changes import MOST_LOADS, arrange, is_list, places_of_lists, without_lists
+from asperity.page.list_changes import (
+    MOST_LOADS,
+    arrange,
+    is_list,
+    places_of_lists,
+    rearranged_text,
+    without_lists,
+)
 from asperity.reading import check_depth, parse_toml
 
 #: The key of the finish of all surfaces, and what a file need not state beside it.

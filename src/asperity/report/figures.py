@@ -11,9 +11,8 @@ from asperity.results.margins import margins
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.curves import rolling_curves
 from asperity.rolling.onset import RollingOnset
-from asperity.show.compliance_figure import draw_budget, draw_levels
+from asperity.show.compliance_figure import draw_budget, draw_levels, draw_margins, margins_height
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
-from asperity.show.margins_figure import draw_margins, margins_height
 from asperity.show.rolling_figure import rolling_figure
 from asperity.show.sheet_figure import sheet_figure
 from asperity.show.windup_figure import windup_figure

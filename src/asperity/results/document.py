@@ -26,9 +26,9 @@ from asperity.results import GROUPS, RESULTS, SEVERITIES
 from asperity.results.all_limits import all_checks
 from asperity.results.branch_document import branch_document
 from asperity.results.limit_check import LimitCheck
+from asperity.results.loads_document import bearing_entries, rim_entry
 from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
-from asperity.results.strength_document import bearing_entries, rim_entry
 from asperity.rolling.document import losses, rolling_document
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
 from asperity.units import format_quantity

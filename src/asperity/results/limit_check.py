@@ -69,18 +69,8 @@ def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 def with_pins(row: Result, solved: SolvedJoint) -> Result:
     """The self-locking ratio with what is known of the pins; every other row as it is.
 
-    Parameters
-    ----------
-    row : Result
-        A row of the table of results with a limit.
-    solved : SolvedJoint
-        One joint, without batch axes.
-
-    Returns
-    -------
-    Result
-        Not self-locking is a state, with the forces of the pins; it keeps the joint from working only where no balance
-        gives these forces, or where they exceed the static rating of the rollers' bearings on the pins.
+    Not self-locking is a state, with the forces of the pins; it keeps the joint from working only where no balance
+    gives these forces, or where they exceed the static rating of the rollers' bearings on the pins.
     """
     if row.name != "self_locking_ratio" or row.limit is None:
         return row

@@ -1,4 +1,4 @@
-"""Loads of pins, bearings, shafts and housing of a joint, as rows for their supplier."""
+"""Loads of pins, bearings, shafts and housing of a joint, as entries of JSON documents and rows for their supplier."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from asperity.drive.layout.drive import CARRIER
 from asperity.drive.state.loads import MemberLoads, pin_components
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
+from asperity.joint.rim_safety import RIM_NAMES, BodyRims
 from asperity.joint.working_loads import (
     loads_without_torque,
     member_speeds,
@@ -64,7 +65,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
     solved : SolvedJoint
         One joint.
     bearings : list of dict
-        Its :func:`asperity.results.strength_document.bearing_entries`.
+        Its :func:`asperity.results.loads_document.bearing_entries`.
 
     Returns
     -------
@@ -229,8 +230,76 @@ def document_of_rows(
     }
 
 
-def _plain(value: Any, rounding: float) -> float | None:
+def _plain(value: Any, rounding: float = 0.0) -> float | None:
     number = float(value)
     if not math.isfinite(number):
         return None
     return number if abs(number) > rounding else 0.0
+
+
+def bearing_entries(solved: SolvedJoint) -> list[Document]:
+    """Loads, lives and safeties of the rolling bearings of a joint, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        One joint.
+
+    Returns
+    -------
+    list of dict
+        One entry for each bearing with ratings; a number that is not known or infinite is None, and
+        ``absent_because`` says why.
+    """
+    joint, entries = solved.joint, []
+    for index, (name, rated) in enumerate(zip(joint.bearing_names, joint.rated_bearings, strict=True)):
+        if rated is None:
+            continue
+        found = {key: float(np.asarray(value)[index]) for key, value in vars(solved.bearings).items()}
+        entries.append(
+            {
+                "bearing": name,
+                "type": rated.kind,
+                "dynamic_rating_N": float(rated.dynamic_rating),
+                "static_rating_N": float(rated.static_rating),
+                "load_N": _plain(found["load"]),
+                "life_hours": _plain(found["life"] / 3600.0),
+                "duty_life_hours": _plain(found["duty_life"] / 3600.0) if joint.rolling.duty else None,
+                "static_safety": _plain(found["static_safety"]),
+                "load_over_dynamic_rating": _plain(found["load_ratio"]),
+                "absent_because": _absent_because(joint, found),
+            }
+        )
+    return entries
+
+
+def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
+    """Why lives of a bearing are absent."""
+    why = []
+    duty = found["duty_life"] if joint.rolling.duty else 1.0
+    if math.isnan(found["load"]):
+        why.append("its load is not known: the joint slips or does not roll")
+    elif math.isnan(found["life"]):
+        why.append("it stands: no life in hours at this speed, only its static safety counts")
+    elif math.isinf(found["life"]):
+        why.append("it carries no load: its life is not limited by fatigue")
+    if math.isnan(duty):
+        why.append(
+            "no life, largest P/C and static safety under the duty: the joint slips or does not roll under one of its "
+            "loads"
+        )
+    if math.isinf(duty) and not math.isinf(found["life"]):
+        why.append("no load of the duty turns it")
+    return why
+
+
+def rim_entry(rims: BodyRims) -> Document:
+    """Stresses and safeties of one body, ready for :func:`json.dumps`."""
+    return {
+        **{
+            f"{name}_Pa": dict(zip(RIM_NAMES, map(_plain, np.asarray(getattr(rims, name))), strict=True))
+            for name in ("stress", "stress_at_rest", "mean", "amplitude")
+        },
+        "yield_safety": _plain(rims.yield_safety),
+        "fatigue_safety": _plain(rims.fatigue_safety),
+    }

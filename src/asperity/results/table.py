@@ -17,7 +17,6 @@ from asperity.results import (
     load_rows,
     rolling_rows,
     stiffness_rows,
-    stress_rows,
 )
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
@@ -34,7 +33,6 @@ RESULTS: dict[str, Result] = {
         *limit_rows.ROWS,
         *rolling_rows.ROWS,
         *load_rows.ROWS,
-        *stress_rows.ROWS,
         *drive_rows.ROWS,
     )
 }

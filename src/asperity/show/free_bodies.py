@@ -193,22 +193,9 @@ def _apart(
 def body_forces(joint: Joint, result: JointResult) -> list[BodyForce]:
     """Forces on the bodies of the first sector under the joint's torque, without the centrifugal ones.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    list of BodyForce
-        For each contact the normal and the tangential force on its first and on its second body, then the force of
-        each pin on its roller. Bodies on the axis have these forces from every sector.
-
-    References
-    ----------
-    Equation (M1) of :doc:`/equations`, with the signs of :func:`asperity.drive.layout.drive.incidence`.
+    For each contact the normal and the tangential force on its first and on its second body, then the force of each pin
+    on its roller. Bodies on the axis have these forces from every sector. Equation (M1) of :doc:`/equations`, with the
+    signs of :func:`asperity.drive.layout.drive.incidence`.
     """
     drive = joint.drive
     names = [body.name for body in drive.bodies]

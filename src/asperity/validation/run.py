@@ -13,7 +13,6 @@ import asperity
 from asperity.precision import require_double_precision
 from asperity.validation import (
     body_checks,
-    branch_checks,
     contact_checks,
     drive_checks,
     element_checks,
@@ -37,7 +36,7 @@ GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
     "rings": body_checks.rings,
     "kinematics": drive_checks.ratios,
     "drive": drive_checks.states,
-    "unlike branches": branch_checks.unlike,
+    "unlike branches": drive_checks.unlike,
     "rolling bearings": roller_checks.bearings,
     "half-space": element_checks.half_space,
     "partial slip": element_checks.sliding,

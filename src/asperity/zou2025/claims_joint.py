@@ -14,6 +14,8 @@ from asperity.zou2025.criteria import (
     SATURATED,
     SIGNIFICANT,
     SLIGHT,
+    Claim,
+    Statement,
     falls,
     growth_per_doubling,
     interval_above,
@@ -22,7 +24,6 @@ from asperity.zou2025.criteria import (
     rises,
 )
 from asperity.zou2025.curves import Curves
-from asperity.zou2025.verdict import Claim, Statement
 
 
 def _torques(output_torque: np.ndarray) -> str:

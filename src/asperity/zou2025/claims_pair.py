@@ -12,6 +12,8 @@ from asperity.zou2025.criteria import (
     NONLINEAR,
     PEAK_NEAR,
     SLIGHT,
+    Claim,
+    Statement,
     falls,
     peak,
     relative_change,
@@ -19,7 +21,6 @@ from asperity.zou2025.criteria import (
     slope_change,
 )
 from asperity.zou2025.curves import Curves
-from asperity.zou2025.verdict import Claim, Statement
 
 
 def _nonlinear(says: str, abscissa: np.ndarray, stiffness: np.ndarray) -> Statement:

@@ -1,4 +1,4 @@
-"""The paper's qualitative terms as numbers, and the measures that are compared with them.
+"""The paper's qualitative terms as numbers, the measures that are compared with them, and verdicts.
 
 The paper says "slightly", "significantly", "nearly the same" without numbers. The numbers here are ours. Every verdict
 is printed with its number and the measured value, so that a reader can apply a different limit.
@@ -6,7 +6,8 @@ is printed with its number and the measured value, so that a reader can apply a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from typing import Any
 
 import numpy as np
 
@@ -88,17 +89,9 @@ def relative_difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 
 def slope_change(abscissa: np.ndarray, values: np.ndarray) -> float:
-    """Difference between the mean slopes over the first and the last tenth of a range, relative to the steeper.
+    """Difference between the mean slopes over the first and the last tenth of a range, relative to the steeper [-].
 
-    Parameters
-    ----------
-    abscissa, values : ndarray
-        The curve, shape (n,).
-
-    Returns
-    -------
-    float
-        0 for a straight line, 1 if one end is flat, above 1 if the slope changes sign [-].
+    0 for a straight line, 1 if one end is flat, above 1 if the slope changes sign.
 
     Examples
     --------
@@ -139,17 +132,9 @@ def peak(abscissa: np.ndarray, values: np.ndarray) -> float:
 
 
 def growth_per_doubling(values: np.ndarray) -> np.ndarray:
-    """Growth over the second of two successive doublings of the abscissa, relative to the growth over the first.
+    """Growth from 2x to 4x (the last axis has x, 2x and 4x) over the growth from x to 2x [-].
 
-    Parameters
-    ----------
-    values : ndarray
-        Values at x, 2x and 4x, shape (..., 3).
-
-    Returns
-    -------
-    ndarray
-        Shape (...) [-]: 0.5 for an approach to a limit as 1/x, 1 for a logarithm, :math:`2^p` for a power p.
+    0.5 for an approach to a limit as 1/x, 1 for a logarithm, :math:`2^p` for a power p.
 
     Examples
     --------
@@ -173,3 +158,68 @@ def interval_above(abscissa: np.ndarray, values: np.ndarray, share: float) -> tu
         i = below[below > top][0]
         high = float(np.interp(level, values[[i, i - 1]], abscissa[[i, i - 1]]))
     return low, high
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One statement of a claim, compared with computed numbers.
+
+    Parameters
+    ----------
+    says : str
+        What the paper says, in our words.
+    met : bool
+        Whether the equations confirm it.
+    evidence : str
+        The computed numbers in a sentence, with units.
+    numbers : dict
+        The same numbers for programs: name with unit → value.
+    """
+
+    says: str
+    met: bool
+    evidence: str
+    numbers: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A claim of the paper; it is met if every one of its statements is met.
+
+    Parameters
+    ----------
+    name : str
+        C1 … C13, or ``window``.
+    title : str
+        Summary of the claim.
+    panels : tuple of str
+        Panels of the figures that show it.
+    statements : tuple of Statement
+        Its statements with their verdicts.
+    """
+
+    name: str
+    title: str
+    panels: tuple[str, ...]
+    statements: tuple[Statement, ...]
+
+    @property
+    def met(self) -> bool:
+        """True if every statement is met."""
+        return all(statement.met for statement in self.statements)
+
+    def as_dict(self) -> dict[str, Any]:
+        """The claim with its verdict as plain data for JSON.
+
+        Returns
+        -------
+        dict
+            ``name``, ``title``, ``panels``, ``met`` and ``statements``.
+        """
+        return {
+            "name": self.name,
+            "title": self.title,
+            "panels": list(self.panels),
+            "met": self.met,
+            "statements": [asdict(statement) for statement in self.statements],
+        }

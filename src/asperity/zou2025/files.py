@@ -14,11 +14,10 @@ import numpy as np
 from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.writing import write_image, write_text
-from asperity.zou2025.criteria import CRITERIA
+from asperity.zou2025.criteria import CRITERIA, Claim
 from asperity.zou2025.curves import Curves
 from asperity.zou2025.panels import Panel
 from asperity.zou2025.preset import ASSUMPTIONS, REMARKS
-from asperity.zou2025.verdict import Claim
 
 
 def output_folder(path: str | Path) -> Path:

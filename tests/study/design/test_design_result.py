@@ -1,8 +1,24 @@
 """A conflict in words: the limits that restrict, what is reached of them, and the variables at their bounds."""
 
+import json
+import math
 from types import SimpleNamespace
 
-from asperity.study.design.design_result import DesignResult, LimitReport, conflict
+import numpy as np
+import pytest
+
+from asperity.errors import NoSolutionError
+from asperity.joint_file.edited_text import joint_file_text
+from asperity.joint_file.si_tables import si_values
+from asperity.study.design.design_result import (
+    DesignResult,
+    LimitReport,
+    StartReport,
+    conflict,
+    design_document,
+    found_diagnostics,
+    front_diagnostics,
+)
 
 
 def limit(name, *, at_most, limit, value, missed_by=0.0, active=True, row="", label=""):
@@ -50,3 +66,113 @@ def test_a_conflict_names_the_active_limits_and_the_bounds():
         "a limit that another one outweighs is missed too"
     )
     assert DesignResult.violation.fget(SimpleNamespace(feasible=True)) == 0.0
+
+
+@pytest.fixture
+def judged(monkeypatch):
+    """The designed joint is judged without solving it."""
+    told = {"diagnostics": [{"name": "slip_ratio", "ok": True, "value": math.nan}], "no_result_because": None}
+    monkeypatch.setattr(
+        "asperity.study.design.design_result.found_diagnostics", lambda text: told if text == "text" else {}
+    )
+
+
+def design(sign, **changes):
+    limit = LimitReport("slip_ratio", "slip ratio", "sp", True, 0.5, 0.55, 0.1, True, 0.5, False, 5.0)
+    start = dict.fromkeys(StartReport.__dataclass_fields__, 0.0)
+    numbers = {
+        "problem": SimpleNamespace(
+            objectives=[SimpleNamespace(name="mass", sign=sign)],
+            table={"mass": SimpleNamespace(label="mass of two discs")},
+        ),
+        "feasible": False,
+        "point": {"load.preload": 900.0},
+        "at_bound": {"load.preload": "lower"},
+        "objective_before": 2.0,
+        "objective_after": 1.5,
+        "objective_unrounded": None,
+        "summary_before": {"drift": math.nan},
+        "summary_after": {"drift": 1e-3},
+        "limits": (limit,),
+        "optimality_residual": math.inf,
+        "starts": (StartReport(**start),),
+        "evaluations": 12,
+        "joint_text": "text",
+        "nominal": {"slip_ratio": np.array([0.4, math.nan])},
+    }
+    return DesignResult(**(numbers | changes))
+
+
+@pytest.mark.parametrize(("sign", "sense"), [(1.0, "minimise"), (-1.0, "maximise")])
+def test_plain_data(judged, sign, sense):
+    document = json.loads(json.dumps(design_document(design(sign)), allow_nan=False))
+    assert document["objective"] == {
+        "result": "mass",
+        "label": "mass of two discs",
+        "sense": sense,
+        "before": 2.0,
+        "after": 1.5,
+        "unrounded": None,
+    }
+    assert document["violation"] == 0.1
+    assert document["optimality_residual"] is None
+    assert document["before"] == {"drift": None}
+    assert document["nominal"] == {"slip_ratio": [0.4, None]}
+    assert document["limits"][0]["value"] == 0.55
+    assert document["limits"][0]["label"] == "slip ratio"
+    assert document["evaluations"] == 12
+    assert document["diagnostics"] == [{"name": "slip_ratio", "ok": True, "value": None}]
+    assert document["no_result_because"] is None
+
+
+def test_a_design_that_meets_its_limits_violates_none(judged):
+    assert design_document(design(1.0, feasible=True))["violation"] == 0.0
+
+
+xarray = pytest.importorskip("xarray", reason="the extra 'study' is not installed")
+
+
+@pytest.fixture
+def solved(monkeypatch):
+    """The files that were solved; a preload above 2 kN crosses a limit, below 500 N there is no joint."""
+    seen = []
+
+    def document(case):
+        preload = si_values(case)["load"]["preload"]
+        seen.append(preload)
+        if preload < 500.0:
+            raise NoSolutionError("slips")
+        entries = [{"name": "a", "ok": True}, {"name": "b", "ok": preload < 2000.0}]
+        return SimpleNamespace(document={"diagnostics": entries})
+
+    monkeypatch.setattr("asperity.study.design.design_result.solve_case", document)
+    return seen
+
+
+def test_all_limits_of_a_design_or_why_there_are_none(solved, case):
+    text = joint_file_text(case, {"load.preload": 1200.0}, comment="designed")
+    assert found_diagnostics(text) == {
+        "diagnostics": [{"name": "a", "ok": True}, {"name": "b", "ok": True}],
+        "no_result_because": None,
+    }
+    text = joint_file_text(case, {"load.preload": 400.0}, comment="designed")
+    assert found_diagnostics(text) == {"diagnostics": None, "no_result_because": "slips"}
+    assert solved == [1200.0, 400.0]
+
+
+def test_crossed_limits_of_a_front_design_by_design(solved, case):
+    preloads = [400.0, 1200.0, 2400.0]
+    front = xarray.Dataset({"load.preload": ("design", preloads)})
+    problem = SimpleNamespace(case=case, variables=[SimpleNamespace(path="load.preload")])
+    steps = []
+    found = front_diagnostics(problem, front, progress=lambda done, total: steps.append((done, total)))
+    assert found["diagnostics"] == [None, [], [{"name": "b", "ok": False}]]
+    assert found["no_result_because"] == ["slips", None, None]
+    assert (solved, steps) == (preloads, [(1, 3), (2, 3), (3, 3)])
+
+
+def test_a_planetary_is_read_as_one():
+    text = "type = 'planetary'"
+    found = found_diagnostics(text)
+    assert found["diagnostics"] is None
+    assert "missing" in found["no_result_because"]
