@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import prepare_computation, print_json, say_written
 from asperity.writing import check_file, check_image, write_image, write_text
 
 if TYPE_CHECKING:
@@ -60,7 +60,6 @@ def calibrate(
     """
     from asperity.cli.terminal import about, progress_bar, read_case_of_branches
     from asperity.errors import InputError
-    from asperity.precision import use_compilation_cache, use_double_precision
 
     check_image(plot)
     check_image(plot_posterior)
@@ -68,8 +67,7 @@ def calibrate(
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
     case = read_case_of_branches(file, own=True)
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.study.calibration.calibrate import calibrate as fit
     from asperity.study.calibration.measurement import read_measurement
     from asperity.study.calibration.posterior import posterior, require_numpyro
@@ -119,9 +117,7 @@ def calibrate(
         write_image(posterior_figure(found, drawn), plot_posterior)
         say_written(plot_posterior)
     if as_json:
-        import json
-
-        click.echo(json.dumps(_document(found, drawn), indent=2, allow_nan=False))
+        print_json(_document(found, drawn))
     else:
         _show(found, drawn)
 

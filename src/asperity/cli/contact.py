@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import click
 
+from asperity.cli.terminal import prepare_computation
+
 
 @click.command()
 @click.option("--table", type=click.Path(), required=True, help="CSV table of roller pairs to read.")
@@ -27,14 +29,12 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
     """
     from asperity.errors import InputError
     from asperity.joint_file.limits import FREQUENCY_RATIO
-    from asperity.precision import use_compilation_cache, use_double_precision
 
     try:
         FREQUENCY_RATIO.check(gamma)
     except InputError as error:
         raise InputError(f"--gamma: {error}") from None
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.cli.terminal import rows_progress, say
     from asperity.joint_file.contact_table import convert_contact_table
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import prepare_computation, print_json, say_written
 from asperity.errors import InputError
 from asperity.writing import check_file, check_image, write_image, write_text
 
@@ -71,7 +71,6 @@ def design(
     the command says which of them conflict and by how much, and ends with exit code 3.
     """
     from asperity.cli.terminal import progress_bar
-    from asperity.precision import use_compilation_cache, use_double_precision
 
     check_image(plot)
     check_image(map_file)
@@ -80,8 +79,7 @@ def design(
 
     problem = read_design(file)
     check_file(out, problem.joint_file)
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     if map_file is not None or map_over is not None:
         _check_map(problem, map_file, map_over)
     if len(problem.objectives) > 1:
@@ -106,11 +104,9 @@ def design(
         write_image(design_map(result, over=map_over), map_file)
         say_written(map_file)
     if as_json:
-        import json
-
         from asperity.study.design.design_result import design_document
 
-        click.echo(json.dumps(design_document(result), indent=2, allow_nan=False))
+        print_json(design_document(result))
     else:
         _show(result)
         _show_warnings(result)
@@ -161,10 +157,8 @@ def _front(
         write_image(pareto_figure(front, tuple(goal.name for goal in problem.objectives)), plot)
         say_written(plot)
     if as_json:
-        import json
-
         columns = {name: front[name].values.tolist() for name in names}
-        click.echo(json.dumps(columns | warned, indent=2, allow_nan=False))
+        print_json(columns | warned)
     else:
         _show_front(problem, front, names)
         _show_front_warnings(console(), warned)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import about, say, say_written
+from asperity.cli.terminal import about, prepare_computation, say, say_written
 from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
 
@@ -49,10 +49,7 @@ def draw(file: str, out: str, forces: bool) -> None:
 
         require_ezdxf()
     case = read_case_of_branches(file, own=False) if forces else read_case(file)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     with about(file):
         sheet = _sheet(case, file, forces)
     if suffix == ".dxf":

@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from asperity.cli.terminal import about, say_written
+from asperity.cli.terminal import about, prepare_computation, print_json, say_written
 from asperity.writing import check_file, check_image, write_columns, write_image
 
 
@@ -40,10 +40,8 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     case = read_case_of_branches(file, own=True)
     from asperity.joint_file.own_branches import with_own_branches
     from asperity.joint_file.section_build import inertias_from_case
-    from asperity.precision import use_compilation_cache, use_double_precision
 
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.results.dynamics_document import dynamics_document, response_columns
     from asperity.standing.dynamics import dynamics as solved_dynamics
 
@@ -62,9 +60,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
         say_written(plot_file)
     document = dynamics_document(found, inertias) | {"of_own_branches": (joint.unlike is not None)}
     if as_json:
-        import json
-
-        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        print_json(document)
         return
     _show(document, file, damped=case.dynamics is not None and case.dynamics.loss_factor is not None)
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from asperity.cli.terminal import about, say_written
+from asperity.cli.terminal import about, prepare_computation, say_written
 
 #: Names of the targets; asperity.export.targets has their writers.
 TARGETS = ("table", "mujoco", "fmu", "modelica")
@@ -55,15 +55,13 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
 
     check_target(to, out, file)
     case = read_case_of_branches(file, own=True)
-    from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 
     try:
         asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
     except InputError as error:
         raise InputError(f"--torque: {error}") from None
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.export.content import export_content, heading
     from asperity.export.targets import exported, write_exported
     from asperity.joint_file.own_branches import with_own_branches

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import about, say_written
+from asperity.cli.terminal import about, prepare_computation, print_json, say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
@@ -47,10 +47,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
 
     check_image(plot_file)
     case = read_case(file)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     measured = None
     if surfaces:
         from asperity.joint.measured_surface import measured_surface
@@ -109,9 +106,7 @@ def _interval(case: Case, described: Joint, measured: SurfaceMeasurement | None)
 
 def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
     if as_json:
-        import json
-
-        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        print_json(document)
         return
     from asperity.cli.joint_table import show_joint
     from asperity.cli.terminal import console

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import about, say_written
+from asperity.cli.terminal import about, prepare_computation, print_json, say_written
 from asperity.writing import check_file, replacing
 
 if TYPE_CHECKING:
@@ -34,19 +34,14 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 
     check_file(csv_file, file)
     case = read_case(file)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     with about(file):
         document = _document(case)
     if csv_file:
         _write(document, csv_file)
         say_written(csv_file)
     if as_json:
-        import json
-
-        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        print_json(document)
         return
     _show(document, file)
 

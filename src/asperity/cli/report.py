@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import about, say_written
+from asperity.cli.terminal import about, prepare_computation, say_written
 from asperity.errors import InputError
 from asperity.writing import check_file, replacing, write_text
 
@@ -85,10 +85,7 @@ def report(
         require_typst()
     text = read_text(file, hint="'asperity init' writes an example")
     case = parse_case(text, source=file, folder=Path(file).parent)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.cli.terminal import progress_bar
     from asperity.report.joint_report import ReportSource, joint_report
 

@@ -9,6 +9,8 @@ from typing import Any
 
 import click
 
+from asperity.cli.terminal import prepare_computation
+
 _WIDTH = 110
 
 
@@ -107,10 +109,7 @@ def reproduce(out: str | None, as_json: bool) -> None:
     from rich.console import Console
     from rich.progress import Progress
 
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.zou2025.claims import judge
     from asperity.zou2025.curves import Curves, joint_curves, pair_curves
     from asperity.zou2025.files import output_folder, verdict_document, write_panel, write_verdicts

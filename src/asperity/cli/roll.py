@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import about, say_written
+from asperity.cli.terminal import about, prepare_computation, print_json, say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
@@ -40,10 +40,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     check_image(plot_file)
     case = read_case(file)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.joint.solve import refuse_no_rolling
     from asperity.joint_file.solved_document import solve_case
 
@@ -95,9 +92,7 @@ def _draw(joint: Joint, result: JointResult, document: dict[str, Any], file: str
 
 def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
     if as_json:
-        import json
-
-        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        print_json(document)
         return
     from asperity.cli.roll_table import show_rolling
     from asperity.cli.terminal import console

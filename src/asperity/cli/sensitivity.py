@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 import numpy as np
 
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import prepare_computation, print_json, say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
@@ -40,10 +40,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     from asperity.cli.terminal import about, read_case_of_branches
 
     case = read_case_of_branches(file, own=True)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values
     from asperity.results import known_result
@@ -59,11 +56,9 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     with about(file):
         found = differentiate(case, names)
     if as_json:
-        import json
-
         from asperity.study.tolerances.documents import sensitivity_document
 
-        click.echo(json.dumps(sensitivity_document(found), indent=2, allow_nan=False))
+        print_json(sensitivity_document(found))
     else:
         _show(ranking(found, result))
     if plot is not None:

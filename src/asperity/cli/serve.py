@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from asperity.cli.terminal import say
+from asperity.cli.terminal import prepare_computation, say
 
 
 @click.command()
@@ -43,10 +43,7 @@ def serve(file: str | None, port: int, no_browser: bool, host: str) -> None:
     name, text = (Path(file).name, _text(file)) if file else ("zou2025.toml", _example())
     start = JointRequest(name=name, text=text)
     listening = listening_socket(host, port)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     if not is_loopback(host):
         say(
             f"asperity: warning: the page listens at {host}: every computer that reaches this address can use it, "

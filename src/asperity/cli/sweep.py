@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import say, say_written
+from asperity.cli.terminal import prepare_computation, say, say_written
 from asperity.errors import InputError
 from asperity.writing import check_image, write_image
 
@@ -99,10 +99,7 @@ def sweep(
     from asperity.cli.terminal import read_case_of_branches
 
     case = read_case_of_branches(file, own=True)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.cli.terminal import about, progress_bar
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values

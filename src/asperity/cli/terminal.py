@@ -342,3 +342,18 @@ def read_case_of_branches(file: str, *, own: bool) -> AnyCase:
         )
         click.echo(f"asperity: note: {said}", err=True)
     return case
+
+
+def prepare_computation() -> None:
+    """Compute in double precision, and keep compiled programs between commands."""
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+
+
+def print_json(document: dict[str, Any]) -> None:
+    """Print one JSON document, which has no number that JSON does not know."""
+    import json
+
+    click.echo(json.dumps(document, indent=2, allow_nan=False))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import prepare_computation, print_json, say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
@@ -69,10 +69,7 @@ def uncertainty(
 
     case = read_case_of_branches(file, own=True) if branches is None else read_case(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.cli.terminal import progress_bar
     from asperity.study.tolerances.uncertainty import uncertainty as propagate
 
@@ -88,11 +85,9 @@ def uncertainty(
             case, results=names, distribution=otherwise, samples=samples, seed=seed, report=report
         )
     if as_json:
-        import json
-
         from asperity.study.tolerances.documents import uncertainty_document
 
-        click.echo(json.dumps(uncertainty_document(found), indent=2, allow_nan=False))
+        print_json(uncertainty_document(found))
     else:
         _show(found)
     if plot is not None:
@@ -114,9 +109,7 @@ def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, see
 
 def _show_branches(found: dict[str, Any], draws: int, as_json: bool) -> None:
     if as_json:
-        import json
-
-        click.echo(json.dumps(found, indent=2, allow_nan=False))
+        print_json(found)
         return
     from asperity.cli.terminal import console, table
 

@@ -6,6 +6,8 @@ from typing import Any
 
 import click
 
+from asperity.cli.terminal import prepare_computation
+
 
 @click.command()
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a table.")
@@ -38,10 +40,7 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
         from asperity.report.pdf import require_typst
 
         require_typst()
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.report.validation_report import validation_report
     from asperity.validation.run import run_checks, validation_document
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import prepare_computation, say_written
 from asperity.errors import InputError
 from asperity.writing import check_image, write_image
 
@@ -116,10 +116,7 @@ def verify_contact(
     from rich.console import Console
     from rich.progress import Progress
 
-    from asperity.precision import use_compilation_cache, use_double_precision
-
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     import numpy as np
 
     from asperity.verify.comparison import Sample, compare

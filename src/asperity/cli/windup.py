@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from asperity.cli.terminal import about, say_written
+from asperity.cli.terminal import about, prepare_computation, print_json, say_written
 from asperity.standing import STAGE_SHARES
 from asperity.writing import check_file, check_image, write_columns, write_image
 
@@ -83,7 +83,6 @@ def windup(
     check_file(rolling_file, file)
     check_image(plot_file)
     case = read_case_of_branches(file, own=True)
-    from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 
     try:
@@ -95,8 +94,7 @@ def windup(
         raise InputError(f"--stages {first:g} {second:g}: allowed are two shares with 0 < first < second < 1")
     if not 0.0 < creep_share < float("inf"):
         raise InputError(f"--creep-share {creep_share:g}: allowed is a number above 0, e.g. 0.05")
-    use_double_precision()
-    use_compilation_cache()
+    prepare_computation()
     from asperity.joint_file.own_branches import with_own_branches
     from asperity.results.windup_document import (
         examined_windup,
@@ -139,9 +137,7 @@ def windup(
         write_image(windup_figure(curve, onsets[0], title=title, capacities=limits), plot_file)
         say_written(plot_file)
     if as_json:
-        import json
-
-        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        print_json(document)
         return
     _show(document, file)
 
