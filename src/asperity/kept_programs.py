@@ -269,18 +269,7 @@ def _processor() -> str:
 
 
 def outline(tree: Any) -> Any:
-    """Nested results as lists, texts and numbers.
-
-    Parameters
-    ----------
-    tree : object
-        Modules of equinox, named tuples, tuples, lists and dictionaries; anything else is a number.
-
-    Returns
-    -------
-    object
-        For :func:`of_outline`, also after a way through JSON.
-    """
+    """Nested results (modules, tuples, lists, dictionaries) as lists, texts and numbers, for :func:`of_outline`."""
     if tree is None:
         return ["none"]
     if isinstance(tree, equinox.Module):

@@ -68,27 +68,7 @@ def check_regular(path: str | Path, *, hint: str = "") -> int:
 
 
 def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "") -> bytes:
-    """The content of a regular file.
-
-    Parameters
-    ----------
-    path : str or Path
-        File name.
-    largest : int, optional
-        Largest allowed size [byte].
-    hint : str, optional
-        What to do if there is no such file.
-
-    Returns
-    -------
-    bytes
-        All of it.
-
-    Raises
-    ------
-    InputError
-        As :func:`check_regular`, or if the file is larger or cannot be read.
-    """
+    """The content of a regular file of a largest size [byte]; the hint is what to do if there is none."""
     size = check_regular(path, hint=hint)
     try:
         with open(path, "rb") as stream:

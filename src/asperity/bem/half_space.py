@@ -31,20 +31,7 @@ def _scaled(waves: Array, symbol: Array) -> Array:
 
 
 def filtered(field: Array, symbol: Array) -> Array:
-    """Multiply a real field's half-spectrum (last ``symbol.ndim`` axes) by a real symbol.
-
-    Parameters
-    ----------
-    field : array, shape (..., *grid)
-        Real field.
-    symbol : array, shape of the half-spectrum
-        Factor on each wave.
-
-    Returns
-    -------
-    array, shape of ``field``
-        The filtered field.
-    """
+    """A real field whose half-spectrum (last ``symbol.ndim`` axes) is multiplied by a real symbol."""
     axes = tuple(range(-symbol.ndim, 0))
     shape = field.shape[-symbol.ndim :]
     return jnp.fft.irfftn(_scaled(jnp.fft.rfftn(field, axes=axes), symbol), s=shape, axes=axes)

@@ -286,23 +286,12 @@ def _finishes(extension: str | Path | None) -> dict[str, Finish]:
 
 
 def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[str, Any], dict[str, str]]:
-    """The tables of a joint file with names of library materials replaced by their numbers.
+    """The tables of a joint file with names of library materials replaced by their numbers, and what was refused.
 
-    Parameters
-    ----------
-    tables : mapping
-        The joint file as TOML reads it. ``materials.NAME = {library = "52100"}`` refers to an entry, further
-        keys replace single values, ``file = "my.toml"`` names a library file of the user. If the file does not
-        define the material of a body, the material is taken from the library.
-    folder : Path
-        Folder to which the path of a library file is relative.
-
-    Returns
-    -------
-    tables : dict
-        New tables without such references; everything else is checked by the reader of joint files.
-    refused : dict
-        Dotted path of a material → why its entry was not found. Its table is left unchanged.
+    ``materials.NAME = {library = "52100"}`` refers to an entry, further keys replace single values, ``file =
+    "my.toml"`` names a library file of the user, relative to the folder. If the file does not define the material of
+    a body, it is taken from the library. What was refused says by the dotted path of a material why its entry was not
+    found; its table is left unchanged.
     """
     refused: dict[str, str] = {}
     materials = tables.get("materials", {})

@@ -55,25 +55,9 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
 
 
 def filtered(*, topography: Topography, short_cutoff: float | None, long_cutoff: float | None) -> Topography:
-    r"""Roughness between two cutoffs: waves shorter than lambda_s and longer than lambda_c removed.
+    """Roughness between two cutoffs [m]: waves shorter than lambda_s and longer than lambda_c removed, None keeps them.
 
-    Parameters
-    ----------
-    topography : Topography
-        Profile or map; a map is filtered along x and then along y, which is the areal Gaussian filter.
-    short_cutoff : float or None
-        lambda_s [m]; None keeps the short waves.
-    long_cutoff : float or None
-        lambda_c [m]; None keeps the long waves.
-
-    Returns
-    -------
-    Topography
-
-    Raises
-    ------
-    InputError
-        If the cutoffs are out of range or in the wrong order.
+    A map is filtered along x and then along y, which is the areal Gaussian filter.
 
     References
     ----------

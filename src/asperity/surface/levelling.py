@@ -24,25 +24,9 @@ def default_form(topography: Topography) -> str:
 def levelled(*, topography: Topography, form: str, degree: int | None = None) -> Topography:
     """The surface minus its least-squares form; missing points neither count nor change.
 
-    Parameters
-    ----------
-    topography : Topography
-        Profile or map.
-    form : str
-        ``none``, ``mean``, ``line`` (of a profile), ``plane`` (of a map), ``polynomial`` (of the given total
-        degree), ``cylinder_x`` or ``cylinder_y`` (of a map: plane and a parabola along x or along y).
-    degree : int or None
-        Degree of a polynomial, 0 to 12; only for ``polynomial``.
-
-    Returns
-    -------
-    Topography
-
-    Raises
-    ------
-    InputError
-        If the form is unknown, does not suit, or there are too few points for it; if the form leaves a tilt
-        that makes up more than :data:`LARGEST_TILT_SHARE` of the variance of the heights.
+    The form is ``none``, ``mean``, ``line`` (of a profile), ``plane`` (of a map), ``polynomial`` (of the given total
+    degree, 0 to 12), ``cylinder_x`` or ``cylinder_y`` (of a map: plane and a parabola along x or along y). One that
+    leaves a tilt of more than :data:`LARGEST_TILT_SHARE` of the variance of the heights is refused.
     """
     if form not in FORMS:
         raise InputError(f"there is no form '{form}'; known: {', '.join(FORMS)}")

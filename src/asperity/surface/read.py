@@ -27,35 +27,13 @@ def read_surface(
     decimal: str = "auto",
     any_size: bool = False,
 ) -> Topography:
-    """Profile or map from any supported file, heights and positions in metres.
+    """Profile or map from any supported file, heights and positions in metres; missing points are NaN and counted.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file. Text (columns of numbers) and ``.npy`` are read without further packages; X3P, SDF, SUR,
-        AL3D, OPD, OPDX, Zygo, FRT, TMD, NetCDF and some 35 more need the extra ``surface``.
-    position_unit, height_unit : str or None
-        Unit of positions and heights, such as ``"mm"``. Needed only where the file does not name it; a unit
-        that contradicts the file is refused.
-    spacing : float or None
-        Distance of the points [m], for files that hold heights only.
-    decimal : {"auto", "point", "comma"}
-        Decimal sign of text files.
-    any_size : bool
-        Accept sizes outside :data:`EXPECTED_SIZES`, and heights larger than the longest side.
-
-    Returns
-    -------
-    Topography
-        Missing points are NaN and counted; nothing is filled, levelled or filtered.
-
-    Raises
-    ------
-    InputError
-        If there is no such file, it is empty, too large or not understood, its units are not known, or its
-        sizes are not plausible.
-    MissingExtraError
-        If the format needs SurfaceTopography and that is not installed.
+    Text (columns of numbers) and ``.npy`` are read without further packages; X3P, SDF, SUR, AL3D, OPD, OPDX, Zygo,
+    FRT, TMD, NetCDF and some 35 more need the extra ``surface``. Units are needed only where the file does not name
+    them, and refused where they contradict it; the spacing [m] for files that hold heights only. ``any_size`` accepts
+    sizes outside :data:`EXPECTED_SIZES`, and heights larger than the longest side. Nothing is filled, levelled or
+    filtered.
     """
     path = checked_file(path=path, largest=LARGEST_FILE)
     if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):

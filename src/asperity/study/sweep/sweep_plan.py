@@ -127,18 +127,6 @@ def make_plan(
 def block_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
     """Points of a block along each axis: whole last axes, even parts of the first one that does not fit.
 
-    Parameters
-    ----------
-    shape : tuple of int
-        Points of the grid.
-    most : int
-        Largest number of points of a block.
-
-    Returns
-    -------
-    tuple of int
-        Points of a block.
-
     Examples
     --------
     >>> block_shape((100, 100, 100), 30_000), block_shape((7, 11), 1000)
