@@ -15,8 +15,8 @@ from asperity.page.job_process import run_job
 from asperity.page.upload import measured_upload, opened_design, opened_joint, recognised, refuse_downloads
 from asperity.report.content import Report
 from asperity.report.html import report_html
+from asperity.surface.measure_files import read_surface
 from asperity.surface.measurement import SCHEMA
-from asperity.surface.read import read_surface
 
 DESIGN = b'joint = "a.toml"\n[variables]\n"load.preload" = {lower = "1 N", upper = "2 N"}\n'
 

@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from scipy.special import ndtr
 
 from asperity.errors import InputError
-from asperity.surface.filters import gaussian_lowpass
+from asperity.surface.levelling import gaussian_lowpass
 from asperity.surface.peak_to_valley import (
     average_from_depth,
     depth_cut_off,

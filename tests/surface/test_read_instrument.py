@@ -11,7 +11,7 @@ from asperity.errors import InputError, MissingExtraError
 from asperity.surface import read_instrument
 from asperity.surface.height_parameters import height_parameters
 from asperity.surface.levelling import levelled
-from asperity.surface.read import read_surface
+from asperity.surface.measure_files import read_surface
 
 
 def test_without_the_extra_the_message_says_what_to_install(tmp_path, monkeypatch):

@@ -6,7 +6,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.surface.height_parameters import height_parameters
 from asperity.surface.levelling import levelled
-from asperity.surface.read import read_surface
+from asperity.surface.measure_files import read_surface
 
 X = np.arange(50) * 0.25
 Z = np.round(np.sin(X), 4)

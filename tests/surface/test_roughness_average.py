@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from asperity.surface.filters import gaussian_lowpass
+from asperity.surface.levelling import gaussian_lowpass
 from asperity.surface.roughness_average import (
     corresponding_average,
     fractal_roughness_from_average,

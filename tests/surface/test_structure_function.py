@@ -95,7 +95,7 @@ def test_coarse_steps_are_found_and_limit_the_frequency():
 
 def test_bearing_step(shared_data):
     """SOURCE.txt: heights in steps of about 0.076 um."""
-    from asperity.surface.read import read_surface
+    from asperity.surface.measure_files import read_surface
 
     t = read_surface(
         path=shared_data / "bearing_roller_profiles" / "NU206-RE-1.txt", position_unit="mm", height_unit="um"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,8 +12,8 @@ from asperity.joint.body_shape import BodyShape
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.rolling.turning import driving_sense
-from asperity.show.body_force import APART, BodyForce, body_outlines, force_arrow, force_label
 from asperity.show.sheet import Align, Circle, Item, Line, Point, Text
+from asperity.units import format_quantity
 
 _BEYOND = 13.0  # of a label beyond its contact on paper [mm]
 _LINE_SPACING = 4.2
@@ -22,6 +23,10 @@ _LETTER = 2.0  # width of a letter, on the wide side [mm]
 #: Where a label is tried: distances from its body [mm], and turns from the direction of its force [rad].
 _DISTANCES = (4.0, 8.0, 13.0, 18.0, 24.0, 32.0)
 _TURNS = (0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9)
+_ARROW = 10.0  # length of an arrow on paper [mm]
+#: Between two bodies on paper [mm].
+APART = 26.0
+_LARGEST, _SMALLEST = 20.0, 5.0  # radii on paper [mm]
 
 
 def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float, scale: float) -> list[Item]:
@@ -221,3 +226,64 @@ def body_forces(joint: Joint, result: JointResult) -> list[BodyForce]:
         push = (cosine * outward[1] + sine * outward[0], -cosine * outward[0] + sine * outward[1])
         found.append(BodyForce(names[number], "pin", "F", (0.0, 0.0), push, -float(result.forces.pins[pin])))
     return found
+
+
+class BodyForce(NamedTuple):
+    """One force on one body of the first branch, whose planet lies above the sun.
+
+    Parameters
+    ----------
+    body : str
+        ``planet``, ``right loading roller`` or ``left loading roller``.
+    name : str
+        The contact, or ``pin``.
+    kind : str
+        ``N`` normal, ``T`` tangential, ``F`` of a pin.
+    place : tuple of float
+        Where it acts: direction from the centre of the body to the contact; (0, 0) for a pin.
+    direction : tuple of float
+        Unit vector: to the right, upwards.
+    size : float
+        The force in this direction [N]; negative for the opposite one.
+    """
+
+    body: str
+    name: str
+    kind: str
+    place: Point
+    direction: Point
+    size: float
+
+
+def body_outlines(radii: dict[str, list[float]], *, size: float = 1.0) -> dict[str, list[float]]:
+    """Radii of bodies on paper: the largest has a size that suits the arrows, and none is too small for them.
+
+    [mm].
+    """
+    largest = max(radius for each in radii.values() for radius in each)
+    return {
+        name: [max(_SMALLEST, size * _LARGEST * radius / largest) for radius in each]
+        for name, each in radii.items()
+    }
+
+
+def force_arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, Point]:
+    """Arrow of a force: normal forces end at the contact, tangential ones lie beside it, pins push from the axis.
+
+    [mm].
+    """
+    x, y = centre[0] + radius * force.place[0], centre[1] + radius * force.place[1]
+    step = math.copysign(_ARROW, force.size)
+    e, f = step * force.direction[0], step * force.direction[1]
+    if force.kind == "N":
+        return (x - e, y - f), (x, y)
+    if force.kind == "F":
+        return (x, y), (x + e, y + f)
+    x, y = x + 1.5 * force.place[0], y + 1.5 * force.place[1]
+    return (x, y), (x + 0.8 * e, y + 0.8 * f)
+
+
+def force_label(force: BodyForce) -> str:
+    """Name and size of a force."""
+    size = format_quantity(abs(force.size), "N")
+    return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"pin: {size}"}[force.kind]

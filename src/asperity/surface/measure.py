@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.surface.filters import filtered
 from asperity.surface.fractal_fit import FractalFit, fractal_fit
 from asperity.surface.height_parameters import HeightParameters, height_parameters
-from asperity.surface.levelling import levelled, without_outliers
+from asperity.surface.levelling import filtered, levelled, without_outliers
 from asperity.surface.structure_function import height_step
 from asperity.surface.topography import Topography, without_missing
 
