@@ -17,6 +17,11 @@ _NEWTON_BUDGET = 60
 _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
 
 
+def tied_zeros(values: Array) -> Array:
+    """Zeros that are batched where some values are: JAX traces a loop once more for every start that is not."""
+    return jnp.where(values > jnp.inf, 1.0, 0.0)
+
+
 def newton(
     step_at: Callable[[Any], tuple[Any, Any]],
     first: Any,
@@ -72,6 +77,7 @@ def newton(
         share = jnp.minimum(1.0, jnp.min(room))
         return x - share * step, jnp.max(jnp.abs(step)), steps + 1, misfit
 
-    begin = (start, jnp.asarray(1.0), jnp.asarray(0), residual)
+    nothing = tied_zeros(start[0])
+    begin = (start, nothing + 1.0, nothing.astype(int), residual)
     x, size, _, misfit = jax.lax.while_loop(unfinished, improve, begin)
     return shape(x), size, misfit

@@ -27,7 +27,7 @@ from asperity.drive.state.equations import (
     state_misfits,
     turning_members,
 )
-from asperity.drive.state.newton import newton
+from asperity.drive.state.newton import newton, tied_zeros
 from asperity.drive.state.slopes import newton_step, responses_and_slopes, state_slopes
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, DriveState
 from asperity.linear import solve, solve_in_turn
@@ -142,9 +142,11 @@ def solved(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    fixed_machine, fixed_task, first = jax.lax.stop_gradient((machine, task, start))
+    fixed_machine, fixed_task, given = jax.lax.stop_gradient((machine, task, start))
+    nothing = tied_zeros(fixed_machine.laws.reference_force)
+    first: Unknowns = jax.tree.map(lambda leaf: leaf + nothing[0], given)
     may_slide = (jnp.asarray(task.kind) == STANDING) & ~jnp.asarray(holds)
-    begin = jnp.zeros_like(first.normal) if slides is None else jax.lax.stop_gradient(slides)
+    begin = nothing if slides is None else nothing + jax.lax.stop_gradient(slides)
     paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
 
     def unfinished(state: _Search) -> Array:
@@ -173,7 +175,8 @@ def solved(
         going = balanced & may_slide & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
         return _Search(found, slides, held, trial, going, state.steps + 1)
 
-    start_of = _Search(first, begin, begin, begin, ~jnp.asarray(known), jnp.asarray(0))
+    going = (nothing[0] == 0.0) & ~jnp.asarray(known)
+    start_of = _Search(first, begin, begin, begin, going, nothing[0].astype(int))
     end = jax.lax.while_loop(unfinished, improve, start_of)
     found = known_state(machine, task, end.found, end.slides, by_force=by_force)
     return found, end.slides
