@@ -118,7 +118,7 @@ def test_equal_planets_slide_together(standing):
     np.testing.assert_array_equal(np.asarray(found.residual) < STATE_TOLERANCE, [True, False])
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_derivatives_are_those_of_what_holds(standing):
     """Beyond the first slip the strong planet alone turns the carrier: by the torque less the friction of the weak."""
 

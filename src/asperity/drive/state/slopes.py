@@ -250,21 +250,27 @@ def _of_structure(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> 
 
 def newton_step(slopes: Slopes, residual: Unknowns, solver: Callable[[Array, Array], Array]) -> Unknowns:
     r"""Solve :math:`J s = r` for the step of all unknowns, the forces of the contacts eliminated."""
-    first = jnp.concatenate([slopes.approach_moves, residual.normal[:, None]], axis=1)
-    # normal forces, then tangential ones, as functions of the structure; the last column is without it
-    first = first.at[:, :-1].multiply(-1.0)
+    # forces as functions of the structure, and without it: apart, so that the step is linear in the residual
     coupled = slopes.approach.ndim > 1
-    normal = _eliminated(slopes.approach, first) if coupled else first / slopes.approach[:, None]
-    held = jnp.concatenate([-slopes.held_moves, residual.tangential[:, None]], axis=1)
-    tangential = _triangular(slopes.held_tangential, held - _matrix(slopes.held_normal, normal))
+    if coupled:
+        normal = _eliminated(slopes.approach, -slopes.approach_moves)
+        alone = solver(slopes.approach, residual.normal)
+    else:
+        normal = -slopes.approach_moves / slopes.approach[:, None]
+        alone = residual.normal / slopes.approach
+    tangential = _triangular(slopes.held_tangential, -slopes.held_moves - _matrix(slopes.held_normal, normal))
+    held = residual.tangential - product(slopes.held_normal, alone)
+    held = _triangular(slopes.held_tangential, held[:, None])[:, 0]
     rest = jnp.concatenate([residual.displacement, residual.turn, residual.pin, residual.interference])
-    taken = _matrix(slopes.normal, normal) + _matrix(slopes.tangential, tangential)
-    found = solver(slopes.structure + taken[:, :-1], rest - taken[:, -1])
+    found = solver(
+        slopes.structure + _matrix(slopes.normal, normal) + _matrix(slopes.tangential, tangential),
+        rest - product(slopes.normal, alone) - product(slopes.tangential, held),
+    )
     ends = np.cumsum([residual.displacement.size, residual.turn.size, residual.pin.size])
     displacement, turn, pin, interference = jnp.split(found, ends)
     return Unknowns(
-        normal=product(normal[:, :-1], found) + normal[:, -1],
-        tangential=product(tangential[:, :-1], found) + tangential[:, -1],
+        normal=product(normal, found) + alone,
+        tangential=product(tangential, found) + held,
         pin=pin,
         displacement=displacement,
         turn=turn,
