@@ -8,6 +8,7 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
+from asperity.contact.exponential import RandomRoughness
 from asperity.contact.fractal import Surface
 from asperity.errors import InputError
 from asperity.joint.description import Joint
@@ -83,12 +84,13 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
             f"{np.count_nonzero(~inside)} of {DRAWS} draws of the measured D = {centre[0]:.3f} lie outside 1 to 2: the "
             "measurement is too uncertain; measure more profiles"
         )
-    (base,) = {each.asperity_base for each in joint.surfaces if isinstance(each, Surface)}
+    own = joint.surfaces[0]
+    assert not isinstance(own, RandomRoughness), "the surface of the file is that of the measurement"
     surface = Surface(
         fractal_dimension=jnp.asarray(dimension[inside]),
         fractal_roughness=jnp.asarray(np.exp(log_roughness[inside])),
         frequency_ratio=jnp.full(np.count_nonzero(inside), float(measurement.frequency_ratio)),
-        asperity_base=base,
+        asperity_base=own.asperity_base,
     )
     shape = np.shape(surface.fractal_dimension)
     result = over_surfaces(joint, (surface,), shape=shape)

@@ -96,12 +96,9 @@ class SurfaceEntry(Section):
                     f"rms_height: {quoted(self.rms_height.text)} reaches down to zero; its tolerance has to be smaller"
                 )
             return self
-        missing = [name for name in ("fractal_dimension", "frequency_ratio") if getattr(self, name) is None]
-        if missing:
-            raise InputError(
-                f"{' and '.join(missing)} missing: a fractal surface needs both, and a finish has them; or give the "
-                "rms_height of the surfaces alone"
-            )
+        for name in ("fractal_dimension", "frequency_ratio"):
+            if getattr(self, name) is None:
+                raise InputError(f".{name}: this key is missing")
         if (self.fractal_roughness is None) == (self.roughness_average is None):
             found = "neither" if self.fractal_roughness is None else "both"
             raise InputError(

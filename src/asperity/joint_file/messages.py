@@ -69,6 +69,9 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
         return f"{path}: the section is empty"
     if kind == "value_error":
         reason = str(context["error"])
+        if reason.startswith("."):  # about a key of the section
+            key = reason[1:].partition(":")[0]
+            return f"{path}{reason}{_wanted((*parts, key), model)}"
         return f"{path}: {reason}" if path else reason
     return f"{path}: {error['msg']}, got {quoted(value)}"
 

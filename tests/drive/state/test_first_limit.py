@@ -51,3 +51,20 @@ def test_a_nan_is_no_limit_of_its_own():
 def test_slip_ratio_of_an_open_contact():
     assert float(slip_ratio(normal_force=0.0, tangential_force=1.0, friction_coefficient=0.1)) == math.inf
     assert float(slip_ratio(normal_force=0.0, tangential_force=0.0, friction_coefficient=0.1)) == 0.0
+
+
+def test_where_nothing_is_known_beyond_a_limit_it_is_that_which_is_all_but_reached():
+    """A force that falls to nothing at 7, beyond which no state is found: not the limit of the search itself."""
+
+    def lifts(x):
+        lost = x > 7.0 - 1e-12
+        return jnp.stack(
+            [
+                jnp.where(lost, jnp.nan, 0.5 * x / 7.0 - 1.0),
+                jnp.where(lost, jnp.nan, x / 7.0 - 1.0),
+                jnp.where(lost, 1.0, -1.0),
+            ]
+        )
+
+    found = first_limit(excesses=lifts, first_guess=1.0)
+    assert (float(found.value), int(found.which)) == (pytest.approx(7.0, rel=1e-11), 1)

@@ -21,6 +21,7 @@ SMALLEST_SHARE = 1e-12
 
 _MOST_STEPS = 150  # forty doublings reach 10^12 times the guess, ninety halvings any interval's last digit
 _NUDGE = 0.2  # of the square of the relative width
+_ALL_BUT_REACHED = 1e-6
 
 
 class FirstLimit(NamedTuple):
@@ -46,6 +47,7 @@ class _Search(NamedTuple):
     bracketed: Array
     slack: Array  # width that as many halvings would have left
     which: Array  # the one reached at the upper bound
+    nearest: Array  # the one of the largest excess at the lower bound
     steps: Array
 
 
@@ -109,7 +111,8 @@ def _searched(excesses: Callable[[Array], Array], start: Array, loop: _Loop) -> 
         found = excesses(trial)
         beyond = found >= 0.0
         reached = xp.any(beyond, axis=0)
-        largest = xp.max(xp.where(xp.isnan(found), -1.0, found), axis=0)
+        known = xp.where(xp.isnan(found), -1.0, found)
+        largest = xp.max(known, axis=0)
         return _Search(
             lower=xp.where(reached, state.lower, trial),
             upper=xp.where(reached, trial, xp.where(state.bracketed, state.upper, 2.0 * state.upper)),
@@ -118,6 +121,7 @@ def _searched(excesses: Callable[[Array], Array], start: Array, loop: _Loop) -> 
             bracketed=state.bracketed | reached,
             slack=xp.where(state.bracketed, 0.5 * state.slack, xp.where(reached, trial - state.lower, 0.0)),
             which=xp.where(reached, xp.argmax(beyond, axis=0), state.which),
+            nearest=xp.where(reached, state.nearest, xp.argmax(known, axis=0)),
             steps=state.steps + 1,
         )
 
@@ -131,9 +135,12 @@ def _searched(excesses: Callable[[Array], Array], start: Array, loop: _Loop) -> 
         bracketed=nowhere,
         slack=nothing,
         which=xp.argmax(nowhere[None], axis=0),
+        nearest=xp.argmax(nowhere[None], axis=0),
         steps=xp.asarray(0),
     )
-    return loop(unfinished, narrow, first)
+    last = loop(unfinished, narrow, first)
+    # where nothing can be computed beyond a limit, the one that is all but reached below it
+    return last._replace(which=xp.where(last.below > -_ALL_BUT_REACHED, last.nearest, last.which))
 
 
 def _step_by_step(
