@@ -88,6 +88,7 @@ def test_a_ring_under_a_preload_is_as_small_as_one_under_the_interference_that_m
     assert "interference 30 µm on the radius" in said[0]
 
 
+@pytest.mark.slow
 def test_the_bore_is_known_at_any_torque_and_in_every_format(call, joint_file, tmp_path):
     """A preload of 1000 N at 500 N·m, which no contact carries; the interference is that of the rest."""
     joint = joint_file(("5 N*m", "500 N*m"))

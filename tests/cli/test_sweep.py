@@ -30,6 +30,7 @@ def test_help_names_every_group_of_results():
     assert set(re.findall(r"\w+", listed)) >= set(GROUPS)
 
 
+@pytest.mark.slow
 def test_small_sweep_is_printed_drawn_and_written(tmp_path):
     done = run("sweep", FILE, *TORQUE, "--results", "published", "--out", "s.csv", "--plot")
     assert done.exit_code == 0

@@ -18,6 +18,7 @@ from asperity.joint.working_loads import (
 )
 
 
+@pytest.mark.slow
 def test_nothing_is_left_over(planetary):
     joint, solution, _ = planetary
     found = working_loads(joint, solution.result)

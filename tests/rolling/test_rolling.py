@@ -359,6 +359,7 @@ def test_damage_of_a_load_is_what_its_duration_takes_from_the_life(rolled):
     assert rolled().duty_damage_shares.shape == (0,)
 
 
+@pytest.mark.slow
 def test_slip_ratio_in_rolling_counts_what_skew_takes(rolled):
     parallel, skewed = rolled(), rolled(conditions(skew=(1e-3,) * 5))
     expected = np.asarray(parallel.tangential) / (0.12 * np.asarray(parallel.normal))

@@ -215,6 +215,7 @@ def test_no_play_says_nothing_about_its_torque(case):
     assert np.all(np.isfinite(found.covariance))
 
 
+@pytest.mark.slow
 def test_slopes_of_the_model(case, curve):
     data, _ = curve
     unknowns = read_unknowns(

@@ -123,6 +123,7 @@ def test_damaged_blocks_are_computed_again_and_said(case, in_memory, filled, tmp
     assert len(said) == 1
 
 
+@pytest.mark.slow
 def test_interruption_keeps_what_is_done(case, in_memory, tmp_path):
     path = tmp_path / "s.zarr"
 
