@@ -234,3 +234,14 @@ def test_deeply_nested_tables_are_refused(levels):
         tables = {"a": tables}
     with pytest.raises(InputError, match="nested too deeply"):
         joint_request({"joint": tables})
+
+
+def test_the_rms_of_the_heights_takes_the_place_of_all_other_roughness(joint_text):
+    request = JointRequest("a.toml", joint_text, {"surface.rms_height": "0.2 um"})
+    surface = request.case().surface
+    assert surface.rms_height.value == pytest.approx(0.2e-6)
+    assert surface.fractal_dimension is None
+    assert parse_case(request.file_text(), source="a.toml").surface == surface
+    back = JointRequest("b.toml", request.file_text(), {"surface.fractal_roughness": "1e-8 mm"})
+    with pytest.raises(InputError, match=r"surface\.fractal_dimension: this key is missing"):
+        back.case()

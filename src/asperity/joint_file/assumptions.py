@@ -27,7 +27,6 @@ _EQUAL_COEFFICIENTS = (
     "of the contacts, and one of them may slip earlier, as windup and hysteresis show"
 )
 _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
-#: What is taken of crowned rollers in every drive.
 RANDOM_ROUGHNESS = (
     "surface.rms_height: the contact law of randomly rough elastic surfaces in place of the published one, K_n = "
     "N/(0.48 rms_height) and K_t in proportion to 1 - T/(mu N); the heights are those of both bodies together and "
@@ -37,6 +36,7 @@ LOADING_CAM = (
     "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far as the "
     "work on the contacts demands; a cam that sticks is stiffer, and adds hysteresis of its own"
 )
+#: What is taken of crowned rollers in every drive.
 CROWNED = (
     "crowned rollers: in slices that share one creepage, aligned and highest in the middle of their contact lines; no "
     "concentration of stress at loaded ends, no slip between slices of different radius"
