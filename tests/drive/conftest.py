@@ -1,5 +1,6 @@
 """Forces of batches of one size, so that each closure is compiled once for all files here."""
 
+import functools
 import math
 
 import equinox as eqx
@@ -155,20 +156,26 @@ def drives():
 
 
 @pytest.fixture(scope="session")
-def solved(drives):
+def steel_laws():
+    """Laws of the contacts of a drive of steel, 5 mm long, in rings with walls of 60 mm."""
+    return functools.partial(
+        smooth_contact_laws,
+        youngs_modulus=206e9,
+        poisson_ratio=0.3,
+        friction_coefficient=0.12,
+        contact_length=5e-3,
+        ring_wall_thickness=60e-3,
+        reference_force=500.0,
+    )
+
+
+@pytest.fixture(scope="session")
+def solved(drives, steel_laws):
     """State at rest and rolling state of a drive under 1000 N and an output torque."""
 
     @eqx.filter_jit
     def states(drive, torque, preload, wall):
-        laws = smooth_contact_laws(
-            drive=drive,
-            youngs_modulus=206e9,
-            poisson_ratio=0.3,
-            friction_coefficient=0.12,
-            contact_length=5e-3,
-            ring_wall_thickness=wall,
-            reference_force=500.0,
-        )
+        laws = steel_laws(drive=drive, ring_wall_thickness=wall)
         pattern = jnp.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
         rest = state_at_rest(drive=drive, laws=laws, pattern=pattern, preload=preload)
         rolling = rolling_state(

@@ -171,7 +171,7 @@ def evaluate(joint: Joint) -> JointResult:
 def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
     """The chain, and the laws of the contacts that it derived; a state of the drive that nobody reads costs nothing."""
     joint = in_motion(joint)
-    laws, states = laws_and_states(joint, separate=True)
+    laws, states = laws_and_states(joint)
     return joint_result(joint, laws, states), laws
 
 
@@ -181,15 +181,13 @@ def assembled_joint(joint: Joint) -> Pressed:
     return assembled(joint, with_rims(joint, joint_contacts(joint)))
 
 
-def laws_and_states(joint: Joint, *, separate: bool = False) -> tuple[ContactLaws, DriveStates]:
+def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
     """The first half of the chain: the laws of the contacts, and how the drive stands and rolls.
 
     Parameters
     ----------
     joint : Joint
         One joint.
-    separate : bool, optional
-        As of :func:`asperity.drive.state.states.drive_states`.
 
     Returns
     -------
@@ -203,7 +201,7 @@ def laws_and_states(joint: Joint, *, separate: bool = False) -> tuple[ContactLaw
     joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
     contacts = with_rims(joint, joint_contacts(joint))
     load = drive_load(joint, body_masses(joint), joint.output_torque)
-    return states_under_torque(joint, contacts, load, creep_under(joint, contacts), separate=separate)
+    return states_under_torque(joint, contacts, load, creep_under(joint, contacts))
 
 
 def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:

@@ -133,7 +133,7 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
 
 
 def states_under_torque(
-    joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf, *, separate: bool = False
+    joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf
 ) -> tuple[ContactLaws, DriveStates]:
     """A joint assembled, standing and rolling under its torque."""
     if joint.cam is None:
@@ -146,7 +146,6 @@ def states_under_torque(
             interference=joint.interference,
             load=load,
             creep_of=creep_of,
-            separate=separate,
         )
         return laws, states
     without_torque = assembled(joint, contacts)
@@ -157,7 +156,7 @@ def states_under_torque(
         rest=pressed.rest,
         load=load,
         creep_of=creep_of,
-        separate=separate,
+        separate=True,
     )
     return without_torque.laws, DriveStates(without_torque.rest, *loaded, pressed.rest)
 

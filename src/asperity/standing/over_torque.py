@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -139,21 +138,19 @@ def lost_speed_slopes(joint: Joint, torques: np.ndarray) -> np.ndarray:
     ndarray
         Slopes, shape (torques,) [1/(N·m)]; nan where there is no steady rolling.
     """
-    found: np.ndarray = _in_batches(slope_program, joint, torques, math.inf)
+    found: np.ndarray = _in_batches(slope_program, joint, torques)
     return found
 
 
-def _in_batches(
-    program: Callable[..., Any], joint: Joint, torques: np.ndarray, no_slip_friction: float
-) -> Any:
-    numbers = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
-    without_torque = jax.tree.map(np.asarray, compile_fast(assembled_joint, numbers)(numbers))
+def _in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
+    """What a program of a joint, its assembled state, torques and further numbers gives at all torques."""
+    moving = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
+    without_torque = jax.tree.map(np.asarray, compile_fast(assembled_joint, moving)(moving))
     asked = np.asarray(torques, dtype=float)
     filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
-    friction = np.asarray(no_slip_friction)
     found = []
     for part in filled.reshape(-1, BATCH):
-        arguments = (numbers, without_torque, part, friction)
+        arguments = (moving, without_torque, part, *map(np.asarray, numbers))
         found.append(jax.tree.map(np.asarray, compile_fast(program, *arguments)(*arguments)))
     return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *found)
 
@@ -204,7 +201,7 @@ def over_torque_program(
     return jax.lax.map(at, torques)
 
 
-def slope_program(joint: Joint, without_torque: Pressed, torques: Array, no_slip_friction: Real) -> Array:
+def slope_program(joint: Joint, without_torque: Pressed, torques: Array) -> Array:
     """What is compiled to differentiate the lost speed."""
     contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
     unloaded, pressed = _with_its_torque(joint), pressed_at(joint, contacts, without_torque)

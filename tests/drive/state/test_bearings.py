@@ -52,20 +52,12 @@ def test_an_input_by_the_carrier_is_braked_by_its_pins_too(drives):
 
 
 @pytest.fixture(scope="module")
-def rolled(drives):
+def rolled(drives, steel_laws):
     """The planetary drive under 1000 N and 10 N·m, with bearings and without."""
 
     @eqx.filter_jit
     def states(drive, bearings):
-        laws = smooth_contact_laws(
-            drive=drive,
-            youngs_modulus=206e9,
-            poisson_ratio=0.3,
-            friction_coefficient=0.12,
-            contact_length=5e-3,
-            ring_wall_thickness=60e-3,
-            reference_force=1000.0,
-        )
+        laws = steel_laws(drive=drive, reference_force=1000.0)
         load = DriveLoad(jnp.asarray(10.0), bearings=bearings)
         return drive_states(drive=drive, laws=laws, pattern=jnp.array([0.0, 1.0]), preload=1000.0, load=load)
 

@@ -10,7 +10,6 @@ from asperity.drive.layout.drive import CARRIER, Body, Contact, Drive, incidence
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.loads import member_moments
-from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveLoad
 from asperity.drive.state.states import loaded_state, state_at_rest
 
@@ -131,21 +130,13 @@ def test_derivatives_are_those_of_what_holds(standing):
 
 
 @pytest.mark.slow
-def test_the_wedge_drive_balances_with_a_roller_that_slides(drives):
+def test_the_wedge_drive_balances_with_a_roller_that_slides(drives, steel_laws):
     """Forces and moments from the contacts; the sliding one follows its normal force, and slips beyond its law."""
     drive = drives["wedge"]
 
     @eqx.filter_jit
     def states(torques):
-        laws = smooth_contact_laws(
-            drive=drive,
-            youngs_modulus=206e9,
-            poisson_ratio=0.3,
-            friction_coefficient=0.12,
-            contact_length=5e-3,
-            ring_wall_thickness=60e-3,
-            reference_force=500.0,
-        )
+        laws = steel_laws(drive=drive)
         rest = state_at_rest(
             drive=drive, laws=laws, pattern=jnp.array([0.0, 0.0, 0.0, 1.0, 1.0]), preload=1000.0
         )

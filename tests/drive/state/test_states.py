@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import incidence, speed_ratio
-from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
 from asperity.drive.state.states import loaded_state, rolling_state, state_at_rest
 
@@ -133,21 +132,13 @@ def _grown(law, normal, tangential):
     return dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * (1.0 + normal / 2000.0 + used**2))
 
 
-def test_the_creep_law_under_the_forces_is_met_by_the_rolling_state(drives):
+def test_the_creep_law_under_the_forces_is_met_by_the_rolling_state(drives, steel_laws):
     """By passes with the law around the forces of the last pass, until they stay; its derivative by differences."""
     drive = drives["planetary"]
 
     @jax.jit
     def states(torque):
-        laws = smooth_contact_laws(
-            drive=drive,
-            youngs_modulus=206e9,
-            poisson_ratio=0.3,
-            friction_coefficient=0.12,
-            contact_length=5e-3,
-            ring_wall_thickness=60e-3,
-            reference_force=500.0,
-        )
+        laws = steel_laws(drive=drive)
         rest = state_at_rest(drive=drive, laws=laws, pattern=jnp.array([0.0, 1.0]), preload=1000.0)
 
         def at_once(torque):

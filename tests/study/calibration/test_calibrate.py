@@ -231,6 +231,7 @@ def test_slopes_of_the_model(case, curve):
         assert slopes[:, index] == pytest.approx(difference, rel=1e-4, abs=1e-7 * np.abs(difference).max())
 
 
+@pytest.mark.slow
 def test_stiffness_data(case):
     torque = np.linspace(0.0, 9.0, 12)
     data = Measurement(torque, None, np.ones(torque.size), None, np.zeros(torque.size), "synthetic")

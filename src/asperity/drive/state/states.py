@@ -28,7 +28,6 @@ from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
     STANDING,
-    Machine,
     Task,
     Unknowns,
     forces_on,
@@ -162,7 +161,6 @@ def drive_states(
     interference: Real | None = None,
     load: DriveLoad,
     creep_of: CreepOf | None = None,
-    separate: bool = False,
 ) -> DriveStates:
     """A drive assembled, standing under a torque, and rolling under it.
 
@@ -180,9 +178,6 @@ def drive_states(
         Torque, forces on the bodies, and pins.
     creep_of : callable or None, optional
         Creep law of contacts under normal and tangential forces; None for that of the laws.
-    separate : bool, optional
-        Whether each state has a program of its own, so that one that nobody reads costs nothing; otherwise one program
-        finds all, which is sooner compiled.
 
     Returns
     -------
@@ -198,26 +193,12 @@ def drive_states(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    if laws.closure is not None:
-        rest = state_at_rest(
-            drive=drive, laws=laws, pattern=pattern, preload=preload, interference=interference, load=load
-        )
-        return DriveStates(rest, *_standing_and_rolling(drive, laws, rest, load, creep_of, separate))
-    machine = machine_of(drive, laws, pattern, supports=load.supports, creep_of=creep_of)
-    given = jnp.asarray(preload if interference is None else interference, dtype=float)
-    start = _Carry(
-        assembled_guess(machine),
-        jnp.zeros_like(laws.reference_force),
-        given,
-        no_displacement(drive),
-        no_force(drive),
-        jnp.zeros_like(laws.reference_force),
+    rest = state_at_rest(
+        drive=drive, laws=laws, pattern=pattern, preload=preload, interference=interference, load=load
     )
-    kinds = [(ASSEMBLED,), (STANDING,), _rolling_kinds(creep_of)]
-    states = _states(
-        machine, load, start, kinds if separate else [sum(kinds, ())], by_force=interference is None
+    return DriveStates(
+        rest, *loaded_states(drive=drive, laws=laws, rest=rest, load=load, creep_of=creep_of, separate=True)
     )
-    return DriveStates(*(states[place] for place in (0, 1, -1)))
 
 
 def loaded_state(
@@ -279,7 +260,7 @@ def loaded_states(
     laws: ContactLaws,
     rest: DriveState,
     load: DriveLoad,
-    creep_of: CreepOf,
+    creep_of: CreepOf | None,
     separate: bool = False,
 ) -> tuple[DriveState, DriveState]:
     """A drive under a torque, standing and rolling, from its assembled state.
@@ -294,10 +275,11 @@ def loaded_states(
         Its assembled state.
     load : DriveLoad
         Torque, forces on the bodies, and pins.
-    creep_of : callable
-        Creep law of contacts under normal and tangential forces.
+    creep_of : callable or None
+        Creep law of contacts under normal and tangential forces; None for that of the laws.
     separate : bool, optional
-        As of :func:`drive_states`.
+        Whether each state has a program of its own, so that one that nobody reads costs nothing; otherwise one program
+        finds both, which is sooner compiled.
 
     Returns
     -------
@@ -308,17 +290,6 @@ def loaded_states(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    return _standing_and_rolling(drive, laws, rest, load, creep_of, separate)
-
-
-def _standing_and_rolling(
-    drive: Drive,
-    laws: ContactLaws,
-    rest: DriveState,
-    load: DriveLoad,
-    creep_of: CreepOf | None,
-    separate: bool,
-) -> tuple[DriveState, DriveState]:
     kinds = [(STANDING,), _rolling_kinds(creep_of)]
     states = _loaded(drive, laws, rest, load, kinds if separate else [sum(kinds, ())], creep_of)
     return states[0], states[-1]
@@ -333,18 +304,32 @@ def _loaded(
     creep_of: CreepOf | None,
     holds: Array | bool = False,
 ) -> list[DriveState]:
+    """One state after the other, each from the one before it; those of one tuple by one program."""
     laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
     size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
     machine = machine_of(drive, laws, rest.interference / size, supports=load.supports, creep_of=creep_of)
-    start = _Carry(
-        started_from(machine, rest, size),
-        rest.slides,
-        size,
-        rest.displacement.ravel(),
-        rest.pin_force,
-        rest.normal,
-    )
-    return _states(machine, load, start, kinds, by_force=False, holds=holds)
+    borne = dataclasses.replace(load, body_force=forces_on(drive, load))
+    loaded = Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
+
+    def step(before: _Found, kind: Array | int) -> tuple[_Found, DriveState]:
+        first, known = (kind == each for each in (_FIRST_ROLLING, _KNOWN_STANDING))
+        kind = jnp.where(first, ROLLING, jnp.where(known, STANDING, kind))
+        task = loaded._replace(kind=kind, by_laws=first)
+        begin = jnp.where(kind == STANDING, before.slides, 0.0)
+        found, slides = solved(
+            machine, task, before.unknowns, slides=begin, by_force=False, known=known, holds=holds
+        )
+        return _Found(found, slides), state_of(machine, task, found, slides)
+
+    last, found = _Found(started_from(machine, rest, size), rest.slides), []
+    for alike in kinds:
+        if len(alike) == 1:
+            last, state = step(last, alike[0])
+            found.append(state)
+            continue
+        last, states = jax.lax.scan(step, last, jnp.stack([jnp.asarray(kind) for kind in alike]))
+        found += [jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
+    return found
 
 
 def closed_around(
@@ -372,59 +357,8 @@ def _rolling_kinds(creep_of: CreepOf | None) -> tuple[int, ...]:
     return (ROLLING,) if creep_of is None else (_FIRST_ROLLING, ROLLING)
 
 
-class _Carry(NamedTuple):
+class _Found(NamedTuple):
     """What one state passes to the next."""
 
     unknowns: Unknowns
     slides: Array
-    size: Array
-    origin: Array
-    pin_at_rest: Array
-    normal_at_rest: Array
-
-
-def _states(
-    machine: Machine,
-    load: DriveLoad,
-    start: _Carry,
-    kinds: _Kinds,
-    *,
-    by_force: bool,
-    holds: Array | bool = False,
-) -> list[DriveState]:
-    """One state after the other, each from the one before it; those of one tuple by one program."""
-    drive, given = machine.drive, start.size
-
-    def step(carry: _Carry, kind: Array | int) -> tuple[_Carry, DriveState]:
-        assembled, first, known = (kind == each for each in (ASSEMBLED, _FIRST_ROLLING, _KNOWN_STANDING))
-        kind = jnp.where(first, ROLLING, jnp.where(known, STANDING, kind))
-        acts = jnp.where(assembled, 0.0, 1.0)
-        borne = dataclasses.replace(
-            load, output_torque=acts * load.output_torque, body_force=acts * forces_on(drive, load)
-        )
-        size = jnp.where(assembled, given, carry.size)
-        task = Task(kind, size, borne, carry.origin, carry.pin_at_rest, carry.normal_at_rest, by_laws=first)
-        begin = jnp.where(kind == STANDING, carry.slides, 0.0)
-        found, slides = solved(
-            machine, task, carry.unknowns, slides=begin, by_force=by_force, known=known, holds=holds
-        )
-        state = state_of(machine, task, found, slides)
-        following = _Carry(
-            found,
-            slides,
-            jnp.where(assembled, found.interference[0] * machine.length, carry.size),
-            jnp.where(assembled, state.displacement.ravel(), carry.origin),
-            jnp.where(assembled, state.pin_force, carry.pin_at_rest),
-            jnp.where(assembled, state.normal, carry.normal_at_rest),
-        )
-        return following, state
-
-    carry, found = start, []
-    for alike in kinds:
-        if len(alike) == 1:
-            carry, state = step(carry, alike[0])
-            found.append(state)
-            continue
-        carry, states = jax.lax.scan(step, carry, jnp.stack([jnp.asarray(kind) for kind in alike]))
-        found += [jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
-    return found
