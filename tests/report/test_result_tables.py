@@ -176,11 +176,14 @@ def test_the_ra_of_every_surface():
         "roughness_average_high_m": 0.25e-6,
         "cut_off_m": 0.8e-3,
     }
-    (row,) = averages({"surfaces": [entry], "standing": {"contacts": dict.fromkeys("abcde")}}).rows
+    (shown,) = averages({"surfaces": [entry], "standing": {"contacts": dict.fromkeys("abcde")}})
+    (row,) = shown.rows
     assert row == ("sp, pwr", "1.4", "1e-8", "0.8", "0.2", "0.15 to 0.25")
     # a drive with two contacts has these on all
-    (row,) = averages({"surfaces": [entry], "standing": {"contacts": {"sp": 0, "pwr": 0}}}).rows
+    (shown,) = averages({"surfaces": [entry], "standing": {"contacts": {"sp": 0, "pwr": 0}}})
+    (row,) = shown.rows
     assert row[0] == "all"
+    assert list(averages({"surfaces": []})) == []  # by their heights
 
 
 def test_interval_of_a_measured_surface_says_which_draws_are_left_out():

@@ -172,7 +172,7 @@ def _parts(source: ReportSource) -> _Parts:
         solved,
         document,
         loads,
-        surfaces=(*_measured(solved.joint, source, source.case), result_tables.averages(document)),
+        surfaces=(*_measured(solved.joint, source, source.case), *result_tables.averages(document)),
         drive=(*drive, *load_tables.rims(document)),
         branches=() if solved.branches is None else tuple(branch_tables(document["branches"])),
     )

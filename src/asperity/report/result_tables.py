@@ -338,8 +338,8 @@ def _interval(title: str, interval: Document) -> Iterator[Block]:
     yield Paragraph(f"Drift from {low} to {high} per output turn.")
 
 
-def averages(document: Document) -> Table:
-    """The Ra that belongs to the D and G of every surface."""
+def averages(document: Document) -> Iterator[Table]:
+    """The Ra that belongs to the D and G of every fractal surface."""
     rows = []
     for entry in document["surfaces"]:
         low, high = (number(entry[f"roughness_average_{end}_m"], 1e6) for end in ("low", "high"))
@@ -355,9 +355,10 @@ def averages(document: Document) -> Table:
                 f"{low} to {high}",
             )
         )
-    return Table(
-        "Ra to which D and G correspond, on each of two like bodies; 95 % of measurements over five cut-offs lie in "
-        "the range",
-        ("contacts", "D\n-", "G\nmm", "cut-off\nmm", "Ra\nµm", "measured Ra\nµm"),
-        rows,
-    )
+    if rows:
+        yield Table(
+            "Ra to which D and G correspond, on each of two like bodies; 95 % of measurements over five cut-offs lie "
+            "in the range",
+            ("contacts", "D\n-", "G\nmm", "cut-off\nmm", "Ra\nµm", "measured Ra\nµm"),
+            rows,
+        )
