@@ -142,9 +142,9 @@ def _interval_by_height(case: Case, heights: dict[str, Quantity]) -> dict[str, A
         **result_ends(result, shape=(2,), percentiles=(0.0, 100.0), least_usable=1.0),
         "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"].tolist()} for path in heights},
         "title": "Interval of the contact law, and of rms_height",
-        "words": f"The ends are those of {', '.join(told)}: the law is {least:g} to {most:g} times as stiff as boundary "
-        "elements on measured surfaces, elastic, in nine cases of ten; plastic spots make contacts stiffer, up to four times at a "
-        "hardness of 1.26 GPa. All other values are those of the file.",
+        "words": f"The ends are those of {', '.join(told)}: the law is {least:g} to {most:g} times as stiff as "
+        "boundary elements on measured surfaces, elastic, in nine cases of ten; plastic spots make contacts stiffer, "
+        "up to four times at a hardness of 1.26 GPa. All other values are those of the file.",
     }
 
 
