@@ -48,7 +48,7 @@ def friction_moments(
     Zou et al. 2025, equations (1) and (3)–(5): two bearings on each body.
     """
     carrier = drive.members.index(CARRIER)
-    unit = np.eye(len(drive.members))
+    unit, sectors = np.eye(len(drive.members)), sectors_of_members(drive)
     moments = jnp.zeros(len(drive.members))
     for member, torque in ((drive.input, bearings.sun_torque), (drive.output, bearings.carrier_torque)):
         number = drive.members.index(member)
@@ -58,7 +58,7 @@ def friction_moments(
         braking = -torque * jnp.sign(ideal[body] - ideal[carrier])
         moments = moments + braking * unit[body]
         if on_carrier:
-            moments = moments - drive.sectors * braking * unit[carrier]
+            moments = moments - sectors[carrier] * braking * unit[carrier]
     return moments
 
 
