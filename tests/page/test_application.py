@@ -2,6 +2,8 @@
 
 import json
 import math
+import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -11,6 +13,7 @@ pytest.importorskip("httpx2")
 from starlette.testclient import TestClient
 
 from asperity.joint_file.case_types import WedgeCase
+from asperity.page import joint_request
 from asperity.page.application import ASSETS, application
 from asperity.page.computation import Computations
 from asperity.page.joint_request import JointRequest
@@ -309,6 +312,32 @@ def test_a_chart_that_cannot_be_drawn_is_said_at_its_key(client, joint_text):
     response = client.post("/api/chart", json={"toml": joint_text, "chart": chart})
     assert response.status_code == 422
     assert "expected a force" in response.json()["keys"]["load.preload"]
+
+
+@pytest.mark.parametrize("path", ["/api/joint", "/api/chart", "/api/results"])
+def test_nobody_waits_for_the_file_of_another(client, joint_text, monkeypatch, path):
+    """A large file is still being read, three times over, when a small one gets its answer."""
+    begun, going, read = threading.Semaphore(0), threading.Event(), joint_request.parse_toml
+
+    def slow(text, *, source):
+        if source == "large.toml":
+            begun.release()
+            going.wait(20.0)
+        return read(text, source=source)
+
+    monkeypatch.setattr(joint_request, "parse_toml", slow)
+    chart = {"over": "load.preload", "from": "1 N", "to": "1 kN", "result": "slip_ratio_sp"}
+    body = {"toml": f"x = 1\n{joint_text}"} | ({"chart": chart} if path == "/api/chart" else {})
+    with ThreadPoolExecutor(3) as others:
+        large = [others.submit(client.post, path, json=body | {"name": "large.toml"}) for _ in range(3)]
+        try:
+            assert all(begun.acquire(timeout=10.0) for _ in large)
+            answer = client.post(path, json=body | {"name": "small.toml"})
+            assert not any(each.done() for each in large)
+        finally:
+            going.set()
+        assert answer.json()["error"].startswith("small.toml: x: unknown key")
+        assert [each.result().status_code for each in large] == [422, 422, 422]
 
 
 def test_the_interface_describes_its_answers(client, solve):

@@ -29,6 +29,14 @@ def test_computations_share_one_thread(computations):
     assert names != {threading.get_ident()}
 
 
+def test_several_threads_run_side_by_side():
+    computations = Computations(longest=30.0, threads=2)
+    together = threading.Barrier(2)
+    futures = [computations.submit(together.wait, 30.0) for _ in range(2)]
+    assert sorted(future.result() for future in futures) == [0, 1]
+    computations.close()
+
+
 def test_a_full_queue_refuses_and_recovers(computations):
     hold = threading.Event()
     futures = [computations.submit(hold.wait) for _ in range(MOST_WAITING)]

@@ -20,7 +20,7 @@ from asperity.errors import AsperityError
 from asperity.joint_file.schema import joint_schema
 from asperity.page.answer import joint_answer, stated_values
 from asperity.page.chart import chart_answer, chart_request, chart_results
-from asperity.page.computation import Computations, FasterPrograms, KeptAnswers
+from asperity.page.computation import MOST_WAITING, Computations, FasterPrograms, KeptAnswers
 from asperity.page.description import description
 from asperity.page.guard import App, Guard
 from asperity.page.jobs import Jobs
@@ -80,7 +80,8 @@ def application(
 ) -> App:
     """The page as an ASGI application."""
     kept, jobs, measurements = KeptAnswers(), Jobs(), Measurements()
-    readers = Computations(longest=LONGEST_ANSWER)
+    # each file in a thread: the largest ones take seconds, which others do not wait for
+    readers = Computations(longest=LONGEST_ANSWER, threads=MOST_WAITING)
     described = {
         **description(),
         "start": {"name": start.name, "toml": start.text, **stated_values(start.case(), start.file_tables)},
@@ -119,6 +120,7 @@ def application(
         require_type(request, "application/json")
         asked = joint_request(parsed(await request.body()))
         try:
+            await readers.run(asked.case)
             return JSONResponse(await computations.run(answered, asked))
         except AsperityError as error:
             return problem(error, source=asked.name)
@@ -127,6 +129,7 @@ def application(
         require_type(request, "application/json")
         asked = chart_request(parsed(await request.body()))
         try:
+            await readers.run(asked.joint.case)
             return JSONResponse(await charts.run(chart_answer, asked))
         except AsperityError as error:
             return problem(error, source=asked.joint.name)
@@ -139,7 +142,9 @@ def application(
             return refusal(404, "this joint is no longer kept; change a value and download again", "refused")
         asked, answer = found
         end = request.path_params["kind"]
-        content = await computations.run(_downloaded, end, asked, answer["document"])
+        content = await (readers if end == "toml" else computations).run(
+            _downloaded, end, asked, answer["document"]
+        )
         name = re.sub(r"[^A-Za-z0-9._-]", "_", asked.name.removesuffix(".toml")) or "joint"
         disposition = f'attachment; filename="{name}.{end}"'
         return Response(content, media_type=DOWNLOADS[end], headers={"content-disposition": disposition})

@@ -32,17 +32,19 @@ class BusyError(AsperityError):
 
 
 class Computations:
-    """A single thread that runs one computation after the other.
+    """A single thread that runs one computation after the other, or a few that run them side by side.
 
     Parameters
     ----------
     longest : float
         Time that a request waits for its answer [s].
+    threads : int, optional
+        Number of threads.
     """
 
-    def __init__(self, *, longest: float) -> None:
+    def __init__(self, *, longest: float, threads: int = 1) -> None:
         self._longest = longest
-        self._pool = ThreadPoolExecutor(max_workers=1, thread_name_prefix="asperity-computation")
+        self._pool = ThreadPoolExecutor(threads, thread_name_prefix="asperity-computation")
         self._waiting = 0
         self._lock = threading.Lock()
 

@@ -6,7 +6,7 @@ import copy
 import functools
 import hashlib
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args, get_origin
 
@@ -108,6 +108,7 @@ class JointRequest:
     text: str
     changes: Mapping[str, Any] = field(default_factory=dict)
     tables: Mapping[str, Any] = field(default_factory=dict)
+    _made: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def identity(self) -> str:
@@ -124,6 +125,9 @@ class JointRequest:
         InputError
             If it contains something that is not allowed, has too many loads, or names another file.
         """
+        return self._once("case", self._checked)
+
+    def _checked(self) -> Case:
         tables = copy.deepcopy(self.file_tables)
         refuse_named_files(tables, source=self.name)
         try:
@@ -139,10 +143,20 @@ class JointRequest:
             )
         return case_from_tables(tables, source=self.name)
 
-    @functools.cached_property
+    @property
     def file_tables(self) -> dict[str, Any]:
         """The tables of the file without the changes, which nobody may change."""
+        return self._once("file_tables", self._parsed)
+
+    def _parsed(self) -> dict[str, Any]:
         return dict(self.tables) if self.tables else parse_toml(self.text, source=self.name)
+
+    def _once(self, name: str, make: Callable[[], Any]) -> Any:
+        """What is made of this request once."""
+        # not by functools.cached_property: in Python 3.11 its lock lets one request wait for the file of another
+        if name not in self._made:
+            self._made[name] = make()
+        return self._made[name]
 
     def file_text(self) -> str:
         """The joint file with its changes, with the comments and the layout of the original text."""
