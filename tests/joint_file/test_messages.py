@@ -56,6 +56,16 @@ def test_what_only_other_drives_have_names_them(planar_case, example_text):
         planar_case("multiroller", ("[load]", 'planet_bore_diameter = "2 mm"\n\n[load]'))
 
 
+@pytest.mark.parametrize("kind", ["planetary", "multiroller"])
+def test_an_unknown_key_of_all_surfaces_names_the_known_ones(planar_case, kind):
+    with pytest.raises(InputError) as refused:
+        planar_case(kind, ("[surface]", "[surface]\nxx = 3\nfinnish = 'ground'"))
+    first, second = str(refused.value).split("\n  ")[1:]
+    assert first.startswith("surface.xx: unknown key; known here are finish, ")
+    assert "fractal_dimension" in first
+    assert second == "surface.finnish: unknown key; did you mean 'finish'?"
+
+
 MANY = {
     "sections": lambda text: text + "".join(f"\n[a{i}]" for i in range(60_000)),
     "keys": lambda text: text.replace("[drive]", "[drive]\n" + "".join(f"k{i} = 1\n" for i in range(40_000))),

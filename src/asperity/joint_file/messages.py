@@ -30,7 +30,9 @@ def _known_names(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
         below = [v for annotation in annotations for v in variants(annotation)]
         models = [m for v in below for m in models_of(v)]
         if any(get_origin(v) in (dict, tuple) for v in below):
-            return _names_below(models) if len(path) == 2 else []
+            # the entries have names of their own; beside them there may be one table for all
+            for_all = [m for v in below if get_origin(v) is None for m in models_of(v)]
+            return _names_below(models if len(path) == 2 else for_all)
     return _names_below(models)
 
 
