@@ -53,3 +53,24 @@ def test_forces_stiffness_and_drift_are_those_of_the_branches(unlike, planar_cas
         np.testing.assert_allclose(results[name][:, 3], expected, rtol=1e-8, err_msg=name)
         difference = (results[name][:, 2] - results[name][:, 1]) / (2.0 * step)
         np.testing.assert_allclose(slopes[name][:, 0, 0], difference, rtol=1e-4, err_msg=name)
+
+
+@pytest.mark.slow
+def test_bearings_of_the_sun_carry_what_unlike_planets_leave_unbalanced(planar_case):
+    """Without torque the planets press the sun along their directions, 120 degrees apart."""
+    rated = '[input_bearing]\ntype = "ball"\ndynamic_rating = "9 kN"\nstatic_rating = "9 kN"\n'
+    rated += 'outside_force = "50 N"\n\n'
+    changed = {
+        "[model]": rated + BRANCHES.format(3),
+        'output_torque = "10 N*m"': 'output_torque = "0 N*m"',
+        'sun_speed = "1500 rpm"': 'sun_speed = "0 rpm"',
+    }
+    values = si_values(planar_case("planetary", replaced=changed))
+    point = {"load.interference": np.array([30e-6])}
+    _, found = evaluate_points(values, point, ("normal_force", "bearing_load", "bearing_static_safety"))
+    sun = results_of(values)["bearing_load"].row_names.index("sun")
+    pressed = found["normal_force"][::2, 0]
+    load = 50.0 + abs(np.sum(pressed * np.exp(2j * np.pi / 3.0 * np.arange(3))))
+    assert load > 100.0
+    assert found["bearing_load"][sun, 0] == pytest.approx(load, rel=1e-9)
+    assert found["bearing_static_safety"][sun, 0] == pytest.approx(9e3 / load, rel=1e-9)

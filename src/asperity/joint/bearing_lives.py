@@ -25,7 +25,13 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.fit import per_contact
 from asperity.joint.laws import contact_laws, creep_under, drive_load
 from asperity.joint.loading_cam import Pressed, pressed_at
-from asperity.joint.working_loads import member_speeds, pin_speeds, working_loads
+from asperity.joint.working_loads import (
+    forces_on_ends,
+    member_speeds,
+    pin_speeds,
+    working_forces,
+    working_loads,
+)
 from asperity.types import Real
 
 
@@ -171,7 +177,7 @@ def joint_bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
     Returns
     -------
     BearingLives
-        Of the rollers on pins, then of input and output, which equal sectors do not load; as
+        Of the rollers on pins, then of input and output, which only unlike sectors load; as
         :func:`asperity.joint.bearing_lives.lives_of_bearings`.
 
     References
@@ -183,16 +189,19 @@ def joint_bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
         points = per_contact(joint.rolling.duty)
         duty = _under_duty(joint, result.rest, points.output_torque, points.sun_speed)
         under = {"duty": duty, "shares": points.share}
-    working = _state(drive, working_loads(joint, result).pin, member_speeds(joint, result))
-    rest = jnp.concatenate([jnp.abs(result.rest.pin_force), jnp.zeros(2)])
+    pins, at_rest = working_loads(joint, result).pin, result.rest
+    ends = forces_on_ends(joint, *working_forces(joint, result), pins)
+    working = _state(drive, pins, ends, member_speeds(joint, result))
+    ends = forces_on_ends(joint, at_rest.normal, at_rest.tangential, at_rest.pin_force)
+    rest = jnp.concatenate([jnp.abs(at_rest.pin_force), ends])
     return lives_of_bearings(joint.rated_bearings, working=working, rest=rest, **under)
 
 
-def _state(drive: Drive, pin_force: Array, speeds: Array) -> BearingState:
+def _state(drive: Drive, pin_force: Array, end_force: Array, speeds: Array) -> BearingState:
     """The bearings of pins, input and output."""
     ends = jnp.array([drive.members.index(drive.input), drive.members.index(drive.output)])
     return BearingState(
-        jnp.concatenate([jnp.abs(pin_force), jnp.zeros(2)]),
+        jnp.concatenate([jnp.abs(pin_force), end_force]),
         jnp.concatenate([pin_speeds(drive, speeds), jnp.abs(speeds[ends])]),
     )
 
@@ -211,14 +220,14 @@ def _under_duty(joint: Joint, rest: DriveState, torques: Array, speeds: Array) -
             load=drive_load(dataclasses.replace(joint, input_speed=speed), masses, torque),
             creep_of=creep_under(joint, contacts),
         )
-        standing, rolling = (
-            jnp.where(each.residual < STATE_TOLERANCE, 1.0, jnp.nan) * each.pin_force for each in both
-        )
-        turning = jnp.where(both[1].residual < STATE_TOLERANCE, 1.0, jnp.nan) * both[1].speed * speed
+        state = jax.tree.map(lambda rests, rolls: jnp.where(speed > 0.0, rolls, rests), *both)
+        known = jnp.where(state.residual < STATE_TOLERANCE, 1.0, jnp.nan)
+        ends = forces_on_ends(joint, state.normal, state.tangential, state.pin_force)
         return _state(
             joint.drive,
-            jnp.where(speed > 0.0, rolling, standing),
-            jnp.where(speed > 0.0, turning, 0.0),
+            known * state.pin_force,
+            known * ends,
+            jnp.where(speed > 0.0, known * state.speed * speed, 0.0),
         )
 
     found: BearingState = jax.vmap(under)(torques, speeds)

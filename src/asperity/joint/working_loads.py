@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.arrays import namespace
 from asperity.drive.layout.creeping import creeping_speeds
 from asperity.drive.layout.drive import CARRIER, Drive
+from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.loads import MemberLoads, member_loads
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
 from asperity.joint.description import Joint, track_lengths
@@ -35,16 +37,43 @@ def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
     ----------
     Equations (M1) and (M3) of :doc:`/equations`.
     """
-    xp, turns = namespace(joint, result), joint.input_speed != 0.0
-    moving, standing = result.rolling, result.forces
-    known = xp.where(turns, xp.isfinite(moving.residual), result.solved)
+    xp = namespace(joint, result)
+    known = xp.where(joint.input_speed != 0.0, xp.isfinite(result.rolling.residual), result.solved)
+    normal, tangential = working_forces(joint, result)
     found = member_loads(
         drive=joint.drive,
-        normal=xp.where(turns, moving.normal, standing.normal),
-        tangential=driving_sense(joint.drive) * xp.where(turns, moving.tangential, standing.tangential),
+        normal=normal,
+        tangential=tangential,
         body_force=centrifugal_forces(joint, [result.masses[k] for k in range(len(joint.shapes))]),
     )
     return MemberLoads(*(xp.where(known, each, xp.nan) for each in found))
+
+
+def working_forces(joint: Joint, result: JointResult) -> tuple[Array, Array]:
+    """Normal forces of the contacts in the working state, and tangential ones counter-clockwise; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    tuple of Array
+        Shape (contacts,) [N].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    xp, turns = namespace(joint, result), joint.input_speed != 0.0
+    moving, standing = result.rolling, result.forces
+    return (
+        xp.where(turns, moving.normal, standing.normal),
+        driving_sense(joint.drive) * xp.where(turns, moving.tangential, standing.tangential),
+    )
 
 
 def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
@@ -56,6 +85,37 @@ def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
         tangential=xp.asarray(result.rest.tangential),
         body_force=xp.zeros((len(joint.drive.floating), 2)),
     )
+
+
+def forces_on_ends(joint: Joint, normal: Array, tangential: Array, pin_force: Array) -> Array:
+    """Forces of rollers and pins on input and output, which their bearings carry; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    normal, tangential, pin_force : Array
+        Of its contacts, counter-clockwise as in :class:`asperity.drive.state.state.DriveState`, shape (contacts,), and
+        of its pins, shape (pins,) [N].
+
+    Returns
+    -------
+    Array
+        Their sizes, shape (2,) [N]; zero for equal sectors, whose forces on the axis balance.
+
+    References
+    ----------
+    Equation (I4) of :doc:`/equations`.
+    """
+    drive = joint.drive
+    if joint.unlike is None:
+        return jnp.zeros(2)
+    bodies = [body.name for body in drive.bodies if body.on_axis]
+    forces = forces_on_centre(
+        drive=drive, bodies=tuple(bodies), normal=normal, tangential=tangential, pin_force=pin_force
+    )
+    ends = np.array([[*bodies, CARRIER].index(name) for name in (drive.input, drive.output)])
+    return jnp.linalg.norm(forces[ends], axis=1)
 
 
 def member_speeds(joint: Joint, result: JointResult) -> Array:
