@@ -170,6 +170,7 @@ def test_crowned_contacts_have_a_table_of_their_own(document, shown):
 
 def test_unequal_branches_state_their_own_capacity_before_that_of_equal_ones(document, shown):
     entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp"}
+    document["of_own_branches"] = False
     document["branches"] = {
         "branch_is": "planet",
         "torque_capacity": entry,

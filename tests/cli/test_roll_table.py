@@ -25,6 +25,7 @@ CONTACT = {
     "losses_W": LOSSES,
 }
 DOCUMENT = {
+    "of_own_branches": False,
     "input": {
         "drive": {"planets": 3.0},
         "load": {"friction_coefficient": 0.12, "sun_speed": 600.0, "output_torque": 5.0},
@@ -71,6 +72,17 @@ DOCUMENT = {
     },
     "diagnostics": [
         {
+            "name": "friction_coefficient",
+            "label": "friction coefficient",
+            "contact": "sp",
+            "value": 0.12,
+            "limit": 0.3,
+            "ok": True,
+            "severity": "accuracy",
+            "meaning": "usual",
+            "remedy": None,
+        },
+        {
             "name": "pressure_over_first_yield",
             "label": "pressure",
             "contact": "sp",
@@ -80,7 +92,7 @@ DOCUMENT = {
             "severity": "damage",
             "meaning": "elastic",
             "remedy": None,
-        }
+        },
     ],
 }
 
@@ -160,7 +172,7 @@ def test_a_sun_that_stands_has_no_losses(document):
 
 def test_what_a_life_has_to_reach_is_compared_below_the_table(document):
     words = {"limit_shown": "20000 h", "meaning": "it lives", "remedy": None, "severity": "damage"}
-    document["diagnostics"] = [
+    document["diagnostics"] += [
         words | {"name": f"required_{name}", "label": name, "contact": contact, "infinite": False} | found
         for name, contact, found in (
             ("drive_life", None, {"value": 7.2e7, "shown": "20000 h", "ok": True}),

@@ -87,7 +87,7 @@ def test_a_joint_without_stiffness_has_no_table_of_its_compliance():
     nothing = {"input_Nm_per_rad": None, "output_Nm_per_rad": None, "output_Nm_per_arcmin": None}
     document = {
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), nothing),
-        "stiffness_unknown_because": "equal branches do not carry it",
+        "stiffness_unknown_because": "every spot of sp is plastic",
         "stiffness_budget": {"bodies_share": None, "asperity_share": {"sp": None}},
         "input": {},
         "geometry": {"speed_ratio": -9.0, "input": "sun"},

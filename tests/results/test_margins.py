@@ -44,7 +44,6 @@ def found(monkeypatch):
     solved = SimpleNamespace(
         joint=STANDS,
         branches=None,
-        no_equal_state=None,
         required_life=None,
         notes=(),
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
@@ -84,7 +83,6 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
         SimpleNamespace(
             joint=STANDS,
             branches=None,
-            no_equal_state=None,
             required_life=None,
             notes=(),
             a=values,
@@ -96,11 +94,7 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"torque_safety": ROWS[5]})
-    (found,) = margins(
-        SimpleNamespace(
-            joint=STANDS, branches=None, no_equal_state=None, required_life=None, notes=(), b=math.inf
-        )
-    )
+    (found,) = margins(SimpleNamespace(joint=STANDS, branches=None, required_life=None, notes=(), b=math.inf))
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)
 
 
@@ -111,7 +105,6 @@ def test_unequal_branches_are_required_to_hold(monkeypatch, unequal_branches):
             SimpleNamespace(
                 joint=STANDS,
                 notes=(),
-                no_equal_state=None,
                 required_life=None,
                 branches=unequal_branches(torque=torque),
             )
@@ -127,9 +120,7 @@ def test_of_notes_of_one_name_the_farthest_beyond_its_limit_or_the_nearest_to_it
 
     def worst(*notes):
         made = tuple(Note("x", "x", place, *rest, "model", "", None) for place, *rest in notes)
-        (found,) = margins(
-            SimpleNamespace(joint=STANDS, branches=None, notes=made, no_equal_state=None, required_life=None)
-        )
+        (found,) = margins(SimpleNamespace(joint=STANDS, branches=None, notes=made, required_life=None))
         return found.place, found.lowest, found.highest
 
     assert worst(("a", 1.5, 1.0, False), ("b", 0.1, 1.0, False)) == ("b", 1.0, math.inf)
@@ -152,9 +143,7 @@ def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypa
     found = {
         each.result.name: each
         for each in margins(
-            SimpleNamespace(
-                joint=STANDS, branches=None, no_equal_state=None, required_life=None, notes=tuple(notes)
-            )
+            SimpleNamespace(joint=STANDS, branches=None, required_life=None, notes=tuple(notes))
         )
     }
     film = found["film_ratio"]

@@ -25,7 +25,7 @@ def document(capacity=12.5, torque=5.0, both=(9.0, False, 8.0, False), branches=
             "reverse": {"output_torque_Nm": reverse, "is_lower_bound": reverse_lower},
         },
     }
-    return found if branches is None else found | {"branches": branches}
+    return found if branches is None else found | {"branches": branches, "of_own_branches": False}
 
 
 def rows(**changes):

@@ -27,13 +27,10 @@ class BranchLoads:
         Its branches; None for equal ones.
     turns : bool
         Whether the joint turns.
-    cases : int
-        Number of its cases.
     """
 
-    def __init__(self, branches: UnequalBranches | None, *, turns: bool, cases: int) -> None:
+    def __init__(self, branches: UnequalBranches | None, *, turns: bool) -> None:
         self.states = None if branches is None else branches.cases(turns=turns)
-        self.count = cases
 
     def entries(self, equal: list[Document], *, skewed: bool) -> tuple[list[Document], list[str]]:
         """The cases by what these branches do, and a note on what is that of equal ones.
@@ -53,10 +50,10 @@ class BranchLoads:
         ]
         return own, [_EQUAL_THRUST] if skewed else []
 
-    def force_on(self, member: str) -> np.ndarray:
+    def force_on(self, member: str, equal: Any) -> np.ndarray:
         """Force on a member on the axis [N]; nan where the branches do not carry the load."""
         if self.states is None:
-            return np.zeros(self.count)
+            return np.asarray(equal)
         return np.array([math.nan if each is None else each.force_on(member) for each in self.states])
 
     def torque_on(self, member: str, equal: Any) -> np.ndarray:

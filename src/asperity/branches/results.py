@@ -12,9 +12,6 @@ from asperity.branches.sizes import SectorDeviations
 from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.rolling.power import RollingLosses, RollingPower, power_budget
 
-#: Why results of a joint are absent whose own branches carry a torque that equal ones do not carry.
-NO_EQUAL_STATE = "equal branches do not carry this torque; see the section on the branches of the file"
-
 
 @dataclass(frozen=True)
 class BranchState:

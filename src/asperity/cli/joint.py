@@ -78,10 +78,12 @@ def _size_errors(case: Case, solved: SolvedJoint) -> SizeErrorCurves | None:
 
     if solved.branches is None:
         return None
-    from asperity.joint_file.build import branched_joint, deviations_of
+    from asperity.branches.equal_branches import solve_equal_branches
+    from asperity.joint_file.build import branched_joint, deviations_of, joint_from_case
     from asperity.joint_file.si_tables import si_values
 
-    branched = branched_joint(case, solved.joint, solved.solution)
+    joint = joint_from_case(case)
+    branched = branched_joint(case, joint, solve_equal_branches(joint)[0])
     assert branched is not None
     sizes = deviations_of(si_values(case))
     widest = 0.4 * branched.interference

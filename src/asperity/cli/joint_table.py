@@ -215,10 +215,10 @@ def _show_drive(target: Console, document: Document) -> None:
 
 
 def _first_slip(document: Document, name: str) -> str:
-    """What unequal branches make of a capacity, before that of equal ones; or nothing."""
+    """What unequal branches make of a capacity, before that of equal ones where the rest is theirs; or nothing."""
     from asperity.results.branch_limits import capacity_words
 
-    if "branches" not in document:
+    if "branches" not in document or document["of_own_branches"]:
         return ""
     return f"{capacity_words(document['branches'], name)}; equal branches: "
 

@@ -11,7 +11,6 @@ from asperity.cli.terminal import about, prepare_computation, print_json, say_wr
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
-    from asperity.branches.results import UnequalBranches
     from asperity.joint.description import Joint
     from asperity.joint.evaluation import JointResult
 
@@ -43,30 +42,17 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     prepare_computation()
     from asperity.joint.solve import refuse_no_rolling
     from asperity.joint_file.solved_document import solve_case
+    from asperity.results.branch_limits import refuse_no_rolling_together
 
     with about(file):
         solved, document = solve_case(case)  # refuses a torque beyond the capacity
         if solved.branches is None:
             refuse_no_rolling(solved.joint, solved.solution)
-        _refuse_for_branches(solved.branches, plot_file)
+        else:
+            refuse_no_rolling_together(solved.branches)
     if plot_file:
         _draw(solved.joint, solved.result, document, file, plot_file)
     _show(document, file, as_json)
-
-
-def _refuse_for_branches(branches: UnequalBranches | None, plot_file: str | None) -> None:
-    """Refuse branches of unlike sizes that do not roll under the torque, and a picture that would be of equal ones."""
-    from asperity.errors import InputError
-    from asperity.results.branch_limits import refuse_no_rolling_together
-
-    if branches is None:
-        return
-    refuse_no_rolling_together(branches)
-    if plot_file and branches.beyond_equal:
-        raise InputError(
-            "--plot: the curves are those of equal branches, which do not carry this torque; leave --plot out, or "
-            "lower the torque"
-        )
 
 
 def _capacity(document: dict[str, Any]) -> float:

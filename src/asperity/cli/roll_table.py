@@ -77,12 +77,10 @@ def _show_losses(target: Console, document: Document) -> None:
 
 
 def _show_contacts(target: Console, document: Document) -> None:
-    friction = document["input"]["load"]["friction_coefficient"]
-    yields = {
-        entry["contact"]: entry["value"]
-        for entry in document["diagnostics"]
-        if entry["name"] == "pressure_over_first_yield"
-    }
+    friction, yields = (
+        {entry["contact"]: entry["value"] for entry in document["diagnostics"] if entry["name"] == name}
+        for name in ("friction_coefficient", "pressure_over_first_yield")
+    )
     shown = table(
         target,
         "Contacts",
@@ -98,9 +96,8 @@ def _show_contacts(target: Console, document: Document) -> None:
     )
     sliding = []
     for name, contact in document["rolling"]["contacts"].items():
-        coefficient = friction[name] if isinstance(friction, dict) else friction
         left, traction = contact["capacity_loss"], contact["traction_coefficient"]
-        limit = None if left is None else coefficient * (1.0 - left)
+        limit = None if left is None else friction[name] * (1.0 - left)
         sliding += [name] if limit is not None and abs(traction or 0.0) > limit else []
         shown.add_row(
             name,
@@ -180,7 +177,8 @@ def _show_life(target: Console, document: Document) -> None:
         "the drive", _life(rolling["life_hours"]), _life(rolling["life_output_turns"]), style="bold"
     )
     for name, hours in rolling["body_life_hours"].items():
-        one = "" if name == "sun" or name.endswith("ring") else "one "
+        alone = document["of_own_branches"] or name == "sun" or name.endswith("ring")
+        one = "" if alone else "one "
         shown.add_row(one + _words(name), _life(hours), _life(rolling["body_life_output_turns"][name]))
     if loads:
         shown.add_row(

@@ -26,7 +26,7 @@ from asperity.joint.fit import per_contact
 from asperity.joint.laws import contact_laws, creep_under, drive_load
 from asperity.joint.loading_cam import Pressed, pressed_at
 from asperity.joint.working_loads import (
-    forces_on_ends,
+    forces_on_axis,
     member_speeds,
     pin_speeds,
     working_forces,
@@ -190,18 +190,18 @@ def joint_bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
         duty = _under_duty(joint, result.rest, points.output_torque, points.sun_speed)
         under = {"duty": duty, "shares": points.share}
     pins, at_rest = working_loads(joint, result).pin, result.rest
-    ends = forces_on_ends(joint, *working_forces(joint, result), pins)
-    working = _state(drive, pins, ends, member_speeds(joint, result))
-    ends = forces_on_ends(joint, at_rest.normal, at_rest.tangential, at_rest.pin_force)
-    rest = jnp.concatenate([jnp.abs(at_rest.pin_force), ends])
+    loaded = forces_on_axis(joint, *working_forces(joint, result), pins)
+    working = _state(drive, pins, loaded, member_speeds(joint, result))
+    without = forces_on_axis(joint, at_rest.normal, at_rest.tangential, at_rest.pin_force)
+    rest = _state(drive, at_rest.pin_force, without, jnp.zeros(len(drive.members))).force
     return lives_of_bearings(joint.rated_bearings, working=working, rest=rest, **under)
 
 
-def _state(drive: Drive, pin_force: Array, end_force: Array, speeds: Array) -> BearingState:
+def _state(drive: Drive, pin_force: Array, axis_force: Array, speeds: Array) -> BearingState:
     """The bearings of pins, input and output."""
     ends = jnp.array([drive.members.index(drive.input), drive.members.index(drive.output)])
     return BearingState(
-        jnp.concatenate([jnp.abs(pin_force), end_force]),
+        jnp.concatenate([jnp.abs(pin_force), axis_force[ends]]),
         jnp.concatenate([pin_speeds(drive, speeds), jnp.abs(speeds[ends])]),
     )
 
@@ -222,11 +222,11 @@ def _under_duty(joint: Joint, rest: DriveState, torques: Array, speeds: Array) -
         )
         state = jax.tree.map(lambda rests, rolls: jnp.where(speed > 0.0, rolls, rests), *both)
         known = jnp.where(state.residual < STATE_TOLERANCE, 1.0, jnp.nan)
-        ends = forces_on_ends(joint, state.normal, state.tangential, state.pin_force)
+        loaded = forces_on_axis(joint, state.normal, state.tangential, state.pin_force)
         return _state(
             joint.drive,
             known * state.pin_force,
-            known * ends,
+            known * loaded,
             jnp.where(speed > 0.0, known * state.speed * speed, 0.0),
         )
 

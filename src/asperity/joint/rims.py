@@ -73,7 +73,8 @@ def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
     )
     states = (working, (result.rest.normal, result.rest.tangential))
     width = jnp.asarray(result.diagnostics.hertz_half_width)
-    return _in_order(_each_body(joint, states, width), bends(joint))
+    sectors = 1 if joint.unlike is None else joint.unlike.sectors
+    return _in_order(_each_body(joint, states, width, sectors), bends(joint))
 
 
 def branch_rims(sectors: int, joint: Joint, working: Array, rest: Array) -> BodyRims:

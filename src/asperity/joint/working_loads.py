@@ -87,8 +87,8 @@ def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
     )
 
 
-def forces_on_ends(joint: Joint, normal: Array, tangential: Array, pin_force: Array) -> Array:
-    """Forces of rollers and pins on input and output, which their bearings carry; pure.
+def forces_on_axis(joint: Joint, normal: Array, tangential: Array, pin_force: Array) -> Array:
+    """Forces of rollers and pins on the members of a joint, which the bearings of those on the axis carry; pure.
 
     Parameters
     ----------
@@ -101,21 +101,23 @@ def forces_on_ends(joint: Joint, normal: Array, tangential: Array, pin_force: Ar
     Returns
     -------
     Array
-        Their sizes, shape (2,) [N]; zero for equal sectors, whose forces on the axis balance.
+        Their sizes, shape (members,) [N]; zero for equal sectors, whose forces on the axis balance, and for members off
+        the axis.
 
     References
     ----------
     Equation (I4) of :doc:`/equations`.
     """
     drive = joint.drive
+    found = jnp.zeros(len(drive.members))
     if joint.unlike is None:
-        return jnp.zeros(2)
-    bodies = [body.name for body in drive.bodies if body.on_axis]
+        return found
+    bodies = tuple(body.name for body in drive.bodies if body.on_axis)
     forces = forces_on_centre(
-        drive=drive, bodies=tuple(bodies), normal=normal, tangential=tangential, pin_force=pin_force
+        drive=drive, bodies=bodies, normal=normal, tangential=tangential, pin_force=pin_force
     )
-    ends = np.array([[*bodies, CARRIER].index(name) for name in (drive.input, drive.output)])
-    return jnp.linalg.norm(forces[ends], axis=1)
+    at = np.array([drive.members.index(name) for name in (*bodies, CARRIER)])
+    return found.at[at].set(jnp.linalg.norm(forces, axis=1))
 
 
 def member_speeds(joint: Joint, result: JointResult) -> Array:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from asperity.branches.equal_branches import solve_equal_branches, without_state
+from asperity.branches.equal_branches import solve_equal_branches
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, unequal_sectors
+from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.results.document import joint_document
 from asperity.results.solved import SolvedJoint, solved_with_capacities
@@ -69,7 +70,7 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     -------
     SolvedJoint
         What the joint does with equal branches, and what its sections ``[[branch]]`` do. Under a torque that only these
-        carry, the results are what all of them do together, and nan for all else.
+        carry, the joint and its results have every branch by itself.
 
     Raises
     ------
@@ -90,6 +91,7 @@ def _solved(case: AnyCase) -> SolvedJoint:
         return solved_with_capacities(joint, solve_joint(joint))
     solution, carries = solve_equal_branches(joint)
     own = unequal_sectors(case, joint, solution)
-    if not carries and own is not None:
-        solution = without_state(solution, float(joint.output_torque), own)
+    if not carries:
+        joint = with_own_branches(case)
+        solution = solve_joint(joint)
     return solved_with_capacities(joint, solution, own)

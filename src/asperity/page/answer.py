@@ -177,7 +177,7 @@ def _windup(solved: SolvedJoint, case: Case) -> Answer:
     if torque == 0.0:
         return {"unknown_because": "no torque, no wind-up: set an output torque"}
     try:
-        joint = solved.joint if case.branch is None else with_own_branches(case)
+        joint = solved.joint if solved.other_branches is None else with_own_branches(case)
         curve = windup(joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS)
     except AsperityError as error:
         return {"unknown_because": str(error)}

@@ -40,13 +40,12 @@ def report_pictures(
 
     whole = drive_sheet(joint, name=name, interference=interference)
     found = {"drive": figure_svg(sheet_figure(whole))}
-    if not solved.no_equal_state:
-        found["forces"] = figure_svg(sheet_figure(forces_sheet(joint, solved.result)))
-        budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
-        shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
-        draw_budget(shares, solved)
-        draw_levels(levels, solved)
-        found["budget"] = figure_svg(budget)
+    found["forces"] = figure_svg(sheet_figure(forces_sheet(joint, solved.result)))
+    budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
+    shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
+    draw_budget(shares, solved)
+    draw_levels(levels, solved)
+    found["budget"] = figure_svg(budget)
     judged = margins(solved)
     bars = Figure(figsize=(_WIDTH, margins_height(judged)), layout="constrained")
     draw_margins(bars.subplots(), judged)

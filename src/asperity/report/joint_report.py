@@ -194,7 +194,7 @@ def _examined(solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
     try:
-        if solved.branches is not None:
+        if solved.other_branches is not None:
             joint = with_own_branches(case)
         curve, both = examined_windup(joint, largest_torque=None, level="assembly")
     except AsperityError as error:
@@ -220,8 +220,7 @@ def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield result_tables.summary(document)
     yield from equal_branches(document)
     required = margins(solved)
-    judges_all = not solved.no_equal_state
-    yield Paragraph(limit_tables.verdict(required, document["rims"], judges_all=judges_all), strong=True)
+    yield Paragraph(limit_tables.verdict(required, document["rims"]), strong=True)
     yield from limit_tables.doubts(required)
 
 

@@ -20,13 +20,8 @@ _WARNINGS_ABOUT = {
     "model": "outside the range of the contact law",
 }
 
-_OWN_BRANCHES_ALONE = (
-    "This holds for the branches that the file states. Pressures, stresses and lives of equal branches are not known, "
-    "because they do not carry this torque."
-)
 
-
-def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True) -> str:
+def verdict(found: Sequence[Margin], rims: Document) -> str:
     """Whether the requirements of function and strength are met, and which are not known."""
     judged = [each for each in found if not each.passes and each.severity in ("function", "damage")]
     failed, unknown = (
@@ -45,12 +40,10 @@ def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True)
     start = "Requirements of function and strength that are not"
     rest = f"; not known: {', '.join(unknown)}" if unknown else ""
     if failed:
-        said = f"{start} met: {', '.join(failed)}{rest}."
-    elif unknown:
-        said = f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
-    else:
-        said = "All requirements of function and strength are met."
-    return said if judges_all else f"{said} {_OWN_BRANCHES_ALONE}"
+        return f"{start} met: {', '.join(failed)}{rest}."
+    if unknown:
+        return f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
+    return "All requirements of function and strength are met."
 
 
 def doubts(found: Sequence[Margin]) -> Iterator[Block]:

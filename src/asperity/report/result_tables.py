@@ -25,7 +25,7 @@ def summary(document: Document) -> Table:
     """The numbers that are asked for first."""
     load = document["input"]["load"]
     stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
-    equal = " of equal branches" if "branches" in document else ""
+    equal = " of equal branches" if "branches" in document and not document["of_own_branches"] else ""
     rows = [
         _branches(document),
         ("output torque", quantity(load["output_torque"], "N*m")),

@@ -29,29 +29,7 @@ def branch_checks(branches: UnequalBranches, *, turns: bool) -> tuple[LimitCheck
         checks.insert(1, _slip(branches, branches.rolling_capacity, branches.rolling, "in rolling"))
     if turns or branches.rolling is not None:  # a joint that stands is judged as if it rolled slowly
         checks.append(_worst(branches, "shakedown_ratio", branches.rolling))
-    if branches.beyond_equal:
-        checks.append(_beyond_equal(branches))
     return tuple(checks)
-
-
-def _beyond_equal(branches: UnequalBranches) -> LimitCheck:
-    """The torque over what equal branches carry."""
-    row = Result(
-        "equal_branches_torque",
-        "torque over the capacity of equal branches",
-        Dimension.DIMENSIONLESS,
-        "1",
-        "equal_branches_torque",
-        limit=Limit(
-            "accuracy",
-            "equal branches carry the torque",
-            "equal branches do not carry the torque: what is computed for equal branches alone is not known, nor are "
-            "its limits judged",
-            "lower the torque, or raise load.interference and state the deviations from those larger sizes",
-            highest=1.0,
-        ),
-    )
-    return LimitCheck(row, None, _over(branches.torque, branches.capacity.equal))
 
 
 def _slip(
@@ -180,12 +158,8 @@ def equal_branches_note(branches: UnequalBranches) -> str:
     what = "Forces, pressures, stiffness, drift, losses and lives of rollers outside the section on branches"
     note = f"{what} are those of equal branches; {pressed(branches)}."
     if branches.beyond_equal:
-        sums = ["torques", *(["drift", "losses"] if branches.turning else [])]
-        sums += ["the assembled stiffness"] if branches.stiffness else []
-        named = " and ".join((", ".join(sums[:-1]), sums[-1])) if sums[1:] else sums[0]
         note = (
-            f"Outside the section on branches, {named} are those of these branches together; what one contact does, "
-            "and lives of rollers, do not exist there: they would be those of equal branches, which carry "
+            f"All numbers are those of these branches, contact by contact: equal ones carry "
             f"{format_quantity(branches.capacity.equal, 'N*m', 4)} at most; {pressed(branches)}."
         )
     life = least_life(branches)

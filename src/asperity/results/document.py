@@ -238,11 +238,12 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
     document = plain_document(
         {
             "asperity_version": asperity.__version__,
+            "of_own_branches": joint.unlike is not None,
             "input": inputs,
             "assumptions": list(assumptions),
             "geometry": {
                 "speed_ratio": result.speed_ratio,
-                "sectors": round(float(drive.sectors)),
+                "sectors": round(float(drive.sectors)) if joint.unlike is None else joint.unlike.sectors,
                 "input": drive.input,
                 "output": drive.output,
                 "grounded": drive.grounded,
@@ -304,7 +305,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "bearings": bearing_entries(solved),
             "rims": _rims(solved),
             "torsional_stiffness": torsional_stiffness_document(result),
-            "stiffness_unknown_because": solved.no_equal_state or stiffness_unknown_because(result),
+            "stiffness_unknown_because": stiffness_unknown_because(result),
             "stiffness_budget": stiffness_budget(result),
             "speed_loss": result.rolling.speed_loss,
             "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
@@ -312,7 +313,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "losses_W": losses(result.rolling),
             "life_hours": result.rolling.life_hours.drive,
             "rolling": {
-                **rolling_document(joint, result, solved.no_equal_state, unlike=branches is not None),
+                **rolling_document(joint, result, unlike=solved.other_branches is not None),
                 "torque_capacity_Nm": (
                     solution.rolling_capacity if forward else solution.reverse_rolling_capacity
                 ).output_torque,

@@ -59,10 +59,7 @@ def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     judged = [with_pins(row, solved) for row in results_of_joint(solved).values() if row.limit is not None]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(
-        LimitCheck(row, name or None, value)
-        for row in judged
-        for name, value in row.rows_of(solved).items()
-        if not (solved.no_equal_state and math.isnan(value))
+        LimitCheck(row, name or None, value) for row in judged for name, value in row.rows_of(solved).items()
     )
 
 

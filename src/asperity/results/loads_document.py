@@ -18,10 +18,12 @@ from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.rim_safety import RIM_NAMES, BodyRims
 from asperity.joint.working_loads import (
+    forces_on_axis,
     loads_without_torque,
     member_speeds,
     pin_bending,
     pin_speeds,
+    working_forces,
     working_loads,
 )
 from asperity.results.branch_limits import pressed
@@ -74,7 +76,8 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
     """
     joint, result, branches = solved.joint, solved.result, solved.branches
     cases = [case_entry("without torque", 0.0, 0.0, None, None)]
-    loads = [loads_without_torque(joint, result)]
+    loads, at_rest = [loads_without_torque(joint, result)], result.rest
+    held = [forces_on_axis(joint, at_rest.normal, at_rest.tangential, at_rest.pin_force)]
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     loaded: list[tuple[str, float | None, Joint, JointResult]] = [("working torque", None, numbers, result)]
     for index, state in enumerate(solved.duty_states):
@@ -83,6 +86,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
     speeds = [np.zeros(len(drive.members))]
     for name, share, there, under in loaded:
         loads.append(working_loads(there, under))
+        held.append(forces_on_axis(there, *working_forces(there, under), loads[-1].pin))
         speeds.append(np.asarray(member_speeds(there, under)))
         unknown = bool(np.any(np.isnan(np.asarray(loads[-1].moments))))
         why = unknown_because(there, under)[0] if unknown else None
@@ -106,16 +110,20 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
             under.rolling.axial_thrust if there.input_speed > 0.0 else none for *_, there, under in loaded
         ]
         thrust = np.stack([none, *turning], axis=-1)
-    unlike = BranchLoads(branches, turns=float(joint.input_speed) > 0.0, cases=len(loads))
+    unlike = BranchLoads(solved.other_branches, turns=float(joint.input_speed) > 0.0)
     cases, said = unlike.entries(cases, skewed=joint.rolling.skew is not None)
     return document_of_rows(
-        cases, _rows(joint, loads, speeds, thrust, unlike), bearings=bearings, notes=[*notes, *said]
+        cases,
+        _rows(joint, loads, np.stack(held, axis=-1), speeds, thrust, unlike),
+        bearings=bearings,
+        notes=[*notes, *said],
     )
 
 
 def _rows(
     joint: Joint,
     loads: list[MemberLoads],
+    held: np.ndarray,
     speeds: list[np.ndarray],
     thrust: np.ndarray | None,
     unlike: BranchLoads,
@@ -152,7 +160,7 @@ def _rows(
         part = (name.replace("_", " "), f"on the axis, {role}")
         moment = unlike.torque_on(name, drive.sense * np.array([load.moments[number] for load in loads]))
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
-        yield *part, "resultant force", "N", unlike.force_on(name)
+        yield *part, "resultant force", "N", unlike.force_on(name, held[number])
         if thrust is not None:
             pushed = (
                 drive.sectors * np.sum(thrust[list(drive.pinned)], axis=0)

@@ -78,10 +78,6 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     table = results_of_joint(solved).values()
     judged = [with_pins(row, solved) for row in table if row.limit or row.name in _MUST_EXCEED]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
-    if solved.no_equal_state:
-        found = [
-            each for each in found if not math.isnan(each.actual) and each.result.name != "torque_safety"
-        ]
     found += map(_further, further_checks(solved))
     by_name: dict[str, list[Note]] = {}
     for note in solved.notes:

@@ -64,7 +64,7 @@ def position_rows(document: Document) -> list[PositionRow]:
         _comes_back(document),
         PositionRow("torque capacity, rolling", capacity, "N*m", _beyond(document)),
     ]
-    if "branches" in document:
+    if "branches" in document and not document["of_own_branches"]:
         rows.append(
             PositionRow(
                 "that of the worst branch",

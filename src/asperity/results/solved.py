@@ -13,7 +13,7 @@ import numpy as np
 from jax import Array
 
 from asperity.branches.bearings import branch_bearing_lives
-from asperity.branches.results import NO_EQUAL_STATE, UnequalBranches
+from asperity.branches.results import UnequalBranches
 from asperity.compilation import call_compiled, compile_fast
 from asperity.contact.fractal import Surface
 from asperity.drive.layout.drive import sectors_of_members
@@ -116,9 +116,9 @@ class SolvedJoint:
         self._laws = laws
 
     @property
-    def no_equal_state(self) -> str | None:
-        """Why all results of equal branches under its torque are nan, where only its own carry it; else None."""
-        return None if self.branches is None or bool(self.result.solved) else NO_EQUAL_STATE
+    def other_branches(self) -> UnequalBranches | None:
+        """Its branches where the joint has equal ones; None where it has every branch by itself."""
+        return None if self.joint.unlike is not None else self.branches
 
     @functools.cached_property
     def bearings(self) -> BearingLives:
@@ -126,25 +126,27 @@ class SolvedJoint:
         if not any(self.has_bearings):
             nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
             return BearingLives(nothing, nothing, nothing, nothing, nothing)
-        if self.branches is not None:
-            return branch_bearing_lives(self.joint, self.branches)
+        if self.other_branches is not None:
+            return branch_bearing_lives(self.joint, self.other_branches)
         lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
         return lives
 
     @functools.cached_property
     def rims(self) -> Any:
         """Stresses of ring and hollow rollers."""
-        if self.branches is None:
+        if self.other_branches is None:
             return self._rims(self.joint, self.result)
-        working = self.branches.working(turns=float(self.joint.sun_speed) != 0.0)
-        return self._branch_rims(*self.branches.contact_forces(working))
+        working = self.other_branches.working(turns=float(self.joint.sun_speed) != 0.0)
+        return self._branch_rims(*self.other_branches.contact_forces(working))
 
     @functools.cached_property
     def duty_rims(self) -> tuple[Any, ...]:
         """As ``rims`` under each load of the duty; nan where the joint does not carry it. Of one joint alone."""
-        if self.branches is None:
+        if self.other_branches is None:
             return tuple(self._rims(*each) for each in self.duty_states)
-        return tuple(self._branch_rims(*self.branches.contact_forces(each)) for each in self.branches.duty)
+        return tuple(
+            self._branch_rims(*self.other_branches.contact_forces(each)) for each in self.other_branches.duty
+        )
 
     @property
     def has_bearings(self) -> tuple[bool, ...]:

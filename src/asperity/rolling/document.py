@@ -15,19 +15,11 @@ from asperity.rolling.rolling import RollingResult
 Document = dict[str, Any]
 
 
-def rolling_document(
-    joint: Joint,
-    result: JointResult,
-    absent_because: str | None = None,
-    *,
-    unlike: bool = False,
-) -> Document:
+def rolling_document(joint: Joint, result: JointResult, *, unlike: bool = False) -> Document:
     """Creep, drift, axial forces, losses and life of a solved joint."""
     found = result.rolling
     return {
-        "unknown_because": [absent_because]
-        if absent_because
-        else unknown_because(joint, result, unlike=unlike),
+        "unknown_because": unknown_because(joint, result, unlike=unlike),
         "speed_loss": found.speed_loss,
         "drift_rad_per_output_turn": found.drift_per_output_turn,
         "drift_rad_per_hour": 3600.0 * found.drift_rate,

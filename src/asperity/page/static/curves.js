@@ -24,7 +24,7 @@ export function curves(answer, baseline) {
   const why = standing(found);
   const loop = windup.unknown_because ? null : windup;
   const before = baseline && !baseline.windup.unknown_because ? baseline.windup : null;
-  const equal = found.branches ? "For equal branches, like all curves here but the wind-up. " : "";
+  const equal = found.branches && !found.of_own_branches ? "For equal branches, like all curves here but the wind-up. " : "";
   const angles = (from, key) => from[key].map((value) => scaled(value, toArcmin));
   return [
     linePlot({

@@ -79,7 +79,7 @@ function cards(found, before) {
   const stiffness = found.torsional_stiffness.assembly;
   const was = before && before.torsional_stiffness.assembly;
   const [capacity, slips] = firstSlip(found);
-  const equal = found.branches ? "equal branches: " : "";
+  const equal = found.branches && !found.of_own_branches ? "equal branches: " : "";
   const per = arcmin(found.drift_rad_per_output_turn);
   const unknown = found.stiffness_unknown_because;
   const [hours, turns] = [found.life_hours, found.rolling.life_output_turns];
