@@ -8,6 +8,7 @@ import jsonschema
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.description import body_masses
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.schema import joint_schema
@@ -129,8 +130,77 @@ def test_bearings_of_pins_need_pins():
     rated = (
         '[pin_bearing]\ntype = "ball"\ndynamic_rating = "1 kN"\nstatic_rating = "1 kN"\ncount = 1\n\n[model]'
     )
-    with pytest.raises(InputError, match=r'pin_bearing: no \[\[roller\]\] has place = "pin"'):
+    with pytest.raises(InputError, match="pin_bearing: no roller of this drive is on a pin"):
         parse_case(text.replace("[model]", rated), source="mine.toml")
+
+
+@pytest.mark.parametrize(
+    ("name", "section", "key"),
+    [
+        ("planetary", "compliance", 'planet_support_stiffness = "100 N/um"'),
+        ("stepped_planet", "compliance", 'planet_support_stiffness = "100 N/um"'),
+        ("planetary", "bearings", 'pin_support = "one_end"'),
+    ],
+)
+def test_what_would_say_nothing_of_the_drive_is_refused(name, section, key):
+    """All planets of these drives are on pins."""
+    with pytest.raises(InputError, match=rf"{section}\.{key.split()[0]}.*(leave it|leave pin_support) out"):
+        read(name, ("[model]", f"[{section}]\n{key}\n\n[model]"))
+
+
+@pytest.mark.parametrize("name", ["zou2025", "planetary", "multiroller", "stepped_planet", "planar"])
+def test_places_of_the_rollers_are_those_of_the_drive(name):
+    case = read(name)
+    off_axis = {body.place for body in joint_from_case(case).drive.bodies if body.place != "axis"}
+    assert set(case.roller_places()) == off_axis
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "told"),
+    [
+        (
+            "multiroller",
+            "sun_radius",
+            'first_row_bore_diameter = "8 mm"\nsun_radius',
+            r"drive\.first_row_bore_diameter = '8 mm'",
+        ),
+        (
+            "stepped_planet",
+            "sun_radius",
+            'planet_bore_diameter = "8 mm"\nsun_radius',
+            r"drive\.planet_bore_diameter = '8 mm'",
+        ),
+        (
+            "planar",
+            'first_radius = "13.5 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "wro"',
+            'first_radius = "12 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "wro"',
+            r"roller planet: bore_diameter = '6 mm' in a roller with tracks of 13\.5 mm and 12 mm",
+        ),
+    ],
+)
+def test_a_hollow_stepped_roller_is_refused_with_the_reason(name, old, new, told):
+    bore = (('orbit = "17.5 mm"', 'orbit = "17.5 mm"\nbore_diameter = "6 mm"'),) if name == "planar" else ()
+    with pytest.raises(InputError, match=told + ".*bend each other out of their own planes.*leave it out"):
+        read(name, (old, new), *bore)
+
+
+def test_bores_and_supports_of_what_has_none_are_refused():
+    wall = 'wall_thickness = "20 mm"'
+    with pytest.raises(
+        InputError, match="roller ring: bore_diameter: a ring is described by its wall_thickness"
+    ):
+        read("planar", (wall, f'{wall}\nbore_diameter = "6 mm"'))
+    with pytest.raises(InputError, match="roller planet: ring_support is for rings"):
+        read("planar", ('orbit = "17.5 mm"', 'orbit = "17.5 mm"\nring_support = "free"'))
+
+
+def test_the_length_of_a_listed_ring_makes_its_mass():
+    wall = 'wall_thickness = "20 mm"'
+    masses = [
+        float(body_masses(joint_from_case(read("planar", (wall, new))))[-1])
+        for new in (wall, f'{wall}\nlength = "15 mm"')
+    ]
+    assert masses[1] == pytest.approx(3.0 * masses[0], rel=1e-12)  # of 15 instead of 5 mm
 
 
 def test_a_file_without_a_type_has_the_papers_drive():
@@ -154,7 +224,8 @@ def test_springs_of_the_structure_reach_the_joint():
     assert joint.ring_bending_stiffness is None
     assert joint.shapes[-1].rim_stiffness == (pytest.approx(4e11), 0.0)
     of_type = ('ring_support = "free"', 'ring_support = "elastic_housing"')
-    planetary = joint_from_case(read("planetary", changes[0], of_type))
+    of_planets = changes[0][0], keys.replace('planet_support_stiffness = "30 N/um"\n', "")
+    planetary = joint_from_case(read("planetary", of_planets, of_type))
     assert planetary.shapes[-1].rim_stiffness == (pytest.approx(4e11), 0.0)
 
 

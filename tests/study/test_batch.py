@@ -1,5 +1,6 @@
 """One evaluator for all studies: its points, its derivatives against differences, and the independent baseline."""
 
+import math
 import time
 from concurrent.futures import ThreadPoolExecutor
 
@@ -8,8 +9,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.drive.layout.drive import speed_ratio
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import si_values
 from asperity.study import batch
 from asperity.study.batch import derivatives_at, evaluate_points, numbers, point_kernel
@@ -148,3 +151,25 @@ def test_programs_run_one_at_a_time(values, monkeypatch):
         found = list(pool.map(lambda _: evaluate_points(values, points, (name,)), range(2)))
     assert max(most) == 1
     np.testing.assert_array_equal(found[1][1][name], [900.0, 1000.0])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "roller"), [("planetary", "planet"), ("multiroller", "second_row")])
+def test_bending_of_pins_by_the_balance_of_the_carrier(planar_case, name, roller):
+    """Pins carry what output and input leave to the carrier, and bend by F (2 l - b)/8."""
+    pins = '[bearings]\npin_diameter = "4 mm"\npin_length = "24 mm"\n\n[model]'
+    case = planar_case(name, replaced={"[model]": pins})
+    joint = joint_from_case(case)
+    drive, ratio = joint.drive, float(speed_ratio(joint.drive))
+    torque = 10.0 if drive.output == "carrier" else 10.0 * abs(1.0 - 1.0 / ratio)
+    (body,) = drive.pinned
+    force = torque / (float(drive.sectors) * math.hypot(*drive.centres[body]))
+    length, lines = 24e-3, {"planet": 10e-3, "second_row": 20e-3}[roller]
+    point = {"bearings.pin_length": np.array([length, 0.9 * lines]), "load.sun_speed": np.zeros(2)}
+    moments, variables = ("pin_bending_moment", "pin_bending_stress"), ("bearings.pin_length",)
+    status, found, slopes = derivatives_at(si_values(case), point, moments, variables)
+    assert [STATUS_NAMES[each] for each in status] == ["solved", "pin_too_short"]
+    expected = force * (2.0 * length - lines) / 8.0
+    assert found["pin_bending_moment"][0, 0] == pytest.approx(expected, rel=1e-3)
+    assert slopes["pin_bending_moment"][0, 0, 0] == pytest.approx(force / 4.0, rel=1e-3)
+    assert found["pin_bending_stress"][0, 0] == pytest.approx(expected * 32.0 / (math.pi * 4e-3**3), rel=1e-3)

@@ -7,7 +7,7 @@ from jax import Array
 
 from asperity.arrays import namespace
 from asperity.errors import InputError
-from asperity.joint.description import Joint, pin_names, tracks_of
+from asperity.joint.description import Joint, pin_names, track_lengths, tracks_of
 from asperity.units import format_quantity
 
 
@@ -45,6 +45,16 @@ def pin_room(joint: Joint) -> tuple[Array, Array]:
     thick, slim = xp.where(narrow, xp.inf, thick), thick
     held = slim * xp.asarray(bearings.pin_friction_coefficient) / xp.cos(xp.asarray(drive.push_angles))
     return thick, held
+
+
+def overhang(joint: Joint) -> Array:
+    """Length of each roller on a pin over the free length of its pin, shape (pins,) [-]; 0 where it is not known."""
+    xp = namespace(joint)
+    if joint.pin is None or not joint.drive.pinned:
+        nothing: Array = xp.zeros(len(joint.drive.pinned))
+        return nothing
+    lengths: Array = xp.stack([xp.asarray(sum(track_lengths(joint, body))) for body in joint.drive.pinned])
+    return lengths / joint.pin.free_length
 
 
 def refuse_pins(joint: Joint) -> None:

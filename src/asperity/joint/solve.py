@@ -14,12 +14,12 @@ from asperity.drive.layout.existence import refuse_impossible
 from asperity.drive.state.states import DriveStates
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.capacity import TorqueCapacities, torque_capacities, under_torque
-from asperity.joint.description import Joint, track_lengths, tracks_of
+from asperity.joint.description import Joint, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.loading_cam import Pressed
 from asperity.joint.looseness import refuse_loose
 from asperity.joint.motion import in_motion
-from asperity.joint.pins import refuse_pins
+from asperity.joint.pins import overhang, refuse_pins
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.precision import require_double_precision
@@ -148,13 +148,12 @@ def refuse_short_pins(joint: Joint) -> None:
     """Refuse pins that are shorter than their rollers."""
     if joint.pin is None:
         return
-    for body in joint.drive.pinned:
-        length, free = float(sum(track_lengths(joint, body))), float(joint.pin.free_length)
-        if not free >= length:
+    free = float(joint.pin.free_length)
+    for name, share in zip(pin_names(joint.drive), np.asarray(overhang(joint)), strict=True):
+        if share > 1.0:
             raise InputError(
                 f"the pins have a free length of {format_quantity(free, 'mm')}, less than the "
-                f"{format_quantity(length, 'mm')} of {joint.drive.bodies[body].name}: lengthen the pins "
-                "(bearings.pin_length)"
+                f"{format_quantity(share * free, 'mm')} of {name}: lengthen the pins (bearings.pin_length)"
             )
 
 

@@ -14,7 +14,7 @@ from asperity.drive.state.state import STATE_TOLERANCE
 from asperity.joint.capacity import smaller_sizes
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
-from asperity.joint.pins import pin_room
+from asperity.joint.pins import overhang, pin_room
 
 #: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
 #: contact slips.
@@ -32,13 +32,16 @@ STATUSES: dict[str, str] = {
     "no_interference_left": "sizes or temperature leave no interference: the drive is loose and carries no torque",
     "no_place_for_rollers": "the rollers do not fit: they overlap, or have no place where they touch",
     "output_stands_still": "the output stands still whatever the input does: the ratio is infinite",
+    "pin_too_short": "a roller is longer than the free length of its pin",
 }
 
 #: Short names and meanings in the order of the codes.
 STATUS_NAMES, STATUS_MEANINGS = tuple(STATUSES), tuple(STATUSES.values())
 
 LOCKED = STATUS_NAMES.index("pin_too_thick_or_locked")
-TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE = range(LOCKED + 1, LOCKED + 9)
+TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE, SHORT = range(
+    LOCKED + 1, LOCKED + 10
+)
 
 
 def has_value(status: ArrayLike, needs: Needs) -> Any:
@@ -60,7 +63,7 @@ def has_value(status: ArrayLike, needs: Needs) -> Any:
     code = status if isinstance(status, Array) else np.asarray(status)
     operates = (code == 0) | (code == ALL_PLASTIC)
     if needs == "geometry":
-        return operates | ((code >= LOCKED) & (code < NO_ROOM))
+        return operates | ((code >= LOCKED) & (code < NO_ROOM)) | (code == SHORT)
     return operates | (code == SLIPS) if needs == "balance" else operates
 
 
@@ -101,6 +104,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         (~has_room(drive), NO_ROOM),
         (output_share(drive) < LEAST_OUTPUT_SHARE, IDLE),
         (locked, LOCKED),
+        (jnp.any(overhang(joint) > 1.0), SHORT),
         (loose, LOOSE),
         (~at_rest, UNBALANCED),
         (jnp.any(wide) | ~result.walls_hold, TOO_WIDE),

@@ -133,6 +133,7 @@ class PlanetaryCase(AxisCase):
     """Radii and arrangement."""
     branch: tuple[PlanetaryBranch, ...] | None = None
     """Sizes of each planet, where they differ: a section [[branch]] for each."""
+    places: ClassVar[tuple[str, ...]] = ("pin",)
 
 
 class MultirollerCase(AxisCase):
@@ -156,6 +157,7 @@ class SteppedPlanetCase(AxisCase):
     """Radii and arrangement."""
     branch: tuple[SteppedPlanetBranch, ...] | None = None
     """Sizes of each planet, where they differ: a section [[branch]] for each."""
+    places: ClassVar[tuple[str, ...]] = ("pin",)
 
 
 #: Model of the joint file of each type of drive.

@@ -53,6 +53,12 @@ PartSkews = Annotated[
 Wall = Annotated[Quantity, limits.WALL_THICKNESS]
 Bore = Annotated[Quantity, limits.BORE_DIAMETER]
 RingSupport = Literal["rigid_housing", "free", "elastic_housing"]
+#: Why a stepped roller has no bore diameter, and what to do.
+HOLLOW_STEPPED = (
+    "tracks of unlike radii in one piece bend each other out of their own planes, which plane elasticity does not "
+    "know, so that neither the stiffness nor the stress of a hollow stepped roller is computed; leave it out, which "
+    "counts the roller as solid, stiffer and heavier than it is"
+)
 #: Supports in which a ring bends.
 BENT = ("free", "elastic_housing")
 

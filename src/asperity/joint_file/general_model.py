@@ -9,10 +9,10 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from asperity.drive.layout.drive import CARRIER
-from asperity.errors import nearest
+from asperity.errors import nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.branch_sections import Deviation
-from asperity.joint_file.drive_sections import Bore, PartLengths, PartName, RingSupport, Wall
+from asperity.joint_file.drive_sections import HOLLOW_STEPPED, Bore, PartLengths, PartName, RingSupport, Wall
 from asperity.joint_file.model import AxisCase
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
@@ -133,12 +133,11 @@ class GeneralCase(AxisCase):
 
     def misnamed_parts(self) -> list[str]:
         """Messages about rollers, contacts and tables that do not fit together."""
-        messages = list(_misdescribed(self))
-        if self.pin_bearing is not None and all(roller.place != "pin" for roller in self.roller):
-            messages.append(
-                'pin_bearing: no [[roller]] has place = "pin"; leave the section out, or give the roller its pin'
-            )
-        return messages + super().misnamed_parts()
+        return [*_misdescribed(self), *super().misnamed_parts()]
+
+    def roller_places(self) -> tuple[str, ...]:
+        """Places of the rollers off the axis."""
+        return tuple(roller.place for roller in self.roller if roller.place != "axis")
 
 
 def _misdescribed(case: GeneralCase) -> Iterator[str]:
@@ -170,6 +169,10 @@ def _misdescribed(case: GeneralCase) -> Iterator[str]:
             yield f"roller {roller.name}: it {verb} a wall_thickness"
         if roller.push_angle is not None and roller.place != "pin":
             yield f"roller {roller.name}: push_angle is for rollers on a pin"
+        if roller.ring_support is not None and roller.wall_thickness is None:
+            yield f"roller {roller.name}: ring_support is for rings, which have a wall_thickness; leave it out"
+        if roller.bore_diameter is not None:
+            yield from _impossible_bore(roller, case.contact)
     sized = [roller.name for roller in case.roller if roller.place != "axis"]
     for number, branch in enumerate(case.branch or (), start=1):
         for name in branch.deviation or ():
@@ -188,6 +191,26 @@ def _misdescribed(case: GeneralCase) -> Iterator[str]:
         yield "drive: input, output and grounded must be three different members"
     if case.drive.grounded != CARRIER and not any(roller.place == "pin" for roller in case.roller):
         yield "drive.grounded: no roller is on a pin, so that nothing turns the carrier; ground it, or use a pin"
+
+
+def _impossible_bore(roller: RollerEntry, contacts: tuple[ContactEntry, ...]) -> Iterator[str]:
+    """Messages about a bore in a ring or in a stepped roller."""
+    if roller.wall_thickness is not None:
+        yield f"roller {roller.name}: bore_diameter: a ring is described by its wall_thickness; leave one of both out"
+        return
+    assert roller.bore_diameter is not None
+    radii = [
+        getattr(contact, f"{side}_radius")
+        for contact in contacts
+        for side in ("first", "second")
+        if getattr(contact, side) == roller.name
+    ]
+    tracks = {f"{radius.value:.12g}": radius.text for radius in radii}
+    if len(tracks) > 1:
+        yield (
+            f"roller {roller.name}: bore_diameter = {quoted(roller.bore_diameter.text)} in a roller with tracks of "
+            f"{' and '.join(tracks.values())}: {HOLLOW_STEPPED}"
+        )
 
 
 def _misassumed(case: GeneralCase) -> Iterator[str]:

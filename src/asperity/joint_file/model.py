@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import AfterValidator, Field, model_validator
@@ -179,6 +180,8 @@ class Case(WholeFile):
     surface: Annotated[PartSurfaces, AfterValidator(one_kind_of_roughness)]
     """Roughness: one table for all contacts, or tables surface.NAME for each."""
 
+    #: Places of its rollers off the axis: on pins of the carrier, or free.
+    places: ClassVar[tuple[str, ...]] = ("free", "pin")
     #: Their number in [drive], and their name.
     branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
     #: The key that says what holds a ring.
@@ -286,7 +289,7 @@ class Case(WholeFile):
 
     def misnamed_parts(self) -> list[str]:
         """Messages about tables whose entries are not the bodies or contacts of the drive."""
-        messages: list[str] = []
+        messages = list(self._without_effect())
         contacts, bodies = self.part_names()
         for path, table, known in (
             ("bodies", self.bodies, bodies),
@@ -312,6 +315,49 @@ class Case(WholeFile):
                     + (instead if path == "surface" else "")
                 )
         return messages
+
+    def roller_places(self) -> tuple[str, ...]:
+        """Places of the rollers off the axis."""
+        return self.places
+
+    def _without_effect(self) -> Iterator[str]:
+        """Messages about what a file says of pins, or of rollers without one, that its drive does not have."""
+        for place, (keys, why) in _AT_PLACES.items():
+            if place in self.roller_places():
+                continue
+            for path in keys:
+                section, _, key = path.partition(".")
+                stated = getattr(self, section)
+                if (getattr(stated, key, None) if key else stated) is not None:
+                    yield f"{path}: {why}"
+        if self.bearings is not None and self.bearings.pin_support and self.bearings.pin_length is None:
+            yield (
+                f"bearings.pin_support = '{self.bearings.pin_support}': without pin_length the bending of the pins is "
+                "not computed; give pin_length, or leave pin_support out"
+            )
+
+
+#: What needs rollers at a place, and what to say where the drive has none there.
+_AT_PLACES = {
+    "pin": (
+        (
+            "pin_bearing",
+            "bearings.roller_torque",
+            "bearings.pin_friction_coefficient",
+            "bearings.pin_diameter",
+            "bearings.pin_length",
+            "compliance.pin_stiffness",
+            "compliance.pin_transverse_stiffness",
+        ),
+        "no roller of this drive is on a pin of the carrier; leave it out, or in a listed drive give a [[roller]] "
+        'place = "pin"',
+    ),
+    "free": (
+        ("compliance.planet_support_stiffness",),
+        "every roller of this drive is on a pin, and it holds those without one; leave it out, or give "
+        "compliance.pin_transverse_stiffness, which holds rollers across the push of their pins",
+    ),
+}
 
 
 class AxisCase(Case):

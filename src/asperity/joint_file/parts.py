@@ -78,7 +78,8 @@ def _centre(roller: Values) -> Any:
 
 def _shape(roller: Values, housing: Any) -> BodyShape:
     if "wall_thickness" in roller:
-        return ring_shape(roller["wall_thickness"], roller.get("ring_support"), housing)
+        ring = ring_shape(roller["wall_thickness"], roller.get("ring_support"), housing)
+        return dataclasses.replace(ring, length=roller.get("length"))
     bore = roller.get("bore_diameter")
     return BodyShape("solid" if bore is None else "hollow", bore, length=roller.get("length"))
 
