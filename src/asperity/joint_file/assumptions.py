@@ -227,7 +227,8 @@ def _pins_in_bores(joint: Joint) -> str:
     return (
         "bearings.pin_diameter: a pin presses on half of the bore of its roller with a cosine pressure, as one that "
         "fits it; its own stiffness is not counted, and away from it the bore is free. The bore of a roller without a "
-        "bore diameter is as wide as the pin; of a stepped roller each track has its bore to itself"
+        "bore diameter is as wide as the pin; of a stepped roller each track has its bore to itself, and its contacts "
+        "give way as those of a solid one"
     )
 
 
