@@ -49,13 +49,17 @@ def spread():
             "nominal": ("result", np.full(count, 2.0)),
             "mean": ("result", np.full(count, 2.1)),
             "standard_deviation": ("result", np.full(count, 0.1)),
-            "quantiles": (("result", "quantile"), np.tile([1.8, 2.1, 2.4], (count, 1))),
+            "quantiles": (
+                ("result", "quantile"),
+                [*np.tile([1.8, 2.1, 2.4], (count - 1, 1)), [-np.inf, 1.8, 2.4]],
+            ),
             "total_order": (("result", "input"), per_input),
             "total_order_half_width": (("result", "input"), 0.01 * per_input),
             "first_order": (("result", "input"), per_input),
             "first_order_half_width": (("result", "input"), 0.01 * per_input),
             "tolerance": ("input", [50.0, 5e-6]),
             "samples": (("result", "sample"), np.linspace(1.8, 2.4, samples) * np.ones((count, 1))),
+            "failed": ("result", [0.0, 0.0, 0.015, 0.015, 0.5]),
             "status": ("sample", np.r_[np.zeros(samples - 3), np.ones(3)].astype(np.int8)),
         },
         coords={
@@ -144,12 +148,16 @@ def test_sensitivities_are_ordered_by_their_size(sensitivities):
 def test_tolerances_say_how_many_joints_and_who_contributes(spread):
     blocks = list(study_sections(ReportStudies(spread=spread)))
     assert blocks[0] == Heading("Tolerances")
+    counted = "the quantiles count them as the worst, mean and standard deviation leave them out"
     assert blocks[1].text.startswith(
-        "200 joints drawn from the tolerances of the joint file, seed 0. 1.5 % of them fail: the quantiles count "
+        "200 joints drawn from the tolerances of the joint file, seed 0. "
+        f"1.5 % of the drives fail and have no drift of this drive, efficiency of this drive: {counted}. "
+        f"50 % of the drives fail and have no drive_life of this drive: {counted}. The shares"
     )
     intervals, shares = of(Table, blocks)
     assert intervals.rows[1][0] == "torque_capacity of this drive, N·m"
     assert [row[1:] for row in intervals.rows][1] == ("2", "2.1", "0.1", "1.8", "2.4")
+    assert intervals.rows[-1][-2:] == ("fails", "6.667e-4")  # 2.4 s in hours
     assert [row[:4] for row in shares.rows] == [
         ("drive.sun_radius", "0.005 mm", "normal 2 sigma", "0.8"),
         ("load.preload", "50 N", "uniform", "0.2"),

@@ -140,6 +140,7 @@ def _show(found: xarray.Dataset) -> None:
     from asperity.cli.study_output import show_status
     from asperity.cli.terminal import console, table
     from asperity.results import display_unit
+    from asperity.study.tolerances.documents import failures
     from asperity.units import from_si
 
     show_status(found)
@@ -159,15 +160,10 @@ def _show(found: xarray.Dataset) -> None:
         rows.add_row(name.replace("_", " "), unit.replace("*", "·"), *cells)
     if rows.rows:
         target.print(rows)
-    for share in dict.fromkeys(float(each) for each in found["failed"].values if each > 0.0):
-        lost = ", ".join(
-            name.replace("_", " ")
-            for name in found["result"].values[found["failed"].values == share].tolist()
-        )
-        click.echo(
-            f"{100.0 * share:.3g} % of the drives fail and have no {lost}: the quantiles count them as the worst, mean "
-            "and standard deviation leave them out"
-        )
+    for sentence in failures(
+        found, {name: name.replace("_", " ") for name in found["result"].values.tolist()}
+    ):
+        click.echo(sentence)
     for line in named:
         click.echo(line)
     first = found.isel(result=0)

@@ -16,6 +16,7 @@ from asperity.report.figures import figure_svg
 from asperity.results import RESULTS
 from asperity.study.design.design_problem import SUMMARY
 from asperity.study.design.design_result import DesignResult, shortcoming
+from asperity.study.tolerances.documents import failures
 from asperity.units import from_si
 
 if TYPE_CHECKING:
@@ -103,16 +104,11 @@ def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
     from asperity.study.tolerances.influence_plot import uncertainty_figure
 
     yield Heading("Tolerances")
-    solved, samples = int((spread["status"] == 0).sum()), int(spread.sizes["sample"])
-    lost = (
-        ""
-        if solved == samples
-        else f" {100.0 * (1.0 - solved / samples):.3g} % of them fail: the quantiles count "
-    )
-    lost += "" if solved == samples else "them as the worst, mean and standard deviation leave them out."
+    lost = [f"{each}. " for each in failures(spread, {name: _words(spread, name) for name in STUDIED})]
     yield Paragraph(
-        f"{samples} joints drawn from the tolerances of the joint file, seed {spread.attrs['seed']}.{lost} The shares "
-        "of the variance are Sobol indices: first order for a tolerance alone, total with all its interactions."
+        f"{spread.sizes['sample']} joints drawn from the tolerances of the joint file, seed {spread.attrs['seed']}. "
+        f"{''.join(lost)}The shares of the variance are Sobol indices: first order for a tolerance alone, total with "
+        "all its interactions."
     )
     rows = []
     for name in STUDIED:

@@ -208,6 +208,7 @@ function uncertainty(found) {
     const failed = each.failed_share > 0 ? ` (${number(100 * each.failed_share, 3)} % of the drives fail)` : "";
     return [`${each.description}${unit ? `, ${unit}` : ""}${failed}`, cell(each.nominal), cell(each.mean), end("0.025"), end("0.975")];
   });
+  const failing = results.some((pair) => pair[1].failed_share > 0) ? "; those that fail count as the worst there, and not in the mean" : "";
   const first = results.find((pair) => Object.values(pair[1].sobol).some((index) => index.total_order !== null));
   const shares = first ? Object.entries(first[1].sobol).sort((one, other) => other[1].total_order - one[1].total_order).slice(0, MOST_SHOWN) : [];
   const bar = (share) => {
@@ -216,7 +217,7 @@ function uncertainty(found) {
     return element("span", { class: "bar-track", "aria-hidden": "true" }, fill);
   };
   return [
-    element("p", {}, `${found.solved} of ${found.samples} samples have a result, seed ${found.seed}. 95 % of them lie between the last two columns.`),
+    element("p", {}, `${found.solved} of ${found.samples} samples have a result, seed ${found.seed}. 95 % of the drives lie between the last two columns${failing}.`),
     element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Intervals, scrollable" }, table("Intervals", ["result", "nominal", "mean", "2.5 %", "97.5 %"], rows)),
     ...(shares.length
       ? [element("h4", {}, `Shares in the variance of: ${first[1].description}`), table("Sobol indices", ["tolerance", "total order", element("span", { class: "visually-hidden" }, "bar")], shares.map(([path, index]) => [named(path), `${number(index.total_order, 2)} ± ${number(index.total_order_half_width, 1)}`, bar(index.total_order)]))]

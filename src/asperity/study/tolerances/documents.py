@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -51,6 +52,17 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
             for one in (found.sel(result=name),)
         },
     }
+
+
+def failures(found: xarray.Dataset, called: Mapping[str, str]) -> Iterator[str]:
+    """Sentences about the drives that fail: how many, and which of the results, by what they are called, they lack."""
+    shares = {name: float(found["failed"].sel(result=name)) for name in called}
+    for share in dict.fromkeys(each for each in shares.values() if each > 0.0):
+        lost = ", ".join(word for name, word in called.items() if shares[name] == share)
+        yield (
+            f"{100.0 * share:.3g} % of the drives fail and have no {lost}: the quantiles count them as the worst, mean "
+            "and standard deviation leave them out"
+        )
 
 
 def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
