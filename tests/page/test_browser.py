@@ -79,6 +79,26 @@ def test_numbers_have_the_digits_of_the_commands(page):
         assert written == [format_quantity(value, "1", digits) for value in values]
 
 
+def test_what_is_not_known_and_what_is_a_state_are_no_failures(page):
+    limit = {
+        "name": "x", "label": "x", "place": "", "unit": "", "lowest": 1.0, "highest": None, "inclusive": True,
+        "severity": "function", "state": "", "used": None, "infinite": False, "actual": 2.0, "ok": True,
+    }  # fmt: skip
+    limits = [
+        limit,
+        limit | {"state": "held by the pins", "severity": "state", "ok": False},
+        limit | {"actual": None, "ok": False},
+        limit | {"actual": None, "infinite": True, "ok": False},
+        limit | {"actual": 0.5, "ok": False},
+    ]
+    script = (
+        "(margins) => import('/results.js').then((m) => "
+        "[...m.margins({ margins }).querySelectorAll('tbody tr')].map((row) => row.lastChild.textContent))"
+    )
+    told = page.evaluate(script, limits)
+    assert told == ["✗ fail", "✗ fail", "? unknown", "held by the pins", "✓ pass"]
+
+
 def test_the_page_shows_what_the_command_says(page):
     text, exact = stiffness()
     assert card(page) == text

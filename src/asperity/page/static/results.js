@@ -176,9 +176,10 @@ function budget(found) {
 }
 
 /** The limits of function, damage and accuracy, the one that is used most on top; residuals are no margins. */
-function margins(answer) {
+export function margins(answer) {
   const judged = answer.margins.filter((each) => ["function", "damage", "accuracy", "state"].includes(each.severity) && !each.name.endsWith("_residual"));
-  const rank = (each) => (each.ok ? each.used ?? 0 : each.state ? 1e9 : Infinity);
+  const unknown = (each) => each.actual === null && !each.infinite;
+  const rank = (each) => (each.ok ? each.used ?? 0 : each.state ? 1e9 : unknown(each) ? 2e9 : Infinity);
   const rows = judged
     .sort((one, other) => rank(other) - rank(one))
     .map((each) => {
@@ -193,7 +194,7 @@ function margins(answer) {
         `${orInfinite(each.infinite, each.actual)}${unit && !each.infinite ? ` ${unit}` : ""}`,
         element("span", { class: "bounds" }, ...required),
         each.used === null || each.state ? "" : bar(each.used, each.ok ? "good" : "bad"),
-        each.state ? element("span", { class: "state" }, each.state) : verdict(each.ok),
+        each.state || unknown(each) ? element("span", { class: "state" }, each.state || "? unknown") : verdict(each.ok),
       ];
     });
   return table("Safety margins", ["limit", "actual", "required", hidden("share of the limit that is used"), "result"], rows);
