@@ -226,6 +226,33 @@ def test_machine_code_of_another_program_is_not_called(cache):
         kept(requests[0], FAST).load()
 
 
+class _PlantedClass(_Planted):
+    """The same by what a name inside a class of JAX leads to, and by a function of JAX."""
+
+    def __init__(self, made, *arguments):
+        self.made, self.arguments = made, arguments
+
+    def __reduce__(self):
+        return self.made, self.arguments
+
+
+@pytest.mark.parametrize(
+    "planted",
+    [_Planted(), _PlantedClass(jax.pure_callback, print), _PlantedClass(os.system, "true"), [_Planted()]],
+)
+def test_machine_code_that_names_more_than_classes_of_jax_is_not_read(cache, monkeypatch, planted):
+    monkeypatch.setenv("PLANTED", str(cache / "planted"))
+    request = _request({"x": np.arange(3.0)})
+    keep(request, FAST, *_compiled(request))
+    (file,) = _programs(cache)
+    head, _, _ = file.read_bytes()[32:].partition(b"\n")
+    content = head + b"\n" + pickle.dumps(planted)
+    file.write_bytes(hashlib.sha256(content).digest() + content)
+    with pytest.raises(ValueError, match="is no part of machine code"):
+        kept(request, FAST).load()
+    assert not (cache / "planted").exists()
+
+
 def test_a_pipe_in_the_place_of_a_file_is_not_waited_for(cache):
     request = _request({"x": np.arange(3.0)})
     keep(request, FAST, *_compiled(request))

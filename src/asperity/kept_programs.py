@@ -7,8 +7,9 @@ A program that JAX has read from its own cache cannot be stored again: its code 
 called. Programs of this module therefore stay out of that cache: they have names of their own, and JAX stores nothing
 while they are compiled.
 
-A program is code that runs, and JAX reads it as a pickle. Nothing of a file is looked at, therefore, unless this user
-alone can have written it (:mod:`asperity.own_folder`); the digest tells damage, not intent.
+A program is code that runs. Nothing of a file is looked at, therefore, unless this user alone can have written it
+(:mod:`asperity.own_folder`); the digest tells damage, not intent. JAX reads the machine code as a pickle, which is
+refused before if it names anything but classes of JAX.
 """
 
 from __future__ import annotations
@@ -17,8 +18,10 @@ import contextlib
 import dataclasses
 import functools
 import hashlib
+import io
 import json
 import os
+import pickle
 import platform
 import sys
 import threading
@@ -128,6 +131,7 @@ class KeptProgram:
         """
         from jax.experimental import serialize_executable
 
+        _Names(io.BytesIO(self.machine_code)).load()
         if self.needs_lapack:
             _load_lapack()
         arguments = jax.tree.structure((([0] * self.argument_count,), {}))
@@ -136,6 +140,32 @@ class KeptProgram:
         if _kinds(jax.tree.leaves(found.out_info)) != _kinds(jax.tree.leaves(self.results)):
             raise ValueError("the machine code is that of another program")
         return found
+
+
+class _Unmade:
+    """What a pickle makes where only its names are looked at."""
+
+    def __new__(cls, *arguments: Any, **named: Any) -> _Unmade:
+        return object.__new__(cls)
+
+    def __setstate__(self, state: Any) -> None:
+        pass
+
+
+class _Names(pickle.Unpickler):
+    """A pickle of which nothing is made; ValueError if it names more than classes of JAX and what JAX reads them by."""
+
+    def find_class(self, module: str, name: str) -> Any:
+        named = getattr(sys.modules.get(module), name, None)
+        of_jax = getattr(named, "__module__", "").partition(".")[0] in ("jax", "jaxlib")
+        if named is not np.dtype and not (
+            of_jax and (isinstance(named, type) or name.startswith("_unpickle_"))
+        ):
+            raise ValueError(f"{module}.{name} is no part of machine code")
+        return _Unmade
+
+    def persistent_load(self, pid: Any) -> Any:
+        return None
 
 
 @functools.cache
