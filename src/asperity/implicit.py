@@ -6,6 +6,14 @@ from collections.abc import Callable
 from typing import Any
 
 import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.linear import solve
+
+#: Relative change at which the numbers of :func:`settled_root` are those that they give back [-].
+SETTLED = 1e-9
+_ROUNDS = 20
 
 
 def implicit_root(
@@ -69,3 +77,44 @@ def implicit_root(
         return at, jax.tree.map(lambda leaf: -leaf, solve(linear, change))
 
     return root(found, program.consts)
+
+
+def settled_root(change: Callable[[Array], Array], start: Array) -> Array:
+    """Numbers that a function gives back, found by repetition, with implicit derivatives.
+
+    Parameters
+    ----------
+    change : callable
+        What the function adds to numbers of the shape of the start, above 0.
+    start : Array
+        Where the repetition begins.
+
+    Returns
+    -------
+    Array
+        After 20 rounds at the latest; whether the change is small there, :data:`SETTLED`, is for the caller to check.
+
+    References
+    ----------
+    The implicit function theorem.
+    """
+    return implicit_root(change, start, _repeated, _solved)
+
+
+def _repeated(change: Callable[[Array], Array], start: Array) -> Array:
+    def unsettled(state: tuple[Array, Array, Array]) -> Array:
+        rounds, numbers, left = state
+        return (rounds < _ROUNDS) & (jnp.max(jnp.abs(left / numbers)) > SETTLED)
+
+    def improved(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
+        rounds, numbers, left = state
+        return rounds + 1, numbers + left, change(numbers + left)
+
+    return jax.lax.while_loop(unsettled, improved, (jnp.asarray(0), start, change(start)))[1]
+
+
+def _solved(linear: Callable[[Array], Array], right: Array) -> Array:
+    """The x for which a linear function of an array is another of its shape."""
+    unit = jnp.eye(right.size).reshape(right.size, *right.shape)
+    matrix = jax.vmap(linear)(unit).reshape(right.size, right.size).T
+    return solve(matrix, right.ravel()).reshape(right.shape)

@@ -12,16 +12,18 @@ import pytest
 
 from asperity.branches.branches import BranchedJoint
 from asperity.branches.sector_states import (
-    _followed,
+    SectorStates,
+    _loaded_up_to,
+    _meaning,
     _on_centre,
     _output_moments,
     _turned,
     _working_interference,
     sector_states,
 )
-from asperity.joint.description import joint_contacts
+from asperity.joint.loading_cam import Pressed
 from asperity.joint.solve import solve_joint
-from asperity.joint.unfolding import SectorSizes, unfolded_joint
+from asperity.joint.unfolding import SectorSizes, SettledSectors, unfolded_joint
 from asperity.joint_file.build import deviations_of, joint_from_case
 from asperity.joint_file.si_tables import si_values
 from asperity.rolling.power import RollingLosses
@@ -59,6 +61,8 @@ TOWARDS = np.array(
     [[np.cos(angle), np.sin(angle)] for angle in np.pi / 2.0 + 2.0 * np.pi / 3.0 * np.arange(3)]
 )
 ACROSS = TOWARDS @ np.array([[0.0, 1.0], [-1.0, 0.0]])  # each turned counter-clockwise by a right angle
+
+STATES = {"rest", "standing", "rolling", "limits", "most_torque"}  # that no meaning has
 
 
 @pytest.fixture(scope="module")
@@ -133,7 +137,7 @@ def test_a_joint_is_followed_while_its_strips_are_narrower_than_its_bodies(plane
         "asperity.branches.sector_states.followed", lambda **given: asked.update(given) or (1, 2)
     )
     rest = SimpleNamespace(normal=jnp.array([500.0, 700.0, 600.0, 700.0, 600.0, 700.0]))
-    _followed(whole, None, rest, None, joint_contacts(whole), jnp.asarray(7.0))
+    _loaded_up_to(whole, Pressed(None, rest), jnp.asarray(7.0))
     assert bool(asked["keeps"](SimpleNamespace(normal=jnp.asarray(0.999 * most))))
     for contact in range(6):
         wide = np.where(np.arange(6) == contact, 1.001 * most, 1.0)
@@ -173,26 +177,56 @@ def test_each_sector_turns_as_a_joint_of_its_own_forces_and_speeds(planetary_of_
         assert rest[sector] == pytest.approx([1.0, planet, 0.0, 0.17, pin], rel=1e-12)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("way", [1.0, -1.0])
 def test_limits_in_the_sense_of_the_torque(planetary_of_three, monkeypatch, way):
     """The first slip of the joint that stands, and all limits of the one that turns."""
     joint, _ = planetary_of_three()
-    joint = dataclasses.replace(joint, output_torque=7.0 * way)
-    sizes = SectorSizes(np.zeros((3, 2)), np.ones((3, 2)), 5e7)
-    module, six, asked = "asperity.branches.sector_states", jnp.ones(6), {}
+    joint = dataclasses.replace(joint, output_torque=np.asarray(7.0 * way))
+    settled = SettledSectors(
+        SectorSizes(np.zeros((3, 2)), np.ones((3, 2)), np.asarray(5e7)), Pressed(None, np.asarray(0.0)), None
+    )
+    module, asked = "asperity.branches.sector_states", []
+
+    class Made(SimpleNamespace):
+        def with_first(self, *given):
+            return lambda *last: self.of(*last)
+
+        def __call__(self, *given):
+            return dict.fromkeys(set(SectorStates._fields) - STATES, np.asarray(3.0)) | {
+                "interference": given[-2]
+            }
+
+    def under(torque, rolls, holds):
+        assert (torque, rolls, holds) == (7.0 * way, True, False)
+        return SimpleNamespace(state=np.asarray(2.0), pressed=np.asarray(4.0))
+
+    programs = {
+        "under_torque": Made(of=under, results=SimpleNamespace(state=None)),
+        "_loaded_up_to": Made(of=lambda most: (np.asarray(1.0), most)),
+        "_meaning": Made(),
+    }
+    monkeypatch.setattr(f"{module}.compile_fast", lambda program, *_, **__: programs[program.__name__])
+    monkeypatch.setattr(
+        f"{module}.torque_capacity", lambda *_, **given: asked.append(given) or np.asarray(5.0)
+    )
+    found = sector_states(3, ("sun",), joint, settled)
+    assert [case["direction"] for case in asked] == [way, way]
+    assert [(case["rolls"], case["holds"]) for case in asked] == [(False, True), (True, False)]
+    assert (float(found.standing), float(found.rolling), float(found.interference)) == (1.0, 2.0, 2.0)
+    assert float(found.most_torque) == np.inf
+
+
+@pytest.mark.slow
+def test_a_contact_that_slides_has_slipped_and_losses_are_the_mean(planetary_of_three, monkeypatch):
+    """The mean of the sectors' losses: each is that of all if all were like it."""
+    joint, whole = planetary_of_three()
+    module, six = "asperity.branches.sector_states", jnp.ones(6)
     state = SolvedState(
         six, six, six, jnp.ones(3), jnp.ones(6), slides=jnp.array([0.0, 1.0, 0.0, 0.0, -1.0, 0.0])
     )
-    loaded = SimpleNamespace(contacts=None, assembly=None)
-    ratios = SimpleNamespace(pressure_over_first_yield=six, slip_ratio=0.25 * six)
     for name, fake in {
-        "contact_laws": lambda *_: None,
-        "drive_load": lambda *_: None,
-        "loaded_state": lambda **given: asked.update(given) or state,
-        "_followed": lambda *given: (state, given[-1]),
-        "loaded_stiffness": lambda *_: loaded,
-        "diagnose": lambda **_: ratios,
+        "loaded_stiffness": lambda *_: SimpleNamespace(contacts=None, assembly=None),
+        "diagnose": lambda **_: SimpleNamespace(pressure_over_first_yield=six, slip_ratio=0.25 * six),
         "_turned": lambda *_: SimpleNamespace(
             power=SimpleNamespace(**dict.fromkeys(RollingLosses._fields, jnp.array([1.0, 2.0, 6.0]))),
             drift_per_output_turn=six,
@@ -204,21 +238,11 @@ def test_limits_in_the_sense_of_the_torque(planetary_of_three, monkeypatch, way)
         "_working_interference": lambda *_: six,
         "_output_moments": lambda *_: six,
         "_centre_moments": lambda *_: six,
-        "creep_under": lambda joint, contacts: lambda *forces: forces,
-        "limiting_torques": lambda *_, **given: given,
     }.items():
         monkeypatch.setattr(f"{module}.{name}", fake)
-    found = sector_states(3, ("sun",), joint, sizes, state)
-    np.testing.assert_array_equal(found.limits["direction"], [way, way])
-    np.testing.assert_array_equal(found.limits["rolls"], [False, True])
-    np.testing.assert_array_equal(found.limits["holds"], [True, False])
-    np.testing.assert_array_equal(found.slip_ratio, [[0.25, 1.0], [0.25, 0.25], [1.0, 0.25]])
-    assert float(found.most_torque) == np.inf
-    assert found.losses == RollingLosses(
-        *(6 * [3.0])
-    )  # the sectors' mean: each is that of all if all were like it
-    normal, tangential = jnp.arange(1.0, 7.0), jnp.arange(11.0, 17.0)
-    np.testing.assert_array_equal(asked["creep_of"](normal, tangential), [normal, tangential])
+    found = _meaning(3, ("sun",), joint, whole, None, Pressed(None, state), state, state, state)
+    np.testing.assert_array_equal(found["slip_ratio"], [[0.25, 1.0], [0.25, 0.25], [1.0, 0.25]])
+    assert found["losses"] == RollingLosses(*(6 * [3.0]))
 
 
 class Lives(NamedTuple):

@@ -19,8 +19,7 @@ class ThreeBranches:
 
     count = 3
 
-    def branches(self, sizes, *, slip):
-        assert not slip
+    def branches(self, sizes):
         preload = 1000.0 + 1e9 * sizes.deviations["planet"]
         weakest = 3e-3 * preload.min()
         state = BranchState(
@@ -56,10 +55,10 @@ def test_only_the_first_planet_changes():
 class LoosePlanets(ThreeBranches):
     """The same, refused where a planet is loose."""
 
-    def branches(self, sizes, *, slip):
+    def branches(self, sizes):
         if sizes.deviations["planet"].min() < -200e-9:
             raise InputError("loose")
-        return super().branches(sizes, slip=slip)
+        return super().branches(sizes)
 
 
 def test_a_refused_joint_leaves_a_gap():

@@ -169,7 +169,7 @@ def test_crowned_contacts_have_a_table_of_their_own(document, shown):
 
 
 def test_unequal_branches_state_their_own_capacity_before_that_of_equal_ones(document, shown):
-    entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp"}
+    entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp", "first_event": "slips"}
     document["of_own_branches"] = False
     document["branches"] = {
         "branch_is": "planet",
@@ -177,8 +177,8 @@ def test_unequal_branches_state_their_own_capacity_before_that_of_equal_ones(doc
         "rolling_torque_capacity": entry | {"first_slip_Nm": 11.0},
     }
     said = " ".join(" ".join(shown(document)).split())
-    assert "capacity first slip 3.598 N·m, planet 3 (contact sp); equal branches: 12.5 N·m: contact" in said
-    assert "rolling first slip 11 N·m, planet 3 (contact sp); equal branches: up to 11.5 N·m" in said
+    assert "capacity 3.598 N·m: contact sp of planet 3 slips first; equal branches: 12.5 N·m: contact" in said
+    assert "rolling 11 N·m: contact sp of planet 3 slips first; equal branches: up to 11.5 N·m" in said
 
 
 def test_warnings_are_gathered_by_limit(document, shown):

@@ -169,8 +169,7 @@ def test_the_search_from_rest_finds_the_capacity_of_one_loading():
         )
         end, torque = followed(
             drive=there.drive,
-            laws=laws,
-            rest=states.rest,
+            pressed=lambda torque: (laws, states.rest),
             load=drive_load(there, body_masses(there), 1.0),
             first_step=1.0,
             most=jnp.inf,

@@ -5,7 +5,6 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.branches.branches import BranchedJoint
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.errors import InputError
 from asperity.joint.solve import solve_joint
@@ -222,8 +221,3 @@ def test_a_wall_ends_what_is_computed_and_is_said_to(planar_joint):
         InputError, match=r"presses with 1900 N; the joint is computed up to 10.. N, at 4\.6.* N·m"
     ):
         solve_joint(under_torque(by_wall[1e-3], 10.0))
-
-
-def test_unlike_branches_are_refused(plain):
-    with pytest.raises(InputError, match=r"a loading cam .* cannot be combined"):
-        BranchedJoint(with_cam(plain), None)

@@ -125,9 +125,9 @@ def test_words_name_the_planet_and_how_hard_it_is_pressed(unequal_branches):
     assert equal_branches_note(tight).endswith("planet 1 is pressed 1.1 times as hard.")
     like = dataclasses.replace(tight, preload=np.full(3, 1.2 * tight.own_preload))
     assert pressed(like) == "every planet is pressed 1.2 times as hard"
-    entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp"}
+    entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp", "first_event": "slips"}
     document = {"branch_is": "planet", "torque_capacity": entry}
-    assert capacity_words(document, "torque_capacity") == "first slip 3.598 N·m, planet 3 (contact sp)"
+    assert capacity_words(document, "torque_capacity") == "3.598 N·m: contact sp of planet 3 slips first"
 
 
 def test_a_loose_branch_is_a_requirement_that_is_not_met(unequal_branches):

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable
 from typing import Any
 
 import jax
@@ -22,20 +21,26 @@ from asperity.branches.results import (
     branch_rolling,
 )
 from asperity.branches.sector_states import sector_states
-from asperity.branches.sizes import SectorDeviations, refuse_loading_cam, refuse_wide
+from asperity.branches.sizes import SectorDeviations, refuse_wide
 from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.layout.expansion import ring_interference
 from asperity.drive.state.loads import pin_components
-from asperity.drive.state.state import STATE_TOLERANCE, DriveState
+from asperity.drive.state.state import STATE_TOLERANCE
 from asperity.errors import InputError, NoSolutionError
+from asperity.implicit import SETTLED
 from asperity.joint.description import Joint
 from asperity.joint.solve import Solution
 from asperity.joint.torque_limits import LIMIT_KINDS, TorqueCapacity, limit_words
-from asperity.joint.unfolding import SETTLED, SectorSizes, SettledSectors, settled_sectors, unfolded_joint
+from asperity.joint.unfolding import SectorSizes, SettledSectors, settled_sectors, unfolded_joint
 from asperity.units import format_quantity
 
-_FIRST = {"gross_slip": "slips", "lift_off": "lifts off", "contact_too_wide": "becomes too wide"}
+_FIRST = {
+    "gross_slip": "slips",
+    "lift_off": "lifts off",
+    "contact_too_wide": "becomes too wide",
+    "wall_too_thin": "becomes too wide for its wall",
+}
 
 
 class BranchedJoint:
@@ -44,13 +49,12 @@ class BranchedJoint:
     Parameters
     ----------
     joint : Joint
-        One joint without a loading cam, its preload by interference.
+        One joint, its preload by interference; a loading cam adds to it under a torque.
     solution : Solution
         What it does with equal sectors.
     """
 
     def __init__(self, joint: Joint, solution: Solution) -> None:
-        refuse_loading_cam(joint.cam)
         if joint.interference is None:
             raise InputError("sizes of branches make no preload that a spring holds: give load.interference")
         numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
@@ -58,18 +62,16 @@ class BranchedJoint:
         self.count = round(float(joint.drive.sectors))
         self.noun = "planet" if joint.type in ("planetary", "stepped_planet") else "sector"
         result = solution.result
-        self.interference, self.own_preload = float(result.interference), float(result.preload)
+        self.interference, self.own_preload = float(result.interference), float(result.rest.normal[0])
         self._equal = np.asarray(result.rest.normal)
 
-    def branches(self, sizes: SectorDeviations, *, slip: bool = True) -> UnequalBranches:
+    def branches(self, sizes: SectorDeviations) -> UnequalBranches:
         """Everything about sectors of given sizes.
 
         Parameters
         ----------
         sizes : SectorDeviations
             One deviation for each sector.
-        slip : bool, optional
-            As for the paper's drive; here everything comes at once.
 
         Returns
         -------
@@ -83,9 +85,8 @@ class BranchedJoint:
         NoSolutionError
             If no balance was found.
         """
-        floating, given, rest = self._assembled(sizes)
-        found = self._run(sector_states, floating, given, rest)
-        return self._told(sizes, floating, found)
+        floating, settled = self._assembled(sizes)
+        return self._told(sizes, floating, sector_states(self.count, floating, self.joint, settled))
 
     def unfolded(self, sizes: SectorDeviations) -> Joint:
         """The joint with every sector by itself, for whatever takes a joint: wind-up, rolling, dynamics.
@@ -110,14 +111,14 @@ class BranchedJoint:
         ----------
         Equation (I4) of :doc:`/equations`.
         """
-        floating, given, _ = self._assembled(sizes)
-        whole = unfolded_joint(self.joint, given, sectors=self.count, floating=floating)
+        floating, settled = self._assembled(sizes)
+        whole = unfolded_joint(self.joint, settled.sizes, sectors=self.count, floating=floating)
         rolling = dataclasses.replace(whole.rolling, duty=self.joint.rolling.duty)
         numbers: Joint = jax.tree.map(np.asarray, dataclasses.replace(whole, rolling=rolling))
         return numbers
 
-    def _assembled(self, sizes: SectorDeviations) -> tuple[tuple[str, ...], SectorSizes, DriveState]:
-        """Names of what floats, the sizes and the state without torque of :meth:`_settled`; or a refusal."""
+    def _assembled(self, sizes: SectorDeviations) -> tuple[tuple[str, ...], SettledSectors]:
+        """Names of what floats, and the sectors without torque; or a refusal."""
         if len(sizes.added) != self.count:
             raise InputError(
                 f"the drive has {self.count} {self.noun}s, got the sizes of {len(sizes.added)} branches"
@@ -127,7 +128,7 @@ class BranchedJoint:
         refuse_wide(own, float(np.mean(self._own_interference(np.zeros_like(sizes.added)))))
         if not floating and not any(contact.sector for contact in self.joint.drive.contacts):
             self._refuse_loose(own)
-        return floating, *self._settled(floating, sizes)
+        return floating, self._settled(floating, sizes)
 
     def _floating(self, sizes: SectorDeviations) -> tuple[str, ...]:
         """The input where its bearings give way."""
@@ -146,16 +147,13 @@ class BranchedJoint:
             )
         return (sun,)
 
-    def _run(self, program: Callable[..., Any], floating: tuple[str, ...], *given: Any) -> Any:
-        compiled = compile_fast(program, self.joint, *given, options=(self.count, floating))
-        return jax.tree.map(np.asarray, compiled(self.joint, *given))
-
-    def _settled(self, floating: tuple[str, ...], sizes: SectorDeviations) -> tuple[SectorSizes, DriveState]:
-        """The sizes with the forces without torque around which the laws of the contacts are taken, and that state."""
+    def _settled(self, floating: tuple[str, ...], sizes: SectorDeviations) -> SettledSectors:
+        """The sectors without torque, with the forces around which the laws of the contacts are taken."""
         support = 0.0 if math.isinf(sizes.sun_support_stiffness) else sizes.sun_support_stiffness
         given = SectorSizes(*map(jnp.asarray, (sizes.added, np.zeros_like(sizes.added), support)))
-        found: SettledSectors = self._run(settled_sectors, floating, given)
-        if not found.rest.residual < STATE_TOLERANCE:
+        compiled = compile_fast(settled_sectors, self.joint, given, options=(self.count, floating))
+        found: SettledSectors = jax.tree.map(np.asarray, compiled(self.joint, given))
+        if not found.without_torque.rest.residual < STATE_TOLERANCE:
             raise NoSolutionError(
                 f"no balance without torque presses every {self.noun}: one is loose, or nothing holds it; with the "
                 f"members on the axis centred their interferences are {self._own_words(sizes)}; state smaller "
@@ -165,7 +163,7 @@ class BranchedJoint:
             raise NoSolutionError(
                 "the laws of the contacts and the forces of the branches do not settle; state smaller deviations"
             )
-        return found.sizes, found.rest
+        return found
 
     def _own_interference(self, added: np.ndarray) -> np.ndarray:
         """Interference of each sector with the members on the axis centred [m]."""

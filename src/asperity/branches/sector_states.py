@@ -3,32 +3,33 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import CARRIER, incidence
 from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.following import followed
 from asperity.drive.state.loads import member_moments
-from asperity.drive.state.state import ContactLaws, DriveLoad, DriveState
-from asperity.drive.state.states import loaded_state
+from asperity.drive.state.state import DriveState
 from asperity.drive.stiffness.assembly import Assembly
-from asperity.joint.capacity import limiting_torques, smaller_sizes
-from asperity.joint.contacts import JointContacts
+from asperity.joint.capacity import smaller_sizes, torque_capacity, under_torque
 from asperity.joint.description import (
     Joint,
     body_masses,
     joint_contacts,
 )
 from asperity.joint.diagnostics import diagnose
-from asperity.joint.laws import contact_laws, creep_law, creep_under, drive_load
+from asperity.joint.laws import creep_law, drive_load
+from asperity.joint.loading_cam import Pressed, pressed_at, turned_cam, with_its_cam
+from asperity.joint.motion import in_motion
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.joint.torque_limits import TorqueCapacity
-from asperity.joint.unfolding import SectorSizes, unfolded_joint
+from asperity.joint.unfolding import SectorSizes, SettledSectors, unfolded_joint
 from asperity.rolling.power import RollingLosses, losses_of
 from asperity.rolling.rolling import RollingResult
 from asperity.rolling.turning import driving_sense, turning
@@ -91,24 +92,100 @@ class SectorStates(NamedTuple):
 
 
 def sector_states(
-    sectors: int, floating: tuple[str, ...], joint: Joint, sizes: SectorSizes, rest: DriveState
+    sectors: int, floating: tuple[str, ...], joint: Joint, settled: SettledSectors
 ) -> SectorStates:
-    """What is compiled to solve a joint whose sectors differ."""
-    whole = unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
-    contacts, masses = joint_contacts(whole), body_masses(whole)
-    laws, sense = contact_laws(whole, contacts), driving_sense(whole.drive)
-    load = drive_load(whole, masses, whole.output_torque)
-    rolling = loaded_state(
-        drive=whole.drive,
-        laws=laws,
-        rest=rest,
-        load=load,
-        rolls=jnp.asarray(True),
-        creep_of=creep_under(whole, contacts),
+    """What the sectors of a joint do, of NumPy's numbers.
+
+    Parameters
+    ----------
+    sectors : int
+        Their number.
+    floating : tuple of str
+        Names of the bodies on the axis whose centres can move.
+    joint : Joint
+        A joint with equal sectors.
+    settled : SettledSectors
+        Its own sectors without torque.
+
+    Returns
+    -------
+    SectorStates
+        States without a balance have an infinite residual.
+
+    References
+    ----------
+    Equation (I4) of :doc:`/equations`.
+    """
+    whole: Joint = in_motion(
+        jax.tree.map(np.asarray, unfolded_joint(joint, settled.sizes, sectors=sectors, floating=floating))
     )
-    most = jnp.stack([jnp.abs(jnp.asarray(whole.output_torque)), jnp.asarray(jnp.inf)])
-    both, reached = jax.vmap(lambda torque: _followed(whole, laws, rest, load, contacts, torque))(most)
-    standing: DriveState = jax.tree.map(lambda leaf: leaf[0], both)
+    torque, yes, no = np.asarray(whole.output_torque), np.asarray(True), np.asarray(False)
+    given = (whole, settled.without_torque)
+    under_program = compile_fast(under_torque, *given, torque, no, no)
+    loading_program = compile_fast(_loaded_up_to, *given, torque)
+    found = under_program.results.state
+    options, both = (sectors, floating), (found, found, found)
+    meaning = compile_fast(
+        _meaning, joint, whole, settled.sizes, settled.without_torque, *both, options=options
+    )
+    under, loading = under_program.with_first(*given), loading_program.with_first(*given)
+    rolling = under(torque, yes, no)
+    standing, _ = loading(np.abs(torque))
+    meant = meaning(
+        joint, whole, settled.sizes, settled.without_torque, standing, rolling.state, rolling.pressed
+    )
+    direction = -1.0 if torque < 0.0 else 1.0
+    limits = [
+        torque_capacity(*given, under, direction=direction, rolls=rolls, holds=not rolls)
+        for rolls in (False, True)
+    ]
+    _, most = loading(np.asarray(np.inf))
+    numbers: SectorStates = jax.tree.map(
+        np.asarray,
+        SectorStates(
+            rest=settled.without_torque.rest,
+            standing=standing,
+            rolling=rolling.state,
+            limits=jax.tree.map(lambda *each: np.stack(each), *limits),
+            most_torque=most,
+            **meant,
+        ),
+    )
+    return numbers
+
+
+def _loaded_up_to(whole: Joint, without_torque: Pressed, most: Array) -> tuple[DriveState, Array]:
+    """The joint that stands, loaded as its own torque up to a size of it or to the last that it carries."""
+    drive, contacts, sizes = whole.drive, joint_contacts(whole), smaller_sizes(whole)
+
+    def narrow(state: DriveState) -> Array:
+        return jnp.all(contacts.largest_half_width(state.normal) < sizes)
+
+    orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
+    friction = contacts.pairs.friction_coefficient
+    return followed(
+        drive=drive,
+        pressed=pressed_at(whole, contacts, without_torque),
+        load=drive_load(whole, body_masses(whole), whole.output_torque),
+        first_step=_FIRST_STEP * jnp.min(friction * without_torque.rest.normal) * orbit,
+        most=most,
+        keeps=narrow,
+    )
+
+
+def _meaning(
+    sectors: int,
+    floating: tuple[str, ...],
+    joint: Joint,
+    whole: Joint,
+    sizes: SectorSizes,
+    without_torque: Pressed,
+    standing: DriveState,
+    rolling: DriveState,
+    pressed: DriveState,
+) -> dict[str, Any]:
+    """What the states of the sectors mean: all of :class:`SectorStates` but the states and the limits."""
+    contacts, rest, sense = joint_contacts(whole), without_torque.rest, driving_sense(whole.drive)
     tangential = sense * standing.tangential
     stiffness = loaded_stiffness(
         whole, contacts, standing.normal, tangential, standing.slides, standing.pin_force
@@ -118,56 +195,25 @@ def sector_states(
         normal_force=standing.normal,
         tangential_force=tangential,
         loaded=stiffness.contacts,
-        rest_force=rest.normal,
+        rest_force=pressed.normal,
     )
     slides = standing.slides != 0.0
     turned = _turned(joint, sizes, rolling, sectors)
-    apart, states = (sectors, -1), (rest, standing, rolling)
-    return SectorStates(
-        rest=rest,
-        standing=standing,
-        rolling=rolling,
-        centre_force=jnp.stack([_on_centre(joint, whole, state) for state in states]),
-        interference=_working_interference(whole, floating, rest).reshape(apart),
-        output_moment=jnp.stack([_output_moments(whole, state, sectors) for state in (standing, rolling)]),
-        centre_moment=jnp.stack([_centre_moments(joint, whole, state) for state in states]),
-        losses=jax.tree.map(lambda each: jnp.mean(each, axis=0), losses_of(turned.power)),
-        drift_per_output_turn=turned.drift_per_output_turn[0],
-        pressure_over_first_yield=jnp.asarray(diagnostics.pressure_over_first_yield).reshape(apart),
-        slip_ratio=jnp.where(slides, 1.0, diagnostics.slip_ratio).reshape(apart),
-        shakedown_ratio=turned.shakedown_ratio,
-        rolling_slip_ratio=turned.slip_ratio,
-        life_hours=turned.life_hours.drive,
-        assembly=stiffness.assembly,
-        limits=limiting_torques(
-            whole,
-            rest,
-            laws,
-            direction=jnp.repeat(jnp.where(jnp.asarray(whole.output_torque) < 0.0, -1.0, 1.0), 2),
-            rolls=jnp.array([False, True]),
-            holds=jnp.array([True, False]),
-        ),
-        most_torque=reached[1],
-    )
-
-
-def _followed(
-    whole: Joint,
-    laws: ContactLaws,
-    rest: DriveState,
-    load: DriveLoad,
-    contacts: JointContacts,
-    most: Array,
-) -> tuple[DriveState, Array]:
-    """The joint that stands, loaded up to a torque or to the last that it carries."""
-    drive, pairs, sizes = whole.drive, contacts.pairs, smaller_sizes(whole)
-
-    def narrow(state: DriveState) -> Array:
-        return jnp.all(contacts.largest_half_width(state.normal) < sizes)
-
-    orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
-    step = _FIRST_STEP * jnp.min(pairs.friction_coefficient * rest.normal) * orbit
-    return followed(drive=drive, laws=laws, rest=rest, load=load, first_step=step, most=most, keeps=narrow)
+    by_sector, states = (sectors, -1), (rest, standing, rolling)
+    return {
+        "centre_force": jnp.stack([_on_centre(joint, whole, state) for state in states]),
+        "interference": _working_interference(whole, floating, rest).reshape(by_sector),
+        "output_moment": jnp.stack([_output_moments(whole, state, sectors) for state in (standing, rolling)]),
+        "centre_moment": jnp.stack([_centre_moments(joint, whole, state) for state in states]),
+        "losses": jax.tree.map(lambda each: jnp.mean(each, axis=0), losses_of(turned.power)),
+        "drift_per_output_turn": turned.drift_per_output_turn[0],
+        "pressure_over_first_yield": jnp.asarray(diagnostics.pressure_over_first_yield).reshape(by_sector),
+        "slip_ratio": jnp.where(slides, 1.0, diagnostics.slip_ratio).reshape(by_sector),
+        "shakedown_ratio": turned.shakedown_ratio,
+        "rolling_slip_ratio": turned.slip_ratio,
+        "life_hours": turned.life_hours.drive,
+        "assembly": with_its_cam(stiffness.assembly, turned_cam(whole, contacts, rest, pressed)),
+    }
 
 
 def _on_centre(joint: Joint, whole: Joint, state: DriveState) -> Array:

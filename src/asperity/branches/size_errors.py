@@ -75,7 +75,7 @@ def size_error_curves(
 def _solved(drive: Any, sizes: SectorDeviations) -> UnequalBranches | None:
     """What branches of given sizes do; None where they are refused."""
     try:
-        found: UnequalBranches = drive.branches(sizes, slip=False)
+        found: UnequalBranches = drive.branches(sizes)
     except (InputError, NoSolutionError):
         return None
     return found

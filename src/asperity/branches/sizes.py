@@ -13,22 +13,6 @@ from asperity.units import format_quantity
 #: Largest interference of a branch over that of equal branches [-].
 WIDEST = 3.0
 
-#: What to do where branches differ and a cam presses them.
-INSTEAD_OF_CAM = (
-    "leave [[branch]] out; or, for the branches under one torque, leave out load.cam_force_per_torque and "
-    "load.preload, and state the load.interference that 'asperity joint' prints for that torque without [[branch]], "
-    "and the deviations less their mean, which a cam takes up"
-)
-
-
-def refuse_loading_cam(cam: object | None) -> None:
-    """Refuse branches of their own sizes in a joint with a loading cam."""
-    if cam is not None:
-        raise InputError(
-            "branches of their own sizes and a loading cam (load.cam_force_per_torque) cannot be combined: how a cam "
-            f"divides its force among unlike branches is not computed; {INSTEAD_OF_CAM}"
-        )
-
 
 def refuse_wide(interference: np.ndarray, nominal: float) -> None:
     """Refuse branches that are pressed much more than the equal ones around which their laws are taken."""

@@ -235,20 +235,35 @@ def torque_capacities(
     ----------
     Equations (A9) and (M3) of :doc:`/equations`.
     """
-    guess = _first_guess(joint, without_torque.rest)
 
     def search(rolls: bool, holds: bool) -> TorqueCapacity:
-        def one_way(sign: float) -> FirstLimit:
-            def excesses(torque: np.ndarray) -> np.ndarray:
-                found = under(np.asarray(sign * torque), np.asarray(rolls), np.asarray(holds))
-                return np.asarray(found.excesses)
-
-            return first_limit_of_numbers(excesses=excesses, first_guess=guess)
-
-        both: FirstLimit = jax.tree.map(lambda *ways: np.stack(ways), one_way(1.0), one_way(-1.0))
-        return jax.tree.map(np.asarray, _named(joint, both))
+        both = [
+            torque_capacity(joint, without_torque, under, direction=sign, rolls=rolls, holds=holds)
+            for sign in (1.0, -1.0)
+        ]
+        return jax.tree.map(lambda *ways: np.stack(ways), *both)
 
     return TorqueCapacities(search(False, False), search(True, False), search(False, True))
+
+
+def torque_capacity(
+    joint: Joint,
+    without_torque: Pressed,
+    under: Callable[..., UnderTorque],
+    *,
+    direction: float,
+    rolls: bool,
+    holds: bool,
+) -> TorqueCapacity:
+    """Torque capacity of one joint, of NumPy's numbers, in one direction, 1 or −1; as :func:`torque_capacities`."""
+
+    def excesses(torque: np.ndarray) -> np.ndarray:
+        found = under(np.asarray(direction * torque), np.asarray(rolls), np.asarray(holds))
+        return np.asarray(found.excesses)
+
+    guess = _first_guess(joint, without_torque.rest)
+    found = _named(joint, first_limit_of_numbers(excesses=excesses, first_guess=guess))
+    return jax.tree.map(np.asarray, found)
 
 
 def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:

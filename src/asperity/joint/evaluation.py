@@ -32,6 +32,7 @@ from asperity.joint.loading_cam import (
     CamOfJoint,
     Pressed,
     assembled,
+    mean_preload,
     states_under_torque,
     turned_cam,
     with_its_cam,
@@ -255,7 +256,7 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
         speeds=ideal,
         output_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
         masses=jnp.stack([jnp.asarray(mass) for mass in masses]),
-        preload=rest.normal[0],
+        preload=mean_preload(joint, rest.normal),
         interference=ring_interference(
             drive=drive, forces=laws.reference_force, interference=rest.interference
         ),

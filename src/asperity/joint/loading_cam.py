@@ -20,6 +20,7 @@ from asperity.drive.stiffness.loading_cam import (
     cam_preload,
     with_cam,
 )
+from asperity.implicit import settled_root
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses
 from asperity.joint.laws import contact_laws, drive_load
@@ -86,36 +87,61 @@ def pressed_at(joint: Joint, contacts: JointContacts, without_torque: Pressed) -
 
     def pressed(torque: Real) -> Pressed:
         preload = cam_preload(
-            least_preload=rest.normal[0], force_per_torque=cam.force_per_torque, output_torque=torque
+            least_preload=mean_preload(joint, rest.normal),
+            force_per_torque=cam.force_per_torque,
+            output_torque=torque,
         )
-        return _by_force(joint, contacts, rest.interference, preload)
+        return _by_force(joint, contacts, rest, preload)
 
     return pressed
+
+
+def mean_preload(joint: Joint, normal: Array) -> Array:
+    """Preload of a joint by the normal forces without torque: of the first contact, the mean of unlike sectors [N]."""
+    sectors = 1 if joint.unlike is None else joint.unlike.sectors
+    return normal.reshape(sectors, -1)[:, 0].mean()
 
 
 def _by_force(
     joint: Joint,
     contacts: JointContacts,
-    added: Array,
+    least: DriveState,
     preload: Array,
     known: DriveState | None = None,
 ) -> Pressed:
-    """A joint that its cam presses with a force, from the interferences without it."""
+    """A joint that its cam presses with a force, from the state without it; where it is known, with its derivatives."""
     assert joint.cam is not None
     there = dataclasses.replace(
         joint, preload=preload, interference=None, fit=None, pattern=joint.cam.pattern, cam=None
     )
-    laws = contact_laws(there, contacts)
-    rest = state_at_rest(
-        drive=joint.drive,
-        laws=laws,
-        pattern=there.working_pattern,
-        preload=preload,
-        load=drive_load(joint, body_masses(joint), 0.0),
-        added=added,
-        known=known,
-    )
-    return Pressed(laws, rest)
+    unlike, pattern = joint.unlike, jnp.asarray(joint.cam.pattern, dtype=float)
+
+    def around(there: Joint) -> Pressed:
+        laws = contact_laws(there, contacts)
+        rest = state_at_rest(
+            drive=joint.drive,
+            laws=laws,
+            pattern=pattern,
+            preload=preload,
+            load=drive_load(joint, body_masses(joint), 0.0),
+            added=least.interference,
+            known=known,
+            sectors=1 if unlike is None else unlike.sectors,
+        )
+        return Pressed(laws, rest)
+
+    if unlike is None:
+        return around(there)
+    start = least.normal * preload / mean_preload(joint, least.normal) if known is None else known.normal
+
+    def of_ratio(ratio: Array) -> Pressed:
+        own = dataclasses.replace(unlike, reference_force=jax.lax.stop_gradient(start) * ratio)
+        return around(dataclasses.replace(there, unlike=own))
+
+    def change(ratio: Array) -> Array:
+        return of_ratio(ratio).rest.normal / jax.lax.stop_gradient(start) - ratio
+
+    return of_ratio(settled_root(change, jnp.ones_like(start)))
 
 
 def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
@@ -186,10 +212,10 @@ def turned_cam(
     """
     if joint.cam is None:
         return None
-    preload = pressed.normal[0]
+    preload = mean_preload(joint, pressed.normal)
 
     def interference(preload: Array) -> Array:
-        return _by_force(joint, contacts, without_torque.interference, preload, pressed).rest.interference
+        return _by_force(joint, contacts, without_torque, preload, pressed).rest.interference
 
     _, softness = jax.jvp(interference, (preload,), (jnp.ones_like(preload),))
     common: dict[str, Any] = {

@@ -16,7 +16,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.capacity import TorqueCapacities, torque_capacities, under_torque
 from asperity.joint.description import Joint, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
-from asperity.joint.loading_cam import Pressed
+from asperity.joint.loading_cam import Pressed, mean_preload
 from asperity.joint.looseness import refuse_loose
 from asperity.joint.motion import in_motion
 from asperity.joint.pins import overhang, refuse_pins
@@ -213,7 +213,7 @@ def _beyond_what_is_computed(joint: Joint, solution: Solution, capacity: TorqueC
     assert joint.cam is not None
     torque, limit = float(joint.output_torque), float(capacity.output_torque)
     cam = float(joint.cam.force_per_torque)
-    least = float(np.asarray(solution.result.rest.normal)[0])
+    least = float(mean_preload(joint, solution.result.rest.normal))
     shown = [format_quantity(each, "N*m") for each in (torque, math.copysign(limit, torque))]
     forces = [format_quantity(least + cam * abs(each), "N") for each in (torque, limit)]
     return (

@@ -3,29 +3,21 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.unfolding import unfolded
-from asperity.drive.state.state import DriveState
-from asperity.implicit import implicit_root
+from asperity.implicit import settled_root
 from asperity.joint.description import (
     Joint,
     UnlikeSectors,
     joint_contacts,
 )
-from asperity.joint.loading_cam import assembled
-from asperity.linear import solve
+from asperity.joint.loading_cam import Pressed, assembled
 from asperity.types import Real
-
-#: Relative change of the forces around which the laws are taken at which they are those without torque [-].
-SETTLED = 1e-9
-_ROUNDS = 20
 
 
 class SectorSizes(eqx.Module):
@@ -80,6 +72,9 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
         return values * sectors if len(values) == count else values
 
     held = jnp.array([drive.bodies[body].name in floating for body in drive.floating])
+    cam = joint.cam
+    if cam is not None:
+        cam = dataclasses.replace(cam, pattern=each(cam.pattern))
     fit = joint.fit
     if fit is not None:
         fit = dataclasses.replace(
@@ -102,6 +97,7 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
         ),
         crown_curvatures=None if joint.crown_curvatures is None else each(joint.crown_curvatures),
         fit=fit,
+        cam=cam,
         unlike=UnlikeSectors(
             added=sizes.added.ravel(),
             reference_force=sizes.reference_force.ravel(),
@@ -118,14 +114,14 @@ class SettledSectors(NamedTuple):
     ----------
     sizes : SectorSizes
         With the normal forces around which the laws of the contacts are taken.
-    rest : DriveState
+    without_torque : Pressed
         The assembled joint.
     change : Array
         Largest relative difference of its forces from these; not small where they do not settle [-].
     """
 
     sizes: SectorSizes
-    rest: DriveState
+    without_torque: Pressed
     change: Array
 
 
@@ -159,36 +155,15 @@ def settled_sectors(
     alone = assembled(joint, joint_contacts(joint))
     base, equal = alone.laws.reference_force, alone.rest.normal
 
-    def rest_around(force: Array) -> DriveState:
+    def around(force: Array) -> Pressed:
         given = dataclasses.replace(sizes, reference_force=force)
         unlike = unfolded_joint(joint, given, sectors=sectors, floating=floating)
-        return assembled(unlike, joint_contacts(unlike)).rest
+        return assembled(unlike, joint_contacts(unlike))
 
     def change(ratio: Array) -> Array:
-        return rest_around(base * ratio).normal.reshape(ratio.shape) / equal - ratio
+        return around(base * ratio).rest.normal.reshape(ratio.shape) / equal - ratio
 
-    ratio = implicit_root(change, jnp.ones_like(sizes.added), _settle, _solved)
-    rest = rest_around(base * ratio)
-    left = jnp.max(jnp.abs(rest.normal.reshape(ratio.shape) / (equal * ratio) - 1.0))
-    return SettledSectors(dataclasses.replace(sizes, reference_force=base * ratio), rest, left)
-
-
-def _settle(change: Callable[[Array], Array], start: Array) -> Array:
-    """Forces that their own laws give back, by repetition."""
-
-    def unsettled(state: tuple[Array, Array, Array]) -> Array:
-        rounds, ratio, left = state
-        return (rounds < _ROUNDS) & (jnp.max(jnp.abs(left / ratio)) > SETTLED)
-
-    def improved(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
-        rounds, ratio, left = state
-        return rounds + 1, ratio + left, change(ratio + left)
-
-    return jax.lax.while_loop(unsettled, improved, (jnp.asarray(0), start, change(start)))[1]
-
-
-def _solved(linear: Callable[[Array], Array], right: Array) -> Array:
-    """The x for which a linear function of an array is another of its shape."""
-    unit = jnp.eye(right.size).reshape(right.size, *right.shape)
-    matrix = jax.vmap(linear)(unit).reshape(right.size, right.size).T
-    return solve(matrix, right.ravel()).reshape(right.shape)
+    ratio = settled_root(change, jnp.ones_like(sizes.added))
+    without_torque = around(base * ratio)
+    left = jnp.max(jnp.abs(without_torque.rest.normal.reshape(ratio.shape) / (equal * ratio) - 1.0))
+    return SettledSectors(dataclasses.replace(sizes, reference_force=base * ratio), without_torque, left)

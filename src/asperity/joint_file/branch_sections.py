@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from asperity.branches.sizes import INSTEAD_OF_CAM
 from asperity.errors import InputError
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Quantity
@@ -56,15 +55,10 @@ class SteppedPlanetBranch(Section):
     """Radius of the track in the driven ring above planet_second_radius; 0 if absent."""
 
 
-def refuse_branches(found: int, *, count: int, what: str, by_interference: bool, cam: bool) -> None:
+def refuse_branches(found: int, *, count: int, what: str, by_interference: bool) -> None:
     """Refuse sections ``[[branch]]`` that do not belong to their drive."""
     if found != count:
         raise InputError(f"the drive has {count} {what}, but there are {found} sections [[branch]]")
-    if cam:
-        raise InputError(
-            "[[branch]] and load.cam_force_per_torque cannot be combined: how a cam divides its force among unlike "
-            f"branches is not computed; {INSTEAD_OF_CAM}"
-        )
     if not by_interference:
         raise InputError(
             "[[branch]] needs load.interference in place of load.preload: sizes make no preload that a spring holds"

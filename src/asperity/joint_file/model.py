@@ -267,7 +267,6 @@ class Case(WholeFile):
                 count=round(getattr(self.drive, self.branches_are[0]).value),
                 what=self.branches_are[1],
                 by_interference=self.load.interference is not None,
-                cam=self.load.cam_force_per_torque is not None,
             )
         return self
 

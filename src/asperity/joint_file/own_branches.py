@@ -9,7 +9,8 @@ import jax.numpy as jnp
 
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.unfolding import unfolded
-from asperity.joint.unfolding import SETTLED, SectorSizes, settled_sectors, unfolded_joint
+from asperity.implicit import SETTLED
+from asperity.joint.unfolding import SectorSizes, settled_sectors, unfolded_joint
 from asperity.joint_file.build import (
     added_by_branches,
     branched_joint,

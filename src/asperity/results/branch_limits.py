@@ -39,6 +39,7 @@ def _slip(
     slips = format_quantity(capacity.first_slip, "N*m", 4)
     where = f"{branches.noun} {capacity.branch + 1}"
     first = f"contact {capacity.contact_name} of {where} {capacity.event} first, at {slips}"
+    reached = "slips" if capacity.event == "slips" else "reaches its limit"
     if state is None:
         last = capacity.all_slip
         used = "steady rolling ends there"
@@ -57,8 +58,8 @@ def _slip(
         name,
         limit=Limit(
             "function",
-            f"no branch slips under the torque: {first}; {used}",
-            f"a branch slips under the torque: {first}; {used}; "
+            f"no branch {reached} under the torque: {first}; {used}",
+            f"a branch {reached} under the torque: {first}; {used}; "
             f"equal branches pass {format_quantity(capacity.equal, 'N*m', 4)}",
             "tighten the sizes of the rollers, let the sun float (compliance.sun_support_stiffness), raise the "
             "interference, or lower the torque",
@@ -170,7 +171,7 @@ def equal_branches_note(branches: UnequalBranches) -> str:
 
 
 def capacity_words(document: dict[str, Any], name: str) -> str:
-    """Torque at which the worst branch slips, as the first words about the capacity of a joint.
+    """Torque at which the worst branch slips or reaches another limit, as the first words about a capacity.
 
     Parameters
     ----------
@@ -186,8 +187,8 @@ def capacity_words(document: dict[str, Any], name: str) -> str:
     """
     entry = document[name]
     return (
-        f"first slip {format_quantity(entry['first_slip_Nm'], 'N*m', 4)}, {document['branch_is']} "
-        f"{entry['first_branch']} (contact {entry['first_contact']})"
+        f"{format_quantity(entry['first_slip_Nm'], 'N*m', 4)}: contact {entry['first_contact']} of "
+        f"{document['branch_is']} {entry['first_branch']} {entry['first_event']} first"
     )
 
 

@@ -170,8 +170,8 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
         np.testing.assert_allclose(one, two, rtol=1e-12, atol=1e-13)
 
 
-@pytest.mark.parametrize(("by_force", "size"), [(True, 700.0), (False, (ONE + TWO) * 700.0)])
-def test_a_preload_or_an_interference_is_found_again(machine, by_force, size):
+@pytest.mark.parametrize(("pressed_sectors", "size"), [(1, 700.0), (0, (ONE + TWO) * 700.0)])
+def test_a_preload_or_an_interference_is_found_again(machine, pressed_sectors, size):
     """Both make 700 N at both contacts of the planet."""
     task = Task(
         ASSEMBLED,
@@ -180,6 +180,8 @@ def test_a_preload_or_an_interference_is_found_again(machine, by_force, size):
         no_displacement(machine.drive),
         no_force(machine.drive),
     )
-    found = state_of(machine, task, *solved(machine, task, assembled_guess(machine), by_force=by_force))
+    found = state_of(
+        machine, task, *solved(machine, task, assembled_guess(machine), pressed_sectors=pressed_sectors)
+    )
     np.testing.assert_allclose(found.normal, 700.0, rtol=1e-12)
     assert float(found.interference[1]) == pytest.approx((ONE + TWO) * 700.0, rel=1e-12)

@@ -2,7 +2,9 @@
 
 import math
 from types import SimpleNamespace
+from typing import NamedTuple
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -45,8 +47,7 @@ def test_planets_slip_one_after_the_other_by_hand():
     def at(most):
         state, torque = followed(
             drive=drive,
-            laws=laws,
-            rest=rest,
+            pressed=lambda torque: (laws, rest),
             load=load,
             first_step=0.05 * each[0],
             most=most,
@@ -66,6 +67,12 @@ def test_planets_slip_one_after_the_other_by_hand():
     assert carried[0] == pytest.approx(carried[1], rel=0.02)
 
 
+class Balance(NamedTuple):
+    residual: jax.Array
+    torque: jax.Array
+    slides: jax.Array
+
+
 @pytest.mark.parametrize(
     ("capacity", "sign", "most", "reached"),
     [
@@ -82,14 +89,12 @@ def test_followed_up_to_the_last_torque_that_holds(monkeypatch, capacity, sign, 
         monkeypatch.setattr(f"{module}.{name}", lambda *_, **__: None)
     monkeypatch.setattr(f"{module}.started_from", lambda *_: jnp.zeros(()))
 
-    def balance(machine, task, found, *, slides, by_force):
+    def balance(machine, task, found, *, slides, pressed_sectors):
         return jnp.asarray(task.load.output_torque), slides | True
 
     def state(machine, task, found, slides):
         assert task.load.pin_compliance == 1e-8
-        return SimpleNamespace(
-            residual=jnp.where(abs(found) > capacity, 1.0, 1e-12), torque=found, slides=slides
-        )
+        return Balance(jnp.where(abs(found) > capacity, 1.0, 1e-12), found, slides)
 
     monkeypatch.setattr(f"{module}.solved", balance)
     monkeypatch.setattr(f"{module}.state_of", state)
@@ -102,8 +107,7 @@ def test_followed_up_to_the_last_torque_that_holds(monkeypatch, capacity, sign, 
     )
     found, torque = followed(
         drive=None,
-        laws=SimpleNamespace(closure=None),
-        rest=rest,
+        pressed=lambda torque: (SimpleNamespace(closure=None), rest),
         load=DriveLoad(output_torque=sign * 7.0, pin_compliance=1e-8),
         first_step=1e-5,
         most=most,

@@ -152,16 +152,16 @@ def whole_matrix(slopes, x):
     return matrix[order][:, order]
 
 
-@functools.partial(jax.jit, static_argnames="by_force")
-def both(machine, task, by_force, slides, x):
+@functools.partial(jax.jit, static_argnames="pressed_sectors")
+def both(machine, task, pressed_sectors, slides, x):
     flat, shape = jax.flatten_util.ravel_pytree(x)
 
     def residual(at):
         responses = contact_responses(machine, task, *contact_forces(machine, shape(at)))
-        misfits = state_misfits(machine, task, by_force, slides, shape(at), responses)
+        misfits = state_misfits(machine, task, pressed_sectors, slides, shape(at), responses)
         return jax.flatten_util.ravel_pytree(misfits.all)[0]
 
-    slopes = state_slopes(machine, task, by_force, slides, x, responses_and_slopes(machine, task, x))
+    slopes = state_slopes(machine, task, pressed_sectors, slides, x, responses_and_slopes(machine, task, x))
     step = newton_step(slopes, shape(residual(flat)), solve)
     return (
         jax.jacfwd(residual)(flat),
@@ -181,10 +181,10 @@ def test_slopes_are_those_of_the_equations(name, kind):
     at_rest = machine.laws.reference_force if machine.laws.bores is not None else None
     task = Task(jnp.asarray(kind), jnp.asarray(1e-5), load, no_displacement(drive), no_force(drive), at_rest)
     x = unknowns(drive, machine, load, seed=kind)
-    for by_force in (True, False):
+    for pressed_sectors in (0, 1, len(drive.contacts)):
         for slides in (jnp.zeros(len(drive.contacts)), jnp.eye(len(drive.contacts))[0]):
             expected, found, residual, step = (
-                np.asarray(each) for each in both(machine, task, by_force, slides, x)
+                np.asarray(each) for each in both(machine, task, pressed_sectors, slides, x)
             )
             np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-12)
             condition = np.linalg.cond(expected)

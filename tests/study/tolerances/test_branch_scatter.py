@@ -18,8 +18,7 @@ class Sectors:
         self.joint, self.solution, self.seen = joint, solution, []
         found.append(self)
 
-    def branches(self, sizes, *, slip):
-        assert not slip
+    def branches(self, sizes):
         self.seen.append(sizes.added)
         length = 30e-6 + sizes.added.sum(axis=1)
         if length.min() <= 0.0:
@@ -113,11 +112,11 @@ def test_draws_without_a_balance_and_with_loose_branches_are_told_apart(sectors,
         Sectors.branches,
     )
 
-    def branches(drive, sizes, *, slip):
+    def branches(drive, sizes):
         error = next(raised)
         if error is not None:
             raise error
-        return plain(drive, sizes, slip=slip)
+        return plain(drive, sizes)
 
     monkeypatch.setattr(Sectors, "branches", branches)
     scatter, _ = sectors("planetary", dict([PLANET]), draws=4)

@@ -365,11 +365,15 @@ class Misfits(NamedTuple):
     held: Array
 
 
-@functools.partial(jax.jit, static_argnames="by_force")  # traced once for all kinds of states
+@functools.partial(jax.jit, static_argnames="pressed_sectors")  # traced once for all kinds of states
 def state_misfits(
-    machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns, responses: Responses
+    machine: Machine, task: Task, pressed_sectors: int, slides: Array, x: Unknowns, responses: Responses
 ) -> Misfits:
-    """All equations of a state, from what its contacts do under its forces."""
+    """All equations of a state, from what its contacts do under its forces.
+
+    The assembled state has a given mean normal force of the first contacts of ``pressed_sectors`` sectors; with 0 of
+    them, and in all other states, the interference is given.
+    """
     drive, laws, matrices = machine.drive, machine.laws, machine.matrices
     length, largest, lever = machine.length, machine.largest, machine.lever
     normal, tangential = contact_forces(machine, x)
@@ -402,8 +406,9 @@ def state_misfits(
     moments = moments - resists * jnp.sign(machine.ideal[out]) * task.load.output_torque
     moments = moments[np.array(turning_members(drive), dtype=int)] / (lever * largest)
     size = (x.interference * length - task.size) / length
-    if by_force:
-        size = jnp.where(kind == ASSEMBLED, (normal[:1] - task.size) / largest, size)
+    if pressed_sectors:
+        preload = jnp.sum(preload_weights(normal.size, pressed_sectors) * normal)
+        size = jnp.where(kind == ASSEMBLED, (preload - task.size) / largest, size)
     held = jnp.where(
         kind == ROLLING,
         rolling / lever * 1e3,
@@ -418,6 +423,14 @@ def state_misfits(
         size,
     )
     return Misfits(equations, held)
+
+
+def preload_weights(contacts: int, sectors: int) -> np.ndarray:
+    """Weights of the normal forces in the preload, the mean of the first ones of all sectors, shape (contacts,) [-]."""
+    weights = np.zeros(contacts)
+    if sectors:
+        weights[:: contacts // sectors] = 1.0 / sectors
+    return weights
 
 
 def numbers_of_pairs(drive: Drive) -> np.ndarray:

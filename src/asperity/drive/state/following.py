@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.drive import Drive
-from asperity.drive.state.equations import STANDING, Task, Unknowns, forces_on, machine_of
+from asperity.drive.state.equations import STANDING, Machine, Task, Unknowns, forces_on, machine_of
 from asperity.drive.state.search import solved, started_from, state_of
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveLoad, DriveState
 from asperity.drive.state.states import closed_around
@@ -28,7 +28,7 @@ class _Path(NamedTuple):
     """The last balance, its torque, and the next step."""
 
     found: Unknowns
-    slides: Array
+    state: DriveState
     torque: Array
     step: Array
     steps: Array
@@ -37,8 +37,7 @@ class _Path(NamedTuple):
 def followed(
     *,
     drive: Drive,
-    laws: ContactLaws,
-    rest: DriveState,
+    pressed: Callable[[Array], tuple[ContactLaws, DriveState]],
     load: DriveLoad,
     first_step: Real,
     most: Real,
@@ -50,10 +49,8 @@ def followed(
     ----------
     drive : Drive
         The drive.
-    laws : ContactLaws
-        Its contacts.
-    rest : DriveState
-        Its assembled state.
+    pressed : callable
+        Laws of its contacts and its assembled state under a torque, which differs where a loading cam presses it.
     load : DriveLoad
         Forces on the bodies, pins and bearings; of its torque only the sign counts, positive for 0.
     first_step : Real
@@ -79,15 +76,16 @@ def followed(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
-    size = jnp.max(rest.interference)
-    machine = machine_of(drive, laws, rest.interference / size, supports=load.supports)
     way = jnp.where(jnp.asarray(load.output_torque) < 0.0, -1.0, 1.0)
-    still = forces_on(drive, load)
 
-    def task(torque: Array) -> Task:
-        borne = dataclasses.replace(load, output_torque=way * torque, body_force=still)
-        return Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
+    def at(torque: Array) -> tuple[Machine, Task, DriveState]:
+        laws, rest = pressed(way * torque)
+        laws, rest, borne = closed_around(drive=drive, laws=laws, rest=rest, load=load)
+        size = jnp.max(rest.interference)
+        machine = machine_of(drive, laws, rest.interference / size, supports=borne.supports)
+        borne = dataclasses.replace(borne, output_torque=way * torque, body_force=forces_on(drive, borne))
+        task = Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
+        return machine, task, rest
 
     def unfinished(path: _Path) -> Array:
         narrow = path.step < FOLLOWING_TOLERANCE * jnp.maximum(path.torque, first_step)
@@ -95,18 +93,20 @@ def followed(
 
     def further(path: _Path) -> _Path:
         torque = jnp.minimum(path.torque + path.step, most)
-        found, slides = solved(machine, task(torque), path.found, slides=path.slides, by_force=False)
-        state = state_of(machine, task(torque), found, slides)
+        machine, task, _ = at(torque)
+        found, slides = solved(machine, task, path.found, slides=path.state.slides, pressed_sectors=0)
+        state = state_of(machine, task, found, slides)
         holds = (state.residual < STATE_TOLERANCE) & keeps(state)
         step = path.step * jnp.where(holds, _LONGER, _SHORTER)
-        following = _Path(found, slides, torque, step, path.steps + 1)
+        following = _Path(found, state, torque, step, path.steps + 1)
         last = path._replace(step=step, steps=path.steps + 1)
         kept: _Path = jax.tree.map(lambda new, old: jnp.where(holds, new, old), following, last)
         return kept
 
     nothing = jnp.zeros(())
-    begin = _Path(
-        started_from(machine, rest, size), rest.slides, nothing, nothing + first_step, jnp.asarray(0)
-    )
+    machine, task, rest = at(nothing)
+    found = started_from(machine, rest, task.size)
+    state = state_of(machine, task, found, rest.slides)
+    begin = _Path(found, state, nothing, nothing + first_step, jnp.asarray(0))
     end = jax.lax.while_loop(unfinished, further, begin)
-    return state_of(machine, task(end.torque), end.found, end.slides), end.torque
+    return end.state, end.torque

@@ -101,7 +101,7 @@ def solved(
     start: Unknowns,
     *,
     slides: Array | None = None,
-    by_force: bool,
+    pressed_sectors: int,
     known: Array | bool = False,
     holds: Array | bool = False,
 ) -> tuple[Unknowns, Array]:
@@ -117,8 +117,8 @@ def solved(
         Where the search starts.
     slides : Array or None, optional
         Signs of the contacts that slide there, shape (contacts,) [-]; None for none.
-    by_force : bool
-        Whether an assembled state has a given preload instead of a given interference.
+    pressed_sectors : int
+        Number of sectors whose mean preload an assembled state has; 0 where it has a given interference.
     known : Array or bool, optional
         Whether the start is the state itself, which is not sought then.
     holds : Array or bool, optional
@@ -157,8 +157,10 @@ def solved(
 
         def step_at(x: Unknowns) -> tuple[Unknowns, Misfits]:
             responses = responses_and_slopes(fixed_machine, fixed_task, x)
-            slopes = state_slopes(fixed_machine, fixed_task, by_force, state.trial, x, responses)
-            misfits = state_misfits(fixed_machine, fixed_task, by_force, state.trial, x, responses.value)
+            slopes = state_slopes(fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses)
+            misfits = state_misfits(
+                fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses.value
+            )
             return newton_step(slopes, misfits.all, solve_in_turn), misfits
 
         tried, last, misfits = newton(
@@ -178,34 +180,38 @@ def solved(
     going = (nothing[0] == 0.0) & ~jnp.asarray(known)
     start_of = _Search(first, begin, begin, begin, going, nothing[0].astype(int))
     end = jax.lax.while_loop(unfinished, improve, start_of)
-    found = known_state(machine, task, end.found, end.slides, by_force=by_force)
+    found = known_state(machine, task, end.found, end.slides, pressed_sectors=pressed_sectors)
     return found, end.slides
 
 
-def known_state(machine: Machine, task: Task, found: Unknowns, slides: Array, *, by_force: bool) -> Unknowns:
+def known_state(
+    machine: Machine, task: Task, found: Unknowns, slides: Array, *, pressed_sectors: int
+) -> Unknowns:
     """Unknowns of a state that are known already, with the derivatives of a root."""
-    return _known_root(by_force, found, (machine, task, slides))
+    return _known_root(pressed_sectors, found, (machine, task, slides))
 
 
 @functools.partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _known_root(by_force: bool, found: Unknowns, given: _Given) -> Unknowns:
+def _known_root(pressed_sectors: int, found: Unknowns, given: _Given) -> Unknowns:
     return found
 
 
 @_known_root.defjvp
-def _derivative(by_force: bool, primals: tuple[Any, Any], tangents: tuple[Any, Any]) -> tuple[Any, Any]:
+def _derivative(pressed_sectors: int, primals: tuple[Any, Any], tangents: tuple[Any, Any]) -> tuple[Any, Any]:
     (found, given), (_, moved) = primals, tangents
-    at = _known_root(by_force, found, given)  # the root itself, so that this may be differentiated in turn
+    at = _known_root(
+        pressed_sectors, found, given
+    )  # the root itself, so that this may be differentiated in turn
 
     def equations(given: _Given) -> Unknowns:
         machine, task, slides = given
         responses = contact_responses(machine, task, *contact_forces(machine, at))
-        return state_misfits(machine, task, by_force, slides, at, responses).all
+        return state_misfits(machine, task, pressed_sectors, slides, at, responses).all
 
     machine, task, slides = given
     _, change = jax.jvp(equations, (given,), (moved,))
     responses = responses_and_slopes(machine, task, at)
-    step = newton_step(state_slopes(machine, task, by_force, slides, at, responses), change, solve)
+    step = newton_step(state_slopes(machine, task, pressed_sectors, slides, at, responses), change, solve)
     return at, jax.tree.map(jnp.negative, step)
 
 

@@ -30,6 +30,7 @@ from asperity.drive.state.equations import (
     contact_responses,
     moments_of,
     numbers_of_pairs,
+    preload_weights,
     speeds_and_turns,
     turning_members,
 )
@@ -94,7 +95,12 @@ def responses_and_slopes(machine: Machine, task: Task, x: Unknowns) -> Responses
 
 
 def state_slopes(
-    machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns, responses: ResponsesAndSlopes
+    machine: Machine,
+    task: Task,
+    pressed_sectors: int,
+    slides: Array,
+    x: Unknowns,
+    responses: ResponsesAndSlopes,
 ) -> Slopes:
     """Slopes of :func:`asperity.drive.state.equations.state_misfits`."""
     reference, limit = machine.laws.reference_force, machine.friction * machine.laws.reference_force
@@ -110,7 +116,7 @@ def state_slopes(
     held = _in_rows((slides != 0.0) | assembled, sliding, held)
     pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x)
     moments = -turning.T * _moment_scale(machine)[:, None] * limit / (machine.lever * largest)
-    size = jnp.where(assembled & by_force, reference[0] / largest, 0.0)
+    preload = preload_weights(count, pressed_sectors) * reference
     return Slopes(
         approach=_approaches(machine, responses.by_normal.approach),
         held_normal=held.normal,
@@ -124,7 +130,7 @@ def state_slopes(
                 matrices.approach.T * reference / largest,
                 jnp.zeros((turns, count)),
                 pins_by_normal,
-                size * np.eye(count)[:1],
+                jnp.where(assembled, preload / largest, 0.0)[None],
             ]
         ),
         tangential=jnp.concatenate(
@@ -135,7 +141,7 @@ def state_slopes(
                 jnp.zeros((1, count)),
             ]
         ),
-        structure=_of_structure(machine, task, by_force, x),
+        structure=_of_structure(machine, task, pressed_sectors, x),
     )
 
 
@@ -219,7 +225,7 @@ def _moment_scale(machine: Machine) -> Array:
     return jnp.where(carrier, 0.0, sectors_of_members(machine.drive)[members])
 
 
-def _of_structure(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> Array:
+def _of_structure(machine: Machine, task: Task, pressed_sectors: int, x: Unknowns) -> Array:
     """Slopes of the balances, the pins and the size by the structure."""
     load, assembled = task.load, jnp.asarray(task.kind) == ASSEMBLED
     members = np.array(turning_members(machine.drive), dtype=int)
@@ -232,7 +238,7 @@ def _of_structure(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> 
         x.pin * machine.largest
     )
     pin_rows, pin_slopes = _of_pins(machine, task, x)
-    size = jnp.where(assembled & by_force, 0.0, 1.0).reshape(1, 1)
+    size = jnp.where(assembled & (pressed_sectors > 0), 0.0, 1.0).reshape(1, 1)
     return jnp.block(
         [
             [supports, jnp.zeros((moved, turns)), machine.matrices.pins.T, jnp.zeros((moved, 1))],

@@ -72,6 +72,7 @@ def state_at_rest(
     load: DriveLoad | None = None,
     added: Array | None = None,
     known: DriveState | None = None,
+    sectors: int = 1,
 ) -> DriveState:
     """The assembled drive without torque: its forces, and the interference that causes them.
 
@@ -85,7 +86,7 @@ def state_at_rest(
         Interference of each contact over the interference of the drive, shape (contacts,) [-]; 1 at the ring's
         contacts where the ring's radius is too small.
     preload, interference : Real or None
-        Normal force of the first contact [N], or the interference of the drive [m]; one of them.
+        Mean normal force of the first contacts of all sectors [N], or the interference of the drive [m]; one of them.
     load : DriveLoad or None, optional
         Springs of pins and bearings, of which torque and forces do not count; None for rigid pins.
     added : Array or None, optional
@@ -93,6 +94,8 @@ def state_at_rest(
     known : DriveState or None, optional
         The state itself where it is known already: it is returned with its derivatives by the other arguments, without
         being sought.
+    sectors : int, optional
+        Number of sectors, whose contacts are listed one after the other.
 
     Returns
     -------
@@ -108,12 +111,13 @@ def state_at_rest(
     springs = DriveLoad(jnp.zeros(())) if load is None else load
     unloaded = dataclasses.replace(springs, output_torque=jnp.zeros(()), body_force=None)
     task = Task(ASSEMBLED, given, unloaded, no_displacement(drive), no_force(drive))
+    pressed = sectors if interference is None else 0
     if known is None:
-        found = solved(machine, task, assembled_guess(machine), by_force=interference is None)
+        found = solved(machine, task, assembled_guess(machine), pressed_sectors=pressed)
         return state_of(machine, task, *found)
     own = known.interference if added is None else known.interference - added
     there = started_from(machine, known, jnp.sum(pattern * own) / jnp.sum(pattern**2))
-    root = known_state(machine, task, there, known.slides, by_force=interference is None)
+    root = known_state(machine, task, there, known.slides, pressed_sectors=pressed)
     return state_of(machine, task, root, known.slides)
 
 
@@ -149,7 +153,9 @@ def rolling_state(
     machine = machine_of(drive, laws, interference / size)
     load = DriveLoad(jnp.asarray(output_torque))
     task = Task(ROLLING, size, load, no_displacement(drive), start.pin_force, start.normal)
-    return state_of(machine, task, *solved(machine, task, started_from(machine, start, size), by_force=False))
+    return state_of(
+        machine, task, *solved(machine, task, started_from(machine, start, size), pressed_sectors=0)
+    )
 
 
 def drive_states(
@@ -317,7 +323,7 @@ def _loaded(
         task = loaded._replace(kind=kind, by_laws=first)
         begin = jnp.where(kind == STANDING, before.slides, 0.0)
         found, slides = solved(
-            machine, task, before.unknowns, slides=begin, by_force=False, known=known, holds=holds
+            machine, task, before.unknowns, slides=begin, pressed_sectors=0, known=known, holds=holds
         )
         return _Found(found, slides), state_of(machine, task, found, slides)
 

@@ -153,7 +153,7 @@ def _scatter(
 
 def _one(drive: BranchedJoint, sizes: Any) -> tuple[float, ...]:
     try:
-        found = drive.branches(sizes, slip=False)
+        found = drive.branches(sizes)
     except NoSolutionError:
         return (np.nan,) * 6 + (0.0,)
     except InputError as error:
