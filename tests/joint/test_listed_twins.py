@@ -82,7 +82,7 @@ def listed(values):
 
 def answers(values):
     """What a joint does: numbers by name."""
-    joint = jax.tree.map(np.asarray, joint_from_values(values))
+    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint_from_values(values))
     result, capacities = result_and_capacity(joint)
     levels = (result.published, result.series_with_bulk, result.assembly.stiffness)
     return {
