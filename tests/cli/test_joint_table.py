@@ -149,6 +149,17 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
         assert text in lines, text
 
 
+def test_a_share_below_nothing_is_shown_and_explained(document, shown):
+    """It was left out, although the others then made more than the whole."""
+    document["stiffness_budget"] = {"normal_share": {"sp": 1.25, "wro": -0.125}, "pins_share": -0.125}
+    said = " ".join(" ".join(shown(document)).split())
+    assert "normal 112.5 % (sp 125.0 %, wro -12.5 %)" in said
+    assert "pins -12.5 %" in said
+    assert "a share below 0 belongs to a spring that the other forces on its bodies move" in said
+    document["stiffness_budget"] = {"normal_share": {"sp": 0.75}, "pins_share": 0.25}
+    assert "below 0" not in " ".join(" ".join(shown(document)).split())
+
+
 def test_a_held_cam_has_its_own_stiffness(document, shown):
     """At the sun by the square of the ratio of 9; an arcminute is pi/10800."""
     document["preload"]["loading_cam"] = {

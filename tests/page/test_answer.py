@@ -187,7 +187,12 @@ def test_under_a_torque_that_only_the_branches_of_the_file_carry(zou_file):
     alike = parse_case(text.partition("[[branch]]")[0].replace('"30 um"', '"34 um"'), source="p.toml")
     angle = windup(joint_from_case(alike), largest_torque=13.0, level="assembly").angle
     assert max(found["windup"]["loading_angle_rad"]) == pytest.approx(float(np.max(angle)), rel=1e-4)
-    assert found["drawing"]["forces"] == found["drawing"]["bodies"] == []
+    forces = {each["contact"]: np.hypot(*each["normal_N"]) for each in found["drawing"]["forces"]}
+    assert set(forces) == {f"{name}_{sector}" for name in ("sp", "pr") for sector in (1, 2, 3)}
+    for name in ("sp", "pr"):  # of planets that are all alike
+        assert [forces[f"{name}_{sector}"] for sector in (2, 3)] == pytest.approx(
+            2 * [forces[f"{name}_1"]], rel=1e-6
+        )
 
 
 @pytest.mark.slow

@@ -82,6 +82,13 @@ def test_the_budget_says_that_springs_of_contacts_include_the_bending_of_bodies(
     assert ("a free ring's bending" in " ".join(budget.get_xlabel().split())) is said
 
 
+def test_the_budget_explains_a_share_below_nothing(solved):
+    assert "below 0" not in compliance_figure(solved, title="a joint").axes[0].get_xlabel()
+    solved.result.assembly.ring_bending_share = -0.1
+    budget, _ = compliance_figure(solved, title="a joint").axes
+    assert "a share below 0 belongs to a spring" in " ".join(budget.get_xlabel().split())
+
+
 def test_a_level_without_stiffness_has_no_point(solved):
     solved.result.published.output = 0.0
     _, levels = compliance_figure(solved, title="a joint").axes

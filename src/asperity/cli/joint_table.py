@@ -20,8 +20,8 @@ from asperity.joint.torque_limits import first_slip_words, may_carry_more
 from asperity.results.document import (
     LEVEL_WORDS,
     NO_SHARE,
-    WHOLE_BODIES,
-    has_whole_bodies,
+    budget_words,
+    has_elastic_bodies,
     input_member,
     stiffness_rows,
 )
@@ -319,12 +319,14 @@ def _show_budget(target: Console, document: Document) -> None:
     shares = []
     for name, share in document["stiffness_budget"].items():
         total = sum(share.values()) if isinstance(share, dict) and None not in share.values() else share
-        if isinstance(total, float) and total > 0.0:
+        if isinstance(total, float) and abs(total) > NO_SHARE:
             where = share if isinstance(share, dict) else {}
             shares.append((total, name.removesuffix("_share").replace("_", " "), where))
     target.print("\nCompliance of the assembly, by spring", style="bold")
     for total, name, where in sorted(shares, key=lambda entry: -entry[0]):
-        parts = sorted(((part, contact) for contact, part in where.items() if part > NO_SHARE), reverse=True)
+        parts = sorted(
+            ((part, contact) for contact, part in where.items() if abs(part) > NO_SHARE), reverse=True
+        )
         each = (
             f" ({', '.join(f'{contact} {100.0 * part:.1f} %' for part, contact in parts)})" if parts else ""
         )
@@ -332,5 +334,8 @@ def _show_budget(target: Console, document: Document) -> None:
     if not shares:
         why = document["stiffness_unknown_because"] or "the joint passes no torque"
         print_wrapped(target, f"  none: {why}", indent=2)
-    elif has_whole_bodies(document):
-        print_wrapped(target, f"  {WHOLE_BODIES}", indent=2)
+        return
+    every = [part for total, _, where in shares for part in (where.values() or [total])]
+    note = budget_words(every, elastic_bodies=has_elastic_bodies(document))
+    if note:
+        print_wrapped(target, f"  {note}", indent=2)

@@ -12,8 +12,8 @@ from asperity.results.branch_limits import capacity_words
 from asperity.results.document import (
     LEVEL_WORDS,
     NO_SHARE,
-    WHOLE_BODIES,
-    has_whole_bodies,
+    budget_words,
+    has_elastic_bodies,
     input_member,
     stiffness_rows,
 )
@@ -132,8 +132,9 @@ def stiffness(document: Document) -> Iterator[Block]:
         ("spring", "share %"),
         [(words, number(value, 100.0)) for words, value in shares],
     )
-    if has_whole_bodies(document):
-        yield Paragraph(f"{WHOLE_BODIES[0].upper()}{WHOLE_BODIES[1:]}.")
+    note = budget_words((share for _, share in shares), elastic_bodies=has_elastic_bodies(document))
+    if note:
+        yield Paragraph(f"{note[0].upper()}{note[1:]}.")
 
 
 def contacts(document: Document) -> Iterator[Block]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Iterable
 from typing import Any
 
 import jax
@@ -46,25 +47,36 @@ LEVEL_WORDS = (
 )
 
 
-#: What the shares of the compliance by spring do not show, where the bodies of a joint are elastic rather than springs.
-WHOLE_BODIES = (
+_WHOLE_BODIES = (
     "the springs of a contact include how its bodies deform as a whole: a free ring's bending, for example"
+)
+_BELOW_ZERO = (
+    "a share below 0 belongs to a spring that the other forces on its bodies move against its own force; all shares "
+    "together are 100 %"
 )
 
 
-def has_whole_bodies(document: Document) -> bool:
-    """Whether :data:`WHOLE_BODIES` is true for the joint of a document.
+def budget_words(shares: Iterable[float | None], *, elastic_bodies: bool) -> str:
+    """What the shares of the compliance by spring do not show, without a full stop; empty where they show it all.
 
     Parameters
     ----------
-    document : dict
-        As :func:`joint_document` makes it.
+    shares : iterable of float or None
+        All of them [-].
+    elastic_bodies : bool
+        Whether the joint has elastic bodies rather than springs.
 
     Returns
     -------
-    bool
-        False where the joint file has springs in place of bodies.
+    str
+        One sentence or two.
     """
+    below = any(share is not None and share < -NO_SHARE for share in shares)
+    return "; ".join([_WHOLE_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
+
+
+def has_elastic_bodies(document: Document) -> bool:
+    """Whether the joint of a document of :func:`joint_document` has elastic bodies rather than springs."""
     return (document["input"].get("model") or {}).get("bodies") != "springs"
 
 

@@ -13,7 +13,7 @@ from asperity.joint.fit import Fit
 from asperity.joint.looseness import loose_temperature
 from asperity.joint.temperature_curves import TemperatureCurves, temperature_curves
 from asperity.results import LEVELS, RESULTS
-from asperity.results.document import NO_SHARE, WHOLE_BODIES
+from asperity.results.document import NO_SHARE, budget_words
 from asperity.results.margins import Margin, margins
 from asperity.results.solved import SolvedJoint
 from asperity.show.style import ACCENT, MARK, MUTED, mark_few_decades
@@ -95,9 +95,8 @@ def draw_budget(axes: Axes, solved: SolvedJoint) -> None:
     axes.bar_label(bars, fmt="%.1f %%", padding=3)
     axes.invert_yaxis()
     axes.margins(x=0.25)
-    note = ""
-    if shares and solved.joint.body_model != "springs":
-        note = "\n" + textwrap.fill(WHOLE_BODIES, _NOTE_WIDTH)
+    note = budget_words(shares.values(), elastic_bodies=bool(shares) and solved.joint.body_model != "springs")
+    note = note and "\n" + textwrap.fill(note, _NOTE_WIDTH)
     axes.set(xlabel=f"share of the compliance at the output [%]{note}")
 
 

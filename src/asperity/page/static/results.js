@@ -164,15 +164,20 @@ function budget(found) {
     return [SPRINGS[key.replace("_share", "")] || key, total, share];
   });
   const rows = shares
-    .filter((each) => each[1] > NO_SHARE)
+    .filter((each) => Math.abs(each[1]) > NO_SHARE)
     .sort((one, other) => other[1] - one[1])
     .map(([name, total, share]) => {
       const each = typeof share === "object" ? Object.entries(share).sort((a, b) => b[1] - a[1]) : [];
-      const detail = each.filter((pair) => pair[1] >= 0.001).map(([contact, part]) => `${contact} ${number(100 * part, 3)} %`).join(", ");
+      const detail = each.filter((pair) => Math.abs(pair[1]) >= 0.001).map(([contact, part]) => `${contact} ${number(100 * part, 3)} %`).join(", ");
       return [element("span", {}, name, element("small", {}, detail)), `${number(100 * total, 3)} %`, bar(total)];
     });
   if (!rows.length) return element("p", { class: "note" }, "No compliance: the joint has no stiffness here.");
-  return table("Shares of the springs in the compliance", ["spring", "share", hidden("bar")], rows);
+  const shown = table("Shares of the springs in the compliance", ["spring", "share", hidden("bar")], rows);
+  const parts = Object.values(found.stiffness_budget).flatMap((share) => (share !== null && typeof share === "object" ? Object.values(share) : [share]));
+  if (!parts.some((part) => part < -NO_SHARE)) return shown;
+  const words =
+    "A share below 0 belongs to a spring that the other forces on its bodies move against its own force; all shares together are 100 %.";
+  return element("div", {}, shown, element("p", { class: "note" }, words));
 }
 
 /** The limits of function, damage and accuracy, the one that is used most on top; residuals are no margins. */
