@@ -164,7 +164,7 @@ def test_the_search_from_rest_finds_the_capacity_of_one_loading():
             states.rest,
             laws,
             direction=jnp.ones(2),
-            rolls=jnp.zeros(2, dtype=bool),
+            rolls=False,
             holds=jnp.array([False, True]),
         )
         end, torque = followed(

@@ -299,7 +299,7 @@ def limiting_torques(
     laws: ContactLaws,
     *,
     direction: Array,
-    rolls: Array | bool,
+    rolls: bool,
     holds: Array,
 ) -> TorqueCapacity:
     """Largest output torques that keep every limit: signs, and as of :func:`under_torque`, shape (searches,) [N·m]."""
@@ -307,14 +307,10 @@ def limiting_torques(
     loaded = _loading(joint, Pressed(laws, rest))
     guess = jnp.asarray(_first_guess(joint, rest))
 
-    def search(sign: Array, holds: Array, rolls: Array | bool) -> FirstLimit:
+    def search(given: tuple[Array, Array]) -> FirstLimit:
+        sign, hold = given
         return first_limit(
-            excesses=lambda torque: loaded(sign * torque, rolls, holds).excesses, first_guess=guess
+            excesses=lambda torque: loaded(sign * torque, rolls, hold).excesses, first_guess=guess
         )
 
-    each = (direction, holds)
-    if isinstance(rolls, bool):
-        found = jax.lax.map(lambda given: search(given[0], given[1], rolls), each)
-    else:
-        found = jax.lax.map(lambda given: search(given[0], given[1], given[2]), (*each, rolls))
-    return _named(joint, found)
+    return _named(joint, jax.lax.map(search, (direction, holds)))

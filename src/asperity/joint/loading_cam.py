@@ -20,7 +20,7 @@ from asperity.drive.stiffness.loading_cam import (
     cam_preload,
     with_cam,
 )
-from asperity.implicit import settled_root
+from asperity.implicit import SETTLED, settled_root
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses
 from asperity.joint.laws import contact_laws, drive_load
@@ -109,7 +109,10 @@ def _by_force(
     preload: Array,
     known: DriveState | None = None,
 ) -> Pressed:
-    """A joint that its cam presses with a force, from the state without it; where it is known, with its derivatives."""
+    """A joint that its cam presses with a force, from the state without it; where it is known, with its derivatives.
+
+    Unlike sectors have nan where the laws of their contacts and their forces do not settle.
+    """
     assert joint.cam is not None
     there = dataclasses.replace(
         joint, preload=preload, interference=None, fit=None, pattern=joint.cam.pattern, cam=None
@@ -133,15 +136,22 @@ def _by_force(
     if unlike is None:
         return around(there)
     start = least.normal * preload / mean_preload(joint, least.normal) if known is None else known.normal
+    start = jax.lax.stop_gradient(start)
 
     def of_ratio(ratio: Array) -> Pressed:
-        own = dataclasses.replace(unlike, reference_force=jax.lax.stop_gradient(start) * ratio)
+        own = dataclasses.replace(unlike, reference_force=start * ratio)
         return around(dataclasses.replace(there, unlike=own))
 
     def change(ratio: Array) -> Array:
-        return of_ratio(ratio).rest.normal / jax.lax.stop_gradient(start) - ratio
+        return of_ratio(ratio).rest.normal / start - ratio
 
-    return of_ratio(settled_root(change, jnp.ones_like(start)))
+    ratio = settled_root(change, jnp.ones_like(start))
+    laws, rest = of_ratio(ratio)
+    known_only = jnp.where(jnp.max(jnp.abs(rest.normal / (start * ratio) - 1.0)) < SETTLED, 1.0, jnp.nan)
+    return Pressed(
+        dataclasses.replace(laws, reference_force=known_only * laws.reference_force),
+        dataclasses.replace(rest, normal=known_only * rest.normal, worst=known_only * rest.worst),
+    )
 
 
 def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
