@@ -8,6 +8,7 @@ import shutil
 import tempfile
 from importlib.metadata import version
 from pathlib import Path
+from types import SimpleNamespace
 
 # most of the suite's time is compilation: without fused kernels it takes two thirds, and the numbers are the same;
 # XLA ends a process that gives it a flag which it does not know (any more)
@@ -250,37 +251,52 @@ def evaluated_directly(case):
     return evaluated
 
 
-@pytest.fixture(scope="session")
-def unequal_branches():
+@pytest.fixture
+def document_of_branches(monkeypatch):
     """Three branches by hand under 5 N·m: the third loose, the first pressed 1.1 times as hard as equal ones."""
-    from asperity.branches.results import BranchCapacity, BranchState, UnequalBranches
+    from asperity.branches.results import BranchState, UnequalBranches
     from asperity.branches.sizes import SectorDeviations
+    from asperity.joint.torque_limits import LIMIT_KINDS, TorqueCapacity
+    from asperity.results import branch_document as module
 
-    planets, per_size = np.array([1e-6, 0.0, -7e-6]), np.array([0.0, 0.0, 0.0, 2.0, 2.0])
+    planets, per_size = np.array([1e-6, 0.0, -7e-6]), np.array([0.0, 2.0])
+    torque = {"sun": 1.5}
+    rest = BranchState(
+        np.zeros(3), "sun", np.array([-3e-6, 4e-6]), np.array([-150.0, 200.0]), {}, torque, 0.0
+    )
+    standing = dataclasses.replace(rest, torque=np.array([3.0, 2.0, 0.0]), input_torque=1.5)
+
+    def limit(value, kind, contact):
+        return TorqueCapacity(value, LIMIT_KINDS.index(kind), contact)
 
     def of(support=5e7, **changes):
-        state = {
-            "preload": np.array([1100.0, 900.0, 0.0]),
-            "torque": np.array([3.0, 2.0, 0.0]),
-            "slip_ratio": np.array([0.4, 0.5, np.nan]),
-            "sun_displacement": np.array([-3e-6, 4e-6]),
-            "sun_force": np.array([-150.0, 200.0]),
-        }
-        falling = np.outer(np.linspace(1.0, 0.6, 5), [1.2, 1.1, np.nan])
-        capacity = BranchCapacity(first_slip=8.0, branch=1, contact=0, all_slip=12.5, equal=13.0)
         known = {
             "sizes": SectorDeviations({"planet": planets}, np.outer(planets, per_size), per_size, support),
-            "torque": 5.0,
+            "noun": "planet",
             "own_preload": 1000.0,
             "interference": np.array([14e-6, 12e-6, -1e-6]),
             "preload": np.array([1100.0, 900.0, 0.0]),
-            "rest": BranchState(**state | {"torque": np.zeros(3)}),
-            "standing": BranchState(**state, limits={"pressure_over_first_yield": falling}),
+            "rest": rest,
+            "standing": standing,
             "rolling": None,
-            "capacity": capacity,
-            "rolling_capacity": capacity,
         }
-        return UnequalBranches(**known | changes)
+        monkeypatch.setattr(module, "unequal_branches", lambda *_: UnequalBranches(**known | changes))
+        names = tuple(f"{contact}_{sector}" for sector in (1, 2, 3) for contact in ("sp", "pr"))
+        branches = SimpleNamespace(
+            joint=SimpleNamespace(output_torque=5.0, contact_names=names),
+            equal=SimpleNamespace(contact_names=("sp", "pr")),
+        )
+        solution = SimpleNamespace(
+            states=None,
+            result=SimpleNamespace(
+                diagnostics=SimpleNamespace(slip_ratio=np.array([0.4, 0.3, 0.5, 0.2, np.nan, np.nan])),
+                rolling=SimpleNamespace(slip_ratio=np.full(6, np.nan)),
+            ),
+            first_slip=limit(8.0, "gross_slip", 2),
+            capacity=limit(12.5, "gross_slip", 0),
+            rolling_capacity=limit(8.0, "no_solution", 6),
+        )
+        return module.branch_document(branches, solution)
 
     return of
 

@@ -9,7 +9,6 @@ import asperity
 from asperity.errors import InputError
 from asperity.results import RESULTS
 from asperity.results.drive_table import results_of_joint
-from asperity.results.solved import solved_with_capacities
 
 
 def test_values_are_those_of_the_command(solution, printed, zou_file):
@@ -144,11 +143,3 @@ def test_a_planetary_by_its_own_names(zou_file):
     text = str(solution)
     assert "efficiency" in text
     assert "\npr " in text
-
-
-def test_the_document_judges_unequal_branches(solution, unequal_branches):
-    branches = unequal_branches(torque=10.0)
-    solved = solved_with_capacities(solution._solved.joint, solution.solution, branches)
-    unlike = type(solution)(solution._case, solved, source="x", summary="x")
-    assert unlike.document["branches"]["torque_capacity"]["first_slip_Nm"] == 8.0
-    assert not next(each for each in unlike.limits if each["name"] == "branch_slip")["ok"]

@@ -1,27 +1,98 @@
-"""Shares of unequal branches, and the contact that slips first."""
+"""What each of unequal branches carries: shares, and sums of the forces of contacts and pins by hand."""
 
+from types import SimpleNamespace
+
+import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.branches.results import BranchCapacity, BranchState
+from asperity.branches.results import (
+    BranchState,
+    _forces_on_axis,
+    _output_moments,
+    _working_interference,
+)
+from asperity.joint.unfolding import SectorSizes, unfolded_joint
+
+
+def state(torque):
+    return BranchState(np.array(torque), "sun", np.zeros(2), np.zeros(2), {}, {}, 1.0)
 
 
 @pytest.mark.parametrize(
     ("torque", "share"), [([3.0, 2.0, 0.0], [0.6, 0.4, 0.0]), ([-1.0, -1.0, -2.0], [0.25, 0.25, 0.5])]
 )
 def test_shares_are_of_the_whole_torque_in_either_sense(torque, share):
-    one = np.ones(3)
-    state = BranchState(one, np.array(torque), one, np.zeros(2), np.zeros(2))
-    np.testing.assert_allclose(state.share, share, rtol=1e-15)
+    np.testing.assert_allclose(state(torque).share, share, rtol=1e-15)
 
 
 def test_without_a_torque_there_are_no_shares():
-    one = np.ones(3)
-    state = BranchState(one, np.zeros(3), one, np.zeros(2), np.zeros(2))
     with np.errstate(all="raise"):
-        assert np.isnan(state.share).all()
+        assert np.isnan(state([0.0, 0.0, 0.0]).share).all()
 
 
-def test_names_of_contacts_in_the_order_of_the_branch():
-    names = [BranchCapacity(1.0, 0, contact, 1.0, 1.0).contact_name for contact in (0, 1, 2, 3, 4, None)]
-    assert names == ["sp", "pwr", "pwl", "wro", "wlo", ""]
+#: Directions of the planets of three sectors, the first above the sun, counter-clockwise.
+TOWARDS = np.array(
+    [[np.cos(angle), np.sin(angle)] for angle in np.pi / 2.0 + 2.0 * np.pi / 3.0 * np.arange(3)]
+)
+ACROSS = TOWARDS @ np.array([[0.0, 1.0], [-1.0, 0.0]])  # each turned counter-clockwise by a right angle
+
+
+@pytest.fixture(scope="module")
+def planetary_of_three(planar_joint):
+    """The example, and the same with a floating sun and every sector by itself."""
+
+    def of(replaced=None):
+        joint = jax.tree.map(np.asarray, planar_joint("planetary", replaced or {}))
+        sizes = SectorSizes(np.zeros((3, 2)), np.ones((3, 2)), 5e7)
+        return joint, unfolded_joint(joint, sizes, sectors=3, floating=("sun",))
+
+    return of
+
+
+def test_sectors_pass_what_they_carry_to_the_output(planetary_of_three):
+    """Pins of 14, 28 and 0 N at 30 mm, or forces of 7, 14 and -7 N at the ring of 50 mm."""
+    _, unfolded = planetary_of_three()
+    loaded = SimpleNamespace(pin_force=jnp.array([14.0, 28.0, 0.0]), tangential=jnp.ones(6))
+    moments = np.asarray(_output_moments(unfolded, loaded, 3))
+    np.testing.assert_allclose(np.abs(moments), [0.42, 0.84, 0.0], atol=1e-12)
+    assert moments[0] * moments[1] > 0.0
+    _, unfolded = planetary_of_three({'output = "carrier"': 'output = "ring"'})
+    loaded = SimpleNamespace(tangential=jnp.array([1.0, 7.0, 2.0, 14.0, 3.0, -7.0]), pin_force=jnp.ones(3))
+    moments = np.asarray(_output_moments(unfolded, loaded, 3))
+    np.testing.assert_allclose(np.sign(moments[0]) * moments, [0.35, 0.7, -0.35], atol=1e-12)
+
+
+def test_a_floating_sun_takes_interference_from_the_planets_it_moves_to(planetary_of_three):
+    _, unfolded = planetary_of_three()
+    moved = np.array([1e-6, -3e-6])
+    rest = SimpleNamespace(
+        interference=jnp.full(6, 30e-6),
+        displacement=jnp.array([moved, [5e-6, 1e-6], [2e-6, 2e-6], [1e-6, 4e-6]]),  # of the planets, too
+    )
+    interference = np.asarray(_working_interference(unfolded, ("sun",), rest)).reshape(3, 2)
+    np.testing.assert_allclose(interference[:, 0], 30e-6 + TOWARDS @ moved, rtol=1e-12)
+    np.testing.assert_allclose(interference[:, 1], 30e-6, rtol=1e-12)
+    held = np.asarray(_working_interference(unfolded, (), rest))
+    np.testing.assert_allclose(held, 30e-6, rtol=1e-12)
+
+
+def test_forces_on_the_members_in_the_middle_by_hand(planetary_of_three):
+    """Planets press the sun inwards and the ring outwards; tangential forces act along the circles of both."""
+    joint, unfolded = planetary_of_three()
+    normal = np.array([[100.0, 110.0], [200.0, 190.0], [150.0, 130.0]])
+    pressed = SimpleNamespace(
+        normal=jnp.asarray(normal.ravel()), tangential=jnp.zeros(6), pin_force=jnp.array([10.0, -4.0, 7.0])
+    )
+    sun, ring, carrier = np.asarray(_forces_on_axis(joint, unfolded, pressed))
+    np.testing.assert_allclose(sun, -normal[:, 0] @ TOWARDS, rtol=1e-12)
+    np.testing.assert_allclose(ring, normal[:, 1] @ TOWARDS, rtol=1e-12)
+    pins = np.array([10.0, -4.0, 7.0]) @ ACROSS
+    np.testing.assert_allclose(np.sign(carrier[0] * pins[0]) * carrier, pins, rtol=1e-12)
+    drag = SimpleNamespace(
+        normal=jnp.zeros(6), tangential=jnp.array([5.0, 0.0, 2.0, 0.0, -1.0, 0.0]), pin_force=jnp.zeros(3)
+    )
+    sun = np.asarray(_forces_on_axis(joint, unfolded, drag))[0]
+    along = np.array([5.0, 2.0, -1.0]) @ ACROSS
+    np.testing.assert_allclose(np.sign(sun[0] * along[0]) * sun, along, rtol=1e-12)

@@ -167,13 +167,14 @@ def test_a_file_that_is_not_there(call):
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
     from asperity.joint import solve as solving
 
-    real = solving.result_and_capacity
+    real = solving.solution_of
 
     def unbalanced(joint):
-        result, capacity = real(joint)
-        return dataclasses.replace(result, solved=np.asarray(False)), capacity
+        solution = real(joint)
+        result = dataclasses.replace(solution.result, solved=np.asarray(False))
+        return dataclasses.replace(solution, result=result)
 
-    monkeypatch.setattr(solving, "result_and_capacity", unbalanced)
+    monkeypatch.setattr(solving, "solution_of", unbalanced)
     outcome = call("joint", joint_file())
     assert outcome.code == 3
     assert outcome.out == ""

@@ -179,19 +179,6 @@ def test_crowned_contacts_have_a_table_of_their_own(document, shown):
     assert ["sp", "75", "1.4", "0"] in rows
 
 
-def test_unequal_branches_state_their_own_capacity_before_that_of_equal_ones(document, shown):
-    entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp", "first_event": "slips"}
-    document["of_own_branches"] = False
-    document["branches"] = {
-        "branch_is": "planet",
-        "torque_capacity": entry,
-        "rolling_torque_capacity": entry | {"first_slip_Nm": 11.0},
-    }
-    said = " ".join(" ".join(shown(document)).split())
-    assert "capacity 3.598 N·m: contact sp of planet 3 slips first; equal branches: 12.5 N·m: contact" in said
-    assert "rolling 11 N·m: contact sp of planet 3 slips first; equal branches: up to 11.5 N·m" in said
-
-
 def test_warnings_are_gathered_by_limit(document, shown):
     lines = shown(document)
     place = lines.index("  Slip ratio 1.25 at pwr, 1.5 at wro, - at wlo (limit 1)")

@@ -5,7 +5,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.joint.solve import result_and_capacity
+from asperity.joint.solve import solution_of
+from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.part_names import TRACKS, WEDGE_TYPE, material_key, type_of
 from asperity.joint_file.si_tables import si_values
@@ -83,7 +84,8 @@ def listed(values):
 def answers(values):
     """What a joint does: numbers by name."""
     joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint_from_values(values))
-    result, capacities = result_and_capacity(joint)
+    solution = solution_of(joint)
+    result = solution.result
     levels = (result.published, result.series_with_bulk, result.assembly.stiffness)
     return {
         "without torque": result.rest.normal,
@@ -93,7 +95,13 @@ def answers(values):
         "slip": result.diagnostics.slip_ratio,
         "input torque": result.forces.input_torque,
         "stiffness": np.stack([level.output for level in levels]),
-        "capacities": np.concatenate([each.output_torque for each in capacities]),
+        "capacities": np.stack(
+            [
+                each.output_torque
+                for each in jax.tree.leaves(solution, is_leaf=lambda node: isinstance(node, TorqueCapacity))
+                if isinstance(each, TorqueCapacity)
+            ]
+        ),
         "rolling normal": result.rolling.normal,
         "rolling tangential": result.rolling.tangential,
         "creepage": result.rolling.creepage,

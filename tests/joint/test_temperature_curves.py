@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint import temperature_curves as module
 from asperity.joint.fit import Fit
-from asperity.joint.solve import solve_joint
+from asperity.joint.solve import solution_of, solve_joint
+from asperity.joint.temperature import at_temperature
 from asperity.joint.temperature_curves import temperature_curves
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
@@ -17,25 +17,25 @@ from asperity.joint_file.reader import parse_case
 
 def test_a_force_has_no_curve(paper_joint):
     with pytest.raises(InputError, match="does not depend on temperature"):
-        temperature_curves(paper_joint())
+        temperature_curves(paper_joint(), None)
 
 
 @pytest.mark.parametrize(("torque", "limit"), [(5.0, 5.5), (-5.0, 6.5)])
-def test_there_is_stiffness_below_their_capacity(monkeypatch, torque, limit):
+def test_there_is_stiffness_below_their_capacity(torque, limit):
     """Capacity falls by 0.1 N·m a kelvin from 7 and 8 N·m at 25 °C; a contact opens above 55 °C."""
 
-    def solved(joint, temperature):
+    def solved(temperature):
         away = temperature - 25.0
         result = SimpleNamespace(
             rest=SimpleNamespace(normal=np.array([1000.0 - 10.0 * away, 30.0 - away]), residual=1e-14),
             solved=True,
             assembly=SimpleNamespace(stiffness=SimpleNamespace(output=3e4)),
         )
-        limits = np.array([7.0, 8.0]) - 0.1 * away
-        return result, SimpleNamespace(standing=SimpleNamespace(output_torque=limits))
+        limits = [SimpleNamespace(output_torque=limit - 0.1 * away) for limit in (7.0, 8.0)]
+        return SimpleNamespace(result=result, capacity=limits[0], reverse_capacity=limits[1])
 
-    monkeypatch.setattr(module, "solved_at", solved)
-    found = temperature_curves(SimpleNamespace(fit=Fit(0.0, 0.0, 20.0, 40.0), output_torque=torque))
+    joint = SimpleNamespace(fit=Fit(0.0, 0.0, 20.0, 40.0), output_torque=torque, unlike=None)
+    found = temperature_curves(joint, solved)
     temperature = np.asarray(found.temperature)
     np.testing.assert_allclose(temperature[[0, -1]], [0.0, 60.0])
     closed = temperature < 55.0
@@ -54,7 +54,7 @@ def test_the_curve_goes_through_the_solved_joint(joint_text):
     )
     text = text.replace("[model]", '[temperature]\nassembly = "20 °C"\nworking = "32 °C"\n\n[model]')
     joint = joint_from_case(parse_case(text, source="x"))
-    curves = temperature_curves(joint)
+    curves = temperature_curves(joint, lambda each: solution_of(at_temperature(joint, each)))
     solution = solve_joint(joint)
 
     def at_work(values):

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from asperity.branches.branches import BranchedJoint
+from asperity.branches.branches import assembled_branches
 from asperity.branches.sizes import SectorDeviations
 from asperity.joint.solve import solve_joint
 from asperity.standing.dynamics import Inertias, dynamics
@@ -24,7 +24,7 @@ def unfolded(joint, errors):
     """The joint with planets that are too large by these errors, each in both of its contacts."""
     per_size = np.ones(2)
     sizes = SectorDeviations({"planet": errors}, np.outer(errors, per_size), per_size, math.inf)
-    return BranchedJoint(joint, solve_joint(joint)).unfolded(sizes)
+    return assembled_branches(joint, sizes).joint
 
 
 @pytest.fixture(scope="module")

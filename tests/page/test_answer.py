@@ -84,7 +84,7 @@ def test_a_choice_that_the_file_leaves_out_is_empty(case, joint_text):
 
 def test_without_a_torque_there_is_no_windup(joint_text):
     case = parse_case(joint_text.replace('"5 N*m"', '"0 N*m"'), source="x")
-    assert _windup(SimpleNamespace(joint=joint_from_case(case), other_branches=None), case) == {
+    assert _windup(SimpleNamespace(joint=joint_from_case(case))) == {
         "unknown_because": "no torque, no wind-up: set an output torque"
     }
 
@@ -124,8 +124,8 @@ def test_the_windup_is_that_of_the_assembly_up_to_the_torque(monkeypatch, joint_
     monkeypatch.setattr(answer, "windup", windup)
     monkeypatch.setattr(answer, "windup_columns", lambda curve: {"torque_Nm": np.array([0.0, 5.0])})
     case = parse_case(joint_text.replace('"5 N*m"', '"-5 N*m"'), source="x")
-    solved = SimpleNamespace(joint=joint_from_case(case), other_branches=None)
-    assert _windup(solved, case) == {
+    solved = SimpleNamespace(joint=joint_from_case(case))
+    assert _windup(solved) == {
         "unknown_because": None,
         "hysteresis_rad": 1e-4,
         "lost_motion_rad": 2e-4,

@@ -128,32 +128,22 @@ def test_unequal_branches_have_tables_of_their_own():
     text = file.read_text(encoding="utf-8").replace('preload = "1000 N"', 'interference = "13 um"')
     report = report_of(text + branches)
     assert "Branches by their own sizes" in report.sections
-    place = report.blocks.index(Heading("Wind-up"))
-    assert report.blocks[place + 1].text == "The wind-up is that of the branches of the file, [[branch]]."
     assert [row[1] for row in tables(report)["Branches"].rows] == ["1", "0", "-1"]
     assert "sector 1 is pressed" in report_html(report)
     summary = dict(tables(report)["Summary"].rows)
-    assert "sector 3" in summary["torque capacity of these branches"]
-    required = {row[0]: row for row in tables(report)["Safety margins"].rows}
-    assert required["torque over first slip of a branch, standing"][-1] == "pass"
+    assert "sp_3; others carry the rest" in summary["first slip, standing"]
+    assert {row[-1] for row in tables(report)["Safety margins"].rows if row[1] == "function"} == {"pass"}
     loads = {row[:2]: row[2:] for row in tables(report)["Loads of the structure"].rows}
     assert float(loads["sun, on the axis, input", "resultant force"][0]) > 100.0
 
 
 @pytest.mark.long
 def test_a_torque_that_only_the_branches_of_the_file_carry():
-    """Planets 2 um too large at 13 N·m, where equal ones of nominal size carry 12.1: no figure without numbers."""
+    """Planets 2 um too large at 13 N·m, where equal ones of nominal size carry 12.1."""
     file = Path(__file__).parents[2] / "examples" / "planetary.toml"
     text = file.read_text(encoding="utf-8").replace('output_torque = "10 N*m"', 'output_torque = "13 N*m"')
     text += 3 * '\n[[branch]]\nplanet_deviation = "2 um"\n'
     report = joint_report(ReportSource(file.name, text, parse_case(text, source=file.name)))
-    captions = [block.title for block in report.blocks if isinstance(block, Picture)]
-    assert not any("Forces on the bodies" in each or "Stiffness budget" in each for each in captions)
-    said = [block.text for block in report.blocks if isinstance(block, Paragraph)]
-    assert any("This holds for the branches that the file states" in text for text in said)
-    place = report.blocks.index(Heading("Wind-up"))
-    assert report.blocks[place + 1].text == "The wind-up is that of the branches of the file, [[branch]]."
-    assert any(each.startswith("Torque and angle") for each in captions)
     (angle,) = [row[1] for row in tables(report)["Wind-up"].rows if row[0].startswith("angle at plus")]
     assert angle == "0.05753 arcmin"  # as with an interference of 34 um
     assert "nan" not in report_html(report)

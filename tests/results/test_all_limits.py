@@ -1,4 +1,4 @@
-"""Limits of the loads of a duty, from numbers made by hand; those of results and branches have tests of their own."""
+"""Limits of the loads of a duty, from numbers made by hand; those of results have tests of their own."""
 
 import dataclasses
 import math
@@ -25,7 +25,7 @@ def rows(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: known)
 
 
-def solved(pressures, *, slips=None, duty=DUTY, branches=None, standing=(30.0, 3.0)):
+def solved(pressures, *, slips=None, duty=DUTY, standing=(30.0, 3.0)):
     joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty), ends=("sun", "carrier"), sun_speed=1.0)
     slips = [0.5 * each for each in pressures] if slips is None else slips
     rolling = SimpleNamespace(duty_shakedown_ratios=np.array(pressures), duty_slip_ratios=np.array(slips))
@@ -33,7 +33,6 @@ def solved(pressures, *, slips=None, duty=DUTY, branches=None, standing=(30.0, 3
     return SimpleNamespace(
         joint=joint,
         result=SimpleNamespace(rolling=rolling),
-        branches=branches,
         bent=(False, False),
         row_names=lambda axis: ("planet", "ring"),
         required_life=None,
@@ -72,23 +71,6 @@ def test_a_skewed_joint_that_turns_while_a_contact_slips_does_not_carry_the_load
     assert "load 2, 20 N·m" in count.meaning
     assert "-4 N·m" not in count.meaning  # the third load stands, where skew does not act
     assert pressure.ok
-
-
-def test_unequal_branches_roll_by_themselves(unequal_branches):
-    """The first load by the worst of 3 branches, the second not carried, and standing under the third."""
-    found = unequal_branches()
-    rolls = dataclasses.replace(found.standing, limits={"shakedown_ratio": np.array([[0.2, 0.7, 0.6]])})
-    slips = dataclasses.replace(rolls, slip_ratio=np.array([[0.2, 1.1, 0.3]]))
-    stands = dataclasses.replace(found.standing, limits={"pressure_over_first_yield": np.array([[0.9]])})
-    own = dataclasses.replace(found, duty=(rolls, None, stands))
-    count, pressure = duty_checks(3 * [math.nan], branches=own)
-    assert (count.value, count.ok) == (1.0, False)
-    assert "20 N·m" in count.meaning
-    assert "-4 N·m" not in count.meaning
-    assert (pressure.value, pressure.contact) == (pytest.approx(0.7), "load 1")
-    assert (
-        duty_checks(3 * [0.1], branches=dataclasses.replace(own, duty=(slips, rolls, stands)))[0].value == 1.0
-    )
 
 
 def test_the_worst_load_for_a_rim_is_named():

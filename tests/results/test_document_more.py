@@ -120,14 +120,3 @@ def test_rolling_is_in_the_document(document):
     assert rolling["input_torque_Nm"] == pytest.approx(
         found["standing"]["forces"]["input_torque_Nm"], rel=1e-9
     )
-
-
-def test_unequal_branches_are_judged_among_the_diagnostics(document, unequal_branches):
-    """The first of the warnings: one of the branches slips at 8 N·m, below the torque."""
-    found = document(branches=unequal_branches(torque=10.0))
-    json.dumps(found, allow_nan=False)
-    crossed = [entry for entry in found["diagnostics"] if not entry["ok"]]
-    assert (crossed[0]["name"], crossed[0]["severity"]) == ("branch_slip", "function")
-    assert crossed[0]["value"] == pytest.approx(1.25)
-    assert type(found["branches"]["torque_capacity"]["first_branch"]) is int  # a number of a planet, not 2.0
-    assert "branches" not in document()

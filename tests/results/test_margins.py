@@ -43,7 +43,6 @@ def found(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {each.name: each for each in ROWS})
     solved = SimpleNamespace(
         joint=STANDS,
-        branches=None,
         required_life=None,
         notes=(),
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
@@ -82,7 +81,6 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
     (found,) = margins(
         SimpleNamespace(
             joint=STANDS,
-            branches=None,
             required_life=None,
             notes=(),
             a=values,
@@ -94,25 +92,8 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"torque_safety": ROWS[5]})
-    (found,) = margins(SimpleNamespace(joint=STANDS, branches=None, required_life=None, notes=(), b=math.inf))
+    (found,) = margins(SimpleNamespace(joint=STANDS, required_life=None, notes=(), b=math.inf))
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)
-
-
-def test_unequal_branches_are_required_to_hold(monkeypatch, unequal_branches):
-    monkeypatch.setattr(module, "results_of_joint", lambda solved: {})
-    for torque, passes in ((5.0, True), (8.5, False)):
-        found = margins(
-            SimpleNamespace(
-                joint=STANDS,
-                notes=(),
-                required_life=None,
-                branches=unequal_branches(torque=torque),
-            )
-        )
-        assert [each.severity for each in found] == ["function", "function", "damage"]
-        slip = found[0]
-        assert (slip.place, slip.passes, slip.highest) == ("planet 2", passes, 1.0)
-        assert slip.utilisation == pytest.approx(torque / 8.0)
 
 
 def test_of_notes_of_one_name_the_farthest_beyond_its_limit_or_the_nearest_to_it_counts(monkeypatch):
@@ -120,7 +101,7 @@ def test_of_notes_of_one_name_the_farthest_beyond_its_limit_or_the_nearest_to_it
 
     def worst(*notes):
         made = tuple(Note("x", "x", place, *rest, "model", "", None) for place, *rest in notes)
-        (found,) = margins(SimpleNamespace(joint=STANDS, branches=None, notes=made, required_life=None))
+        (found,) = margins(SimpleNamespace(joint=STANDS, notes=made, required_life=None))
         return found.place, found.lowest, found.highest
 
     assert worst(("a", 1.5, 1.0, False), ("b", 0.1, 1.0, False)) == ("b", 1.0, math.inf)
@@ -142,9 +123,7 @@ def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypa
     ]
     found = {
         each.result.name: each
-        for each in margins(
-            SimpleNamespace(joint=STANDS, branches=None, required_life=None, notes=tuple(notes))
-        )
+        for each in margins(SimpleNamespace(joint=STANDS, required_life=None, notes=tuple(notes)))
     }
     film = found["film_ratio"]
     assert (film.place, film.actual, film.highest, film.passes) == ("pr", 2.0, 1.0, False)

@@ -9,9 +9,9 @@ from asperity.results.position_rows import position_rows
 ARCMINUTE = math.pi / 10800.0
 
 
-def document(capacity=12.5, torque=5.0, both=(9.0, False, 8.0, False), branches=None):
+def document(capacity=12.5, torque=5.0, both=(9.0, False, 8.0, False), slips=7.5):
     forward, lower, reverse, reverse_lower = both
-    found = {
+    return {
         "rolling": {
             "drift_rad_per_output_turn": 40.0 * ARCMINUTE,
             "speed_loss": 1.85e-3,
@@ -22,10 +22,14 @@ def document(capacity=12.5, torque=5.0, both=(9.0, False, 8.0, False), branches=
         "torque_capacity": {
             "output_torque_Nm": forward,
             "is_lower_bound": lower,
-            "reverse": {"output_torque_Nm": reverse, "is_lower_bound": reverse_lower},
+            "first_slip": {"output_torque_Nm": slips},
+            "reverse": {
+                "output_torque_Nm": reverse,
+                "is_lower_bound": reverse_lower,
+                "first_slip": {"output_torque_Nm": slips},
+            },
         },
     }
-    return found if branches is None else found | {"branches": branches, "of_own_branches": False}
 
 
 def rows(**changes):
@@ -64,16 +68,12 @@ def test_what_ends_the_rolling(capacity, both, said):
     assert found.value == (capacity if capacity and math.isfinite(capacity) else None)
 
 
-def test_branches_have_a_capacity_of_their_own():
-    own = {"rolling_torque_capacity": {"first_slip_Nm": 7.5}, "standing": {"slip_ratio": [0.5, None]}}
-    found = rows(branches=own)
-    assert found["that of the worst branch"].value == 7.5
-    assert found["torque over stiffness"].value == pytest.approx(2.5 * ARCMINUTE)
-
-
-def test_the_stiffness_of_the_others_says_nothing_of_what_comes_back():
-    """With a branch that slips, the torque is not carried by the springs that are left."""
-    own = {"rolling_torque_capacity": {"first_slip_Nm": 4.0}, "standing": {"slip_ratio": [0.5, 1.0]}}
-    found = rows(branches=own)["torque over stiffness"]
+@pytest.mark.parametrize("torque", [5.0, -5.0])
+def test_the_stiffness_of_the_others_says_nothing_of_what_comes_back(torque):
+    """With a contact that slips, the torque is not carried by the springs that are left."""
+    assert rows(torque=torque, slips=5.1)["torque over stiffness"].value == pytest.approx(
+        0.5 * torque * ARCMINUTE
+    )
+    found = rows(torque=torque, slips=4.9)["torque over stiffness"]
     assert found.value is None
-    assert "a branch slips" in found.meaning
+    assert "a contact slips" in found.meaning

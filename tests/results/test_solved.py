@@ -99,3 +99,28 @@ def test_rims_under_a_duty_are_those_of_the_same_load_as_working_torque(planar_c
     assert checks["duty_rim_yield_safety", f"planet, load {worst + 1}"] == pytest.approx(
         planet[worst], rel=1e-7
     )
+
+
+@pytest.mark.slow
+def test_unlike_branches_at_another_temperature_are_the_file_that_works_there(planar_case):
+    """Laws of the contacts are taken around the forces of that temperature."""
+
+    def solved_at(working):
+        return solved_case(
+            planar_case(
+                "planetary",
+                replaced={
+                    'bodies = "exact"': 'bodies = "springs"',
+                    'ring_support = "free" ': 'ring_support = "rigid_housing" ',
+                    'ring = "52100"': 'ring = "6061-T6"',
+                    "[model]": f'[temperature]\nassembly = "20 degC"\nworking = "{working} degC"\n\n'
+                    '[[branch]]\nplanet_deviation = "1 um"\n\n[[branch]]\n\n[[branch]]\n\n[model]',
+                },
+            )
+        )
+
+    warm, cold = solved_at(35), solved_at(20)
+    there = warm.at_temperature(20.0)
+    np.testing.assert_allclose(there.result.rest.normal, cold.result.rest.normal, rtol=1e-12)
+    assert float(there.result.preload) > 1.1 * float(warm.result.preload)
+    assert warm.at_temperature(2000.0) is None  # the ring has grown away from the planets

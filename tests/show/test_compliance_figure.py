@@ -134,6 +134,8 @@ def test_shares_capacity_and_force_are_drawn():
         np.array([9.0, 13.0]),
         np.array([13.0, 14.0]),
         np.array([10.0, 20.0]),
+        "planet",
+        "planet",
     )
     panels = Figure().subplots(1, 3)
     draw_size_errors(panels, curves)

@@ -1,16 +1,25 @@
-"""What is known about the unequal branches of a joint."""
+"""What each of the unequal branches of a joint carries, from the states of the joint with every branch by itself."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import jax
+import jax.numpy as jnp
 import numpy as np
+from jax import Array
 
+from asperity.branches.branches import AssembledBranches, mean_interference
 from asperity.branches.sizes import SectorDeviations
-from asperity.drive.wedge.geometry import CONTACT_NAMES
-from asperity.rolling.power import RollingLosses, RollingPower, power_budget
+from asperity.compilation import compile_fast
+from asperity.drive.layout.drive import CARRIER, incidence
+from asperity.drive.layout.unfolding import forces_on_centre
+from asperity.drive.state.loads import member_moments
+from asperity.drive.state.state import STATE_TOLERANCE, DriveState
+from asperity.drive.state.states import DriveStates
+from asperity.joint.description import Joint
 
 
 @dataclass(frozen=True)
@@ -19,148 +28,35 @@ class BranchState:
 
     Parameters
     ----------
-    preload : ndarray
-        Preload of each branch where the sun now is [N]; 0 for a loose one.
     torque : ndarray
         Torque of each branch at the output; they add up to that of the joint [N·m].
-    slip_ratio : ndarray
-        The largest T/(mu N) of each branch [-]; 1 where it slips, nan where it is loose or was not asked for.
+    sun : str
+        Name of the member that is called the sun here: the input of another drive.
     sun_displacement, sun_force : ndarray
         Displacement of the sun [m], and the force of the planets on it [N], shape (2,); the first planet lies on the
         first axis.
-    limits : dict
-        By the names of the table of results: standing the Hertz pressure over first yield, in rolling that over the
-        shakedown limit, of each contact of each branch, shape (5, n) [-]; and ``life_hours`` at the joint's torque, as
-        if all branches were like this one, shape (n,) [h]. Empty where slip was not asked for.
     centre_forces : dict
         Names of the other members on the axis → force of the branches on them, shape (2,) [N].
-    pins : ndarray
-        Radial and tangential force of the rollers of each branch on their pins, with the signs of the table of loads,
-        shape (2, pins, n) [N]. Empty where slip was not asked for.
-    contact_forces : ndarray
-        Normal and tangential forces of the contacts of each branch, shape (2, contacts, n) [N]. Empty where slip was
-        not asked for.
-    bearing_speed : ndarray
-        Speeds of the rolling bearings of the drive, without signs, shape (bearings,) [rad/s]; 0 where it stands.
-    sun : str
-        Name of the member that is called the sun here: the input of another drive.
     torques : dict
         Names of the members on the axis → torque of contacts and pins on them, with the signs of the table of loads
-        [N·m]; of the sun that of its shaft. Empty where slip was not asked for.
-    speeds : dict
-        Names of these members → speed, without sign, creep taken off [rad/s]; 0 where the joint stands. Likewise.
+        [N·m].
     input_torque : float
-        Torque at the input of all branches [N·m]: in rolling that of the contacts; nan where slip was not asked for.
+        Torque at the input of all branches [N·m]: in rolling that of the contacts.
     """
 
-    preload: np.ndarray
     torque: np.ndarray
-    slip_ratio: np.ndarray
+    sun: str
     sun_displacement: np.ndarray
     sun_force: np.ndarray
-    limits: dict[str, np.ndarray] = field(default_factory=dict)
-    centre_forces: dict[str, np.ndarray] = field(default_factory=dict)
-    pins: np.ndarray = field(default_factory=lambda: np.zeros((2, 0, 0)))
-    contact_forces: np.ndarray = field(default_factory=lambda: np.zeros((2, 0, 0)))
-    bearing_speed: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    sun: str = "sun"
-    torques: dict[str, float] = field(default_factory=dict)
-    speeds: dict[str, float] = field(default_factory=dict)
-    input_torque: float = math.nan
+    centre_forces: dict[str, np.ndarray]
+    torques: dict[str, float]
+    input_torque: float
 
     @property
     def share(self) -> np.ndarray:
         """Share of each branch in the torque [-]; 1/n for equal branches, nan without a torque."""
-        whole = self.torque.sum()
-        return self.torque / whole if whole else np.full_like(self.torque, np.nan)
-
-    @property
-    def largest_pins(self) -> np.ndarray:
-        """The same forces on each pin of the branch that loads it most, shape (2, pins) [N]."""
-        branch = np.argmax(np.hypot(*self.pins), axis=-1)
-        return np.take_along_axis(self.pins, branch[None, :, None], axis=-1)[..., 0]
-
-    def force_on(self, member: str) -> float:
-        """Size of the force of the branches on a member on the axis [N]; nan where it is not known."""
-        if member == self.sun:
-            return math.hypot(*self.sun_force)
-        return math.hypot(*self.centre_forces.get(member, (math.nan,)))
-
-
-@dataclass(frozen=True)
-class BranchRolling:
-    """A joint whose unequal branches roll under its torque. SI units.
-
-    Parameters
-    ----------
-    speed_loss, drift_per_output_turn, drift_rate : float
-        Share of the output speed that creep takes [-]; angle that the output falls behind in one turn of its own [rad],
-        and per time [rad/s], nan where the input stands.
-    output_speed : float
-        Without sign, creep taken off [rad/s].
-    power : RollingPower
-        Losses, contacts as those of one branch, all branches together, and efficiency; nan where the input stands.
-    """
-
-    speed_loss: float
-    drift_per_output_turn: float
-    drift_rate: float
-    output_speed: float
-    power: RollingPower
-
-
-def branch_rolling(
-    *,
-    losses: RollingLosses,
-    speed_loss: float,
-    drift_per_output_turn: float,
-    output_torque: float,
-    output_speed: float,
-    input_speed: float,
-) -> BranchRolling:
-    """What a joint does whose unequal branches roll."""
-    power = power_budget(losses, output_power=output_torque * output_speed)
-    turns = input_speed > 0.0
-    power = jax.tree.map(lambda leaf: np.asarray(leaf) if turns else np.full_like(leaf, np.nan), power)
-    rate = drift_per_output_turn * output_speed / (2.0 * math.pi)
-    return BranchRolling(speed_loss, drift_per_output_turn, rate if turns else math.nan, output_speed, power)
-
-
-@dataclass(frozen=True)
-class BranchCapacity:
-    """How much torque unequal branches pass together, standing or in rolling.
-
-    Parameters
-    ----------
-    first_slip : float
-        Torque at which the weakest branch that is not loose slips [N·m].
-    branch : int
-        Which one, from 0.
-    contact : int or None
-        Which of its contacts; None where it was not asked for.
-    all_slip : float
-        Torque at which all branches slip [N·m]: the most that the drive passes; nan where steady rolling ends at the
-        first slip.
-    equal : float
-        The same for equal branches of nominal size, for which both are one [N·m].
-    contact_names : tuple of str, optional
-        Names of the contacts of a branch.
-    event : str, optional
-        What that contact does first.
-    """
-
-    first_slip: float
-    branch: int
-    contact: int | None
-    all_slip: float
-    equal: float
-    contact_names: tuple[str, ...] = CONTACT_NAMES
-    event: str = "slips"
-
-    @property
-    def contact_name(self) -> str:
-        """Name of the contact that slips first; empty where it was not asked for."""
-        return "" if self.contact is None else self.contact_names[self.contact]
+        total = self.torque.sum()
+        return self.torque / total if total else np.full_like(self.torque, np.nan)
 
 
 @dataclass(frozen=True)
@@ -171,60 +67,154 @@ class UnequalBranches:
     ----------
     sizes : SectorDeviations
         Sizes of the branches.
-    torque, own_preload : float
-        Torque of the joint, without sign, and the preload of equal branches [N·m], [N].
+    noun : str
+        What a branch is called.
+    own_preload : float
+        Preload of equal branches [N].
     interference, preload : ndarray
         Of each branch without torque, the sun where its bearings let it be, shape (n,) [m], [N].
     rest : BranchState
         Without torque.
     standing, rolling : BranchState or None
-        Under the joint's torque; None where it is more than all branches pass.
-    capacity, rolling_capacity : BranchCapacity
-        At rest and in rolling.
-    noun : str, optional
-        What a branch is called.
-    stiffness : float or None, optional
-        Torsional stiffness at the output under the joint's torque, assembled [N·m/rad]; None where it was not computed.
-    duty : tuple, optional
-        The state of :meth:`working` under each load of the duty.
-    turning : BranchRolling or None, optional
-        Drift and powers of the rolling joint; None where it does not roll, or where slip was not asked for.
+        Under the joint's torque; None where there is no such state.
     """
 
     sizes: SectorDeviations
-    torque: float
+    noun: str
     own_preload: float
     interference: np.ndarray
     preload: np.ndarray
     rest: BranchState
     standing: BranchState | None
     rolling: BranchState | None
-    capacity: BranchCapacity
-    rolling_capacity: BranchCapacity
-    noun: str = "planet"
-    stiffness: float | None = None
-    duty: tuple[BranchState | None, ...] = ()
-    turning: BranchRolling | None = None
 
-    def working(self, *, turns: bool) -> BranchState | None:
-        """The state in which the joint works under its torque: rolling where it turns; None where there is none."""
-        return self.rolling if turns else self.standing
 
-    def contact_forces(self, state: BranchState | None) -> tuple[np.ndarray, np.ndarray]:
-        """Forces of the contacts in a state and without torque; nan where there is none [N]."""
-        rest = self.rest.contact_forces
-        return np.full_like(rest, np.nan) if state is None else state.contact_forces, rest
+class _Sums(NamedTuple):
+    """Sums over the contacts and pins of the states at rest, standing and in rolling, which come first."""
 
-    def cases(self, *, turns: bool) -> tuple[BranchState | None, ...]:
-        """States without torque, under the working torque, and under the loads of the duty, as in a table of loads."""
-        return (self.rest, self.working(turns=turns), *self.duty)
+    centre_force: Array
+    centre_moment: Array
+    output_moment: Array
+    interference: Array
 
-    @property
-    def contact_names(self) -> tuple[str, ...]:
-        """Names of the contacts of a branch."""
-        return self.capacity.contact_names
 
-    @property
-    def beyond_equal(self) -> bool:
-        """Whether equal branches do not carry the torque."""
-        return self.torque >= self.capacity.equal
+def unequal_branches(branches: AssembledBranches, states: DriveStates) -> UnequalBranches:
+    """What each branch carries.
+
+    Parameters
+    ----------
+    branches : AssembledBranches
+        The joint with every branch by itself.
+    states : DriveStates
+        Its states under a torque.
+
+    Returns
+    -------
+    UnequalBranches
+        A state that does not exist is None.
+
+    References
+    ----------
+    Equation (I4) of :doc:`/equations`.
+    """
+    equal, joint, count = branches.equal, branches.joint, branches.sectors
+    each = (states.rest, states.standing, states.rolling)
+    options = (count, branches.floating)
+    program = compile_fast(_sums, equal, joint, each, options=options)
+    sums: _Sums = jax.tree.map(np.asarray, program(equal, joint, each))
+    torque = abs(float(joint.output_torque))
+    found = [_state(branches, sums, kind, state, torque) for kind, state in enumerate(each)]
+    exists = [float(state.worst) < STATE_TOLERANCE for state in each]
+    rest, standing, rolling = (state if there else None for state, there in zip(found, exists, strict=True))
+    return UnequalBranches(
+        sizes=branches.sizes,
+        noun=branches.noun,
+        own_preload=float(branches.settled.equal.normal[0]),
+        interference=mean_interference(equal, branches.settled, np.asarray(sums.interference)),
+        preload=np.asarray(states.rest.normal).reshape(count, -1)[:, 0],
+        rest=found[0] if rest is None else rest,
+        standing=standing,
+        rolling=rolling,
+    )
+
+
+def _sums(
+    sectors: int, floating: tuple[str, ...], equal: Joint, joint: Joint, states: tuple[DriveState, ...]
+) -> _Sums:
+    """Sums over the contacts and pins of these states, the first of them that at rest."""
+    return _Sums(
+        centre_force=jnp.stack([_forces_on_axis(equal, joint, state) for state in states]),
+        centre_moment=jnp.stack([_moments_on_axis(equal, joint, state) for state in states]),
+        output_moment=jnp.stack([_output_moments(joint, state, sectors) for state in states]),
+        interference=_working_interference(joint, floating, states[0]).reshape(sectors, -1),
+    )
+
+
+def _axis_bodies(joint: Joint) -> tuple[str, ...]:
+    """Names of the bodies on the axis of a joint of equal sectors."""
+    return tuple(body.name for body in joint.drive.bodies if body.place == "axis")
+
+
+def _forces_on_axis(equal: Joint, joint: Joint, state: DriveState) -> Array:
+    return forces_on_centre(
+        drive=joint.drive,
+        bodies=_axis_bodies(equal),
+        normal=state.normal,
+        tangential=state.tangential,
+        pin_force=state.pin_force,
+    )
+
+
+def _moments_on_axis(equal: Joint, joint: Joint, state: DriveState) -> Array:
+    """Moments that all sectors put on the bodies on the axis and on the carrier, counter-clockwise [N·m]."""
+    drive = joint.drive
+    moments = member_moments(drive, incidence(drive), state.tangential, state.pin_force)
+    return moments[np.array([drive.members.index(name) for name in (*_axis_bodies(equal), CARRIER)])]
+
+
+def _output_moments(joint: Joint, state: DriveState, sectors: int) -> Array:
+    """Moments that the sectors pass to the output [N·m]."""
+    drive, matrices = joint.drive, incidence(joint.drive)
+    each = -matrices.turning[:, drive.members.index(drive.output)] * state.tangential
+    if drive.output == CARRIER:
+        each = matrices.levers * state.pin_force
+    return jnp.sum(each.reshape(sectors, -1), axis=1)
+
+
+def _working_interference(joint: Joint, floating: tuple[str, ...], rest: DriveState) -> Array:
+    """Interference of the contacts, with what floating bodies on the axis take of it [m]."""
+    drive = joint.drive
+    central = np.array([drive.bodies[body].name in floating for body in drive.floating])
+    return rest.interference + incidence(drive).approach @ jnp.where(
+        np.repeat(central, 2), rest.displacement.ravel(), 0.0
+    )
+
+
+def _state(
+    branches: AssembledBranches, sums: _Sums, kind: int, state: DriveState, torque: float
+) -> BranchState:
+    """The branches at rest, standing or rolling: 0, 1 or 2."""
+    drive, turned = branches.equal.drive, _towards_first(branches.equal)
+    central = _axis_bodies(branches.equal)
+    members = [*central, CARRIER]
+    forces = dict(zip(members, sums.centre_force[kind] @ turned.T, strict=True))
+    moments = np.zeros(branches.sectors)
+    if kind and torque:
+        moments = np.asarray(sums.output_moment[kind])
+        moments = moments * (torque / moments.sum())
+    sun = drive.input if drive.input in central else central[0]
+    return BranchState(
+        torque=moments,
+        sun=sun,
+        sun_displacement=turned @ state.displacement[0] if branches.floating else np.zeros(2),
+        sun_force=forces.pop(sun),
+        centre_forces=forces,
+        torques=dict(zip(members, map(float, drive.sense * sums.centre_moment[kind]), strict=True)),
+        input_torque=float(state.input_torque),
+    )
+
+
+def _towards_first(joint: Joint) -> np.ndarray:
+    """Rotation to axes of which the first points to the first roller of the first sector."""
+    x, y = np.asarray(joint.drive.centres)[joint.drive.floating[0]]
+    return np.array([[x, y], [-y, x]]) / math.hypot(x, y)

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
-from asperity.branches.branches import BranchedJoint
-from asperity.branches.results import BranchState, UnequalBranches
+from asperity.branches.branches import AssembledBranches, assembled_branches
+from asperity.branches.results import BranchState, UnequalBranches, unequal_branches
 from asperity.branches.sizes import SectorDeviations
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.description import Joint
+from asperity.joint.solve import DirectedLimits, states_and_limits
+
+_WIDEST = 0.4  # of the interference
+_POINTS = 17
 
 
 @dataclass(frozen=True)
@@ -30,7 +36,7 @@ class SizeErrorCurves:
         Torques of the standing joint at which the weakest branch and all of them slip [N·m].
     sun_force : ndarray
         Force of the planets on the sun under the torque at rest [N].
-    noun, track : str, optional
+    noun, track : str
         What a branch is called, and whose radius it is.
     """
 
@@ -40,42 +46,88 @@ class SizeErrorCurves:
     first_slip: np.ndarray
     all_slip: np.ndarray
     sun_force: np.ndarray
-    noun: str = "planet"
-    track: str = "planet"
+    noun: str
+    track: str
 
 
-def size_error_curves(
-    drive: BranchedJoint, sizes: SectorDeviations, deviation: np.ndarray
-) -> SizeErrorCurves:
+class LoadedBranches(NamedTuple):
+    """Unequal branches under the torque of their joint, and the torques that they pass.
+
+    Parameters
+    ----------
+    branches : UnequalBranches
+        What each carries.
+    limits : DirectedLimits
+        In the direction of the torque.
+    """
+
+    branches: UnequalBranches
+    limits: DirectedLimits
+
+
+def loaded_branches(joint: Joint, sizes: SectorDeviations) -> LoadedBranches:
+    """Unequal branches of one joint of equal sectors, without the results of their contacts.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint of equal sectors.
+    sizes : SectorDeviations
+        What differs.
+
+    Returns
+    -------
+    LoadedBranches
+        What each carries.
+
+    Raises
+    ------
+    InputError, NoSolutionError
+        As :func:`asperity.branches.branches.assembled_branches`.
+
+    References
+    ----------
+    Equation (I4) of :doc:`/equations`.
+    """
+    assembled = assembled_branches(joint, sizes)
+    states, limits = states_and_limits(assembled.joint)
+    return LoadedBranches(unequal_branches(assembled, states), limits)
+
+
+def size_error_curves(branches: AssembledBranches) -> SizeErrorCurves:
     """What a wrong size of one planet does."""
-    found = [_solved(drive, sizes.with_first(each)) for each in deviation]
-    nothing = np.full(drive.count, np.nan)
+    joint, sizes = branches.equal, branches.sizes
+    widest = _WIDEST * branches.equal_interference
+    deviation = np.linspace(-widest, widest, _POINTS)
+    loaded = [_loaded(joint, sizes.with_first(each)) for each in deviation]
+    nothing = np.full(branches.sectors, np.nan)
 
-    def shares(states: list[BranchState | None]) -> np.ndarray:
+    def shares(of: Callable[[UnequalBranches], BranchState | None]) -> np.ndarray:
+        states = [None if each is None else of(each.branches) for each in loaded]
         return np.array([nothing if state is None else state.share for state in states])
 
-    def numbers(of: Callable[[UnequalBranches], float]) -> np.ndarray:
-        return np.array([np.nan if each is None else of(each) for each in found])
+    def numbers(of: Callable[[LoadedBranches], float]) -> np.ndarray:
+        return np.array([np.nan if each is None else of(each) for each in loaded])
 
-    known = next((each for each in found if each is not None), None)
     return SizeErrorCurves(
         deviation=deviation,
-        standing_share=shares([None if each is None else each.standing for each in found]),
-        rolling_share=shares([None if each is None else each.rolling for each in found]),
-        first_slip=numbers(lambda each: each.capacity.first_slip),
-        all_slip=numbers(lambda each: each.capacity.all_slip),
+        standing_share=shares(lambda found: found.standing),
+        rolling_share=shares(lambda found: found.rolling),
+        first_slip=numbers(lambda each: float(each.limits.first_slip.output_torque)),
+        all_slip=numbers(lambda each: float(each.limits.standing.output_torque)),
         sun_force=numbers(
-            lambda each: np.nan if each.standing is None else float(np.hypot(*each.standing.sun_force))
+            lambda each: (
+                math.nan if each.branches.standing is None else math.hypot(*each.branches.standing.sun_force)
+            )
         ),
-        noun="planet" if known is None else known.noun,
+        noun=branches.noun,
         track=next(iter(sizes.deviations)).replace("_", " "),
     )
 
 
-def _solved(drive: Any, sizes: SectorDeviations) -> UnequalBranches | None:
-    """What branches of given sizes do; None where they are refused."""
+def _loaded(joint: Joint, sizes: SectorDeviations) -> LoadedBranches | None:
+    """Branches of given sizes; None where they are refused."""
     try:
-        found: UnequalBranches = drive.branches(sizes)
+        return loaded_branches(joint, sizes)
     except (InputError, NoSolutionError):
         return None
-    return found

@@ -66,7 +66,7 @@ def calibrate(
     check_file(out, file, *data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
-    case = read_case_of_branches(file, own=True)
+    case = read_case_of_branches(file)
     prepare_computation()
     from asperity.study.calibration.calibrate import calibrate as fit
     from asperity.study.calibration.measurement import read_measurement

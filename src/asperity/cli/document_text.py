@@ -187,14 +187,9 @@ def show_branches(target: Console, branches: Document) -> None:
         )
     target.print(shown)
     print_wrapped(target, f"  {branches['note']}", indent=2)
-    stiffness = branches.get("output_stiffness_Nm_per_rad")
     for label, text in (
         ("sun", _sun(branches, standing)),
         *(("centre", text) for text in _others(branches, standing or branches["without_torque"])),
-        ("capacity", _capacity(branches, "torque_capacity")),
-        ("rolling", _capacity(branches, "rolling_torque_capacity")),
-        *([] if stiffness is None else [("stiffness", _stiffness(stiffness))]),
-        *([("turning", _turning(branches["turning"]))] if "turning" in branches else []),
     ):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
 
@@ -220,29 +215,3 @@ def _others(found: Document, state: Document) -> list[str]:
         for name, force in forces.items()
     ]
     return [", ".join(named)] if named else []
-
-
-def _turning(found: Document) -> str:
-    """Drift and losses of all branches together."""
-    if found["unknown_because"]:
-        return "; ".join(found["unknown_because"])
-    words = f"drift of {in_unit(found['drift_rad_per_output_turn'], 'arcmin')} per output turn"
-    if found["efficiency"] is not None:
-        total = in_unit(found["losses_W"]["total"], "W")
-        words += f", losses of {total}, efficiency {scaled(found['efficiency'], 100.0)} %"
-    return f"{words}, all of these branches together"
-
-
-def _stiffness(value: float) -> str:
-    return f"{in_unit(value, 'N*m/arcmin')} at the output, of these branches, assembled"
-
-
-def _capacity(found: Document, name: str) -> str:
-    entry = found[name]
-    last = entry["all_slip_Nm"]
-    beyond = "steady rolling ends there" if last is None else f"all slip at {in_unit(last, 'N*m')}"
-    return (
-        f"{in_unit(entry['first_slip_Nm'], 'N*m')}: contact {entry['first_contact']} of {found['branch_is']} "
-        f"{entry['first_branch']} {entry['first_event']} first; {beyond}; equal branches pass "
-        f"{in_unit(entry['equal_branches_Nm'], 'N*m')}"
-    )

@@ -48,7 +48,7 @@ def draw(file: str, out: str, forces: bool) -> None:
         from asperity.show.sheet_dxf import require_ezdxf
 
         require_ezdxf()
-    case = read_case_of_branches(file, own=False) if forces else read_case(file)
+    case = read_case_of_branches(file) if forces else read_case(file)
     prepare_computation()
     with about(file):
         sheet = _sheet(case, file, forces)
@@ -66,9 +66,10 @@ def draw(file: str, out: str, forces: bool) -> None:
 def _sheet(case: Case, file: str, forces: bool) -> Sheet:
     from asperity.drive.layout.existence import refuse_impossible
     from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.own_branches import with_own_branches
     from asperity.show.drive_sheet import drive_sheet
 
-    joint = joint_from_case(case)
+    joint = with_own_branches(case) if forces else joint_from_case(case)
     refuse_impossible(joint.drive)
     found = None
     if forces:

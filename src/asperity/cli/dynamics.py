@@ -37,7 +37,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
 
     check_image(plot_file)
     check_file(csv_file, file)
-    case = read_case_of_branches(file, own=True)
+    case = read_case_of_branches(file)
     from asperity.joint_file.own_branches import with_own_branches
     from asperity.joint_file.section_build import inertias_from_case
 

@@ -54,7 +54,7 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     from asperity.export.targets import check_target
 
     check_target(to, out, file)
-    case = read_case_of_branches(file, own=True)
+    case = read_case_of_branches(file)
     from asperity.units import Dimension, parse_quantity
 
     try:

@@ -64,30 +64,19 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
-        errors = _size_errors(case, solved)
+        errors = _size_errors(solved)
         write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
     _show(document, file, as_json)
 
 
-def _size_errors(case: Case, solved: SolvedJoint) -> SizeErrorCurves | None:
+def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:
     """Branches of unlike sizes over the size of the first; None where the file has none."""
-    import numpy as np
-
-    from asperity.branches.size_errors import size_error_curves
-
     if solved.branches is None:
         return None
-    from asperity.branches.equal_branches import solve_equal_branches
-    from asperity.joint_file.build import branched_joint, deviations_of, joint_from_case
-    from asperity.joint_file.si_tables import si_values
+    from asperity.branches.size_errors import size_error_curves
 
-    joint = joint_from_case(case)
-    branched = branched_joint(case, joint, solve_equal_branches(joint)[0])
-    assert branched is not None
-    sizes = deviations_of(si_values(case))
-    widest = 0.4 * branched.interference
-    return size_error_curves(branched, sizes, np.linspace(-widest, widest, 17))
+    return size_error_curves(solved.branches)
 
 
 def _interval(case: Case, described: Joint, measured: SurfaceMeasurement | None) -> dict[str, Any]:

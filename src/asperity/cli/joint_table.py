@@ -204,23 +204,14 @@ def _show_drive(target: Console, document: Document) -> None:
     torque = "out {}; in {} without losses in rolling, {} with all losses".format(*ends)
     common = (
         ("torque", torque),
-        ("capacity", _first_slip(document, "torque_capacity") + capacity_text(capacity)),
+        ("capacity", capacity_text(capacity)),
         *(("first slip", text) for text in first_slip_words(capacity)),
-        ("rolling", _first_slip(document, "rolling_torque_capacity") + _rolling_capacity(document)),
+        ("rolling", _rolling_capacity(document)),
     )
     before, after = _own_rows(document)
     target.print("Drive", style="bold")
     for label, text in (*before, *common, *after):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
-
-
-def _first_slip(document: Document, name: str) -> str:
-    """What unequal branches make of a capacity, before that of equal ones where the rest is theirs; or nothing."""
-    from asperity.results.branch_limits import capacity_words
-
-    if "branches" not in document or document["of_own_branches"]:
-        return ""
-    return f"{capacity_words(document['branches'], name)}; equal branches: "
 
 
 def _own_rows(document: Document) -> tuple[Rows, Rows]:

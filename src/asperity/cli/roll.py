@@ -33,7 +33,8 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     Rollers that pass torque creep: the output falls behind with every turn, however stiff the joint is. The sections
     [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
-    document is that of 'asperity joint'. With [[branch]] the last table says what all branches do together.
+    document is that of 'asperity joint'.
+    With [[branch]] the last table says what each branch carries.
     """
     from asperity.joint_file.reader import read_case
 
@@ -42,14 +43,10 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     prepare_computation()
     from asperity.joint.solve import refuse_no_rolling
     from asperity.joint_file.solved_document import solve_case
-    from asperity.results.branch_limits import refuse_no_rolling_together
 
     with about(file):
         solved, document = solve_case(case)  # refuses a torque beyond the capacity
-        if solved.branches is None:
-            refuse_no_rolling(solved.joint, solved.solution)
-        else:
-            refuse_no_rolling_together(solved.branches)
+        refuse_no_rolling(solved.joint, solved.solution)
     if plot_file:
         _draw(solved.joint, solved.result, document, file, plot_file)
     _show(document, file, as_json)

@@ -39,7 +39,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     """
     from asperity.cli.terminal import about, read_case_of_branches
 
-    case = read_case_of_branches(file, own=True)
+    case = read_case_of_branches(file)
     prepare_computation()
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values

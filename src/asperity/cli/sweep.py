@@ -98,7 +98,7 @@ def sweep(
     """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
     from asperity.cli.terminal import read_case_of_branches
 
-    case = read_case_of_branches(file, own=True)
+    case = read_case_of_branches(file)
     prepare_computation()
     from asperity.cli.terminal import about, progress_bar
     from asperity.joint_file.any_joint import results_of

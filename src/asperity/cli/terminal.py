@@ -328,19 +328,17 @@ def about(file: str, *others: str | None) -> Iterator[None]:
         raise type(error)(f"{file}: {error}", options=error.options) from None
 
 
-def read_case_of_branches(file: str, *, own: bool) -> AnyCase:
-    """A joint file; a note says whether the results are those of its sections ``[[branch]]``, if it has them."""
+def read_case_of_branches(file: str) -> AnyCase:
+    """A joint file; a note says that the results are those of its sections ``[[branch]]``, if it has them."""
     from asperity.joint_file.reader import read_case
 
     case = read_case(file)
     if case.branch is not None:
-        said = (
-            "the results are those of the branches of the file, [[branch]]; contacts and rollers have the number of "
-            "theirs"
-            if own
-            else "the forces are those of equal branches; 'asperity joint' and 'loads' have those of [[branch]]"
+        click.echo(
+            "asperity: note: the results are those of the branches of the file, [[branch]]; contacts and rollers have "
+            "the number of theirs",
+            err=True,
         )
-        click.echo(f"asperity: note: {said}", err=True)
     return case
 
 

@@ -82,7 +82,7 @@ def windup(
     check_file(csv_file, file)
     check_file(rolling_file, file)
     check_image(plot_file)
-    case = read_case_of_branches(file, own=True)
+    case = read_case_of_branches(file)
     from asperity.units import Dimension, parse_quantity
 
     try:

@@ -130,20 +130,3 @@ def body_rims(
         yield_safety=material.yield_strength / jnp.maximum(working.mises, resting.mises),
         fatigue_safety=safety,
     )
-
-
-def worse_rims(right: BodyRims, left: BodyRims) -> BodyRims:
-    """The worse of two bodies."""
-    takes_right = right.amplitude > left.amplitude
-    mean, amplitude = (
-        jnp.where(takes_right, getattr(right, name), getattr(left, name)) for name in ("mean", "amplitude")
-    )
-    largest, smallest = (jax.tree.map(choose, right, left) for choose in (jnp.maximum, jnp.minimum))
-    return BodyRims(
-        stress=largest.stress,
-        stress_at_rest=largest.stress_at_rest,
-        mean=mean,
-        amplitude=amplitude,
-        yield_safety=smallest.yield_safety,
-        fatigue_safety=smallest.fatigue_safety,
-    )

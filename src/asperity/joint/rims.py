@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import functools
-
 import jax
 import jax.numpy as jnp
 from jax import Array
 
 from asperity.joint.bodies import exact_bodies
 from asperity.joint.bores import pin_forces, push_angles
-from asperity.joint.description import Joint, joint_contacts, places, tracks_of
+from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
-from asperity.joint.rim_safety import BodyRims, PinLoad, body_rims, worse_rims
-from asperity.joint.unfolding import SectorSizes, unfolded_joint
+from asperity.joint.rim_safety import BodyRims, PinLoad, body_rims
 from asperity.rolling.turning import driving_sense
 
 
@@ -75,26 +72,6 @@ def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
     width = jnp.asarray(result.diagnostics.hertz_half_width)
     sectors = 1 if joint.unlike is None else joint.unlike.sectors
     return _in_order(_each_body(joint, states, width, sectors), bends(joint))
-
-
-def branch_rims(sectors: int, joint: Joint, working: Array, rest: Array) -> BodyRims:
-    """Strength of the bodies that bend between sectors that differ; pure."""
-    even = jnp.ones((sectors, len(joint.drive.contacts)))
-    sizes = SectorSizes(0.0 * even, even, 0.0)
-    whole = unfolded_joint(joint, sizes, sectors=sectors, floating=())
-    width = jax.vmap(joint_contacts(joint).largest_half_width, in_axes=1)(working[0]).ravel()
-    states = tuple(tuple(each.T.ravel() for each in state) for state in (working, rest))
-    found = iter(_each_body(whole, states, width, sectors))
-    central = [body.place == "axis" for body in joint.drive.bodies]
-    acts = bends(joint)
-    rings = {number: next(found) for number, held in enumerate(central) if held and acts[number]}
-    rollers = [number for number, held in enumerate(central) if not held and acts[number]]
-    copies: dict[int, list[BodyRims]] = {number: [] for number in rollers}
-    for _ in range(sectors):
-        for number in rollers:
-            copies[number].append(next(found))
-    worst = {number: functools.reduce(worse_rims, each) for number, each in copies.items()}
-    return _in_order([(rings | worst)[number] for number in sorted(rings | worst)], acts)
 
 
 def _each_body(

@@ -11,9 +11,10 @@ import numpy as np
 
 from asperity.compilation import Program, compile_fast
 from asperity.drive.layout.existence import refuse_impossible
+from asperity.drive.state.state import DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.capacity import TorqueCapacities, torque_capacities, under_torque
+from asperity.joint.capacity import torque_capacities, torque_capacity, under_torque
 from asperity.joint.description import Joint, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.loading_cam import Pressed, mean_preload
@@ -33,6 +34,8 @@ class Solution(eqx.Module):
     ----------
     result : JointResult
         Forces, contacts, stiffness, diagnostics and rolling.
+    states : DriveStates
+        Of the drive: assembled, standing and rolling.
     capacity, reverse_capacity : TorqueCapacity
         Largest positive and largest negative output torque, standing [N·m], and what limits them.
     rolling_capacity, reverse_rolling_capacity : TorqueCapacity
@@ -42,6 +45,7 @@ class Solution(eqx.Module):
     """
 
     result: JointResult
+    states: DriveStates
     capacity: TorqueCapacity
     reverse_capacity: TorqueCapacity
     rolling_capacity: TorqueCapacity
@@ -50,42 +54,82 @@ class Solution(eqx.Module):
     reverse_first_slip: TorqueCapacity
 
 
-def result_and_capacity(joint: Joint) -> tuple[JointResult, TorqueCapacities]:
-    """Everything about one joint, and its capacities, without a judgement whether it exists."""
+def solution_of(joint: Joint) -> Solution:
+    """Everything about one joint, of NumPy's numbers, without a judgement whether it exists."""
     joint = in_motion(joint)
     programs = _programs(joint)
+    result_program = _result_program(joint, programs)
     if any(bends(joint)):
-        compile_fast(joint_rims, joint, programs.result.results)  # which every document asks for next
-    result, without_torque = _solved(joint, programs)
+        compile_fast(joint_rims, joint, result_program.results)  # which every document asks for next
+    without_torque, states = _states(joint, programs)
+    result = jax.tree.map(np.asarray, result_program(joint, without_torque.laws, states))
     under = programs.under_torque.with_first(joint, without_torque)
-    return result, torque_capacities(joint, without_torque, under)
+    capacities = torque_capacities(joint, without_torque, under)
+    both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacities for i in range(2)]
+    return Solution(result, states, *both)
 
 
 def joint_state(joint: Joint) -> JointResult:
     """What one joint does under its own torque and speed, of NumPy's numbers, without its capacities."""
     joint = in_motion(joint)
-    return _solved(joint, _programs(joint))[0]
+    programs = _programs(joint)
+    result_program = _result_program(joint, programs)
+    without_torque, states = _states(joint, programs)
+    result: JointResult = jax.tree.map(np.asarray, result_program(joint, without_torque.laws, states))
+    return result
+
+
+class DirectedLimits(NamedTuple):
+    """Torque capacities of a joint in the direction of its torque.
+
+    Parameters
+    ----------
+    standing, rolling, first_slip : TorqueCapacity
+        As of :class:`Solution`.
+    """
+
+    standing: TorqueCapacity
+    rolling: TorqueCapacity
+    first_slip: TorqueCapacity
+
+
+def states_and_limits(joint: Joint) -> tuple[DriveStates, DirectedLimits]:
+    """States of one joint, of NumPy's numbers, and its capacities in the direction of its torque; nothing else."""
+    joint = in_motion(joint)
+    programs = _programs(joint)
+    without_torque, states = _states(joint, programs)
+    under = programs.under_torque.with_first(joint, without_torque)
+    direction = -1.0 if float(joint.output_torque) < 0.0 else 1.0
+    limits = [
+        torque_capacity(joint, without_torque, under, direction=direction, rolls=rolls, holds=holds)
+        for rolls, holds in ((False, False), (True, False), (False, True))
+    ]
+    return states, DirectedLimits(*limits)
 
 
 class _Programs(NamedTuple):
-    """What is compiled to solve one joint: that with its state serves its capacities too."""
+    """What is compiled to find the states of one joint; that under its torque serves its capacities too."""
 
     assembled: Program
     under_torque: Program
-    result: Program
 
 
 def _programs(joint: Joint) -> _Programs:
     first = compile_fast(assembled_joint, joint)
     torque, flag = np.asarray(joint.output_torque), np.asarray(False)
-    second = compile_fast(under_torque, joint, first.results, torque, flag, flag)
-    states = DriveStates(first.results.rest, second.results.state, second.results.state)
-    if joint.cam is not None:
-        states = states._replace(pressed=second.results.pressed)
-    return _Programs(first, second, compile_fast(joint_result, joint, first.results.laws, states))
+    return _Programs(first, compile_fast(under_torque, joint, first.results, torque, flag, flag))
 
 
-def _solved(joint: Joint, programs: _Programs) -> tuple[JointResult, Pressed]:
+def _result_program(joint: Joint, programs: _Programs) -> Program:
+    """What the states of a joint mean."""
+    first, second = programs.assembled.results, programs.under_torque.results
+    pressed = None if joint.cam is None else second.pressed
+    states = DriveStates(first.rest, second.state, second.state, pressed)
+    return compile_fast(joint_result, joint, first.laws, states)
+
+
+def _states(joint: Joint, programs: _Programs) -> tuple[Pressed, DriveStates]:
+    """The assembled joint, and its states under its torque."""
     without_torque: Pressed = jax.tree.map(np.asarray, programs.assembled(joint))
     torque, no = np.asarray(joint.output_torque), np.asarray(False)
     standing, rolling = (
@@ -93,8 +137,7 @@ def _solved(joint: Joint, programs: _Programs) -> tuple[JointResult, Pressed]:
     )
     pressed = None if joint.cam is None else standing.pressed
     states = DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
-    result: JointResult = jax.tree.map(np.asarray, programs.result(joint, without_torque.laws, states))
-    return result, without_torque
+    return without_torque, jax.tree.map(np.asarray, states)
 
 
 def solve_joint(joint: Joint) -> Solution:
@@ -121,16 +164,19 @@ def solve_joint(joint: Joint) -> Solution:
     """
     require_double_precision()
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    refuse_impossible(numbers.drive)
-    refuse_loose(numbers.fit)
-    refuse_pins(numbers)
-    refuse_bores(numbers)
-    refuse_short_pins(numbers)
-    result, capacity = result_and_capacity(numbers)
-    both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacity for i in range(2)]
-    solution = Solution(result, *both)
+    refuse_impossible_joint(numbers)
+    solution = solution_of(numbers)
     _refuse_unsolved(numbers, solution)
     return solution
+
+
+def refuse_impossible_joint(joint: Joint) -> None:
+    """Refuse a joint, of NumPy's numbers, whose parts do not fit."""
+    refuse_impossible(joint.drive)
+    refuse_loose(joint.fit)
+    refuse_pins(joint)
+    refuse_bores(joint)
+    refuse_short_pins(joint)
 
 
 def refuse_bores(joint: Joint) -> None:
@@ -172,17 +218,14 @@ def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
     result, torque = solution.result, float(joint.output_torque)
     capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
     limit, kind = float(capacity.output_torque), LIMIT_KINDS[int(capacity.limit)]
-    pressed, pressed_by_cam = (
-        float(state.worst) < np.inf and bool(np.all(np.asarray(state.normal) > 0.0))
-        for state in (result.rest, result.pressed)
-    )
-    if pressed and joint.cam is not None and kind in MODEL_LIMITS and abs(torque) >= limit > 0.0:
+    if (
+        _is_pressed(result.rest)
+        and joint.cam is not None
+        and kind in MODEL_LIMITS
+        and abs(torque) >= limit > 0.0
+    ):
         raise InputError(_beyond_what_is_computed(joint, solution, capacity))
-    if not (pressed and pressed_by_cam):
-        raise NoSolutionError(
-            f"with {_given(joint)} no state was found in which every contact of the assembled drive is pressed; "
-            "check this value, the radii and the walls"
-        )
+    refuse_not_pressed(joint, result.rest, result.pressed)
     refuse_short_contacts(result)
     if not bool(result.walls_hold):
         raise InputError(
@@ -206,6 +249,19 @@ def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
         f"no balance under {format_quantity(torque, 'N*m')} was found (residual "
         f"{float(result.forces.balance_residual):.3g}); lower the torque or the speed"
     )
+
+
+def refuse_not_pressed(joint: Joint, *assembled: DriveState) -> None:
+    """Refuse a joint, in its states without torque, of which a contact is not pressed."""
+    if not all(map(_is_pressed, assembled)):
+        raise NoSolutionError(
+            f"with {_given(joint)} no state was found in which every contact of the assembled drive is pressed; "
+            "check this value, the radii and the walls"
+        )
+
+
+def _is_pressed(state: DriveState) -> bool:
+    return float(state.worst) < np.inf and bool(np.all(np.asarray(state.normal) > 0.0))
 
 
 def _beyond_what_is_computed(joint: Joint, solution: Solution, capacity: TorqueCapacity) -> str:

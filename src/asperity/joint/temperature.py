@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from typing import Any
 
 import jax
@@ -13,11 +14,10 @@ from jax import Array
 from asperity.drive.layout.expansion import interference_of_strains, ring_interference
 from asperity.drive.layout.thermal_expansion import ring_expansion
 from asperity.drive.state.equal_springs import rest_forces
-from asperity.joint.capacity import TorqueCapacities
 from asperity.joint.description import ContactFit, Joint, places
-from asperity.joint.evaluation import JointResult
+from asperity.joint.loading_cam import mean_preload
 from asperity.joint.looseness import fit_document
-from asperity.joint.solve import result_and_capacity
+from asperity.joint.solve import Solution
 from asperity.types import Real
 
 
@@ -69,17 +69,19 @@ def contact_fit(
     )
 
 
-def solved_at(joint: Joint, temperature: float) -> tuple[JointResult, TorqueCapacities]:
-    """What the same joint does at another working temperature."""
+def at_temperature(joint: Joint, temperature: float) -> Joint:
+    """The same joint, of NumPy's numbers, at another working temperature."""
     assert joint.fit is not None
     there = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
-    return result_and_capacity(numbers)
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
+    return numbers
 
 
-def assembly_document(joint: Joint) -> dict[str, Any] | None:
+def assembly_document(joint: Joint, at_assembly: Solution | None) -> dict[str, Any] | None:
     """Preload and interference at the assembly, and what temperature does to them, for a JSON document."""
     if joint.fit is None:
         return None
-    result, _ = solved_at(joint, float(joint.fit.assembly_temperature))
-    return fit_document(joint.fit, result.rest.normal[0])
+    preload = math.nan
+    if at_assembly is not None:
+        preload = float(mean_preload(joint, at_assembly.result.rest.normal))
+    return fit_document(joint.fit, preload)

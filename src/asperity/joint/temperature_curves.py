@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -11,7 +12,8 @@ from jax import Array
 
 from asperity.errors import InputError
 from asperity.joint.description import Joint
-from asperity.joint.temperature import solved_at
+from asperity.joint.loading_cam import mean_preload
+from asperity.joint.solve import Solution
 
 _TEMPERATURES = 41
 _LEAST_MARGIN = 20.0  # of the axis beyond the temperatures of the file [K]
@@ -25,7 +27,7 @@ class TemperatureCurves(eqx.Module):
     temperature : Array
         Temperatures [degC].
     preload : Array
-        Normal force between sun and planet at rest [N]; 0 where the joint is loose.
+        Normal force of the first contact at rest, the mean of unlike sectors [N]; 0 where the joint is loose.
     stiffness : Array
         Assembled torsional stiffness at the output under the joint's torque [N·m/rad].
     torque_capacity : Array
@@ -38,8 +40,26 @@ class TemperatureCurves(eqx.Module):
     torque_capacity: Array
 
 
-def temperature_curves(joint: Joint) -> TemperatureCurves:
-    """Preload, assembled stiffness and torque capacity of a joint around the temperatures of its file."""
+def temperature_curves(joint: Joint, solved_at: Callable[[float], Solution | None]) -> TemperatureCurves:
+    """Preload, assembled stiffness and torque capacity of a joint around the temperatures of its file.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    solved_at : callable
+        Its solution at a working temperature [degC]; None where it is loose.
+
+    Returns
+    -------
+    TemperatureCurves
+        At 41 temperatures.
+
+    Raises
+    ------
+    InputError
+        If temperature does not change the preload.
+    """
     fit = joint.fit
     if fit is None:
         raise InputError(
@@ -48,22 +68,24 @@ def temperature_curves(joint: Joint) -> TemperatureCurves:
     ends = sorted((float(fit.assembly_temperature), float(fit.working_temperature)))
     margin = max(_LEAST_MARGIN, 0.5 * (ends[1] - ends[0]))
     temperature = np.linspace(ends[0] - margin, ends[1] + margin, _TEMPERATURES)
-    found = _of_drive(joint, temperature)
+    found = _of_drive(joint, [solved_at(each) for each in temperature])
     return TemperatureCurves(*map(jnp.asarray, (temperature, *found)))
 
 
-def _of_drive(joint: Joint, temperature: np.ndarray) -> tuple[np.ndarray, ...]:
+def _of_drive(joint: Joint, solutions: list[Solution | None]) -> tuple[np.ndarray, ...]:
     """Preload, assembled stiffness and torque capacity, one temperature after the other."""
-    backwards = int(float(joint.output_torque) < 0.0)
-    rows = []
-    for each in temperature:
-        result, capacity = solved_at(joint, each)
-        limit = capacity.standing.output_torque[backwards]
+    torque, rows = float(joint.output_torque), []
+    for solution in solutions:
+        if solution is None:
+            rows.append((0.0, math.nan, math.nan))
+            continue
+        result = solution.result
+        limit = (solution.reverse_capacity if torque < 0.0 else solution.capacity).output_torque
         assembled = bool(np.all(result.rest.normal > 0.0)) and bool(np.isfinite(result.rest.residual))
-        holds = assembled and bool(result.solved) and abs(float(joint.output_torque)) < float(limit)
+        holds = assembled and bool(result.solved) and abs(torque) < float(limit)
         rows.append(
             (
-                float(result.rest.normal[0]) if assembled else 0.0,
+                float(mean_preload(joint, result.rest.normal)) if assembled else 0.0,
                 float(result.assembly.stiffness.output) if holds else math.nan,
                 float(limit) if assembled else math.nan,
             )

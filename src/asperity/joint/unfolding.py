@@ -10,6 +10,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.unfolding import unfolded
+from asperity.drive.state.state import DriveState
 from asperity.implicit import settled_root
 from asperity.joint.description import (
     Joint,
@@ -116,12 +117,15 @@ class SettledSectors(NamedTuple):
         With the normal forces around which the laws of the contacts are taken.
     without_torque : Pressed
         The assembled joint.
+    equal : DriveState
+        The assembled joint with equal sectors.
     change : Array
         Largest relative difference of its forces from these; not small where they do not settle [-].
     """
 
     sizes: SectorSizes
     without_torque: Pressed
+    equal: DriveState
     change: Array
 
 
@@ -166,4 +170,5 @@ def settled_sectors(
     ratio = settled_root(change, jnp.ones_like(sizes.added))
     without_torque = around(base * ratio)
     left = jnp.max(jnp.abs(without_torque.rest.normal.reshape(ratio.shape) / (equal * ratio) - 1.0))
-    return SettledSectors(dataclasses.replace(sizes, reference_force=base * ratio), without_torque, left)
+    settled = dataclasses.replace(sizes, reference_force=base * ratio)
+    return SettledSectors(settled, without_torque, alone.rest, left)

@@ -164,9 +164,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
         told.append(
             "[[branch]]: every branch is solved by itself, together with the bodies on the axis; rings and carrier are "
             "centred, and what centres a ring that carries itself acts evenly all round; the standing drive is loaded "
-            "from rest without torque; all numbers but those of the worst branch, of single branches, of their sums, "
-            "of the forces on the members on the axis, of bearings and of rims that bend are of equal ones, as far as "
-            "these carry the torque"
+            "from rest without torque"
         )
         if case.compliance is None or case.compliance.sun_support_stiffness is None:
             told.append(

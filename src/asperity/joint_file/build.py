@@ -38,9 +38,7 @@ from asperity.joint_file.section_build import entries, play_of, rated_bearing, r
 from asperity.joint_file.si_tables import Values, si_values
 
 if TYPE_CHECKING:
-    from asperity.branches.branches import BranchedJoint
-    from asperity.branches.results import BranchState, UnequalBranches
-    from asperity.joint.solve import Solution
+    pass
 
 
 def joint_from_case(case: Case) -> Joint:
@@ -316,51 +314,6 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[Toleranced
             body = values["contact"][steps[0][1]][sides[0][1]]
             known.append(TolerancedTrack(path, body in off_axis, np.asarray(_per_size(drive, sides))))
     return known
-
-
-def branched_joint(case: Case, joint: Joint, solution: Solution) -> BranchedJoint | None:
-    """The joint of a file with sections ``[[branch]]``, made ready for branches of any sizes.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    joint : Joint
-        Its joint.
-    solution : Solution
-        What the joint does with equal branches.
-
-    Returns
-    -------
-    BranchedJoint or None
-        None where there are no such sections.
-    """
-    if case.branch is None:
-        return None
-    from asperity.branches.branches import BranchedJoint
-
-    return BranchedJoint(joint, solution)
-
-
-def unequal_sectors(case: Case, joint: Joint, solution: Solution) -> UnequalBranches | None:
-    """What the sections ``[[branch]]`` of a joint file do to its joint."""
-    branched = branched_joint(case, joint, solution)
-    if branched is None:
-        return None
-    from asperity.branches.bearings import with_duty
-    from asperity.branches.branches import BranchedJoint
-    from asperity.branches.equal_branches import solve_equal_branches
-    from asperity.results.branch_limits import refuse_beyond
-
-    sizes = deviations_of(si_values(case))
-    found = branched.branches(sizes)
-    refuse_beyond(found, float(joint.output_torque))
-
-    def working(there: Joint) -> BranchState | None:
-        equal, _ = solve_equal_branches(there)
-        return BranchedJoint(there, equal).branches(sizes).working(turns=float(there.sun_speed) != 0.0)
-
-    return with_duty(found, joint, working)
 
 
 def with_nominal_sizes(values: Values) -> Values:

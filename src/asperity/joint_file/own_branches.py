@@ -13,7 +13,6 @@ from asperity.implicit import SETTLED
 from asperity.joint.unfolding import SectorSizes, settled_sectors, unfolded_joint
 from asperity.joint_file.build import (
     added_by_branches,
-    branched_joint,
     deviations_of,
     joint_from_case,
     joint_from_values,
@@ -22,6 +21,7 @@ from asperity.joint_file.parts import layout_of
 from asperity.joint_file.si_tables import AnyCase, Values, si_values
 
 if TYPE_CHECKING:
+    from asperity.branches.branches import AssembledBranches
     from asperity.joint.description import Joint
 
 
@@ -50,16 +50,17 @@ def with_own_branches(case: AnyCase) -> Joint:
     ----------
     Equation (I4) of :doc:`/equations`.
     """
-    if case.branch is None:
-        return joint_from_case(case)
-    from asperity.joint.solve import solve_joint
+    branches = branches_of(case)
+    return joint_from_case(case) if branches is None else branches.joint
 
-    joint = joint_from_case(case)
-    free = dataclasses.replace(joint, output_torque=0.0)  # which equal branches carry, whatever its own do
-    branched = branched_joint(case, free, solve_joint(free))
-    assert branched is not None
-    unfolded = branched.unfolded(deviations_of(si_values(case)))
-    return dataclasses.replace(unfolded, output_torque=joint.output_torque)
+
+def branches_of(case: AnyCase) -> AssembledBranches | None:
+    """The own branches of a joint file, without torque; None where it has no sections ``[[branch]]``."""
+    if case.branch is None:
+        return None
+    from asperity.branches.branches import assembled_branches
+
+    return assembled_branches(joint_from_case(case), deviations_of(si_values(case)))
 
 
 def drive_with_branches(values: Values) -> Drive:

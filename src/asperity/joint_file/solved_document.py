@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from asperity.branches.equal_branches import solve_equal_branches
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import joint_from_case, unequal_sectors
-from asperity.joint_file.own_branches import with_own_branches
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.own_branches import branches_of
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.results.document import joint_document
 from asperity.results.solved import SolvedJoint, solved_with_capacities
@@ -45,7 +44,7 @@ def solve_case(case: AnyCase) -> SolvedCase:
     Raises
     ------
     InputError
-        If the bodies do not fit, or the output torque exceeds the capacity, of its own branches where they count.
+        If the bodies do not fit, or the output torque exceeds the capacity.
     NoSolutionError
         If no balance was found.
     """
@@ -59,7 +58,7 @@ def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
 
 
 def solved_case(case: AnyCase) -> SolvedJoint:
-    """Solve a joint file, with equal branches and with its own.
+    """Solve a joint file.
 
     Parameters
     ----------
@@ -69,29 +68,18 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     Returns
     -------
     SolvedJoint
-        What the joint does with equal branches, and what its sections ``[[branch]]`` do. Under a torque that only these
-        carry, the joint and its results have every branch by itself.
+        The joint; with sections ``[[branch]]`` it and its results have every branch by itself.
 
     Raises
     ------
     InputError
-        If the bodies do not fit, or the output torque exceeds the capacity, of its own branches where they count.
+        If the bodies do not fit, or the output torque exceeds the capacity.
     NoSolutionError
         If no balance was found.
     """
-    solved = _solved(case)
+    branches = branches_of(case)
+    joint = joint_from_case(case) if branches is None else branches.joint
+    solved = solved_with_capacities(joint, solve_joint(joint), branches)
     if case.rolling is not None and case.rolling.required_life is not None:
         solved.required_life = case.rolling.required_life.value
     return solved
-
-
-def _solved(case: AnyCase) -> SolvedJoint:
-    joint = joint_from_case(case)
-    if case.branch is None:
-        return solved_with_capacities(joint, solve_joint(joint))
-    solution, carries = solve_equal_branches(joint)
-    own = unequal_sectors(case, joint, solution)
-    if not carries:
-        joint = with_own_branches(case)
-        solution = solve_joint(joint)
-    return solved_with_capacities(joint, solution, own)

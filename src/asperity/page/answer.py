@@ -18,7 +18,6 @@ from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.edited_text import entered_values
 from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.model import Case
-from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys
 from asperity.joint_file.solved_document import solve_case
@@ -48,7 +47,7 @@ def joint_answer(request: JointRequest) -> Answer:
     if interval is not None:
         document["stiffness_interval"] = interval
     with ThreadPoolExecutor(1) as beside:  # the programs of both run at the same time
-        wound = beside.submit(contextvars.copy_context().run, _windup, solved, case)
+        wound = beside.submit(contextvars.copy_context().run, _windup, solved)
         curves = _curves(solved)
     return {
         "id": request.identity,
@@ -171,14 +170,13 @@ def _creep(solved: SolvedJoint) -> Answer:
     }
 
 
-def _windup(solved: SolvedJoint, case: Case) -> Answer:
-    """The loop at the joint's torque, of its own branches, or why there is none."""
+def _windup(solved: SolvedJoint) -> Answer:
+    """The loop at the joint's torque, or why there is none."""
     torque = abs(float(solved.joint.output_torque))
     if torque == 0.0:
         return {"unknown_because": "no torque, no wind-up: set an output torque"}
     try:
-        joint = solved.joint if solved.other_branches is None else with_own_branches(case)
-        curve = windup(joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS)
+        curve = windup(solved.joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS)
     except AsperityError as error:
         return {"unknown_because": str(error)}
     return {

@@ -16,13 +16,12 @@ from asperity.joint.description import Joint
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.model import Case
-from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.joint_file.solved_document import solve_case
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
-from asperity.report.load_tables import branch_tables, equal_branches
+from asperity.report.load_tables import branch_tables
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
 from asperity.results.loads_document import loads_document
 from asperity.results.margins import margins
@@ -194,8 +193,6 @@ def _examined(solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
     try:
-        if solved.other_branches is not None:
-            joint = with_own_branches(case)
         curve, both = examined_windup(joint, largest_torque=None, level="assembly")
     except AsperityError as error:
         return _Examined(None, None, None, str(error), capacity)
@@ -218,7 +215,6 @@ def _title_block(source: ReportSource) -> Iterator[Block]:
 def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield Heading("Summary")
     yield result_tables.summary(document)
-    yield from equal_branches(document)
     required = margins(solved)
     yield Paragraph(limit_tables.verdict(required, document["rims"]), strong=True)
     yield from limit_tables.doubts(required)
@@ -228,15 +224,12 @@ def _windup(document: dict[str, Any], found: _Examined, pictures: dict[str, str]
     if found.windup_figures is None:
         yield Paragraph(f"No wind-up: {found.no_windup}.")
         return
-    if "branches" in document:
-        yield Paragraph("The wind-up is that of the branches of the file, [[branch]].")
     yield from result_tables.windup(found.windup_figures)
     turning = "" if found.onset is None else "; the joint that turns under the largest torque"
     yield Picture(f"Torque and angle, deviation from a straight line, stiffness{turning}", pictures["windup"])
 
 
 def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
-    yield from equal_branches(document)
     yield from rolling_tables.rolling(document)
     if "rolling" in pictures:
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])

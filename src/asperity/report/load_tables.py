@@ -102,12 +102,6 @@ def rims(document: Document) -> Iterator[Block]:
         yield Paragraph(_MISES)
 
 
-def equal_branches(document: Document) -> Iterator[Block]:
-    """What of a joint holds for equal branches only."""
-    if "branches" in document:
-        yield Paragraph(document["branches"]["note"])
-
-
 def branch_tables(branches: Document) -> Iterator[Block]:
     """What unequal branches do to a joint."""
     states, names = (branches["standing"], branches["rolling"]), deviations(branches)
@@ -152,36 +146,4 @@ def branch_tables(branches: Document) -> Iterator[Block]:
         (f"force on the {name.replace('_', ' ')}{when}", quantity(force_size(branches, force), "N"))
         for name, force in others.items()
     ]
-    if "output_stiffness_Nm_per_rad" in branches:
-        stiffness = quantity(branches["output_stiffness_Nm_per_rad"], "N*m/arcmin")
-        rows.append(("torsional stiffness of these branches at the output, assembled", stiffness))
-    if "turning" in branches:
-        turning = branches["turning"]
-        if turning["unknown_because"]:
-            yield Bullets([f"{reason}." for reason in turning["unknown_because"]])
-        rows += [
-            (
-                "drift of these branches per output turn",
-                quantity(turning["drift_rad_per_output_turn"], "arcmin"),
-            ),
-            ("losses of these branches", quantity(turning["losses_W"]["total"], "W")),
-            ("efficiency with these branches, %", number(turning["efficiency"], 100.0)),
-        ]
-    for words, entry in (
-        ("torque capacity", branches["torque_capacity"]),
-        ("torque capacity, rolling", branches["rolling_torque_capacity"]),
-    ):
-        rows += [
-            (
-                f"{words}: contact {entry['first_contact']} of {branches['branch_is']} {entry['first_branch']} "
-                f"{entry['first_event']} first",
-                quantity(entry["first_slip_Nm"], "N*m"),
-            ),
-            *(
-                []
-                if entry["all_slip_Nm"] is None
-                else [(f"{words}: all branches slip", quantity(entry["all_slip_Nm"], "N*m"))]
-            ),
-            (f"{words} of equal branches", quantity(entry["equal_branches_Nm"], "N*m")),
-        ]
-    yield Table("Sun and capacity with unequal branches", ("quantity", "value"), rows)
+    yield Table("Forces on the axis with unequal branches", ("quantity", "value"), rows)

@@ -8,7 +8,6 @@ from typing import Any
 from asperity.joint.torque_limits import first_slip_words
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
-from asperity.results.branch_limits import capacity_words
 from asperity.results.document import (
     LEVEL_WORDS,
     NO_SHARE,
@@ -25,7 +24,6 @@ def summary(document: Document) -> Table:
     """The numbers that are asked for first."""
     load = document["input"]["load"]
     stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
-    equal = " of equal branches" if "branches" in document and not document["of_own_branches"] else ""
     rows = [
         _branches(document),
         ("output torque", quantity(load["output_torque"], "N*m")),
@@ -42,13 +40,12 @@ def summary(document: Document) -> Table:
             "drift of the output in one turn of its own",
             quantity(document["drift_rad_per_output_turn"], "arcmin"),
         ),
-        *_first_slip(document),
-        (f"torque capacity{equal}", _capacity(document["torque_capacity"])),
-        (f"torque capacity{equal}, negative torques", _capacity(document["torque_capacity"]["reverse"])),
+        ("torque capacity", _capacity(document["torque_capacity"])),
+        ("torque capacity, negative torques", _capacity(document["torque_capacity"]["reverse"])),
         *(("first slip, standing", words) for words in first_slip_words(document["torque_capacity"])),
         ("efficiency", percent(document["efficiency"])),
-        (f"fatigue life in hours{equal}", number(document["life_hours"])),
-        (f"fatigue life in turns of the output{equal}", number(document["rolling"]["life_output_turns"])),
+        ("fatigue life in hours", number(document["life_hours"])),
+        ("fatigue life in turns of the output", number(document["rolling"]["life_output_turns"])),
     ]
     return Table("Summary", ("quantity", "value"), rows, words=(0, 1))
 
@@ -86,17 +83,6 @@ def _loading_cam(document: Document) -> list[tuple[str, str]]:
         ("preload without torque", quantity(cam["least_preload_N"], "N")),
         ("loading cam, force per torque", quantity(cam["force_per_torque_N_per_Nm"], "N/Nm")),
         ("angle of the loading cam at the output", quantity(cam["angle_rad"], "arcmin")),
-    ]
-
-
-def _first_slip(document: Document) -> list[tuple[str, str]]:
-    """Torques at which the worst of unequal branches slips."""
-    if "branches" not in document:
-        return []
-    found = document["branches"]
-    return [
-        ("torque capacity of these branches", capacity_words(found, "torque_capacity")),
-        ("torque capacity of these branches, rolling", capacity_words(found, "rolling_torque_capacity")),
     ]
 
 

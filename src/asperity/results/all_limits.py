@@ -1,4 +1,4 @@
-"""All limits of one solved joint: those of its results, of unequal branches, and of the loads of its duty."""
+"""All limits of one solved joint: those of its results, of the loads of its duty, and of the life it is to reach."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ import math
 
 import numpy as np
 
-from asperity.branches.results import BranchState
 from asperity.results import RESULTS, Limit, Result
-from asperity.results.branch_limits import branch_checks
 from asperity.results.drive_table import results_of_joint
 from asperity.results.limit_check import LimitCheck, checked_limits
-from asperity.results.required_life import life_checks
+from asperity.results.notes import film_band
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.conditions import DutyPoint
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
+
+_HOUR = 3600.0
 
 
 def all_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
@@ -27,23 +27,17 @@ def all_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 def further_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     """The limits of one solved joint that are not those of a result."""
-    found: tuple[LimitCheck, ...] = ()
-    if solved.branches is not None:
-        found = branch_checks(solved.branches, turns=float(solved.joint.sun_speed) != 0.0)
-    return found + _duty_checks(solved) + life_checks(solved)
+    return _duty_checks(solved) + life_checks(solved)
 
 
 def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     """That the joint carries every load of its duty, and that none makes its surfaces flow or breaks its rims."""
-    joint, branches = solved.joint, solved.branches
+    joint = solved.joint
     if not joint.rolling.duty:
         return ()
     pressure = np.asarray(solved.result.rolling.duty_shakedown_ratios)
     ratios = np.asarray(solved.result.rolling.duty_slip_ratios)
-    stuck = [_equal_slip(solved, *each) for each in zip(joint.rolling.duty, ratios, strict=True)]
-    if branches is not None and branches.duty:
-        pressure = np.array([_worst(each) for each in branches.duty])
-        stuck = [each is None or _slips(each) for each in branches.duty]
+    stuck = [_does_not_carry(solved, *each) for each in zip(joint.rolling.duty, ratios, strict=True)]
     loads = [
         f"load {number}, {format_quantity(float(point.output_torque), 'N*m')} with the {joint.ends[0]} at "
         f"{format_quantity(float(point.sun_speed), 'rpm')}"
@@ -84,25 +78,13 @@ def _duty_rims(solved: SolvedJoint, stuck: list[bool]) -> list[LimitCheck]:
     return list(worst.values())
 
 
-def _equal_slip(solved: SolvedJoint, point: DutyPoint, slip_ratio: float) -> bool:
-    """Whether equal branches do not carry a load: in rolling, or standing where the input stands."""
+def _does_not_carry(solved: SolvedJoint, point: DutyPoint, slip_ratio: float) -> bool:
+    """Whether the joint does not carry a load: in rolling, or standing where the input stands."""
     if float(point.sun_speed) > 0.0:
         return not slip_ratio < 1.0
     torque = float(point.output_torque)
     capacity = solved.reverse_capacity if torque < 0.0 else solved.capacity
     return not abs(torque) < float(capacity.output_torque)
-
-
-def _worst(state: BranchState | None) -> float:
-    """Hertz pressure over shakedown limit where it is largest; nan without a state, or in one that stands."""
-    if state is None or "shakedown_ratio" not in state.limits:
-        return math.nan
-    return float(np.nanmax(state.limits["shakedown_ratio"]))
-
-
-def _slips(state: BranchState) -> bool:
-    """Whether a contact of a joint that turns slips as a whole."""
-    return "shakedown_ratio" in state.limits and not np.nanmax(state.slip_ratio) < 1.0
 
 
 def _not_carried(loads: list[str]) -> Result:
@@ -124,3 +106,69 @@ def _not_carried(loads: list[str]) -> Result:
             inclusive=True,
         ),
     )
+
+
+def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
+    """The lives of the drive and of its rolling bearings, compared with the life that is required; empty without one.
+
+    Under a duty the lives are those under the duty.
+
+    References
+    ----------
+    Equations (B8) and (L2) of :doc:`/equations`.
+    """
+    if solved.required_life is None:
+        return ()
+    duty = bool(solved.joint.rolling.duty)
+    required, less = solved.required_life, "lower the preload, the torque or the speed, or"
+    unknown = "no life to compare with the required one: " + (
+        "the joint does not carry every load of its [[duty]]"
+        if duty
+        else "the joint slips, is loaded above shakedown, or stands (the speed is 0) and has no [[duty]]"
+    )
+    of_drive = _required(
+        "duty_life" if duty else "drive_life",
+        required,
+        f"{less} make rollers larger or contacts longer",
+        unknown,
+    )
+    of_drive = dataclasses.replace(of_drive, label=f"{of_drive.label}{_without_film_factor(solved)}")
+    of_bearings = results_of_joint(solved)["bearing_duty_life" if duty else "bearing_life"]
+    limit = _required(of_bearings.name, required, f"{less} choose larger bearings or more of them", unknown)
+    bearings = (
+        LimitCheck(limit, name, value)
+        for name, value in of_bearings.rows_of(solved).items()
+        if not math.isnan(value)
+    )
+    return LimitCheck(of_drive, None, _life_of_drive(solved)), *bearings
+
+
+def _without_film_factor(solved: SolvedJoint) -> str:
+    """What the life of the drive leaves out where the oil film does not carry the load, to stand beside the verdict."""
+    ratios = np.asarray(solved.result.rolling.film_ratio, dtype=float)
+    known = ratios[np.isfinite(ratios)]
+    if not known.size or film_band(float(known.min())) == "full":
+        return ""
+    least = float(known.min())
+    return f", without a factor for the film ({film_band(least)} lubrication, lambda {least:.2g})"
+
+
+def _life_of_drive(solved: SolvedJoint) -> float:
+    """Life of the drive [s]; nan where it slips, or stands without a duty."""
+    rolling = solved.result.rolling
+    hours = rolling.duty_life_hours if solved.joint.rolling.duty else rolling.life_hours.drive
+    return float(np.asarray(hours)) * _HOUR
+
+
+def _required(name: str, seconds: float, remedy: str, unknown: str) -> Result:
+    """A row of the table of results with the life that is required as its limit."""
+    limit = Limit(
+        "damage",
+        "it lives as long as required",
+        "it fails before the life that is required, rolling.required_life",
+        remedy,
+        lowest=seconds,
+        inclusive=True,
+        unknown=unknown,
+    )
+    return dataclasses.replace(RESULTS[name], name=f"required_{name}", limit=limit)

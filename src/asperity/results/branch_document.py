@@ -8,12 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from asperity.branches.results import BranchCapacity, BranchRolling, BranchState, UnequalBranches
-from asperity.results.branch_limits import equal_branches_note, least_life, slipping_in_rolling
+from asperity.branches.branches import AssembledBranches
+from asperity.branches.results import BranchState, UnequalBranches, unequal_branches
+from asperity.joint.solve import Solution
+from asperity.joint.torque_limits import TorqueCapacity, limit_words
 
 Document = dict[str, Any]
 
 _ROUNDING = 1e-11  # of forces relative to the preloads
+_EVEN = 1e-9  # relative difference of preloads up to which branches are alike
 
 
 def force_size(branches: Document, components: Sequence[float]) -> float:
@@ -35,41 +38,47 @@ def force_size(branches: Document, components: Sequence[float]) -> float:
     return size if size > _ROUNDING * largest else 0.0
 
 
-def branch_document(branches: UnequalBranches) -> Document:
+def branch_document(branches: AssembledBranches, solution: Solution) -> Document:
     """What unequal branches do to a joint, in SI units."""
-    sizes = branches.sizes
-    support, life = sizes.sun_support_stiffness, least_life(branches)
-    document: Document = {
-        "branch_is": branches.noun,
-        "note": equal_branches_note(branches),
+    found, result = unequal_branches(branches, solution.states), solution.result
+    reverse, sizes = float(branches.joint.output_torque) < 0.0, found.sizes
+    support = sizes.sun_support_stiffness
+    first, last, rolling = (
+        (solution.reverse_first_slip, solution.reverse_capacity, solution.reverse_rolling_capacity)
+        if reverse
+        else (solution.first_slip, solution.capacity, solution.rolling_capacity)
+    )
+    return {
+        "branch_is": found.noun,
+        "note": _note(found),
         "sun_support_stiffness_N_per_m": support if math.isfinite(support) else None,
         "branches": [
             {
                 **{f"{name}_deviation_m": float(each[index]) for name, each in sizes.deviations.items()},
-                "interference_m": float(branches.interference[index]),
-                "preload_N": float(branches.preload[index]),
-                "preload_over_equal_branches": float(branches.preload[index]) / branches.own_preload,
+                "interference_m": float(found.interference[index]),
+                "preload_N": float(found.preload[index]),
+                "preload_over_equal_branches": float(found.preload[index]) / found.own_preload,
             }
-            for index in range(branches.preload.size)
+            for index in range(found.preload.size)
         ],
-        "without_torque": {"sun": _sun(branches.rest), **_others(branches.rest)},
-        "standing": _state(branches.standing, branches.contact_names),
-        "rolling": _state(branches.rolling, branches.contact_names),
-        "life_hours_like_the_worst_branch": life if math.isfinite(life) else None,
-        "torque_capacity": _capacity(branches.capacity),
-        "rolling_torque_capacity": _capacity(branches.rolling_capacity),
+        "without_torque": _sums(found.rest),
+        "standing": _state(found.standing, result.diagnostics.slip_ratio),
+        "rolling": _state(found.rolling, result.rolling.slip_ratio),
+        "torque_capacity": _capacity(branches, first) | {"all_slip_Nm": _number(last.output_torque)},
+        "rolling_torque_capacity": _capacity(branches, rolling),
     }
-    if branches.turning is not None:
-        slipping = slipping_in_rolling(branches)
-        document["turning"] = {
-            "unknown_because": [slipping] if slipping else [],
-            **_turning(branches.turning),
-        }
-    if branches.stiffness is not None:
-        document["output_stiffness_Nm_per_rad"] = (
-            branches.stiffness if math.isfinite(branches.stiffness) else None
-        )
-    return document
+
+
+def _note(found: UnequalBranches) -> str:
+    """How much harder the most loaded branch is pressed than equal ones, in words."""
+    hardest = int(np.argmax(found.preload))
+    ratio, what = found.preload[hardest] / found.own_preload, f"{found.noun} {hardest + 1}"
+    if np.ptp(found.preload) <= _EVEN * found.preload[hardest]:
+        what = f"every {found.noun}"
+    return (
+        f"All numbers are those of these branches, contact by contact: {what} is pressed {ratio:.3g} times as hard "
+        "as equal ones."
+    )
 
 
 def deviations(branches: Document) -> dict[str, str]:
@@ -93,62 +102,28 @@ def deviations(branches: Document) -> dict[str, str]:
     }
 
 
-def _sun(state: BranchState) -> Document:
+def _sums(state: BranchState) -> Document:
+    """Forces on the members on the axis; the displacement of the sun."""
+    forces = {name: list(map(float, force)) for name, force in state.centre_forces.items()}
     return {
-        "displacement_m": [float(each) for each in state.sun_displacement],
-        "force_N": [float(each) for each in state.sun_force],
+        "sun": {
+            "displacement_m": list(map(float, state.sun_displacement)),
+            "force_N": list(map(float, state.sun_force)),
+        },
+        **({"central_forces_N": forces} if forces else {}),
     }
 
 
-def _others(state: BranchState) -> Document:
-    if not state.centre_forces:
-        return {}
-    return {
-        "central_forces_N": {
-            name: [float(each) for each in force] for name, force in state.centre_forces.items()
-        }
-    }
-
-
-def _state(state: BranchState | None, contacts: tuple[str, ...]) -> Document | None:
+def _state(state: BranchState | None, slip_ratio: Any) -> Document | None:
     if state is None:
         return None
+    worst = np.asarray(slip_ratio).reshape(state.torque.size, -1).max(axis=1)
     return {
         "share": _numbers(state.share),
-        "preload_N": [float(each) for each in state.preload],
-        "slip_ratio": _numbers(state.slip_ratio),
-        "contacts": {
-            name: {
-                limit: _numbers(values[index])
-                for limit, values in state.limits.items()
-                if np.ndim(values) == 2
-            }
-            for index, name in enumerate(contacts)
-        },
-        "sun": _sun(state),
-        **_others(state),
+        "slip_ratio": _numbers(worst),
+        **_sums(state),
         "input_torque_Nm": _number(state.input_torque),
         "torques_Nm": {name: _number(torque) for name, torque in state.torques.items()},
-        "speeds_rad_per_s": {name: _number(speed) for name, speed in state.speeds.items()},
-    }
-
-
-def _turning(branches: BranchRolling) -> Document:
-    """Drift and powers of all branches together, with the names that equal ones have."""
-    power = branches.power
-    causes = {name: float(np.sum(getattr(power, name))) for name in ("creep", "skew", "hysteresis", "oil")}
-    return {
-        "speed_loss": _number(branches.speed_loss),
-        "drift_rad_per_output_turn": _number(branches.drift_per_output_turn),
-        "drift_rad_per_hour": _number(3600.0 * branches.drift_rate),
-        "output_speed_rad_per_s": _number(branches.output_speed),
-        "efficiency": _number(power.efficiency),
-        "input_power_W": _number(power.input),
-        "output_power_W": _number(power.output),
-        "losses_W": {
-            name: _number(loss)
-            for name, loss in {**causes, "bearings": power.bearings, "total": power.loss}.items()
-        },
     }
 
 
@@ -161,12 +136,14 @@ def _numbers(values: np.ndarray) -> list[float | None]:
     return [_number(each) for each in values]
 
 
-def _capacity(capacity: BranchCapacity) -> Document:
+def _capacity(branches: AssembledBranches, first: TorqueCapacity) -> Document:
+    """The first limit of a contact: its torque, branch and contact; None where it is not that of a contact."""
+    names, number = branches.equal.contact_names, int(first.limiting_contact)
+    branch, contact = divmod(number, len(names))
+    known = number < len(branches.joint.contact_names)
     return {
-        "first_slip_Nm": capacity.first_slip,
-        "first_branch": capacity.branch + 1,
-        "first_contact": capacity.contact_name,
-        "first_event": capacity.event,
-        "all_slip_Nm": capacity.all_slip if math.isfinite(capacity.all_slip) else None,
-        "equal_branches_Nm": capacity.equal,
+        "first_slip_Nm": _number(first.output_torque),
+        "first_branch": branch + 1 if known else None,
+        "first_contact": names[contact] if known else None,
+        "first_event": limit_words(first, contacts=branches.joint.contact_names),
     }

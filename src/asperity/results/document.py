@@ -19,6 +19,7 @@ from asperity.drive.stiffness.loading_cam import held_cam_stiffness
 from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.loading_cam import mean_preload
 from asperity.joint.rims import bends
 from asperity.joint.solve import Solution
 from asperity.joint.temperature import assembly_document
@@ -282,11 +283,11 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "preload": {
                 "force_N": result.preload,
                 "interference_m": result.interference,
-                "at_assembly": assembly_document(joint),
+                "at_assembly": assembly_document(joint, _at_assembly(solved)),
                 "loading_cam": None
                 if joint.cam is None
                 else {
-                    "least_preload_N": result.rest.normal[0],
+                    "least_preload_N": mean_preload(joint, result.rest.normal),
                     "force_per_torque_N_per_Nm": joint.cam.force_per_torque,
                     "angle_rad": result.cam_angle,
                     "held_stiffness_output_Nm_per_rad": held_cam_stiffness(result.assembly),
@@ -325,7 +326,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "losses_W": losses(result.rolling),
             "life_hours": result.rolling.life_hours.drive,
             "rolling": {
-                **rolling_document(joint, result, unlike=solved.other_branches is not None),
+                **rolling_document(joint, result),
                 "torque_capacity_Nm": (
                     solution.rolling_capacity if forward else solution.reverse_rolling_capacity
                 ).output_torque,
@@ -333,7 +334,13 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "diagnostics": diagnostic_documents(checks, solved.notes),
         }
     )
-    return document | ({} if branches is None else {"branches": branch_document(branches)})
+    return document if branches is None else document | {"branches": branch_document(branches, solution)}
+
+
+def _at_assembly(solved: SolvedJoint) -> Solution | None:
+    """What the joint does at the temperature of its assembly; None where it has none."""
+    fit = solved.joint.fit
+    return None if fit is None else solved.at_temperature(float(fit.assembly_temperature))
 
 
 def _wedge_document(drive: Drive) -> Document:

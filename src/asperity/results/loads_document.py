@@ -11,7 +11,6 @@ import jax.numpy as jnp
 import numpy as np
 
 import asperity
-from asperity.branches.loads import BranchLoads
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.state.loads import MemberLoads, pin_components
 from asperity.joint.description import Joint, tracks_of
@@ -26,7 +25,6 @@ from asperity.joint.working_loads import (
     working_forces,
     working_loads,
 )
-from asperity.results.branch_limits import pressed
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.document import unknown_because
 
@@ -74,7 +72,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
     dict
         Without torque, under the working torque, and under every load of the duty; None where a value is not known.
     """
-    joint, result, branches = solved.joint, solved.result, solved.branches
+    joint, result = solved.joint, solved.result
     cases = [case_entry("without torque", 0.0, 0.0, None, None)]
     loads, at_rest = [loads_without_torque(joint, result)], result.rest
     held = [forces_on_axis(joint, at_rest.normal, at_rest.tangential, at_rest.pin_force)]
@@ -92,8 +90,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
         why = unknown_because(there, under)[0] if unknown else None
         cases.append(case_entry(name, float(there.output_torque), float(there.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
-    balance = _EQUAL if branches is None else UNEQUAL.format(pressed=pressed(branches))
-    notes = [_DIRECTIONS, balance, _STATES]
+    notes = [_DIRECTIONS, _EQUAL if joint.unlike is None else UNEQUAL, _STATES]
     if len(drive.pinned) < len(drive.floating):
         notes.append(_FREE)
     if stepped:
@@ -110,13 +107,11 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
             under.rolling.axial_thrust if there.input_speed > 0.0 else none for *_, there, under in loaded
         ]
         thrust = np.stack([none, *turning], axis=-1)
-    unlike = BranchLoads(solved.other_branches, turns=float(joint.input_speed) > 0.0)
-    cases, said = unlike.entries(cases, skewed=joint.rolling.skew is not None)
     return document_of_rows(
         cases,
-        _rows(joint, loads, np.stack(held, axis=-1), speeds, thrust, unlike),
+        _rows(joint, loads, np.stack(held, axis=-1), speeds, thrust),
         bearings=bearings,
-        notes=[*notes, *said],
+        notes=notes,
     )
 
 
@@ -126,16 +121,13 @@ def _rows(
     held: np.ndarray,
     speeds: list[np.ndarray],
     thrust: np.ndarray | None,
-    unlike: BranchLoads,
 ) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
     drive, members = joint.drive, joint.drive.members
     turned = np.abs(np.stack(speeds, axis=-1))
-    relative = unlike.speed_on_pins(
-        np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
-    )
+    relative = np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
     pins = [pin_components(drive=drive, force=load.pin) for load in loads]
-    radial, tangential = unlike.pins(np.moveaxis(np.asarray(pins), 0, -1))
+    radial, tangential = np.moveaxis(np.asarray(pins), 0, -1)
     moment, stress = map(np.asarray, pin_bending(joint, jnp.hypot(radial, tangential)))
     for k, body in enumerate(drive.pinned):
         part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
@@ -158,9 +150,9 @@ def _rows(
             continue
         role = {drive.input: "input", drive.output: "output", drive.grounded: "grounded"}.get(name, "idle")
         part = (name.replace("_", " "), f"on the axis, {role}")
-        moment = unlike.torque_on(name, drive.sense * np.array([load.moments[number] for load in loads]))
+        moment = drive.sense * np.array([load.moments[number] for load in loads])
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
-        yield *part, "resultant force", "N", unlike.force_on(name, held[number])
+        yield *part, "resultant force", "N", held[number]
         if thrust is not None:
             pushed = (
                 drive.sectors * np.sum(thrust[list(drive.pinned)], axis=0)
@@ -168,7 +160,7 @@ def _rows(
                 else thrust[number]
             )
             yield *part, "axial force", "N", pushed
-        yield *part, "speed in the housing", "rad/s", unlike.speed_of(name, turned[number])
+        yield *part, "speed in the housing", "rad/s", turned[number]
 
 
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
@@ -186,8 +178,7 @@ RATED = (
 UNEQUAL = (
     "Branches of unequal sizes, [[branch]]: the bearings of the members on the axis carry what the branches leave "
     "unbalanced, rated ones the whole of it and the outside_force of their section as if both acted in one direction. "
-    "Forces of the pins and lives of their bearings are those of the branch that loads them most; {pressed}. Weights "
-    "and forces from outside are not counted."
+    "Weights and forces from outside are not counted."
 )
 
 

@@ -64,27 +64,18 @@ def position_rows(document: Document) -> list[PositionRow]:
         _comes_back(document),
         PositionRow("torque capacity, rolling", capacity, "N*m", _beyond(document)),
     ]
-    if "branches" in document and not document["of_own_branches"]:
-        rows.append(
-            PositionRow(
-                "that of the worst branch",
-                document["branches"]["rolling_torque_capacity"]["first_slip_Nm"],
-                "N*m",
-                "by its own size; the row above is that of equal branches",
-            )
-        )
     return rows
 
 
 def _comes_back(document: Document) -> PositionRow:
-    """The torque over the stiffness there, unless a branch that slips leaves the rest of the stiffness to others."""
+    """The torque over the stiffness there, unless a contact that slips leaves the rest of the stiffness to others."""
     torque = document["standing"]["forces"]["output_torque_Nm"]
     spring = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
-    standing = document.get("branches", {}).get("standing") or {"slip_ratio": []}
+    first_slip = _in_its_direction(document).get("first_slip")
     label = "torque over stiffness"
-    if any(ratio is not None and ratio >= 1.0 for ratio in standing["slip_ratio"]):
+    if first_slip is not None and abs(torque) >= first_slip["output_torque_Nm"]:
         return PositionRow(
-            label, None, "arcmin", "a branch slips: see 'asperity windup' for what comes back without torque"
+            label, None, "arcmin", "a contact slips: see 'asperity windup' for what comes back without torque"
         )
     return PositionRow(
         label,
@@ -103,8 +94,7 @@ def _beyond(document: Document) -> str:
         ends = "at least: what is computed ends there"
     else:
         ends = "beyond, a contact slips"
-    reverse = document["standing"]["forces"]["output_torque_Nm"] < 0.0
-    found = _finite((capacity["reverse"] if reverse else capacity)["output_torque_Nm"])
+    found = _finite(_in_its_direction(document)["output_torque_Nm"])
     standing = "not limited by friction" if found is None else format_quantity(found, "N*m")
     return f"{ends}; standing: {standing}"
 
@@ -112,3 +102,10 @@ def _beyond(document: Document) -> str:
 def _finite(value: float | None) -> float | None:
     """A number, or None where it is infinite or unknown."""
     return None if value is None or not math.isfinite(value) else float(value)
+
+
+def _in_its_direction(document: Document) -> Document:
+    """The capacity of the joint that stands, in the direction of its torque."""
+    capacity: Document = document["torque_capacity"]
+    reverse: Document = capacity["reverse"]
+    return reverse if document["standing"]["forces"]["output_torque_Nm"] < 0.0 else capacity

@@ -12,21 +12,22 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.branches.bearings import branch_bearing_lives
-from asperity.branches.results import UnequalBranches
-from asperity.compilation import call_compiled, compile_fast
+from asperity.branches.branches import AssembledBranches, assembled_branches
+from asperity.compilation import call_compiled
 from asperity.contact.fractal import Surface
 from asperity.drive.layout.drive import sectors_of_members
 from asperity.drive.layout.existence import neighbour_gaps, neighbours
 from asperity.drive.state.loads import MemberLoads
 from asperity.drive.state.state import ContactLaws
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
 from asperity.joint.description import Joint, each_contact, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.motion import in_motion
-from asperity.joint.rims import branch_rims, joint_rims
-from asperity.joint.solve import Solution, joint_state
+from asperity.joint.rims import joint_rims
+from asperity.joint.solve import Solution, joint_state, solution_of
+from asperity.joint.temperature import at_temperature
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
 from asperity.results.notes import Note, loss_notes, plausibility, skew_notes
@@ -90,8 +91,8 @@ class SolvedJoint:
         Likewise; None where the capacities are known.
     notes : tuple of Note, optional
         Comparisons with what is usual, which are requirements too.
-    branches : UnequalBranches, optional
-        Its branches, if their sizes differ.
+    branches : AssembledBranches, optional
+        Its branches without torque, if their sizes differ.
     """
 
     joint: Joint
@@ -107,7 +108,7 @@ class SolvedJoint:
         result: JointResult,
         laws: ContactLaws | None,
         notes: tuple[Note, ...] = (),
-        branches: UnequalBranches | None = None,
+        branches: AssembledBranches | None = None,
     ) -> None:
         self.joint = joint
         self.result = result
@@ -115,38 +116,24 @@ class SolvedJoint:
         self.notes = notes
         self._laws = laws
 
-    @property
-    def other_branches(self) -> UnequalBranches | None:
-        """Its branches where the joint has equal ones; None where it has every branch by itself."""
-        return None if self.joint.unlike is not None else self.branches
-
     @functools.cached_property
     def bearings(self) -> BearingLives:
         """Lives of the rolling bearings; nothing to compute where none has ratings."""
         if not any(self.has_bearings):
             nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
             return BearingLives(nothing, nothing, nothing, nothing, nothing)
-        if self.other_branches is not None:
-            return branch_bearing_lives(self.joint, self.other_branches)
         lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
         return lives
 
     @functools.cached_property
     def rims(self) -> Any:
         """Stresses of ring and hollow rollers."""
-        if self.other_branches is None:
-            return self._rims(self.joint, self.result)
-        working = self.other_branches.working(turns=float(self.joint.sun_speed) != 0.0)
-        return self._branch_rims(*self.other_branches.contact_forces(working))
+        return self._rims(self.joint, self.result)
 
     @functools.cached_property
     def duty_rims(self) -> tuple[Any, ...]:
         """As ``rims`` under each load of the duty; nan where the joint does not carry it. Of one joint alone."""
-        if self.other_branches is None:
-            return tuple(self._rims(*each) for each in self.duty_states)
-        return tuple(
-            self._branch_rims(*self.other_branches.contact_forces(each)) for each in self.other_branches.duty
-        )
+        return tuple(self._rims(*each) for each in self.duty_states)
 
     @property
     def has_bearings(self) -> tuple[bool, ...]:
@@ -197,7 +184,7 @@ class SolvedJoint:
 
     @functools.cached_property
     def duty_states(self) -> tuple[tuple[Joint, JointResult], ...]:
-        """The joint under each load of its duty, and its result, with equal sectors."""
+        """The joint under each load of its duty, and its result."""
         numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), self.joint)
         found = []
         for point in numbers.rolling.duty:
@@ -211,10 +198,15 @@ class SolvedJoint:
         """The bodies along the last axis."""
         return call_compiled(joint_rims, in_motion(joint), result)
 
-    def _branch_rims(self, working: np.ndarray, rest: np.ndarray) -> Any:
-        given = (self.joint, working, rest)
-        program = compile_fast(branch_rims, *given, options=(working.shape[-1],))
-        return jax.tree.map(np.asarray, program(*given))
+    def at_temperature(self, temperature: float) -> Solution | None:
+        """What one joint does at another working temperature [degC]; None where it is loose there."""
+        if self.branches is None:
+            return solution_of(at_temperature(self.joint, temperature))
+        equal = at_temperature(self.branches.equal, temperature)
+        try:
+            return solution_of(assembled_branches(equal, self.branches.sizes).joint)
+        except (InputError, NoSolutionError):
+            return None
 
     @property
     def preload(self) -> Any:
@@ -250,7 +242,7 @@ class SolvedJoint:
 
 
 def solved_with_capacities(
-    joint: Joint, solution: Solution, branches: UnequalBranches | None = None
+    joint: Joint, solution: Solution, branches: AssembledBranches | None = None
 ) -> SolvedJoint:
     """A joint whose capacities are known already, for the table of results."""
     joint, result = jax.tree.map(np.asarray, joint), solution.result

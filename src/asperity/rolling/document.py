@@ -15,11 +15,11 @@ from asperity.rolling.rolling import RollingResult
 Document = dict[str, Any]
 
 
-def rolling_document(joint: Joint, result: JointResult, *, unlike: bool = False) -> Document:
+def rolling_document(joint: Joint, result: JointResult) -> Document:
     """Creep, drift, axial forces, losses and life of a solved joint."""
     found = result.rolling
     return {
-        "unknown_because": unknown_because(joint, result, unlike=unlike),
+        "unknown_because": unknown_because(joint, result),
         "speed_loss": found.speed_loss,
         "drift_rad_per_output_turn": found.drift_per_output_turn,
         "drift_rad_per_hour": 3600.0 * found.drift_rate,
@@ -122,7 +122,7 @@ def _by_body(names: tuple[str, ...], lives: DriveLives) -> Document:
     return dict(zip(names, np.asarray(lives.body), strict=True))
 
 
-def unknown_because(joint: Joint, result: JointResult, *, unlike: bool = False) -> list[str]:
+def unknown_because(joint: Joint, result: JointResult) -> list[str]:
     """Why results of the rolling are absent.
 
     Parameters
@@ -131,8 +131,6 @@ def unknown_because(joint: Joint, result: JointResult, *, unlike: bool = False) 
         One joint.
     result : JointResult
         Its result.
-    unlike : bool, optional
-        Whether the result is that of equal branches, although those of the joint differ.
 
     Returns
     -------
@@ -155,8 +153,7 @@ def unknown_because(joint: Joint, result: JointResult, *, unlike: bool = False) 
         ]
     reasons = absent_in_rolling(joint, result)
     if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
-        who = "equal branches do" if unlike else "the joint does"
-        reasons.append(f"no life under the duty: {who} not roll under one of its loads")
+        reasons.append("no life under the duty: the joint does not roll under one of its loads")
     return reasons
 
 

@@ -158,13 +158,6 @@ def rolling_power(
     return power_budget(losses, output_power=output_torque * speeds.output)
 
 
-def losses_of(power: RollingPower) -> RollingLosses:
-    """The losses of a rolling joint, without what goes in and comes out [W]."""
-    return RollingLosses(
-        power.creep, power.skew, power.hysteresis, power.oil, power.bearings, jnp.asarray(power.contact)
-    )
-
-
 def power_budget(losses: RollingLosses, *, output_power: Real) -> RollingPower:
     r"""What goes in and comes out of a rolling joint, from its losses.
 

@@ -81,7 +81,9 @@ def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurve
     draw_levels(levels, solved)
     draw_margins(lower.subplots(), judged)
     if fit is not None:
-        draw_temperatures(further[0].subplots(1, 3), temperature_curves(solved.joint), fit)
+        draw_temperatures(
+            further[0].subplots(1, 3), temperature_curves(solved.joint, solved.at_temperature), fit
+        )
     if size_errors is not None:
         draw_size_errors(further[-1].subplots(1, 3), size_errors)
     figure.suptitle(title, fontsize=10)

@@ -14,35 +14,31 @@ from asperity.study.tolerances.branch_scatter import branch_scatter
 class Sectors:
     """Planets whose capacity is their smallest interference; refused where one is loose."""
 
-    def __init__(self, joint, solution):
-        self.joint, self.solution, self.seen = joint, solution, []
-        found.append(self)
+    def __init__(self):
+        self.seen = []
 
-    def branches(self, sizes):
+    def loaded(self, joint, sizes):
         self.seen.append(sizes.added)
         length = 30e-6 + sizes.added.sum(axis=1)
         if length.min() <= 0.0:
             raise InputError("planet 1 is loose")
         state = SimpleNamespace(share=length / length.sum(), sun_force=np.array([3.0, 4.0]))
-        slips = SimpleNamespace(first_slip=1e6 * length.min(), all_slip=1e6 * length.mean())
-        return SimpleNamespace(
-            capacity=slips, rolling_capacity=slips, standing=state, rolling=state, rest=state, preload=length
-        )
-
-
-found = []
+        branches = SimpleNamespace(standing=state, rolling=state, rest=state, preload=length)
+        first, last = (SimpleNamespace(output_torque=1e6 * each) for each in (length.min(), length.mean()))
+        return branches, SimpleNamespace(first_slip=first, standing=last, rolling=first)
 
 
 @pytest.fixture
 def sectors(planar_case, monkeypatch):
     capacity = SimpleNamespace(output_torque=12.0)
     solution = SimpleNamespace(capacity=capacity, reverse_capacity=capacity)
-    monkeypatch.setattr(module, "BranchedJoint", Sectors)
     monkeypatch.setattr(module, "solve_joint", lambda joint: solution)
 
-    def of(name, changes, draws=400):
+    def of(name, changes, draws=400, loaded=None):
+        made = Sectors()
+        monkeypatch.setattr(module, "loaded_branches", loaded or made.loaded)
         scatter = branch_scatter(planar_case(name, replaced=changes), distribution=None, draws=draws, seed=1)
-        return scatter, np.array(found[-1].seen)
+        return scatter, np.array(made.seen)
 
     return of
 
@@ -105,21 +101,17 @@ def test_tracks_of_a_listed_drive(sectors):
     assert np.ptp(ring) == pytest.approx(6e-6, rel=0.02)
 
 
-def test_draws_without_a_balance_and_with_loose_branches_are_told_apart(sectors, monkeypatch):
+def test_draws_without_a_balance_and_with_loose_branches_are_told_apart(sectors):
     """Of four draws one finds no balance, and in one a branch is loose: nothing else is known of it."""
-    raised, plain = (
-        iter([NoSolutionError("none"), None, InputError("planet 2 is loose"), None]),
-        Sectors.branches,
-    )
+    raised = iter([NoSolutionError("none"), None, InputError("planet 2 is loose"), None])
 
-    def branches(drive, sizes):
+    def loaded(joint, sizes):
         error = next(raised)
         if error is not None:
             raise error
-        return plain(drive, sizes)
+        return Sectors().loaded(joint, sizes)
 
-    monkeypatch.setattr(Sectors, "branches", branches)
-    scatter, _ = sectors("planetary", dict([PLANET]), draws=4)
+    scatter, _ = sectors("planetary", dict([PLANET]), draws=4, loaded=loaded)
     assert np.isnan(scatter.first_slip).tolist() == [True, False, True, False]
     assert np.isnan(scatter.sun_force).tolist() == [True, False, True, False]
     assert scatter.loose.tolist() == [False, False, True, False]

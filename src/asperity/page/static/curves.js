@@ -24,7 +24,6 @@ export function curves(answer, baseline) {
   const why = standing(found);
   const loop = windup.unknown_because ? null : windup;
   const before = baseline && !baseline.windup.unknown_because ? baseline.windup : null;
-  const equal = found.branches && !found.of_own_branches ? "For equal branches, like all curves here but the wind-up. " : "";
   const angles = (from, key) => from[key].map((value) => scaled(value, toArcmin));
   return [
     linePlot({
@@ -39,7 +38,7 @@ export function curves(answer, baseline) {
         over("published_Nm_per_rad", "as published", "three", perArcmin),
       ],
       point: { x: torque, y: found.torsional_stiffness.assembly.output_Nm_per_arcmin, name: "this joint" },
-      note: `${equal}Up to the torque capacity. The vertical axis is logarithmic.`,
+      note: "Up to the torque capacity. The vertical axis is logarithmic.",
     }),
     linePlot({
       title: `Wind-up at the output, ${driven(found)} locked`,
@@ -55,7 +54,7 @@ export function curves(answer, baseline) {
           ]
         : [],
       note: loop
-        ? `${found.branches ? "Of the branches of the file. " : ""}Hysteresis ${number(scaled(loop.hysteresis_rad, toArcmin), 3)} arcmin, lost motion ${number(scaled(loop.lost_motion_rad, toArcmin), 3)} arcmin.`
+        ? `Hysteresis ${number(scaled(loop.hysteresis_rad, toArcmin), 3)} arcmin, lost motion ${number(scaled(loop.lost_motion_rad, toArcmin), 3)} arcmin.`
         : "",
     }),
     linePlot({

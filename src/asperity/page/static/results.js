@@ -66,20 +66,18 @@ function card(name, value, unit, detail, difference) {
 /** The capacity in the direction of the torque. */
 const capacityOf = (found) => (found.standing.forces.output_torque_Nm < 0 ? found.torque_capacity.reverse : found.torque_capacity);
 
-/** Torque at which the joint first slips, and what does: the first of unlike branches, if it has such. */
-function firstSlip(found) {
-  const equal = capacityOf(found);
-  if (!found.branches) return [equal.output_torque_Nm, equal.meaning];
-  const { branch_is: noun, torque_capacity: first } = found.branches;
-  const words = `contact ${first.first_contact} of ${noun} ${first.first_branch} ${first.first_event} first; equal branches pass ${number(first.equal_branches_Nm)} N·m`;
-  return [first.first_slip_Nm, words];
+/** Torque capacity of a joint, and in words what limits it and where a first contact slips. */
+function capacityWords(found) {
+  const capacity = capacityOf(found);
+  const first = capacity.first_slip;
+  if (!first || !(first.output_torque_Nm < (1 - 1e-6) * capacity.output_torque_Nm)) return [capacity.output_torque_Nm, capacity.meaning];
+  return [capacity.output_torque_Nm, `${capacity.meaning}; contact ${first.contact} slips at ${number(first.output_torque_Nm)} N·m`];
 }
 
 function cards(found, before) {
   const stiffness = found.torsional_stiffness.assembly;
   const was = before && before.torsional_stiffness.assembly;
-  const [capacity, slips] = firstSlip(found);
-  const equal = found.branches && !found.of_own_branches ? "equal branches: " : "";
+  const [capacity, slips] = capacityWords(found);
   const per = arcmin(found.drift_rad_per_output_turn);
   const unknown = found.stiffness_unknown_because;
   const [hours, turns] = [found.life_hours, found.rolling.life_output_turns];
@@ -89,14 +87,14 @@ function cards(found, before) {
       "Stiffness at the output",
       number(stiffness.output_Nm_per_arcmin),
       "N·m/arcmin",
-      unknown || `${equal}assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad)} N·m/rad`,
+      unknown || `assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad)} N·m/rad`,
       change(stiffness.output_Nm_per_rad, was && was.output_Nm_per_rad),
     ),
     card(
       "Drift per output turn",
       number(per),
       "arcmin",
-      per === null ? standing(found) : `${equal}lost when it turns under the torque; does not come back`,
+      per === null ? standing(found) : "lost when it turns under the torque; does not come back",
       change(found.drift_rad_per_output_turn, before && before.drift_rad_per_output_turn),
     ),
     card(
@@ -104,13 +102,13 @@ function cards(found, before) {
       number(capacity),
       "N·m",
       `${slips}; load ${number(found.standing.forces.output_torque_Nm)} N·m`,
-      change(capacity, before && firstSlip(before)[0]),
+      change(capacity, before && capacityWords(before)[0]),
     ),
     card(
       "Efficiency",
       number(scaled(found.efficiency, 100), 4),
       "%",
-      `${equal}${found.efficiency === null ? `${standing(found).split(":")[0]}: no efficiency; ` : ""}${life} at ${number(100 * found.rolling.reliability)} % reliability`,
+      `${found.efficiency === null ? `${standing(found).split(":")[0]}: no efficiency; ` : ""}${life} at ${number(100 * found.rolling.reliability)} % reliability`,
       change(found.efficiency, before && before.efficiency),
     ),
   );
@@ -215,7 +213,7 @@ function branchNote(found) {
 
 function branches(found) {
   if (!found.branches) return [];
-  const { branch_is: noun, branches: each, standing, rolling, torque_capacity: capacity } = found.branches;
+  const { branch_is: noun, branches: each, standing, rolling } = found.branches;
   const of = (state, name, index, factor) => number(state && state[name][index] !== null ? factor * state[name][index] : null, 3);
   const rows = each.map((branch, index) => [
     `${noun} ${index + 1}`,
@@ -227,9 +225,8 @@ function branches(found) {
     of(rolling, "slip_ratio", index, 1),
   ]);
   const headings = ["branch", "interference, µm", "preload, N", "share standing, %", "share rolling, %", "slip standing", "slip rolling"];
-  const first = `Contact ${capacity.first_contact} of ${noun} ${capacity.first_branch} ${capacity.first_event} first, at ${number(capacity.first_slip_Nm)} N·m.`;
   const title = "Branches by their own sizes";
-  return [element("div", {}, element("h3", {}, title), table(title, headings, rows), element("p", { class: "note" }, first))];
+  return [element("div", {}, element("h3", {}, title), table(title, headings, rows))];
 }
 
 /** The limits that a joint crosses, the most serious first. */

@@ -9,8 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from asperity.branches.branches import BranchedJoint
+from asperity.branches.size_errors import loaded_branches
+from asperity.branches.sizes import SectorDeviations
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.description import Joint
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import deviations_of, joint_from_case, toleranced_tracks
 from asperity.joint_file.distribution import Distribution
@@ -108,11 +110,10 @@ def branch_scatter(
         uniform = random.random((draws, count if track.own else 1))
         added += (quantiles(entry, scatter, uniform) - entry.value)[:, :, None] * track.per_size
     solution = solve_joint(joint)
-    drive = BranchedJoint(joint, solution)
     forward = float(joint.output_torque) >= 0.0
     capacity = solution.capacity if forward else solution.reverse_capacity
     return _scatter(
-        drive,
+        joint,
         lambda index: dataclasses.replace(base, added=added[index]),
         draws=draws,
         seed=seed,
@@ -122,7 +123,7 @@ def branch_scatter(
 
 
 def _scatter(
-    drive: BranchedJoint,
+    joint: Joint,
     sizes: Callable[[int], Any],
     *,
     draws: int,
@@ -133,7 +134,7 @@ def _scatter(
     """Every draw solved."""
     rows = []
     for index in range(draws):
-        rows.append(_one(drive, sizes(index)))
+        rows.append(_one(joint, sizes(index)))
         if report is not None:
             report(index + 1, draws)
     columns = np.array(rows).T
@@ -146,14 +147,14 @@ def _scatter(
         sun_force=columns[5],
         loose=columns[6] > 0.0,
         equal=equal,
-        torque=abs(float(drive.joint.output_torque)),
+        torque=abs(float(joint.output_torque)),
         seed=seed,
     )
 
 
-def _one(drive: BranchedJoint, sizes: Any) -> tuple[float, ...]:
+def _one(joint: Joint, sizes: SectorDeviations) -> tuple[float, ...]:
     try:
-        found = drive.branches(sizes)
+        branches, limits = loaded_branches(joint, sizes)
     except NoSolutionError:
         return (np.nan,) * 6 + (0.0,)
     except InputError as error:
@@ -161,14 +162,15 @@ def _one(drive: BranchedJoint, sizes: Any) -> tuple[float, ...]:
             raise
         return (np.nan,) * 6 + (1.0,)
     standing, rolling = (
-        np.nan if state is None else float(np.max(state.share)) for state in (found.standing, found.rolling)
+        np.nan if state is None else float(np.max(state.share))
+        for state in (branches.standing, branches.rolling)
     )
     return (
-        found.capacity.first_slip,
-        found.capacity.all_slip,
-        found.rolling_capacity.first_slip,
+        float(limits.first_slip.output_torque),
+        float(limits.standing.output_torque),
+        float(limits.rolling.output_torque),
         standing,
         rolling,
-        float(np.hypot(*(found.standing or found.rest).sun_force)),
-        float(np.any(found.preload <= 0.0)),
+        float(np.hypot(*(branches.standing or branches.rest).sun_force)),
+        float(np.any(branches.preload <= 0.0)),
     )
