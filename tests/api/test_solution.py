@@ -8,7 +8,7 @@ import pytest
 import asperity
 from asperity.errors import InputError
 from asperity.results import RESULTS
-from asperity.results.drive_table import results_of_joint
+from asperity.results.table import results_of_joint
 
 
 def test_values_are_those_of_the_command(solution, printed, zou_file):

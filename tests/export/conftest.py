@@ -8,7 +8,7 @@ import pytest
 
 from asperity.export.content import ExportContent, MovingParts, export_content
 from asperity.joint.play import NO_PLAY
-from asperity.standing.both_senses import BothSenses
+from asperity.standing.standing import BothSenses
 from asperity.standing.windup import windup_of
 
 LARGEST = 5.0  # N·m

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.looseness import fit_document, loose_temperature, refuse_loose
+from asperity.joint.fit import fit_document, loose_temperature, refuse_loose
 from asperity.joint.solve import solve_joint
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.assumptions import assumptions

@@ -15,7 +15,7 @@ from asperity.joint import measured_surface as module
 from asperity.joint.measured_surface import measured_surface, stiffness_interval
 from asperity.joint.surface_interval import over_surfaces
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.measured_surface import with_measured_surface
+from asperity.joint_file.drawn_surface import with_measured_surface
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.surface.measurement import SurfaceMeasurement, measurement_document
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import contact_angles, incidence, speeds
-from asperity.joint.motion import in_motion
+from asperity.joint.description import in_motion
 
 
 @pytest.mark.parametrize("example", ["planetary", "multiroller", "stepped_planet"])

@@ -9,7 +9,7 @@ import pytest
 from asperity.compilation import compile_fast
 from asperity.errors import InputError
 from asperity.joint.evaluation import evaluate
-from asperity.joint.looseness import refuse_loose
+from asperity.joint.fit import refuse_loose
 from asperity.joint.solve import solve_joint
 from asperity.joint.status import STATUS_NAMES, joint_status
 from asperity.joint.temperature import contact_expansion

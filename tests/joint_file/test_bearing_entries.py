@@ -3,7 +3,7 @@
 import pytest
 from pydantic import ValidationError
 
-from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
+from asperity.joint_file.sections import HeldBearing, PinBearing
 
 PIN = {"type": "roller", "dynamic_rating": "3.2 kN", "static_rating": "2900 N", "count": 2}
 HELD = {"type": "ball", "dynamic_rating": "5 kN", "static_rating": "3 kN", "outside_force": "200 N"}

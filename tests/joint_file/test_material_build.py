@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from asperity.joint_file.material_build import material_of, surface_of
+from asperity.joint_file.section_build import material_of, surface_of
 from asperity.surface.roughness_average import roughness_average
 
 STEEL = {"youngs_modulus": 206e9, "poisson_ratio": 0.3, "density": 7850.0, "yield_strength": 450e6}

@@ -6,8 +6,8 @@ import jax.numpy as jnp
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint_file.drawn_surface import with_measured_surface
 from asperity.joint_file.edited_text import joint_file_text
-from asperity.joint_file.measured_surface import with_measured_surface
 from asperity.surface.measurement import SurfaceMeasurement
 
 NUMBERS = {"fractal_dimension": 1.25, "fractal_roughness": 3e-13, "frequency_ratio": 1.5}

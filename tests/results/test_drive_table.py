@@ -6,7 +6,7 @@ import re
 import pytest
 
 from asperity.results import RESULTS
-from asperity.results.drive_table import results_of_drive
+from asperity.results.table import results_of_drive
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ import pytest
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case, read_case
-from asperity.rolling.creep_curves import creep_curves
+from asperity.rolling.curves import creep_curves
 
 
 @pytest.fixture(scope="module")

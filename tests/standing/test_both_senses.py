@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.solve import solve_joint
-from asperity.standing.both_senses import both_senses
+from asperity.standing.standing import both_senses
 
 TORQUES = np.array([-6.0, -5.0, 0.0, 3.0, 5.0])
 

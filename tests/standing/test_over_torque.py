@@ -12,9 +12,9 @@ from asperity.joint.inertias import joint_inertias
 from asperity.joint.play import Play
 from asperity.joint.solve import solve_joint
 from asperity.rolling.onset import rolling_onset
-from asperity.standing.both_senses import both_senses
 from asperity.standing.dynamics import Inertias, dynamics
 from asperity.standing.over_torque import _standing
+from asperity.standing.standing import both_senses
 from asperity.standing.windup import windup
 
 STAGES = (1.0 / 3.0, 2.0 / 3.0)

@@ -147,7 +147,7 @@ class DescribedJoint(Shown):
         InputError
             If the measured values are outside what a joint file allows.
         """
-        from asperity.joint_file.measured_surface import with_measured_surface
+        from asperity.joint_file.drawn_surface import with_measured_surface
 
         return DescribedJoint(with_measured_surface(self.case, measurement), self.source)
 

@@ -13,8 +13,8 @@ from asperity.api.shown import Shown, Table, displayed, frame, pandas
 from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import document_of
 from asperity.results import LEVELS, Result, known_result, name_at_level
-from asperity.results.drive_table import results_of_joint
 from asperity.results.solved import SolvedJoint
+from asperity.results.table import results_of_joint
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:

@@ -51,7 +51,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     measured = None
     if surfaces:
         from asperity.joint.measured_surface import measured_surface
-        from asperity.joint_file.measured_surface import with_measured_surface
+        from asperity.joint_file.drawn_surface import with_measured_surface
 
         measured = measured_surface(surfaces)
         case = with_measured_surface(case, measured)

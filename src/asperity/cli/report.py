@@ -95,7 +95,7 @@ def report(
     texts: tuple[str, ...] = ()
     if surfaces:
         from asperity.joint.measured_surface import measured_surface
-        from asperity.joint_file.measured_surface import with_measured_surface
+        from asperity.joint_file.drawn_surface import with_measured_surface
 
         measured = measured_surface(surfaces)
         texts = tuple(read_text(each) for each in surfaces)

@@ -15,8 +15,8 @@ from asperity.joint.play import Play
 from asperity.joint.solve import Solution
 from asperity.results.windup_document import examined_windup
 from asperity.rolling.document import unknown_because
-from asperity.standing.both_senses import BothSenses, both_senses
 from asperity.standing.dynamics import Inertias
+from asperity.standing.standing import BothSenses, both_senses
 from asperity.standing.windup import StiffnessLevel, Windup
 from asperity.units import format_quantity
 

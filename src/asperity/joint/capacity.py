@@ -27,12 +27,12 @@ from asperity.joint.description import (
     Joint,
     body_masses,
     each_contact,
+    in_motion,
     joint_contacts,
     tracks_of,
 )
 from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import Pressed, pressed_at
-from asperity.joint.motion import in_motion
 from asperity.joint.torque_limits import TorqueCapacity, named_capacity
 from asperity.rolling.creep import capacity_loss
 from asperity.types import Real

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any, Literal
 
 import equinox as eqx
@@ -12,7 +13,7 @@ from jax import Array
 from asperity.body.shapes import PlaneState
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import Roughness, roller_pairs
-from asperity.drive.layout.drive import Drive
+from asperity.drive.layout.drive import Drive, contact_angles, incidence, speeds
 from asperity.drive.mechanism import Bearings
 from asperity.drive.state.rolling_speeds import BodiesOfContacts
 from asperity.drive.stiffness.loading_cam import LoadingCam
@@ -390,3 +391,23 @@ def body_masses(joint: Joint) -> list[Real]:
         Masses [kg].
     """
     return [sum(mass for mass, _, _ in cylinders(joint, body)) for body in range(len(joint.shapes))]
+
+
+def in_motion(joint: Joint) -> Joint:
+    """A joint whose drive knows its matrices, speeds and angles; of NumPy's numbers they are found without a program.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    Joint
+        The same joint.
+    """
+    drive = joint.drive
+    return dataclasses.replace(
+        joint,
+        drive=dataclasses.replace(drive, motion=(incidence(drive), speeds(drive), contact_angles(drive))),
+    )

@@ -24,6 +24,7 @@ from asperity.joint.description import (
     Joint,
     bodies_of_contacts,
     body_masses,
+    in_motion,
     joint_contacts,
 )
 from asperity.joint.diagnostics import Diagnostics, diagnose
@@ -37,7 +38,6 @@ from asperity.joint.loading_cam import (
     turned_cam,
     with_its_cam,
 )
-from asperity.joint.motion import in_motion
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.duty import with_duty_life
 from asperity.rolling.rolling import RollingResult, turning

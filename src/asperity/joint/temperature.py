@@ -15,8 +15,8 @@ from asperity.drive.layout.expansion import interference_of_strains, ring_interf
 from asperity.drive.layout.thermal_expansion import ring_expansion
 from asperity.drive.state.equal_springs import rest_forces
 from asperity.joint.description import ContactFit, Joint, places
+from asperity.joint.fit import fit_document
 from asperity.joint.loading_cam import mean_preload
-from asperity.joint.looseness import fit_document
 from asperity.joint.solve import Solution
 from asperity.types import Real
 

@@ -26,8 +26,8 @@ from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
 from asperity.results import Result, result_values
-from asperity.results.drive_table import results_of_drive
 from asperity.results.solved import SolvedJoint
+from asperity.results.table import results_of_drive
 
 
 def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:

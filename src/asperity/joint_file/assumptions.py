@@ -16,9 +16,8 @@ from asperity.joint_file.part_names import WEDGE_TYPE, material_key
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import leaves
 from asperity.joint_file.section_build import film_roughness
-from asperity.joint_file.sections import Lubrication
+from asperity.joint_file.sections import Lubrication, without_expansion
 from asperity.joint_file.si_tables import si_values
-from asperity.joint_file.temperature_section import without_expansion
 from asperity.library import read_finishes
 from asperity.units import format_quantity
 

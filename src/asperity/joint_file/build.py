@@ -20,7 +20,6 @@ from asperity.drive.structure.pin_beam import PinBeam
 from asperity.joint.body_shape import BodyShape, on_pin
 from asperity.joint.description import Joint
 from asperity.joint.temperature import contact_fit
-from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import (
     CONTACTS,
@@ -34,7 +33,14 @@ from asperity.joint_file.part_names import (
     type_of,
 )
 from asperity.joint_file.parts import layout_of
-from asperity.joint_file.section_build import entries, play_of, rated_bearing, rolling_conditions
+from asperity.joint_file.section_build import (
+    entries,
+    material_of,
+    play_of,
+    rated_bearing,
+    rolling_conditions,
+    surface_of,
+)
 from asperity.joint_file.si_tables import Values, si_values
 
 if TYPE_CHECKING:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Annotated, ClassVar, Literal
 
 from asperity.joint_file import limits
-from asperity.joint_file.bearing_entries import HeldBearing
 from asperity.joint_file.branch_sections import (
     BranchEntry,
     MultirollerBranch,
@@ -23,7 +22,14 @@ from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.model import AxisCase, Case, ModelChoice
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
-from asperity.joint_file.sections import BearingTorque, BodyLength, CrownRadius, Length, PushAngle
+from asperity.joint_file.sections import (
+    BearingTorque,
+    BodyLength,
+    CrownRadius,
+    HeldBearing,
+    Length,
+    PushAngle,
+)
 
 
 class WedgeDrive(Section):

@@ -1,4 +1,4 @@
-"""A joint whose surfaces are known by their Ra: how far D, which Ra leaves open, lets its results range."""
+"""Surfaces of a joint file that are measured, or known by their Ra: D and G, and how far they let results range."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH, replace_values, si_values
+from asperity.surface.measurement import SurfaceMeasurement
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.units import format_quantity
 
@@ -176,3 +177,31 @@ def _half_width(average: Quantity, dimension: np.ndarray) -> Any:
         return average.tolerance
     scatter = [scatter_of_average(fractal_dimension=d, cut_offs=CUT_OFFS_EVALUATED) for d in dimension]
     return average.value * _NORMAL_95 * np.array(scatter)
+
+
+def with_measured_surface(case: Case, measurement: SurfaceMeasurement) -> Case:
+    """The joint file with its surfaces replaced by a measured one, at every contact.
+
+    Parameters
+    ----------
+    case : Case
+        A joint file.
+    measurement : SurfaceMeasurement
+        What was measured.
+
+    Returns
+    -------
+    Case
+        The same joint with the measured D, G and gamma.
+
+    Raises
+    ------
+    InputError
+        If the measured values are outside what a joint file allows.
+    """
+    entry = {
+        "fractal_dimension": float(measurement.fractal_dimension),
+        "fractal_roughness": f"{float(measurement.fractal_roughness)!r} m",
+        "frequency_ratio": float(measurement.frequency_ratio),
+    }
+    return case.model_copy(update={"surface": SurfaceEntry.model_validate(entry)}).with_text("")

@@ -10,8 +10,8 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_values, thermal_change_of
+from asperity.joint_file.sections import without_expansion
 from asperity.joint_file.si_tables import AnyCase, si_values
-from asperity.joint_file.temperature_section import without_expansion
 
 
 class MadeInterference(NamedTuple):

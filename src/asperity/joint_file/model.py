@@ -9,7 +9,6 @@ from pydantic import AfterValidator, Field, model_validator
 
 from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
-from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
 from asperity.joint_file.branch_sections import refuse_branches
 from asperity.joint_file.drive_sections import BENT, PartFriction, PartName, PartSkews, PartSurfaces
 from asperity.joint_file.material_entries import (
@@ -25,11 +24,14 @@ from asperity.joint_file.sections import (
     BearingTorque,
     Duty,
     DynamicsEntry,
+    HeldBearing,
     Lubrication,
+    PinBearing,
     PlayEntry,
+    TemperatureEntry,
     refuse_part_of_a_duty,
+    refuse_temperature,
 )
-from asperity.joint_file.temperature_section import TemperatureEntry, refuse_temperature
 
 
 class Load(Section):

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from collections.abc import Mapping
+from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, Field
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
+from asperity.joint_file.material_entries import MaterialEntry
 from asperity.joint_file.quantity_key import Entered, Quantity
-from asperity.joint_file.section import (
-    Section,
-)
+from asperity.joint_file.section import Section
 
 Length = Annotated[Quantity, limits.ROLLER_RADIUS]
 ContactLength = Annotated[Quantity, limits.CONTACT_LENGTH]
@@ -86,3 +86,84 @@ class PlayEntry(Section):
     """Angle that the output turns freely on passing zero torque, from one side to the other."""
     take_up_torque: Annotated[Quantity, limits.TAKE_UP_TORQUE]
     """Torque T_p over which the play is taken up, angle/2 tanh(T/T_p); 0 for all at once."""
+
+
+LoadRating = Annotated[Quantity, limits.LOAD_RATING]
+
+
+class PinBearing(Section):
+    """Rolling bearings between a roller and its carrier pin, for their life; none if the section is absent."""
+
+    type: Literal["ball", "roller"]
+    """Rolling elements; needle bearings are roller bearings."""
+    dynamic_rating: LoadRating
+    """Basic dynamic radial load rating C of one bearing, from its catalogue."""
+    static_rating: LoadRating
+    """Basic static radial load rating C_0 of one bearing, from its catalogue."""
+    count: Annotated[Quantity, limits.BEARING_COUNT]
+    """Bearings of one roller, which share its pin force equally."""
+
+
+class HeldBearing(Section):
+    """A bearing on the axis of the drive, which equal branches do not load."""
+
+    type: Literal["ball", "roller"]
+    """Rolling elements; needle bearings are roller bearings."""
+    dynamic_rating: LoadRating
+    """Basic dynamic radial load rating C of one bearing, from its catalogue."""
+    static_rating: LoadRating
+    """Basic static radial load rating C_0 of one bearing, from its catalogue."""
+    outside_force: Annotated[Quantity, limits.OUTSIDE_FORCE]
+    """Radial force on the most loaded bearing from outside the drive: weights, belts, couplings, the arm."""
+
+
+class TemperatureEntry(Section):
+    """Temperature of the whole drive: where the preload is made by interference, it changes with it."""
+
+    assembly: Annotated[Quantity, limits.TEMPERATURE]
+    """Temperature at which load.interference is measured."""
+    working: Annotated[Quantity, limits.TEMPERATURE]
+    """Temperature for which all results hold; the same in all bodies."""
+    housing_expansion: Annotated[Quantity, limits.THERMAL_EXPANSION] | None = None
+    """Coefficient of linear thermal expansion of the housing that holds the ring's outer rim; that of the ring if
+    absent."""
+
+
+def refuse_temperature(
+    temperature: TemperatureEntry | None,
+    *,
+    by_interference: bool,
+    bodies: Mapping[str, str],
+    materials: Mapping[str, MaterialEntry],
+    without_housing: str,
+) -> None:
+    """Refuse temperatures for which something is not known, or is known of nothing."""
+    if temperature is None:
+        return
+    unknown = without_expansion(bodies, materials)
+    if by_interference and unknown:
+        raise InputError(
+            f"[temperature] with load.interference needs the thermal_expansion of every material: give it for "
+            f'{", ".join(unknown)}, e.g. thermal_expansion = "11.5e-6 1/K", or take a material of the library'
+        )
+    if temperature.housing_expansion is not None and without_housing:
+        raise InputError(f"{without_housing} has no housing: leave out temperature.housing_expansion")
+
+
+def without_expansion(bodies: Mapping[str, str], materials: Mapping[str, MaterialEntry]) -> list[str]:
+    """Materials of bodies whose thermal expansion is not known.
+
+    Parameters
+    ----------
+    bodies : mapping
+        Body → name of its material.
+    materials : mapping
+        Materials by name.
+
+    Returns
+    -------
+    list of str
+        Their names.
+    """
+    used = dict.fromkeys(bodies.values())
+    return [name for name in used if name in materials and materials[name].thermal_expansion is None]

@@ -27,7 +27,7 @@ from asperity.page.list_changes import stated_lists
 from asperity.results.margins import Margin, margins
 from asperity.results.solved import SolvedJoint
 from asperity.results.windup_document import windup_columns
-from asperity.rolling.creep_curves import creep_curves
+from asperity.rolling.curves import creep_curves
 from asperity.show.free_bodies import BodyForce, body_forces
 from asperity.standing.torque_curves import torque_curves
 from asperity.standing.windup import windup

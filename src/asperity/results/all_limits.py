@@ -9,10 +9,10 @@ import math
 import numpy as np
 
 from asperity.results import RESULTS, Limit, Result
-from asperity.results.drive_table import results_of_joint
 from asperity.results.limit_check import LimitCheck, checked_limits
 from asperity.results.notes import film_band
 from asperity.results.solved import SolvedJoint
+from asperity.results.table import results_of_joint
 from asperity.rolling.conditions import DutyPoint
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity

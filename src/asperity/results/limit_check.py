@@ -7,8 +7,8 @@ import math
 from dataclasses import dataclass
 
 from asperity.results import SEVERITIES, Limit, Result
-from asperity.results.drive_table import results_of_joint
 from asperity.results.solved import SolvedJoint
+from asperity.results.table import results_of_joint
 from asperity.units import format_quantity
 
 

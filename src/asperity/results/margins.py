@@ -9,10 +9,10 @@ import numpy as np
 
 from asperity.results import SEVERITIES, Limit, Result, Severity
 from asperity.results.all_limits import further_checks
-from asperity.results.drive_table import results_of_joint
 from asperity.results.limit_check import LimitCheck, with_pins
 from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
+from asperity.results.table import results_of_joint
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
 _MUST_EXCEED = ("clearance", "torque_safety")

@@ -107,7 +107,7 @@ class Result:
     needs_wedges : bool
         Whether only a drive with wedges between planets and ring has it.
     rows : tuple of str
-        Names of its rows; empty in the table of all drives, :mod:`asperity.results.drive_table` fills them in.
+        Names of its rows; empty in the table of all drives, :mod:`asperity.results.table` fills them in.
     """
 
     name: str

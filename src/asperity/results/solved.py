@@ -22,9 +22,8 @@ from asperity.drive.state.state import ContactLaws
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
-from asperity.joint.description import Joint, each_contact, pin_names, tracks_of
+from asperity.joint.description import Joint, each_contact, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult
-from asperity.joint.motion import in_motion
 from asperity.joint.rims import joint_rims
 from asperity.joint.solve import Solution, joint_state, solution_of
 from asperity.joint.temperature import at_temperature

@@ -19,7 +19,7 @@ from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
 from asperity.drive.state.states import loaded_state, loaded_states, standing_state
 from asperity.joint.bodies import with_rims
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint, body_masses, joint_contacts
+from asperity.joint.description import Joint, body_masses, in_motion, joint_contacts
 from asperity.joint.evaluation import assembled_joint
 from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import (
@@ -30,7 +30,6 @@ from asperity.joint.loading_cam import (
     turned_cam,
     with_its_cam,
 )
-from asperity.joint.motion import in_motion
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.rolling import turning
 from asperity.rolling.turning import driving_sense
