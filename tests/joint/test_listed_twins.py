@@ -1,5 +1,7 @@
 """Drives of every type against the same drives listed roller by roller: one answer, over random drives and torques."""
 
+import dataclasses
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -8,8 +10,12 @@ import pytest
 from asperity.joint.solve import solution_of
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.own_branches import joint_with_branches
 from asperity.joint_file.part_names import TRACKS, WEDGE_TYPE, material_key, type_of
 from asperity.joint_file.si_tables import si_values
+from asperity.results.document import joint_document
+from asperity.results.solved import solved_with_capacities
+from asperity.standing.windup import windup
 
 #: Torques over that of the example, of both senses.
 LOADS = (0.05, -0.2, 0.4, -0.5, 0.6, -0.6)
@@ -81,9 +87,13 @@ def listed(values):
     }
 
 
-def answers(values):
+def joint_of(values):
+    """The joint of a file, every branch by itself where it states them."""
+    return jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint_with_branches(values))
+
+
+def answers(joint):
     """What a joint does: numbers by name."""
-    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint_from_values(values))
     solution = solution_of(joint)
     result = solution.result
     levels = (result.published, result.series_with_bulk, result.assembly.stiffness)
@@ -176,11 +186,131 @@ def test_a_drive_and_its_listed_twin_give_one_answer(tables, name, crowned):
     values, random = tables(name, crowned=crowned), np.random.default_rng(25)
     for share in LOADS:
         draw = drawn(values, share * values["load"]["output_torque"], random)
-        one, other = answers(draw), answers(listed(draw))
+        one, other = answers(joint_of(draw)), answers(joint_of(listed(draw)))
         assert np.all(one["slip"] < 1.0)
-        for what, value in one.items():
-            size = np.max(np.abs(np.nan_to_num(value)))
-            np.testing.assert_allclose(other[what], value, rtol=1e-6, atol=1e-8 * size, err_msg=what)
+        assert_alike(one, other)
+
+
+def assert_alike(one, other):
+    """Numbers by name of both."""
+    for what, value in one.items():
+        size = np.max(np.abs(np.nan_to_num(value)))
+        np.testing.assert_allclose(other[what], value, rtol=1e-6, atol=1e-8 * size, err_msg=what)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "preload", "torques"),
+    [  # the paper's drive beyond its first slip too
+        ("zou2025", 1000.0, (0.5, 10.0)),
+        ("zou2025", 1300.0, (5.0, 13.0)),
+        ("planetary", None, (0.5, 8.0)),
+        ("multiroller", None, (0.1, 0.6)),
+        ("stepped_planet", None, (0.5, 8.0)),
+    ],
+)
+def test_a_drive_and_its_listed_twin_wind_up_alike(tables, name, preload, torques):
+    """Both directions, the loop with its energy, the lost motion with play, and the stages."""
+    values, random = tables(name, crowned=False), np.random.default_rng(26)
+    values["play"] = {"angle": 1e-4, "take_up_torque": 0.3}
+    if preload is not None:
+        values["load"]["preload"] = preload
+    for torque in torques:
+        draw = drawn(values, torque, random)
+        one, other = (
+            dataclasses.asdict(windup(joint_of(each), largest_torque=torque, level="assembly"))
+            for each in (draw, listed(draw))
+        )
+        assert one["hysteresis"] > 0.0
+        assert_alike(one, other)
+
+
+def numbers_of(document, path=""):
+    """All numbers of a document, those of entries with names under these."""
+    if isinstance(document, dict):
+        for key, value in document.items():
+            yield from numbers_of(value, f"{path}.{key}")
+    elif isinstance(document, list | tuple):
+        for place, value in enumerate(document):
+            named = value.get("name", place) if isinstance(value, dict) else place
+            contact = value.get("contact") if isinstance(value, dict) else None
+            yield from numbers_of(value, f"{path}.{named}" + (f".{contact}" if contact else ""))
+    elif document is not None and not isinstance(document, str | bool):
+        yield path, float(document)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "torque"),
+    [("zou2025", -9.0), ("planetary", 8.0), ("multiroller", -0.5), ("stepped_planet", 6.0)],
+)
+def test_documents_of_a_drive_and_its_listed_twin_have_the_same_numbers(tables, name, torque):
+    """All that ``asperity roll --json`` prints: states, contacts, losses, lives, limits, margins and capacities."""
+    draw = drawn(tables(name, crowned=False), torque, np.random.default_rng(27))
+    joints = joint_of(draw), joint_of(listed(draw))
+    one, other = (
+        dict(
+            numbers_of(
+                joint_document(solved_with_capacities(each, solution_of(each)), inputs={}, assumptions=())
+            )
+        )
+        for each in joints
+    )
+    assert one.keys() == other.keys()
+    assert len(one) > 200
+    for path, value in one.items():
+        if "residual" in path:  # rounding errors of two searches
+            assert max(abs(value), abs(other[path])) <= 1e-9, path
+        elif path.startswith(
+            ".geometry.centres_m."
+        ):  # the twin of a drive that turns clockwise is its mirror image
+            assert other[path] == pytest.approx(
+                joints[0].drive.sense * value if path.endswith(".0") else value, abs=1e-15
+            )
+        else:
+            assert other[path] == pytest.approx(value, rel=1e-6, abs=1e-12, nan_ok=True), path
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(
+    ("name", "torque", "sizes"),
+    [
+        (
+            "zou2025",
+            -6.0,
+            ({"planet": 2e-6, "right_roller": -5e-7}, {"left_roller": 1e-6}, {"planet": -1e-6}),
+        ),
+        ("planetary", 6.0, ({"planet": 2e-6}, {}, {"planet": -1e-6})),
+    ],
+)
+def test_unlike_branches_of_a_drive_and_of_its_listed_twin_do_alike(tables, name, torque, sizes):
+    """Rolling and wind-up; of the mirror image of a drive that turns clockwise, the branches stand in reverse order."""
+    draw = drawn(tables(name, crowned=False), torque, np.random.default_rng(28))
+    if "preload" in draw["load"]:
+        draw["load"].pop("preload")
+        draw["load"]["interference"] = 13e-6
+    sense = joint_from_values(draw).drive.sense
+    order = [sense * k % len(sizes) for k in range(len(sizes))]
+    branches = {
+        str(number): {f"{track}_deviation": size for track, size in each.items()}
+        for number, each in enumerate(sizes, start=1)
+    }
+    rollers = {"right_roller": "right_loading_roller", "left_roller": "left_loading_roller"}
+    reversed_branches = {
+        str(number): {"deviation": {rollers.get(track, track): size for track, size in sizes[k].items()}}
+        for number, k in enumerate(order, start=1)
+    }
+    joints = joint_of(draw | {"branch": branches}), joint_of(listed(draw) | {"branch": reversed_branches})
+    one, other = (answers(joint) for joint in joints)
+    for what, value in one.items():
+        if value.ndim and value.size % len(sizes) == 0 and what not in ("stiffness", "capacities"):
+            one[what] = value.reshape(len(sizes), -1)[order].ravel()
+    assert len(set(np.round(one["normal"], 3))) == one["normal"].size
+    assert_alike(one, other)
+    curves = [
+        dataclasses.asdict(windup(joint, largest_torque=abs(torque), level="assembly")) for joint in joints
+    ]
+    assert_alike(*curves)
 
 
 def test_a_listed_roller_may_have_any_name(planar_case):
