@@ -1,4 +1,4 @@
-"""Bodies of planar joints: which are exact, where they are touched, and stepped rollers as springs."""
+"""Bodies of planar joints: which are exact, where they are touched, and stepped rollers."""
 
 import math
 
@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.body.shapes import Annulus, Disc
+from asperity.body.stepped import SteppedRoller, bore_addition
 from asperity.joint.bodies import body_compliance, exact_bodies, one_sided_secants, walls_known
 from asperity.joint.description import joint_contacts
 
@@ -44,6 +45,33 @@ def test_a_stepped_planet_is_a_spring_at_each_contact(planar_joint, monkeypatch)
     radius = np.array([20e-3, 20e-3, 18e-3])
     by_hand = [UNIT * (2.0 * np.log(4.0 * radius / each) - 2.0) for each in (width, stick)]
     np.testing.assert_allclose(whole, np.diag(np.concatenate(by_hand)), rtol=1e-9)
+
+
+def test_a_bore_of_a_stepped_planet_adds_its_compliance(planar_joint):
+    """Between the contacts of the planet, which lies above the sun, and nothing else."""
+    bored = planar_joint("stepped_planet", {"[drive]": '[drive]\nplanet_bore_diameter = "16 mm"'})
+    width = jnp.array([0.1e-3, 0.2e-3, 0.15e-3])
+    hollow, solid = (
+        body_compliance(joint=joint, contacts=joint_contacts(joint), half_width=width, stick_half_width=width)
+        for joint in (bored, planar_joint("stepped_planet"))
+    )
+    added = bore_addition(
+        roller=SteppedRoller((20e-3, 18e-3), (LENGTH, LENGTH), 8e-3, YOUNG, POISSON, "plane_strain"),
+        contact_angles=jnp.array([-0.5, 0.5, 0.5]) * math.pi,
+        contact_tracks=(0, 0, 1),
+        sectors=1.0,
+    )
+    np.testing.assert_allclose(hollow - solid, added, rtol=1e-9, atol=1e-9 * float(jnp.max(jnp.abs(solid))))
+    assert float(added[0, 0]) > 0.05 * float(solid[0, 0])
+
+
+@pytest.mark.parametrize(
+    ("bore", "wide", "known"), [(23e-3, 1e-4, True), (24e-3, 1e-4, False), (22e-3, 1.5e-3, False)]
+)
+def test_walls_of_a_stepped_planet(planar_joint, bore, wide, known):
+    """Its bore is at most 0.65 of 36 mm; 18 mm less half of 22 mm are 7 mm, five half-widths of 1.4 mm."""
+    joint = planar_joint("stepped_planet", {"[drive]": f'[drive]\nplanet_bore_diameter = "{1e3 * bore} mm"'})
+    assert bool(walls_known(joint=joint, half_width=jnp.array([1e-4, 1e-4, wide]))) == known
 
 
 def test_springs_of_one_side(planar_joint):

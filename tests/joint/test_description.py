@@ -37,6 +37,9 @@ def test_masses(planar_joint):
     assert float(bored) == pytest.approx(unit * (20e-3**2 - 13e-3**2) * 10e-3, rel=1e-12)
     stepped = body_masses(planar_joint("stepped_planet"))[1]
     assert float(stepped) == pytest.approx(unit * (20e-3**2 + 18e-3**2) * 10e-3, rel=1e-12)
+    through = {"[drive]": '[drive]\nplanet_bore_diameter = "16 mm"'}
+    hollow = body_masses(planar_joint("stepped_planet", through))[1]
+    assert float(hollow) == pytest.approx(unit * (20e-3**2 + 18e-3**2 - 2.0 * 8e-3**2) * 10e-3, rel=1e-12)
 
 
 def test_interference_at_work_counts_sizes_and_temperature(planar_joint):

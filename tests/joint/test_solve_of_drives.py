@@ -142,6 +142,11 @@ def test_bodies_that_do_not_fit_are_refused(planar_case):
         solve_case(planar_case("planetary", replaced={"planets = 3": "planets = 6"}))
     with pytest.raises(InputError, match=r"the bore of planet, 45 mm, leaves no wall in a roller of 40 mm"):
         solve_case(planar_case("planetary_hollow", replaced={'"26 mm"': '"45 mm"'}))
+    wide = {"[drive]": '[drive]\nplanet_bore_diameter = "24 mm"'}
+    with pytest.raises(
+        InputError, match=r"the bore of planet, 24 mm, is wider than 0\.65 .* 23\.4 mm: beyond"
+    ):
+        solve_case(planar_case("stepped_planet", replaced=wide))
     with pytest.raises(InputError, match="there is no place for second_row where it touches"):
         solve_case(
             planar_case(

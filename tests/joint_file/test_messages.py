@@ -52,7 +52,8 @@ def test_a_forgotten_type_is_one_message(planar_case):
 def test_what_only_other_drives_have_names_them(planar_case, example_text):
     with pytest.raises(InputError, match=r'roller: only for drives of type "planar"$'):
         parse_case(example_text + '\n[[roller]]\nname = "x"\n', source="mine.toml")
-    with pytest.raises(InputError, match=r'bore_diameter: only for drives of type "zou2025", "planetary"$'):
+    drives = '"zou2025", "planetary", "stepped_planet"'
+    with pytest.raises(InputError, match=rf"bore_diameter: only for drives of type {drives}$"):
         planar_case("multiroller", ("[load]", 'planet_bore_diameter = "2 mm"\n\n[load]'))
 
 

@@ -155,33 +155,19 @@ def test_places_of_the_rollers_are_those_of_the_drive(name):
     assert set(case.roller_places()) == off_axis
 
 
-@pytest.mark.parametrize(
-    ("name", "old", "new", "told"),
-    [
-        (
-            "multiroller",
-            "sun_radius",
-            'first_row_bore_diameter = "8 mm"\nsun_radius',
-            r"drive\.first_row_bore_diameter = '8 mm'",
-        ),
-        (
-            "stepped_planet",
-            "sun_radius",
-            'planet_bore_diameter = "8 mm"\nsun_radius',
-            r"drive\.planet_bore_diameter = '8 mm'",
-        ),
-        (
-            "planar",
-            'first_radius = "13.5 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "wro"',
-            'first_radius = "12 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "wro"',
-            r"roller planet: bore_diameter = '6 mm' in a roller with tracks of 13\.5 mm and 12 mm",
-        ),
-    ],
-)
-def test_a_hollow_stepped_roller_is_refused_with_the_reason(name, old, new, told):
-    bore = (('orbit = "17.5 mm"', 'orbit = "17.5 mm"\nbore_diameter = "6 mm"'),) if name == "planar" else ()
-    with pytest.raises(InputError, match=told + ".*bend each other out of their own planes.*leave it out"):
-        read(name, (old, new), *bore)
+def test_a_bore_through_three_tracks_is_refused_with_the_reason():
+    """The order of the tracks along the axis is not in the file."""
+    track = 'first_radius = "13.5 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "wro"'
+    other = 'first_radius = "13.5 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "pwl"'
+    bore = ('orbit = "17.5 mm"', 'orbit = "17.5 mm"\nbore_diameter = "6 mm"')
+    stepped = (track, track.replace("13.5", "12"))
+    assert read("planar", bore, stepped).roller[1].bore_diameter is not None
+    with pytest.raises(
+        InputError,
+        match=r"roller planet: bore_diameter = '6 mm' in a roller with tracks of 13\.5 mm, 11 mm, 12 mm: .*"
+        "more than two tracks.*leave it out",
+    ):
+        read("planar", bore, stepped, (other, other.replace("13.5", "11")))
 
 
 def test_bores_and_supports_of_what_has_none_are_refused():

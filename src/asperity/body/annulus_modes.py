@@ -106,7 +106,23 @@ class ModeField(NamedTuple):
     answer: Channels
 
 
-def _product(a: Channels, b: Channels) -> Channels:
+def channel_product(a: Channels, b: Channels) -> Channels:
+    """Product :math:`AB` of two matrices on the channels.
+
+    Parameters
+    ----------
+    a, b : Channels
+        A and B [-].
+
+    Returns
+    -------
+    Channels
+        Their product [-].
+
+    References
+    ----------
+    Elementary.
+    """
     return Channels(
         a.pp * b.pp + a.pm * b.mp,
         a.pp * b.pm + a.pm * b.mm,
@@ -191,8 +207,8 @@ def mode_field(*, mode: Real, decay: Real, wall: Wall) -> ModeField:
         (bt_p * ar_p - br_p * at_p) * scale,
         (bt_p * ar_m + br_p * at_m) * scale,
     )
-    answer = _product(reflection, passed)
-    echo = _product(returned, answer)
+    answer = channel_product(reflection, passed)
+    echo = channel_product(returned, answer)
     # D1 - D2 E, inverted
     pp, pm = d1[0] - d2[0] * echo.pp, -d2[0] * echo.pm
     mp, mm = -d2[1] * echo.mp, d1[1] - d2[1] * echo.mm
@@ -230,7 +246,7 @@ def added_compliance(*, mode: Real, decay: Real, wall: Wall) -> ModeCompliance:
     Equation (E2) of :doc:`/equations`.
     """
     field = mode_field(mode=mode, decay=decay, wall=wall)
-    change = _product(field.echo, field.motion)
+    change = channel_product(field.echo, field.motion)
     plus = field.second[0] / field.first[0] - 1.0
     minus = field.second[1] / field.first[1] - 1.0
     return components(

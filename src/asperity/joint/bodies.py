@@ -1,4 +1,4 @@
-"""The bodies of a drive: discs and annuli by exact plane elasticity, stepped rollers as springs."""
+"""The bodies of a drive: discs and annuli by exact plane elasticity, stepped rollers as springs with their bores."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from jax import Array
 from asperity.body.coupling import BodyInMachine, coupled_compliance, machine_kernel
 from asperity.body.rim_moments import WIDEST_CONTACT, walls_resolved
 from asperity.body.shapes import Annulus, Disc
+from asperity.body.stepped import WIDEST_BORE, SteppedRoller, bore_addition
 from asperity.contact.hertz_line import (
     logarithmic_compliance,
     ring_secant_compliance,
@@ -18,7 +19,7 @@ from asperity.contact.hertz_line import (
 )
 from asperity.drive.layout.drive import contact_angles
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint, each_contact, places, tracks_of
+from asperity.joint.description import Joint, each_contact, places, track_lengths, tracks_of
 from asperity.types import Real
 
 
@@ -64,6 +65,46 @@ def exact_bodies(joint: Joint) -> list[BodyInMachine]:
     return found
 
 
+def hollow_stepped(joint: Joint) -> dict[int, SteppedRoller]:
+    """The hollow rollers with two tracks, by the numbers of the bodies."""
+    rollers = {}
+    for number, (shape, material) in enumerate(zip(joint.shapes, joint.materials, strict=True)):
+        tracks = tracks_of(joint, number)
+        if shape.kind != "hollow" or len(tracks) != 2:
+            continue
+        assert shape.size is not None
+        one, two = track_lengths(joint, number)
+        rollers[number] = SteppedRoller(
+            (tracks[0][0], tracks[1][0]),
+            (one, two),
+            0.5 * shape.size,
+            material.youngs_modulus,
+            material.poisson_ratio,
+            joint.plane_state,
+        )
+    return rollers
+
+
+def _bores_of_stepped(joint: Joint) -> Array:
+    """What the bores of stepped rollers add to the compliance of all contacts, shape (2 contacts, 2 contacts) [m/N]."""
+    count = len(joint.drive.contacts)
+    first, _ = places(joint.drive)
+    at_first, at_second = contact_angles(joint.drive)
+    added = jnp.zeros((2 * count, 2 * count))
+    for number, roller in hollow_stepped(joint).items():
+        on_track = [(k, track) for track, (_, ks) in enumerate(tracks_of(joint, number)) for k in ks]
+        contacts = np.array([k for k, _ in on_track])
+        part = bore_addition(
+            roller=roller,
+            contact_angles=jnp.stack([at_first[k] if first[k] == number else at_second[k] for k in contacts]),
+            contact_tracks=tuple(track for _, track in on_track),
+            sectors=joint.drive.sectors if joint.drive.bodies[number].place == "axis" else 1.0,
+        )
+        both = np.concatenate([contacts, contacts + count])
+        added = added.at[both[:, None], both[None]].add(part)
+    return added
+
+
 def _exact_sides(joint: Joint) -> np.ndarray:
     """Whether the first and the second body of each contact are exact, shape (2, contacts)."""
     exact = [len(tracks_of(joint, number)) == 1 for number in range(len(joint.drive.bodies))]
@@ -99,7 +140,7 @@ def body_compliance(
     r"""Incremental compliance of all bodies of one sector between its contacts.
 
     .. math:: C = \sum_{exact} P_b^\mathsf{T} C^{(b)} P_b + \operatorname{diag}\sum_{springs} \frac{1-\nu^2}{\pi E B}
-              \left(2 \ln\frac{4R}{b} - 2\right)
+              \left(2 \ln\frac{4R}{b} - 2\right) + \sum_{bores} \Delta C
 
     Parameters
     ----------
@@ -118,11 +159,11 @@ def body_compliance(
     Notes
     -----
     A stepped roller is a spring under each of its contacts; tangentially as stiff as normally, with the stick zone in
-    place of the strip.
+    place of the strip. To it comes what its bore adds, :func:`asperity.body.stepped.bore_addition`.
 
     References
     ----------
-    Equation (E3) of :doc:`/equations`.
+    Equations (E3) and (E6) of :doc:`/equations`.
     """
     count = len(joint.drive.contacts)
     exact = _exact_sides(joint)
@@ -152,7 +193,7 @@ def body_compliance(
             )
             parts.append(jnp.where(known, 0.0, secant - bend))
         own.append(parts[0] + parts[1])
-    return found + jnp.diag(jnp.concatenate(own))
+    return found + jnp.diag(jnp.concatenate(own)) + _bores_of_stepped(joint)
 
 
 def with_rims(joint: Joint, contacts: JointContacts) -> JointContacts:
@@ -161,8 +202,20 @@ def with_rims(joint: Joint, contacts: JointContacts) -> JointContacts:
     return dataclasses.replace(contacts, rims=machine_kernel(bodies)) if bodies else contacts
 
 
+def contact_walls(joint: Joint) -> list[tuple[list[int], Real]]:
+    """Contacts of each ring, hollow roller and track of a hollow stepped roller, and the wall that they press [m]."""
+    walls: list[tuple[list[int], Real]] = [
+        (list(member.contacts), member.body.outer_radius - member.body.inner_radius)
+        for member in exact_bodies(joint)
+        if isinstance(member.body, Annulus)
+    ]
+    for number, roller in hollow_stepped(joint).items():
+        walls += [(contacts, radius - roller.bore_radius) for radius, contacts in tracks_of(joint, number)]
+    return walls
+
+
 def walls_known(*, joint: Joint, half_width: Array) -> Array:
-    """Whether every ring and hollow roller has a wall for which its exact compliance is known."""
+    """Whether every ring and hollow roller has a wall for which its compliance is known."""
     holds = jnp.ones((), dtype=bool)
     if joint.body_model == "springs":
         return holds
@@ -172,10 +225,11 @@ def walls_known(*, joint: Joint, half_width: Array) -> Array:
             continue
         alone = member.sectors is None
         sectors: Real = 1.0 if member.sectors is None else member.sectors
-        resolved = walls_resolved(
+        holds = holds & walls_resolved(
             ratio=body.inner_radius / body.outer_radius, sectors=sectors, one_sector=alone
         )
-        widest = jnp.max(half_width[np.array(member.contacts)])
-        wall = body.outer_radius - body.inner_radius
-        holds = holds & resolved & ~(widest > WIDEST_CONTACT * wall)
+    for roller in hollow_stepped(joint).values():
+        holds = holds & (roller.bore_radius <= WIDEST_BORE * jnp.minimum(*roller.radii))
+    for contacts, wall in contact_walls(joint):
+        holds = holds & ~(jnp.max(half_width[np.array(contacts)]) > WIDEST_CONTACT * wall)
     return holds

@@ -13,7 +13,6 @@ from jax import Array
 
 from asperity.arrays import namespace
 from asperity.body.rim_moments import WIDEST_CONTACT
-from asperity.body.shapes import Annulus
 from asperity.drive.state.first_limit import (
     FirstLimit,
     first_limit,
@@ -22,7 +21,7 @@ from asperity.drive.state.first_limit import (
 )
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
-from asperity.joint.bodies import exact_bodies
+from asperity.joint.bodies import contact_walls
 from asperity.joint.description import (
     Joint,
     body_masses,
@@ -88,10 +87,8 @@ def _widths_of_walls(joint: Joint) -> Array | None:
     if joint.cam is None or joint.body_model == "springs":
         return None
     widths = jnp.full(len(joint.drive.contacts), jnp.inf)
-    for member in exact_bodies(joint):
-        if isinstance(member.body, Annulus):
-            wall = member.body.outer_radius - member.body.inner_radius
-            widths = widths.at[np.array(member.contacts)].min(WIDEST_CONTACT * wall)
+    for contacts, wall in contact_walls(joint):
+        widths = widths.at[np.array(contacts)].min(WIDEST_CONTACT * wall)
     return widths
 
 

@@ -9,6 +9,7 @@ import equinox as eqx
 import jax
 import numpy as np
 
+from asperity.body.stepped import WIDEST_BORE
 from asperity.compilation import Program, compile_fast
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.drive.state.state import DriveState
@@ -179,13 +180,21 @@ def refuse_impossible_joint(joint: Joint) -> None:
 
 
 def refuse_bores(joint: Joint) -> None:
-    """Refuse a hollow roller without a wall."""
+    """Refuse a hollow roller without a wall, and a stepped one with a wall too thin to be computed."""
     for number, (body, shape) in enumerate(zip(joint.drive.bodies, joint.shapes, strict=True)):
-        radius = min(float(radius) for radius, _ in tracks_of(joint, number))
-        if shape.bore_diameter is not None and float(shape.bore_diameter) >= 2.0 * radius:
+        if shape.bore_diameter is None:
+            continue
+        bore, widest = float(shape.bore_diameter), 2.0 * min(float(r) for r, _ in tracks_of(joint, number))
+        told = f"the bore of {body.name}, {format_quantity(bore, 'mm')}, "
+        if bore >= widest:
             raise InputError(
-                f"the bore of {body.name}, {format_quantity(float(shape.bore_diameter), 'mm')}, leaves no wall in a "
-                f"roller of {format_quantity(2.0 * radius, 'mm')}; make the bore smaller"
+                f"{told}leaves no wall in a roller of {format_quantity(widest, 'mm')}; make the bore smaller"
+            )
+        if len(tracks_of(joint, number)) > 1 and joint.body_model == "exact" and bore > WIDEST_BORE * widest:
+            raise InputError(
+                f"{told}is wider than {WIDEST_BORE} of the diameter of its smaller track, "
+                f"{format_quantity(WIDEST_BORE * widest, 'mm')}: beyond it the compliance of a stepped roller is not "
+                "known; make the bore smaller"
             )
 
 

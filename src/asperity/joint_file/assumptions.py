@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from asperity.joint.bodies import hollow_stepped
 from asperity.joint.description import Joint
 from asperity.joint.rims import bends
 from asperity.joint_file.build import joint_from_case
@@ -34,6 +35,13 @@ RANDOM_ROUGHNESS = (
 LOADING_CAM = (
     "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far as the "
     "work on the contacts demands; a cam that sticks is stiffer, and adds hysteresis of its own"
+)
+#: What is taken of the bores of stepped rollers.
+HOLLOW_STEPPED = (
+    "a bore through two tracks, one of them in the middle and half of the other on either side: each track by plane "
+    "elasticity, joined to the other by the shear between them. Against finite elements in space the roller's "
+    "compliance is up to 2, 6 or 18 % too low for bores of 0.3, 0.5 or 0.65 of the smaller diameter; the stress that "
+    "bends its rims is not computed"
 )
 #: What is taken of crowned rollers in every drive.
 CROWNED = (
@@ -68,6 +76,9 @@ def assumptions(case: Case) -> tuple[str, ...]:
         )
     if joint.drive.pinned:
         told.append(_pins_in_bores(joint))
+    bored = [joint.drive.bodies[number].name.replace("_", " ") for number in hollow_stepped(joint)]
+    if bored and joint.body_model == "exact":
+        told.append(f"{', '.join(bored)}: {HOLLOW_STEPPED}")
     if case.play is None:
         told.append("no section [play]: the output has no play")
     if case.compliance is None:
@@ -225,7 +236,7 @@ def _pins_in_bores(joint: Joint) -> str:
         "bearings.pin_diameter: a pin presses on half of the bore of its roller with a cosine pressure, as one that "
         "fits it; its own stiffness is not counted, and away from it the bore is free. The bore of a roller without a "
         "bore diameter is as wide as the pin; of a stepped roller each track has its bore to itself, and its contacts "
-        "give way as those of a solid one"
+        "give way as those on an empty bore"
     )
 
 

@@ -53,12 +53,6 @@ PartSkews = Annotated[
 Wall = Annotated[Quantity, limits.WALL_THICKNESS]
 Bore = Annotated[Quantity, limits.BORE_DIAMETER]
 RingSupport = Literal["rigid_housing", "free", "elastic_housing"]
-#: Why a stepped roller has no bore diameter, and what to do.
-HOLLOW_STEPPED = (
-    "tracks of unlike radii in one piece bend each other out of their own planes, which plane elasticity does not "
-    "know, so that neither the stiffness nor the stress of a hollow stepped roller is computed; leave it out, which "
-    "counts the roller as solid, stiffer and heavier than it is"
-)
 #: Supports in which a ring bends.
 BENT = ("free", "elastic_housing")
 
@@ -115,6 +109,10 @@ class MultirollerDrive(Section):
     ring_support: RingSupport | None = None
     """What holds the outer rim of the ring: a rigid housing, nothing, so that it bends, or a housing with the
     ring_housing_stiffness of [compliance]. A rigid housing if absent."""
+    first_row_bore_diameter: Bore | None = None
+    """Diameter of the bore of the first row's rollers, at most 0.65 of that of the smaller track; solid if absent."""
+    second_row_bore_diameter: Bore | None = None
+    """Diameter of the bore of the second row's rollers, at most 0.65 of that of the smaller track; solid if absent."""
     sun_crown_radius: CrownRadius | None = None
     """Radius of the sun's crown along its axis, highest in the middle of the contact line; a cylinder if absent."""
     first_row_crown_radius: CrownRadius | None = None
@@ -149,6 +147,8 @@ class SteppedPlanetDrive(Section):
     ring_support: RingSupport | None = None
     """What holds the outer rim of the grounded ring: a rigid housing, nothing, or a housing with the
     ring_housing_stiffness of [compliance]. A rigid housing if absent."""
+    planet_bore_diameter: Bore | None = None
+    """Diameter of the bore of hollow planets, at most 0.65 of that of the smaller track; solid if absent."""
     sun_crown_radius: CrownRadius | None = None
     """Radius of the sun's crown along its axis, highest in the middle of the contact line; a cylinder if absent."""
     planet_crown_radius: CrownRadius | None = None

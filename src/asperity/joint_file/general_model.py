@@ -12,7 +12,7 @@ from asperity.drive.layout.drive import CARRIER
 from asperity.errors import nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.branch_sections import Deviation
-from asperity.joint_file.drive_sections import HOLLOW_STEPPED, Bore, PartLengths, PartName, RingSupport, Wall
+from asperity.joint_file.drive_sections import Bore, PartLengths, PartName, RingSupport, Wall
 from asperity.joint_file.model import AxisCase
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
@@ -59,7 +59,8 @@ class RollerEntry(Section):
     """What holds the outer rim of a ring: a rigid housing, nothing, or a housing with the ring_housing_stiffness of
     [compliance]. A rigid housing if absent."""
     bore_diameter: Bore | None = None
-    """Diameter of the bore of a hollow roller; solid if absent."""
+    """Diameter of the bore of a hollow roller, at most 0.65 of that of the smaller track of a stepped one;
+    solid if absent."""
     length: BodyLength | None = None
     """Length of a roller, for its mass and its pin; if absent, that of its contact lines, those of the tracks of a
     stepped roller side by side."""
@@ -194,7 +195,7 @@ def _misdescribed(case: GeneralCase) -> Iterator[str]:
 
 
 def _impossible_bore(roller: RollerEntry, contacts: tuple[ContactEntry, ...]) -> Iterator[str]:
-    """Messages about a bore in a ring or in a stepped roller."""
+    """Messages about a bore in a ring or in a roller with more than two tracks."""
     if roller.wall_thickness is not None:
         yield f"roller {roller.name}: bore_diameter: a ring is described by its wall_thickness; leave one of both out"
         return
@@ -206,10 +207,12 @@ def _impossible_bore(roller: RollerEntry, contacts: tuple[ContactEntry, ...]) ->
         if getattr(contact, side) == roller.name
     ]
     tracks = {f"{radius.value:.12g}": radius.text for radius in radii}
-    if len(tracks) > 1:
+    if len(tracks) > 2:
         yield (
             f"roller {roller.name}: bore_diameter = {quoted(roller.bore_diameter.text)} in a roller with tracks of "
-            f"{' and '.join(tracks.values())}: {HOLLOW_STEPPED}"
+            f"{', '.join(tracks.values())}: what a bore adds depends on how more than two tracks lie along "
+            "the axis, which a file does not state; leave it out: the roller counts as solid, stiffer and heavier "
+            "than it is"
         )
 
 

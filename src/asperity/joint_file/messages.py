@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 from typing import Any, Literal, get_args, get_origin
 
@@ -11,10 +10,9 @@ from pydantic_core import ErrorDetails
 
 from asperity.errors import MOST_ERRORS, closest, nearest, quoted
 from asperity.joint_file.case_types import CASES
-from asperity.joint_file.drive_sections import HOLLOW_STEPPED
 from asperity.joint_file.key_paths import keys_by_path, models_of, variants
 from asperity.joint_file.material_entries import joined, unknown_materials
-from asperity.joint_file.part_names import CONTACTS, TRACKS, material_keys
+from asperity.joint_file.part_names import CONTACTS, material_keys
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
 
 #: Errors of pydantic that are explained: a misspelt key is two of them, an unknown key and a missing one.
@@ -105,8 +103,6 @@ def _unknown_key(
     """What to say of an unknown key or section, and which missing one it was meant to be."""
     path, name, table = ".".join(parts), parts[-1], parts[:-1]
     what = "section" if isinstance(value, dict) else "key"
-    if table == ("drive",) and name.removesuffix("_bore_diameter") in _stepped_rollers(model):
-        return f"{path} = {quoted(value)}: {HOLLOW_STEPPED}", None
     other = closest(name, (each[-1] for each in absent if each[:-1] == table))
     if other:
         return f"{path}: unknown {what}; did you mean '{other}'?", (*table, other)
@@ -140,18 +136,6 @@ _PAIRS = (
     ("loading_roller_torque", "roller_torque"),
 )
 _CALLED_HERE = {one: other for pair in _PAIRS for one, other in (pair, pair[::-1])}
-
-
-def _stepped_rollers(model: type[BaseModel]) -> list[str]:
-    """Names of the rollers with several tracks of a type of drive."""
-    kinds = [kind for kind, other in CASES.items() if other is model and kind in CONTACTS]
-    tracks = {
-        (body, track)
-        for kind in kinds
-        for contact, pair in CONTACTS[kind].items()
-        for body, track in zip(pair, TRACKS[kind][contact], strict=True)
-    }
-    return [body for body, count in Counter(body for body, _ in tracks).items() if count > 1]
 
 
 def _drives_with(parts: Parts) -> list[str]:

@@ -137,7 +137,8 @@ class ModelChoice(Section):
     asperity_base: Literal["majumdar_bhushan_1991", "circular_spot"]
     """Base length of an asperity."""
     bodies: Literal["exact", "springs"] | None = None
-    """Bodies: by plane elasticity, or one spring for each contact; exact if absent. Stepped rollers are springs."""
+    """Bodies: by plane elasticity, or one spring for each contact; exact if absent. Stepped rollers are springs, with
+    what their bores add."""
     plane_state: Literal["plane_strain", "plane_stress"] | None = None
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
     closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
@@ -211,6 +212,8 @@ class Case(WholeFile):
                 for name in (
                     "planet_bore_diameter",
                     "loading_roller_bore_diameter",
+                    "first_row_bore_diameter",
+                    "second_row_bore_diameter",
                     "driven_ring_wall_thickness",
                 )
                 if getattr(drive, name, None) is not None

@@ -145,7 +145,8 @@ def _multiroller(values: Values) -> Layout:
         second_row_radii=(drive["second_row_radius"], drive["second_row_small_radius"]),
         roller_count=drive["rollers_per_row"],
     )
-    return made, (SOLID, SOLID, SOLID, _ring(values)), (0.0, 0.0, 0.0, 1.0)
+    rows = (_roller(drive, name) for name in ("first_row", "second_row"))
+    return made, (SOLID, *rows, _ring(values)), (0.0, 0.0, 0.0, 1.0)
 
 
 def _stepped_planet(values: Values) -> Layout:
@@ -156,7 +157,7 @@ def _stepped_planet(values: Values) -> Layout:
         planet_count=drive["planets"],
     )
     rings = _ring(values), BodyShape("ring", drive["driven_ring_wall_thickness"], "free")
-    return made, (SOLID, SOLID, *rings), (0.0, 1.0, 1.0)
+    return made, (SOLID, _roller(drive, "planet"), *rings), (0.0, 1.0, 1.0)
 
 
 _LAYOUTS: dict[str, Callable[[Values], Layout]] = {
