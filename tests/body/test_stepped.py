@@ -108,6 +108,41 @@ def test_against_finite_elements_in_space(step, bore, length, by_ring, by_roller
         assert 0.69 < float(forces @ matrix @ forces) / space < 1.0
 
 
+@pytest.mark.parametrize(
+    ("step", "bore", "by_ring", "by_rollers", "around", "on_first", "on_second"),
+    [
+        (1.5, 0.6, 97.317, 52.008, 4.6017, 89.825, 121.62),
+        (0.5, 0.5, 35.093, 12.070, 2.9119, 40.052, 22.118),
+    ],
+)
+def test_short_tracks_are_one_plate_of_two_thicknesses(
+    step, bore, by_ring, by_rollers, around, on_first, on_second
+):
+    """The finite elements above, edges of 0.005, for tracks 0.02 and 0.03 long.
+
+    The elements differ from the plate by four times as much where the tracks are four times as long. In addition
+    tangential forces, at 0 and 180 degrees on the first and at 180 on the second track, and two opposed loads on each.
+    """
+    small = min(step, 1.0)
+    radii = (step / small, 1.0 / small)
+    roller = stepped(radii, (0.02, 0.03), bore, "plane_stress", young=1.0)
+    one, two = radii[0] - radii[1], -radii[0] - radii[1]
+    tangential = np.array([one, two, one - two]) / max(abs(two), abs(one - two))
+    none = [0.0] * 3
+    for angles, tracks, forces, space in (
+        ([0.0, 180.0, 180.0], (0, 0, 1), [1.0, 0.5, 0.5, *none], by_ring),
+        ([0.0, 120.0, 240.0], (0, 1, 1), [1.0, 1.0, 1.0, *none], by_rollers),
+        ([0.0, 180.0, 180.0], (0, 0, 1), [*none, *tangential], around),
+        ([0.0, 180.0, 0.0], (0, 0, 0), [1.0, 1.0, 0.0, *none], on_first),
+        ([0.0, 180.0, 0.0], (1, 1, 1), [1.0, 1.0, 0.0, *none], on_second),
+    ):
+        matrix = addition(
+            roller=roller, contact_angles=jnp.radians(jnp.array(angles)), contact_tracks=tracks, sectors=1.0
+        )
+        on_roller = np.array(forces)
+        assert float(on_roller @ matrix @ on_roller) == pytest.approx(space, rel=0.03, abs=0.0)
+
+
 def test_the_addition_goes_with_the_square_of_a_narrow_bore():
     """As that of a hole in a stretched plate."""
     angles = jnp.array([0.0, 2.0, 4.0])
