@@ -186,3 +186,32 @@ def test_slopes_are_finite_differences(second):
         step = jnp.zeros(3).at[number].set(1e-6 * at[number])
         by_difference = (value(at + step) - value(at - step)) / (2e-6 * at[number])
         assert float(slopes[number]) == pytest.approx(float(by_difference), rel=1e-5, abs=0.0)
+
+
+def test_a_torque_between_the_tracks_twists_the_core():
+    """By L/(12 G J) between the middles of both tracks, J that of the core with and without the bore."""
+    one, two, length = 10e-3, 7e-3, 11e-3
+    matrix = addition(
+        roller=stepped((one, two), (5e-3, 6e-3), 4e-3),
+        contact_angles=jnp.array([0.0, 0.0]),
+        contact_tracks=(0, 1),
+        sectors=45.0,
+    )
+    forces = np.array([0.0, 0.0, 1.0 / one, -1.0 / two])  # times 45 sectors, a torque of 45
+    polar = [np.pi / 2.0 * (two**4 - bore**4) for bore in (4e-3, 0.0)]
+    twist = 45.0 * length / (12.0 * E / (2.0 * (1.0 + NU))) * (1.0 / polar[0] - 1.0 / polar[1])
+    assert float(forces @ matrix @ forces) == pytest.approx(twist, rel=1e-6, abs=0.0)
+
+
+def test_a_roller_ten_times_as_large_gives_way_by_a_tenth():
+    angles, tracks = jnp.array([0.0, 2.0, 4.0]), (0, 1, 1)
+    small, large = (
+        addition(
+            roller=stepped((10e-3 * k, 7e-3 * k), (5e-3 * k, 6e-3 * k), 4e-3 * k),
+            contact_angles=angles,
+            contact_tracks=tracks,
+            sectors=1.0,
+        )
+        for k in (1.0, 10.0)
+    )
+    np.testing.assert_allclose(10.0 * large, small, rtol=1e-9, atol=1e-12 * float(jnp.max(jnp.abs(small))))
