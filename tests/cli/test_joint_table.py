@@ -49,6 +49,11 @@ def document():
         )
     ]
     return {
+        "verdict": {"works": True, "holds": True, "words": "All met.", "nearest": None},
+        "mass_kg": 0.5,
+        "envelope_diameter_m": 0.116,
+        "efficiency": None,
+        "life_hours": None,
         "input": {
             "drive": {"planets": 3.0},
             "load": {"preload": 1000.0, "output_torque": 5.0, "sun_speed": 100.0 * np.pi},

@@ -26,6 +26,11 @@ CONTACT = {
 }
 DOCUMENT = {
     "of_own_branches": False,
+    "verdict": {"works": True, "holds": True, "words": "All met.", "nearest": None},
+    "mass_kg": 0.5,
+    "envelope_diameter_m": 0.116,
+    "drift_rad_per_output_turn": None,
+    "life_hours": None,
     "input": {
         "drive": {"planets": 3.0},
         "load": {"friction_coefficient": 0.12, "sun_speed": 600.0, "output_torque": 5.0},

@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 from asperity.report.content import Bullets, Paragraph, Table
-from asperity.report.limit_tables import doubts, margins_table, verdict, warnings
+from asperity.report.limit_tables import margins_table, warnings
 from asperity.results import Limit, Result
 from asperity.results.margins import Margin
 from asperity.unit_table import Dimension
@@ -50,38 +50,6 @@ def test_what_is_not_met_stands_first_and_then_the_fullest():
     _, table = margins_table(found)
     assert [row[0][-1] for row in table.rows] == ["b", "d", "e", "c", "a", "f", "g"]
     assert [row[-1] for row in table.rows] == ["FAIL", "FAIL", "unknown", *["pass"] * 4]
-
-
-def test_the_verdict_names_what_fails_and_what_is_not_known():
-    kept, failed = (
-        margin("a", "sp", 0.5, highest=1.0),
-        margin("b", "held_ring", 2.0, highest=1.0, passes=False),
-    )
-    open_ = margin("c", "", math.nan, highest=1.0, passes=False)
-    steel, library = (
-        {"held_ring": {"yield_safety": 3.0, "fatigue_safety": safety}} for safety in (1.5, None)
-    )
-    start = "Requirements of function and strength that are not"
-    ring = "safety of the held ring against fatigue (no fatigue_strength of its material)"
-    assert verdict([kept], steel) == "All requirements of function and strength are met."
-    assert verdict([kept], library) == f"{start} known: {ring}. All others of function and strength are met."
-    assert verdict([kept, failed], steel) == f"{start} met: label of b (held ring)."
-    assert verdict([failed, open_], library) == (
-        f"{start} met: label of b (held ring); not known: label of c (drive), {ring}."
-    )
-
-
-def test_numbers_are_in_doubt_where_a_requirement_of_accuracy_is_not_met():
-    kept, crossed = (
-        replace(margin(name, "sp", 2.0, highest=1.0, passes=passes), severity="accuracy")
-        for name, passes in (("a", True), ("b", False))
-    )
-    other = margin("c", "sp", 2.0, highest=1.0, passes=False)
-    assert list(doubts([kept, other])) == []
-    (said,) = doubts([kept, crossed, other])
-    assert said == Paragraph(
-        "The numbers cannot be relied on before these warnings are settled: label of b.", strong=True
-    )
 
 
 def entry(name, contact, value, ok, meaning):

@@ -39,10 +39,13 @@ def count(value: float, word: str) -> str:
     return f"{number(value)} {word}{'' if value == 1 else 's'}"
 
 
-def print_wrapped(target: Console, text: str, *, indent: int) -> None:
+def print_wrapped(target: Console, text: str, *, indent: int, style: str | None = None) -> None:
     """Print a sentence, its later lines indented."""
     target.print(
-        textwrap.fill(text, target.width, subsequent_indent=" " * indent), markup=False, soft_wrap=True
+        textwrap.fill(text, target.width, subsequent_indent=" " * indent),
+        markup=False,
+        soft_wrap=True,
+        style=style,
     )
 
 
@@ -64,6 +67,43 @@ def show_heading(target: Console, document: Document, source: str) -> None:
         style="bold",
         markup=False,
     )
+
+
+def show_verdict(target: Console, document: Document) -> None:
+    """Whether the joint works and what limits it, its numbers of use, its size."""
+    verdict, nearest = document["verdict"], document["verdict"]["nearest"]
+    text = f"{_does_it_work(verdict)}: {verdict['words']}"
+    if nearest is not None:
+        place = "" if nearest["place"] is None else f" ({nearest['place']})"
+        share = number(100.0 * nearest["share_of_limit"], 3)
+        text += f" Nearest to its limit: {nearest['label']}{place}, {share} % of it."
+    print_wrapped(target, text, indent=2, style="bold")
+    capacity = document["torque_capacity"]
+    if document["standing"]["forces"]["output_torque_Nm"] < 0.0:
+        capacity = capacity["reverse"]
+    numbers = (
+        ("stiffness", document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"], "N*m/arcmin"),
+        ("drift per output turn", document["drift_rad_per_output_turn"], "arcmin"),
+        ("torque capacity", capacity["output_torque_Nm"], "N*m"),
+    )
+    shown = [f"{label} {'-' if value is None else in_unit(value, unit)}" for label, value, unit in numbers]
+    efficiency, life = document["efficiency"], document["life_hours"]
+    shown.append(f"efficiency {'-' if efficiency is None else scaled(efficiency, 100.0) + ' %'}")
+    shown.append(f"life {'-' if life is None else number(life) + ' h'}")
+    print_wrapped(target, ", ".join(shown), indent=2)
+    ratio = number(abs(document["geometry"]["speed_ratio"]))
+    mass, diameter = in_unit(document["mass_kg"], "kg"), in_unit(document["envelope_diameter_m"], "mm")
+    print_wrapped(target, f"ratio {ratio}, rolling parts of {mass}, outside diameter {diameter}", indent=2)
+    target.print()
+
+
+def _does_it_work(verdict: Document) -> str:
+    """The first words about a joint: that something fails, is not known, or that it works."""
+    if verdict["works"] is False:
+        return "Does not work"
+    if verdict["holds"] is False:
+        return "Is damaged"
+    return "Works" if verdict["works"] and verdict["holds"] else "Not known in full"
 
 
 def temperatures(document: Document) -> str:

@@ -13,6 +13,7 @@ from asperity.cli.document_text import (
     scaled,
     show_assumptions,
     show_heading,
+    show_verdict,
     show_warnings,
 )
 from asperity.cli.terminal import table
@@ -36,6 +37,7 @@ Rows = tuple[tuple[str, str], ...]
 def show_joint(target: Console, document: Document, *, source: str) -> None:
     """Print what a joint document says."""
     show_heading(target, document, source)
+    show_verdict(target, document)
     _show_stiffness(target, document)
     _show_drift(target, document)
     _show_contacts(target, document)

@@ -11,6 +11,7 @@ from asperity.cli.document_text import (
     scaled,
     show_assumptions,
     show_heading,
+    show_verdict,
     show_warnings,
 )
 from asperity.cli.terminal import table
@@ -29,6 +30,7 @@ _CAUSES = ("creep", "skew", "hysteresis", "oil")
 def show_rolling(target: Console, document: Document, *, source: str) -> None:
     """Print what a joint document says about the joint that turns."""
     show_heading(target, document, source)
+    show_verdict(target, document)
     _show_output(target, document)
     _show_losses(target, document)
     _show_contacts(target, document)

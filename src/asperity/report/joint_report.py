@@ -215,9 +215,7 @@ def _title_block(source: ReportSource) -> Iterator[Block]:
 def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield Heading("Summary")
     yield result_tables.summary(document)
-    required = margins(solved)
-    yield Paragraph(limit_tables.verdict(required, document["rims"]), strong=True)
-    yield from limit_tables.doubts(required)
+    yield Paragraph(document["verdict"]["words"], strong=True)
 
 
 def _windup(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:

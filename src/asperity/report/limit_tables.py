@@ -21,41 +21,6 @@ _WARNINGS_ABOUT = {
 }
 
 
-def verdict(found: Sequence[Margin], rims: Document) -> str:
-    """Whether the requirements of function and strength are met, and which are not known."""
-    judged = [each for each in found if not each.passes and each.severity in ("function", "damage")]
-    failed, unknown = (
-        [
-            f"{each.result.label} ({each.place.replace('_', ' ') or 'drive'})"
-            for each in judged
-            if math.isnan(each.actual) == open_
-        ]
-        for open_ in (False, True)
-    )
-    unknown += [
-        f"safety of the {name.replace('_', ' ')} against fatigue (no fatigue_strength of its material)"
-        for name, each in rims.items()
-        if each["yield_safety"] is not None and each["fatigue_safety"] is None
-    ]
-    start = "Requirements of function and strength that are not"
-    rest = f"; not known: {', '.join(unknown)}" if unknown else ""
-    if failed:
-        return f"{start} met: {', '.join(failed)}{rest}."
-    if unknown:
-        return f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
-    return "All requirements of function and strength are met."
-
-
-def doubts(found: Sequence[Margin]) -> Iterator[Block]:
-    """Whether the numbers can be relied on."""
-    doubtful = [each.result.label for each in found if each.severity == "accuracy" and not each.passes]
-    if doubtful:
-        yield Paragraph(
-            f"The numbers cannot be relied on before these warnings are settled: {', '.join(doubtful)}.",
-            strong=True,
-        )
-
-
 def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
     """Required and actual values."""
     yield Paragraph(

@@ -29,6 +29,7 @@ from asperity.results.all_limits import all_checks
 from asperity.results.branch_document import branch_document
 from asperity.results.limit_check import LimitCheck
 from asperity.results.loads_document import bearing_entries, rim_entry
+from asperity.results.margins import margins, verdict_document
 from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.document import losses, rolling_document
@@ -247,11 +248,14 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
     forward = float(joint.output_torque) >= 0.0
     pinned = [drive.bodies[body].name for body in drive.pinned]
     names = result.contact_names
-    checks = all_checks(solved)
+    checks, rims = all_checks(solved), _rims(solved)
     document = plain_document(
         {
             "asperity_version": asperity.__version__,
             "of_own_branches": joint.unlike is not None,
+            "verdict": verdict_document(margins(solved), rims),
+            "mass_kg": solved.size.mass,
+            "envelope_diameter_m": solved.size.envelope_diameter,
             "input": inputs,
             "assumptions": list(assumptions),
             "geometry": {
@@ -316,7 +320,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "torque_capacity": capacities_document(solution, solution),
             "surfaces": surface_averages(joint, inputs.get("surface", {})),
             "bearings": bearing_entries(solved),
-            "rims": _rims(solved),
+            "rims": rims,
             "torsional_stiffness": torsional_stiffness_document(result),
             "stiffness_unknown_because": stiffness_unknown_because(result),
             "stiffness_budget": stiffness_budget(result),

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +18,8 @@ from asperity.results.table import results_of_joint
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
 _MUST_EXCEED = ("clearance", "torque_safety")
+#: Severities of what a verdict is about.
+_JUDGED: tuple[Severity, ...] = ("function", "damage")
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,3 +137,87 @@ def _worst(row: Result, rows: dict[str, float]) -> Margin:
     actual = float(values[index])
     passes = row.limit.is_kept(actual) if row.limit else actual > lowest
     return Margin(row, list(rows)[index], actual, lowest, highest, bool(passes), severity)
+
+
+def verdict_document(found: Sequence[Margin], rims: dict[str, Any]) -> dict[str, Any]:
+    """Whether a joint works, as a part of its document.
+
+    Parameters
+    ----------
+    found : sequence of Margin
+        Every requirement of the joint.
+    rims : dict
+        Stresses and safeties of its bodies that bend, as in the document of the joint.
+
+    Returns
+    -------
+    dict
+        ``works``: whether all requirements of function are met, None where one is not known or the numbers cannot be
+        relied on; ``holds``: likewise those of strength; ``words``; ``nearest``: of the requirements that are met, the
+        one that uses most of its limit, or None.
+    """
+    doubtful = [each.result.label for each in found if each.severity == "accuracy" and not each.passes]
+    words = [_verdict(found, rims)]
+    if doubtful:
+        words.append(
+            f"The numbers cannot be relied on before these warnings are settled: {', '.join(doubtful)}."
+        )
+    used = [
+        each for each in found if each.severity in _JUDGED and each.passes and math.isfinite(each.utilisation)
+    ]
+    nearest = max(used, key=lambda margin: margin.utilisation, default=None)
+    works, holds = (None if doubtful else _is_met(found, severity) for severity in _JUDGED)
+    if holds and _endurance_unknown(rims):
+        holds = None
+    return {
+        "works": works,
+        "holds": holds,
+        "words": " ".join(words),
+        "nearest": nearest
+        and {
+            "label": nearest.result.label,
+            "place": nearest.place or None,
+            "share_of_limit": nearest.utilisation,
+        },
+    }
+
+
+def _is_met(found: Sequence[Margin], severity: Severity) -> bool | None:
+    """Whether all requirements of one kind are met; None where none fails but one is not known."""
+    crossed = [margin for margin in found if margin.severity == severity and not margin.passes]
+    if any(not math.isnan(margin.actual) for margin in crossed):
+        return False
+    return None if crossed else True
+
+
+def _endurance_unknown(rims: dict[str, Any]) -> list[str]:
+    """Bodies that bend and have no safety against fatigue."""
+    return [
+        name
+        for name, rim in rims.items()
+        if rim["yield_safety"] is not None and rim["fatigue_safety"] is None
+    ]
+
+
+def _verdict(found: Sequence[Margin], rims: dict[str, Any]) -> str:
+    """Whether the requirements of function and strength are met, and which are not known."""
+    crossed = [margin for margin in found if not margin.passes and margin.severity in _JUDGED]
+    failed, unknown = (
+        [
+            f"{margin.result.label} ({margin.place.replace('_', ' ') or 'drive'})"
+            for margin in crossed
+            if math.isnan(margin.actual) == is_open
+        ]
+        for is_open in (False, True)
+    )
+    unknown += [
+        f"safety of the {name.replace('_', ' ')} against fatigue (no fatigue_strength of its material)"
+        for name in _endurance_unknown(rims)
+    ]
+    start = "Requirements of function and strength that are not"
+    rest = f"; not known: {', '.join(unknown)}" if unknown else ""
+    if failed:
+        return f"{start} met: {', '.join(failed)}{rest}."
+    if unknown:
+        return f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
+    return "All requirements of function and strength are met."
