@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli.surface import surface
+from asperity.cli import asperity
 from asperity.errors import InputError
 from asperity.surface.measurement import measurement_from_document, read_measurement
 
 
 def run(*arguments):
-    return CliRunner().invoke(surface, [str(a) for a in arguments], catch_exceptions=True)
+    return CliRunner().invoke(asperity, ["surface", *map(str, arguments)], catch_exceptions=True)
 
 
 def test_a_surface_without_a_power_law_gives_lines_for_a_joint_file(tmp_path):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli.verify_contact import verify_contact
+from asperity.cli import asperity
 from asperity.errors import InputError
 
 SMALL = ["--dimension", "1.6", "--points", "32", "--seeds", "1", "--loads", "2", "--pixels-per-wave", "8"]
@@ -20,7 +20,9 @@ def _no_cache(monkeypatch):
 @pytest.mark.slow
 def test_table_and_picture(tmp_path, saved_figures):
     picture = tmp_path / "validity.png"
-    result = CliRunner().invoke(verify_contact, [*SMALL, "--plot", str(picture)], catch_exceptions=False)
+    result = CliRunner().invoke(
+        asperity, ["verify-contact", *SMALL, "--plot", str(picture)], catch_exceptions=False
+    )
     assert result.exit_code == 0
     assert "D = 1.6: rms height" in result.output
     assert "K_n [N/µm]" in result.output
@@ -42,7 +44,7 @@ def test_table_and_picture(tmp_path, saved_figures):
 
 @pytest.mark.slow
 def test_json_carries_units_and_all_three_routes():
-    result = CliRunner().invoke(verify_contact, [*SMALL, "--json"], catch_exceptions=False)
+    result = CliRunner().invoke(asperity, ["verify-contact", *SMALL, "--json"], catch_exceptions=False)
     (document,) = json.loads(result.output)
     assert document["sample"]["side"] == 1e-3
     assert len(document["normal_force_N"]) == 2
@@ -62,7 +64,7 @@ def test_json_carries_units_and_all_three_routes():
 )
 def test_bad_input_is_named(change, named):
     with pytest.raises(InputError, match=named):
-        CliRunner().invoke(verify_contact, [*SMALL, *change], catch_exceptions=False)
+        CliRunner().invoke(asperity, ["verify-contact", *SMALL, *change], catch_exceptions=False)
 
 
 def test_a_picture_that_cannot_be_drawn_is_refused_before_anything_is_computed(monkeypatch):
@@ -70,6 +72,6 @@ def test_a_picture_that_cannot_be_drawn_is_refused_before_anything_is_computed(m
         raise AssertionError("it was computed")
 
     monkeypatch.setattr("asperity.verify.comparison.compare", compute)
-    result = CliRunner().invoke(verify_contact, [*SMALL, "--plot", "law.xyz"])
+    result = CliRunner().invoke(asperity, ["verify-contact", *SMALL, "--plot", "law.xyz"])
     assert isinstance(result.exception, InputError)
     assert "law.xyz: the name of an image must end in .png, .svg or .pdf" in str(result.exception)

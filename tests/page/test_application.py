@@ -51,9 +51,9 @@ def printed(zou_file):
     """What ``asperity joint --json`` prints."""
     from click.testing import CliRunner
 
-    from asperity.cli.joint import joint
+    from asperity.cli import asperity
 
-    done = CliRunner().invoke(joint, [str(zou_file), "--json"])
+    done = CliRunner().invoke(asperity, ["joint", str(zou_file), "--json"])
     assert done.exit_code == 0
     return json.loads(done.stdout)
 
