@@ -15,6 +15,7 @@ from asperity.drive.state.creep import creepages
 from asperity.errors import InputError
 from asperity.joint.contacts import rough_joint_contacts
 from asperity.joint.description import body_masses, joint_contacts
+from asperity.joint.evaluation import assembled_joint
 from asperity.joint.laws import (
     _approach,
     _expected_preload,
@@ -89,6 +90,28 @@ def test_crowns_take_from_the_force_of_an_interference(planar_joint):
         springs=laws.springs, normal_force=laws.reference_force, rest_force=laws.reference_force
     )
     assert float(jnp.sum(found)) == pytest.approx(approach, rel=1e-12)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "sections"),
+    [
+        ("zou2025", {"bearings": {"pin_diameter": 3e-3, "pin_friction_coefficient": 1e-3}}),
+        ("planetary", {"compliance": {"planet_support_stiffness": 1e7}}),
+        ("multiroller", {"compliance": {"pin_stiffness": 2e7}}),
+        ("stepped_planet", {}),
+    ],
+)
+def test_an_interference_makes_the_preload_that_makes_it(planar_case, name, sections):
+    """In a rigid housing; whatever pins, bores and supports give way, and where statics leaves the forces open."""
+    values = si_values(planar_case(name)) | sections
+    values["drive"]["ring_support"] = "rigid_housing"
+    load = {key: value for key, value in values["load"].items() if key not in ("preload", "interference")}
+    stated = assembled_joint(joint_from_values(values | {"load": load | {"preload": 900.0}}))
+    size = stated.rest.interference[-1] / jnp.asarray(joint_from_values(values).pattern)[-1]
+    made = assembled_joint(joint_from_values(values | {"load": load | {"interference": size}}))
+    np.testing.assert_allclose(made.laws.reference_force, stated.laws.reference_force, rtol=1e-7)
+    np.testing.assert_allclose(made.rest.normal, stated.rest.normal, rtol=1e-10)
 
 
 def test_a_given_preload_is_the_reference(planar_joint):

@@ -19,6 +19,7 @@ from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.equal_springs import rest_forces
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad
+from asperity.drive.state.states import state_at_rest
 from asperity.drive.state.supports import Supports, carrier_supports
 from asperity.joint.bodies import body_compliance
 from asperity.joint.bores import pin_compliances, pins_in_bores
@@ -30,7 +31,7 @@ from asperity.joint.contacts import (
     with_crowns,
 )
 from asperity.joint.crowned_contacts import crown_compressions, lateral_strain_compliance
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, body_masses
 from asperity.joint.fit import BodyModel
 from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep
@@ -39,6 +40,8 @@ from asperity.types import Real
 #: A force that is small for every wall: over Young's modulus times length times interference.
 _SMALL_FORCE = 1e-5
 _REFERENCE_STEPS, _CROWNED_STEPS = 4, 10
+#: Each leaves less than a thousandth of what its preload is away from that around which its laws are taken.
+_ASSEMBLIES = 2
 
 
 def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
@@ -58,13 +61,18 @@ def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
 
     Notes
     -----
-    Where the preload is an interference, the laws are taken around the force that it makes by its work on the contacts.
+    Where the preload is an interference, the laws are taken around the force that it makes in the assembled drive. The
+    same force, stated as the preload, gives the same laws.
 
     References
     ----------
     Equations (A3), (B1) and (E3) of :doc:`/equations`.
     """
-    reference = _reference_force(joint, contacts)
+    return _laws_around(joint, contacts, _reference_force(joint, contacts))
+
+
+def _laws_around(joint: Joint, contacts: JointContacts, reference: Array) -> ContactLaws:
+    """Laws of the contacts around given forces without torque [N]."""
     springs, coupling = _approach(joint, contacts, reference)
     crowned = contacts.crown_curvature is not None
     rough = rough_joint_contacts(
@@ -98,16 +106,26 @@ def _reference_force(joint: Joint, contacts: JointContacts) -> Array:
     if joint.unlike is not None:
         return joint.unlike.reference_force
     forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
-    given = joint.preload
-    preload = _expected_preload(joint, contacts, forces) if given is None else jnp.asarray(given)
+    if joint.preload is not None:
+        return jnp.asarray(joint.preload) * forces
+    load, preload = drive_load(joint, body_masses(joint), 0.0), _expected_preload(joint, contacts, forces)
+    for _ in range(_ASSEMBLIES):
+        rest = state_at_rest(
+            drive=joint.drive,
+            laws=_laws_around(joint, contacts, preload * forces),
+            pattern=joint.working_pattern,
+            interference=joint.interference,
+            load=load,
+        )
+        preload = rest.normal[0]
     return preload * forces
 
 
 def _expected_preload(joint: Joint, contacts: JointContacts, forces: Array) -> Array:
-    """Preload by the work of the interference: with the compliance at a small force, then with that at the result."""
+    """Preload by the work of the interference, if nothing but the contacts gives way, all by one share."""
     young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
     small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
-    return _preload_by_work(joint, contacts, forces, _preload_by_work(joint, contacts, forces, small))
+    return _preload_by_work(joint, contacts, forces, small)
 
 
 def _preload_by_work(joint: Joint, contacts: JointContacts, forces: Array, at: Array) -> Array:
