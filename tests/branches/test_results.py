@@ -11,6 +11,8 @@ from asperity.branches.results import (
     BranchState,
     _forces_on_axis,
     _output_moments,
+    _state,
+    _Sums,
     _working_interference,
 )
 from asperity.joint.unfolding import SectorSizes, unfolded_joint
@@ -96,3 +98,28 @@ def test_forces_on_the_members_in_the_middle_by_hand(planetary_of_three):
     sun = np.asarray(_forces_on_axis(joint, unfolded, drag))[0]
     along = np.array([5.0, 2.0, -1.0]) @ ACROSS
     np.testing.assert_allclose(np.sign(sun[0] * along[0]) * sun, along, rtol=1e-12)
+
+
+def test_a_state_by_hand_in_axes_to_the_first_planet(planetary_of_three):
+    """It is above the sun: x to the right and y up become -y and x there."""
+    joint, _ = planetary_of_three()
+    branches = SimpleNamespace(equal=joint, sectors=3, floating=("sun",))
+    moments = np.array([[-2.0, -10.0, 12.0]]) * np.array([[0.0], [1.0], [1.05]])
+    output = np.array([[0.0, 0.0, 0.0], [33.0, 30.0, 27.0], [27.0, 30.0, 33.0]])
+    sums = _Sums(np.arange(18.0).reshape(3, 3, 2), moments, output, np.zeros((3, 2)))
+    solved = SimpleNamespace(displacement=np.array([[1e-6, 2e-6]]), input_torque=np.asarray(2.0))
+    rest, standing, rolling = (_state(branches, sums, kind, solved, 6.0) for kind in range(3))
+    np.testing.assert_array_equal(rest.torque, 0.0)
+    np.testing.assert_allclose(standing.torque, [2.2, 2.0, 1.8], rtol=1e-12)
+    np.testing.assert_allclose(rolling.torque, [1.8, 2.0, 2.2], rtol=1e-12)
+    np.testing.assert_allclose(standing.sun_displacement, [2e-6, -1e-6], atol=1e-18)
+    np.testing.assert_allclose(standing.sun_force, [7.0, -6.0], atol=1e-12)
+    np.testing.assert_allclose(standing.centre_forces["ring"], [9.0, -8.0], atol=1e-12)
+    assert (standing.sun, standing.input_torque) == ("sun", 2.0)
+    sense = float(joint.drive.sense)
+    assert standing.torques == pytest.approx(
+        {"sun": -2.0 * sense, "ring": -10.0 * sense, "carrier": 12.0 * sense}
+    )
+    held = SimpleNamespace(equal=joint, sectors=3, floating=())
+    np.testing.assert_array_equal(_state(held, sums, 1, solved, 6.0).sun_displacement, 0.0)
+    np.testing.assert_array_equal(_state(held, sums, 1, solved, 0.0).torque, 0.0)
