@@ -3,7 +3,6 @@
 import io
 import math
 
-import pytest
 from rich.console import Console
 
 from asperity.cli.document_text import (
@@ -143,20 +142,10 @@ def test_a_force_of_rounding_is_none(document_of_branches):
     assert "5e-6 N standing on its bearings" in text(found)
 
 
-@pytest.mark.parametrize(
-    ("works", "holds", "first"),
-    [
-        (True, True, "Works"),
-        (False, True, "Does not work"),
-        (True, False, "Is damaged"),
-        (True, None, "Not known in full"),
-        (None, None, "Not known in full"),
-    ],
-)
-def test_the_verdict_stands_before_the_numbers_of_use(works, holds, first):
+def test_the_verdict_stands_before_the_numbers_of_use():
     nearest = {"label": "slip", "place": "sp_3", "share_of_limit": 0.85}
     document = {
-        "verdict": {"works": works, "holds": holds, "words": "All met.", "nearest": nearest},
+        "verdict": {"title": "Works", "words": "All met.", "nearest": nearest},
         "torque_capacity": {"output_torque_Nm": 12.0, "reverse": {"output_torque_Nm": 8.0}},
         "standing": {"forces": {"output_torque_Nm": -5.0}},
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 10800.0 / math.pi}},
@@ -170,7 +159,7 @@ def test_the_verdict_stands_before_the_numbers_of_use(works, holds, first):
     target = Console(file=io.StringIO(), width=160)
     show_verdict(target, document)
     assert target.file.getvalue().splitlines() == [
-        f"{first}: All met. Nearest to its limit: slip (sp_3), 85 % of it.",
+        "Works: All met. Nearest to its limit: slip (sp_3), 85 % of it.",
         "stiffness 1 N·m/arcmin, drift per output turn -, torque capacity 8 N·m, efficiency 90 %, life -",
         "ratio 6, rolling parts of 0.5 kg, outside diameter 116 mm",
         "",

@@ -49,7 +49,7 @@ def document():
         )
     ]
     return {
-        "verdict": {"works": True, "holds": True, "words": "All met.", "nearest": None},
+        "verdict": {"title": "Works", "words": "All met.", "nearest": None},
         "mass_kg": 0.5,
         "envelope_diameter_m": 0.116,
         "efficiency": None,

@@ -26,7 +26,7 @@ CONTACT = {
 }
 DOCUMENT = {
     "of_own_branches": False,
-    "verdict": {"works": True, "holds": True, "words": "All met.", "nearest": None},
+    "verdict": {"title": "Works", "words": "All met.", "nearest": None},
     "mass_kg": 0.5,
     "envelope_diameter_m": 0.116,
     "drift_rad_per_output_turn": None,

@@ -52,6 +52,10 @@ OPEN = margin("c", "", math.nan, passes=False)
 )
 def test_the_verdict_names_what_fails_and_what_is_not_known(found, rims, works, holds, words):
     verdict = verdict_document(found, rims)
+    title = {(True, True): "Works", (True, None): "Not known in full", (True, False): "Is damaged"}
+    assert verdict["title"] == title.get(
+        (works, holds), "Not known in full" if works is None else "Does not work"
+    )
     assert (verdict["works"], verdict["holds"], verdict["words"]) == (works, holds, words)
 
 

@@ -72,7 +72,7 @@ def show_heading(target: Console, document: Document, source: str) -> None:
 def show_verdict(target: Console, document: Document) -> None:
     """Whether the joint works and what limits it, its numbers of use, its size."""
     verdict, nearest = document["verdict"], document["verdict"]["nearest"]
-    text = f"{_does_it_work(verdict)}: {verdict['words']}"
+    text = f"{verdict['title']}: {verdict['words']}"
     if nearest is not None:
         place = "" if nearest["place"] is None else f" ({nearest['place']})"
         share = number(100.0 * nearest["share_of_limit"], 3)
@@ -95,15 +95,6 @@ def show_verdict(target: Console, document: Document) -> None:
     mass, diameter = in_unit(document["mass_kg"], "kg"), in_unit(document["envelope_diameter_m"], "mm")
     print_wrapped(target, f"ratio {ratio}, rolling parts of {mass}, outside diameter {diameter}", indent=2)
     target.print()
-
-
-def _does_it_work(verdict: Document) -> str:
-    """The first words about a joint: that something fails, is not known, or that it works."""
-    if verdict["works"] is False:
-        return "Does not work"
-    if verdict["holds"] is False:
-        return "Is damaged"
-    return "Works" if verdict["works"] and verdict["holds"] else "Not known in full"
 
 
 def temperatures(document: Document) -> str:

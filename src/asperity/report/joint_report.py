@@ -215,7 +215,8 @@ def _title_block(source: ReportSource) -> Iterator[Block]:
 def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield Heading("Summary")
     yield result_tables.summary(document)
-    yield Paragraph(document["verdict"]["words"], strong=True)
+    verdict = document["verdict"]
+    yield Paragraph(f"{verdict['title']}: {verdict['words']}", strong=True)
 
 
 def _windup(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:

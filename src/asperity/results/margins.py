@@ -153,8 +153,8 @@ def verdict_document(found: Sequence[Margin], rims: dict[str, Any]) -> dict[str,
     -------
     dict
         ``works``: whether all requirements of function are met, None where one is not known or the numbers cannot be
-        relied on; ``holds``: likewise those of strength; ``words``; ``nearest``: of the requirements that are met, the
-        one that uses most of its limit, or None.
+        relied on; ``holds``: likewise those of strength; ``title``: both in a few words; ``words``: what is not met, and
+        what is not known; ``nearest``: of the requirements that are met, the one that uses most of its limit, or None.
     """
     doubtful = [each.result.label for each in found if each.severity == "accuracy" and not each.passes]
     words = [_verdict(found, rims)]
@@ -170,6 +170,7 @@ def verdict_document(found: Sequence[Margin], rims: dict[str, Any]) -> dict[str,
     if holds and _endurance_unknown(rims):
         holds = None
     return {
+        "title": _title(works, holds),
         "works": works,
         "holds": holds,
         "words": " ".join(words),
@@ -180,6 +181,15 @@ def verdict_document(found: Sequence[Margin], rims: dict[str, Any]) -> dict[str,
             "share_of_limit": nearest.utilisation,
         },
     }
+
+
+def _title(works: bool | None, holds: bool | None) -> str:
+    """That something fails, is not known, or that the joint works."""
+    if works is False:
+        return "Does not work"
+    if holds is False:
+        return "Is damaged"
+    return "Works" if works and holds else "Not known in full"
 
 
 def _is_met(found: Sequence[Margin], severity: Severity) -> bool | None:

@@ -30,6 +30,7 @@ const get = (id) => document.getElementById(id);
 export function showAnswer(answer, baseline) {
   const found = answer.document;
   const before = baseline ? baseline.document : null;
+  get("verdict").textContent = verdictWords(found.verdict);
   cards(found, before);
   get("drawing").replaceChildren(...driveDrawing(answer.drawing, found));
   const bodies = freeBodies(answer.drawing);
@@ -43,6 +44,13 @@ export function showAnswer(answer, baseline) {
   get("plots").replaceChildren(...curves(answer, baseline));
   get("contacts").replaceChildren(contacts(found), roughness(found), ...branches(found));
   get("assumptions").replaceChildren(...found.assumptions.map((text) => element("li", {}, text)));
+}
+
+/** Whether the joint works, what fails, and what is nearest to its limit. */
+function verdictWords({ title, words, nearest }) {
+  const place = nearest && nearest.place ? ` (${nearest.place})` : "";
+  const limit = nearest ? ` Nearest to its limit: ${nearest.label}${place}, ${number(100 * nearest.share_of_limit, 3)} % of it.` : "";
+  return `${title}: ${words}${limit}`;
 }
 
 function change(now, before) {
