@@ -159,7 +159,7 @@ def test_the_verdict_stands_before_the_numbers_of_use():
     target = Console(file=io.StringIO(), width=160)
     show_verdict(target, document)
     assert target.file.getvalue().splitlines() == [
-        "Works: All met. Nearest to its limit: slip (sp_3), 85 % of it.",
+        "Works: All met. Nearest to its limit among those met: slip (sp_3), 85 % of it.",
         "stiffness 1 N·m/arcmin, drift per output turn -, torque capacity 8 N·m, efficiency 90 %, life -",
         "ratio 6, rolling parts of 0.5 kg, outside diameter 116 mm",
         "",

@@ -407,3 +407,23 @@ def test_the_wind_up_integrates_the_exact_bodies(joint, output):
     found = windup(made, largest_torque=4.0, level="assembly", stage_shares=(0.3, 0.6))
     at = float(output(dataclasses.replace(made, output_torque=np.asarray(4.0))))
     assert float(found.stiffness[-1]) == pytest.approx(at, rel=1e-9)
+
+
+def test_springs_of_contacts_are_bodies_and_asperities_in_series_by_hand():
+    """Two contacts, 2 and 4 m/N normal, 6 and 8 tangential; the second only touches, with a crown of 1 m/N."""
+    compliance = jnp.array(np.diag([2.0, 4.0, 6.0, 8.0]) + 0.5 * (1.0 - np.eye(4)))
+    interfaces = SimpleNamespace(
+        normal=jnp.array([1.0, 1.0]),
+        tangential=jnp.array([1.0, 0.0]),
+        asperity_normal=jnp.array([0.5, 0.25]),
+        asperity_tangential=jnp.array([0.2, 0.1]),
+    )
+    crown = (jnp.array([0.0, 1.0]), jnp.array([0.0, 1.0]))
+    loaded = SimpleNamespace(interfaces=interfaces, crown=crown)
+    springs = springs_of_compliance(compliance=compliance, half_width=None, loaded=loaded)
+    np.testing.assert_allclose(
+        springs.normal_stiffness, [1.0 / (2.0 + 2.0), 1.0 / (4.0 + 1.0 + 4.0)], rtol=1e-15
+    )
+    np.testing.assert_allclose(springs.tangential_stiffness, [1.0 / (6.0 + 5.0), 0.0], rtol=1e-15)
+    acts = np.array([True, True, True, False])
+    np.testing.assert_allclose(springs.coupling, 0.5 * (1.0 - np.eye(4)) * np.outer(acts, acts), rtol=1e-15)

@@ -76,7 +76,7 @@ def show_verdict(target: Console, document: Document) -> None:
     if nearest is not None:
         place = "" if nearest["place"] is None else f" ({nearest['place']})"
         share = number(100.0 * nearest["share_of_limit"], 3)
-        text += f" Nearest to its limit: {nearest['label']}{place}, {share} % of it."
+        text += f" Nearest to its limit among those met: {nearest['label']}{place}, {share} % of it."
     print_wrapped(target, text, indent=2, style="bold")
     capacity = document["torque_capacity"]
     if document["standing"]["forces"]["output_torque_Nm"] < 0.0:

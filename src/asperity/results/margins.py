@@ -153,8 +153,8 @@ def verdict_document(found: Sequence[Margin], rims: dict[str, Any]) -> dict[str,
     -------
     dict
         ``works``: whether all requirements of function are met, None where one is not known or the numbers cannot be
-        relied on; ``holds``: likewise those of strength; ``title``: both in a few words; ``words``: what is not met, and
-        what is not known; ``nearest``: of the requirements that are met, the one that uses most of its limit, or None.
+        relied on; ``holds``: likewise those of strength; ``title``: both in a few words; ``words``: what is not met and
+        what is not known; ``nearest``: of the requirements that are met, that which uses most of its limit, or None.
     """
     doubtful = [each.result.label for each in found if each.severity == "accuracy" and not each.passes]
     words = [_verdict(found, rims)]

@@ -49,7 +49,7 @@ export function showAnswer(answer, baseline) {
 /** Whether the joint works, what fails, and what is nearest to its limit. */
 function verdictWords({ title, words, nearest }) {
   const place = nearest && nearest.place ? ` (${nearest.place})` : "";
-  const limit = nearest ? ` Nearest to its limit: ${nearest.label}${place}, ${number(100 * nearest.share_of_limit, 3)} % of it.` : "";
+  const limit = nearest ? ` Nearest to its limit among those met: ${nearest.label}${place}, ${number(100 * nearest.share_of_limit, 3)} % of it.` : "";
   return `${title}: ${words}${limit}`;
 }
 
