@@ -76,3 +76,15 @@ def test_in_series_with_the_drive_all_shares_add_up():
     assert sum(shares) == pytest.approx(1.0)
     assert float(found.loading_cam_share) == pytest.approx(1e-4 * float(found.stiffness.output))
     assert float(with_cam(assembly=held, compliance=0.0).loading_cam_share) == 0.0
+
+
+def test_the_angle_of_a_cam_is_the_work_of_its_force_by_hand():
+    """3 branches of 1 and 2 kN, closed by 1 and 2 um: 5 mJ each; a torque T presses with 100 T/m."""
+    angle = cam_angle(
+        branches=3.0,
+        rest_force=np.array([1000.0, 2000.0]),
+        preload=1000.0,
+        force_per_torque=100.0,
+        closed=np.array([1e-6, 2e-6]),
+    )
+    assert float(angle) == pytest.approx(3.0 * 5e-3 * 100.0 / 1000.0, rel=1e-14)
