@@ -117,7 +117,10 @@ def test_tracks_of_a_stepped_planet_give_way_beside_each_other(planar_joint):
         for radius in sorted({float(radius) for radius in np.asarray(joint.drive.second_radius)[:1]}
                              | {float(radius) for radius in np.asarray(joint.drive.first_radius)[1:]})
     ]  # fmt: skip
-    alone = [bore_compliance(body=body, contact_angles=np.zeros(1), push_angle=0.0).own for body in each]
+    alone = [
+        bore_compliance(body=body, contact_angles=np.zeros(1), push_angle=0.0).push_compliance
+        for body in each
+    ]
     bores = pins_in_bores(joint)
     assert float(bore_stiffness(joint)[0]) == pytest.approx(sum(1.0 / float(own) for own in alone), rel=1e-12)
     assert not np.any(np.asarray(bores.along_normal))

@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import brentq
 
 from asperity.contact.crowned_line import crown_compression
-from asperity.drive.mechanism import NormalSprings, whole_approach
+from asperity.drive.mechanism import NormalSprings, total_approach
 from asperity.drive.state.creep import creepages
 from asperity.errors import InputError
 from asperity.joint.contacts import rough_joint_contacts
@@ -86,7 +86,7 @@ def test_crowns_take_from_the_force_of_an_interference(planar_joint):
         for radius in (20e-3 / 3.0, 100e-3 / 3.0)
     )
     assert approach == pytest.approx(30e-6, rel=1e-3)
-    found = whole_approach(
+    found = total_approach(
         springs=laws.springs, normal_force=laws.reference_force, rest_force=laws.reference_force
     )
     assert float(jnp.sum(found)) == pytest.approx(approach, rel=1e-12)

@@ -37,7 +37,7 @@ class BoreCompliance(NamedTuple):
 
     Parameters
     ----------
-    own : Array
+    push_compliance : Array
         Of the pin along its force [m/N].
     along : Array
         Of the contacts, first outward, then counter-clockwise, shape (2 contacts,) [m/N]: the part that changes its
@@ -47,7 +47,7 @@ class BoreCompliance(NamedTuple):
         bore outward too, likewise [m/N].
     """
 
-    own: Array
+    push_compliance: Array
     along: Array
     around: Array
 
@@ -138,15 +138,15 @@ def bore_compliance(*, body: Annulus, contact_angles: Array, push_angle: Real) -
     b, e, c = _translation(wall)
     log = jnp.log(ratio)
     # displacement of the bore minus that of the outer rim, both in their direction, under the unit traction
-    apart = ((kolosov - 2.0) * b + e - c) - (-2.0 * b * ratio**2 + 2.0 * kolosov * c * log)
+    translation = ((kolosov - 2.0) * b + e - c) - (-2.0 * b * ratio**2 + 2.0 * kolosov * c * log)
     outer = kolosov * b * ratio**2 + e / ratio**2 - c
 
     modulus = shear_modulus(youngs_modulus=body.youngs_modulus, poisson_ratio=body.poisson_ratio)
     scale = 2.0 / (math.pi * 2.0 * modulus * body.length)  # a pressure of 2F/(pi R L) times R/2G
-    own = 2.0 * swells / math.pi**2 + 0.25 * apart + jnp.sum(share**2 * at_bore)
+    compliance = 2.0 * swells / math.pi**2 + 0.25 * translation + jnp.sum(share**2 * at_bore)
     turns = mode * away[:, None]
     return BoreCompliance(
-        own=scale * 2.0 * own,
+        push_compliance=scale * 2.0 * compliance,
         along=0.5 * scale * outer * jnp.concatenate([jnp.cos(away), jnp.sin(away)]),
         around=scale
         * jnp.concatenate(

@@ -183,7 +183,7 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
     return even + _crown(springs.crowns, normal_force, rest_force)
 
 
-def whole_approach(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
+def total_approach(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
     r"""Approach of the two bodies of each contact from first touch, :math:`\delta(N)`.
 
     Parameters

@@ -57,7 +57,7 @@ def pins_in_bores(joint: Joint) -> Bores | None:
         return None
     first, _ = places(drive)
     at_first, at_second = contact_angles(drive)
-    own, normals = [], [[], []]  # type: tuple[list[Array], list[list[Array]]]
+    push_compliance, normals = [], [[], []]  # type: tuple[list[Array], list[list[Array]]]
     tangentials: list[list[Array]] = [[], []]
     for body, angle in zip(drive.pinned, push_angles(drive), strict=True):
         diameter, tracks = joint.shapes[body].pin_diameter, tracks_of(joint, body)
@@ -69,7 +69,9 @@ def pins_in_bores(joint: Joint) -> Bores | None:
                 pressed = jnp.asarray(diameter) > 0.0
                 parts.append(BoreCompliance(*(jnp.where(pressed, each, 0.0) for each in found)))
         exact = joint.body_model == "exact" and len(parts) == 1
-        own.append(_beside_each_other([part.own for part in parts]) if parts else jnp.zeros(()))
+        push_compliance.append(
+            _beside_each_other([part.push_compliance for part in parts]) if parts else jnp.zeros(())
+        )
         for k, name in enumerate(("along", "around")):
             at_contacts = np.array(tracks[0][1])
             each = jnp.split(getattr(parts[0], name), 2) if exact else (jnp.zeros(at_contacts.size),) * 2
@@ -79,7 +81,7 @@ def pins_in_bores(joint: Joint) -> Bores | None:
         (jnp.stack(normal, axis=1), jnp.stack(tangential, axis=1))
         for normal, tangential in zip(normals, tangentials, strict=True)
     )
-    return Bores(along[0], along[1], around[0], around[1], jnp.stack(own))
+    return Bores(along[0], along[1], around[0], around[1], jnp.stack(push_compliance))
 
 
 def _annuli(joint: Joint, body: int) -> list[Annulus]:
@@ -105,7 +107,7 @@ def _beside_each_other(compliances: list[Array]) -> Array:
 def pin_compliances(joint: Joint) -> Array:
     """Compliance of each pin along its push, with that of its bore, shape () or (pins,) [m/N]."""
     pins, bores = 1.0 / jnp.asarray(joint.pin_stiffness, dtype=float), pins_in_bores(joint)
-    return pins if bores is None else pins + bores.own
+    return pins if bores is None else pins + bores.push_compliance
 
 
 def bore_stiffness(joint: Joint) -> Array:
@@ -114,8 +116,8 @@ def bore_stiffness(joint: Joint) -> Array:
     if bores is None:
         rigid: Array = namespace(joint).full(len(joint.drive.pinned), np.inf)
         return rigid
-    gives = bores.own > 0.0
-    return jnp.where(gives, 1.0 / jnp.where(gives, bores.own, 1.0), jnp.inf)
+    gives = bores.push_compliance > 0.0
+    return jnp.where(gives, 1.0 / jnp.where(gives, bores.push_compliance, 1.0), jnp.inf)
 
 
 def pin_forces(drive: Drive, normal: Array, tangential: Array) -> Array:

@@ -98,7 +98,7 @@ def described(name, *, coupled, pressed):
         random = np.random.default_rng(4)
         pins = len(drive.pinned)
         each = (jnp.asarray(1e-10 * random.uniform(-1.0, 1.0, (count, pins))) for _ in range(4))
-        laws = dataclasses.replace(laws, bores=Bores(*each, own=jnp.full(pins, 1e-9)))
+        laws = dataclasses.replace(laws, bores=Bores(*each, push_compliance=jnp.full(pins, 1e-9)))
     held = [number for number, body in enumerate(drive.bodies) if body.place == "free"]
     supports = carrier_supports(
         drive=drive, pin_transverse_stiffness=3e7, planet_support_stiffness=2e7, planets=tuple(held[:1])

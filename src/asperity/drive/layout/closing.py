@@ -54,7 +54,7 @@ def closed(drive: Drive) -> Drive:
 
 @eqx.filter_jit
 def _traced_closed(drive: Drive) -> Drive:
-    centres = jax.lax.fori_loop(0, _STEPS, lambda _, each: each + _move(drive, each), drive.centres)
+    centres = jax.lax.fori_loop(0, _STEPS, lambda _, centres: centres + _move(drive, centres), drive.centres)
     return dataclasses.replace(drive, centres=centres, motion=None)
 
 
@@ -65,11 +65,11 @@ def _least_radius(drive: Drive) -> Any:
 
 def _move(drive: Drive, centres: Any) -> Any:
     """How far all centres move in one step."""
-    xp, there = namespace(drive, centres), dataclasses.replace(drive, centres=centres, motion=None)
-    approach, apart = incidence(there).approach, gaps(there)
-    if xp is np and not (np.all(np.isfinite(approach)) and np.all(np.isfinite(apart))):
+    xp, placed = namespace(drive, centres), dataclasses.replace(drive, centres=centres, motion=None)
+    approach, clearance = incidence(placed).approach, gaps(placed)
+    if xp is np and not (np.all(np.isfinite(approach)) and np.all(np.isfinite(clearance))):
         return np.full_like(centres, np.nan)
-    moved, *_ = xp.linalg.lstsq(approach, apart, rcond=None)
+    moved, *_ = xp.linalg.lstsq(approach, clearance, rcond=None)
     longest = _LONGEST_STEP * _least_radius(drive)
     moved = moved * xp.minimum(1.0, longest / xp.maximum(xp.max(xp.abs(moved)), 1e-300))
     return np.eye(len(drive.bodies))[:, list(drive.floating)] @ moved.reshape(-1, 2)

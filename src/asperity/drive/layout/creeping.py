@@ -51,6 +51,6 @@ def creeping_speeds(*, drive: Drive, creepage: Array) -> tuple[Array, Array]:
     free = np.array([i for i in range(len(members)) if i not in known])
     matrix = turning - creepage[:, None] * rolled
     scale = jnp.max(jnp.abs(turning))
-    found = least_squares(matrix[:, free] / scale, -drive.sense * matrix[:, known[0]] / scale)
-    speed = drive.sense * unit[known[0]] + product(unit[free].T, found)
+    speed_ratio = least_squares(matrix[:, free] / scale, -drive.sense * matrix[:, known[0]] / scale)
+    speed = drive.sense * unit[known[0]] + product(unit[free].T, speed_ratio)
     return speed, product(rolled, speed)

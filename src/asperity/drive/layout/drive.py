@@ -271,8 +271,8 @@ def _normals(drive: Drive) -> tuple[Array, Array]:
 
 
 def _length(vectors: Array) -> Array:
-    found: Array = namespace(vectors).sqrt((vectors**2).sum(axis=1))
-    return found
+    length: Array = namespace(vectors).sqrt((vectors**2).sum(axis=1))
+    return length
 
 
 def contact_angles(drive: Drive) -> tuple[Array, Array]:
@@ -400,9 +400,9 @@ def speeds(drive: Drive) -> Array:
     free = [i for i in range(len(members)) if i not in known]
     matrix, right = turning[:, np.array(free)], -drive.sense * turning[:, known[0]]
     scale = abs(turning).max()
-    found = least_squares(matrix / scale, right / scale)
+    speed_ratio = least_squares(matrix / scale, right / scale)
     unit = np.eye(len(members))
-    speed: Array = drive.sense * unit[known[0]] + product(unit[free].T, found)
+    speed: Array = drive.sense * unit[known[0]] + product(unit[free].T, speed_ratio)
     return speed
 
 

@@ -179,30 +179,30 @@ def neighbour_gaps(drive: Drive) -> dict[tuple[str, str], Array]:
     x, y = drive.centres[:, 0], drive.centres[:, 1]
     squares = x**2 + y**2
     orbit = xp.where(squares > 0.0, xp.sqrt(xp.where(squares > 0.0, squares, 1.0)), 0.0)
-    found, rings = {}, _rings(drive)
+    clearances, rings = {}, _rings(drive)
     for one, two in neighbours(drive):
         i, j = (drive.members.index(name) for name in (one, two))
         if two in rings:
-            found[one, two] = xp.max(xp.stack(radii[two])) - orbit[i] - xp.min(xp.stack(radii[one]))
+            clearances[one, two] = xp.max(xp.stack(radii[two])) - orbit[i] - xp.min(xp.stack(radii[one]))
             continue
         if i == j:
             turned, size = step, 2.0 * xp.max(xp.stack(radii[one]))
         else:
-            apart = xp.mod(_polar(x[j], y[j]) - _polar(x[i], y[i]), step)
-            turned = xp.minimum(apart, step - apart)
+            angle = xp.mod(_polar(x[j], y[j]) - _polar(x[i], y[i]), step)
+            turned = xp.minimum(angle, step - angle)
             size = xp.min(xp.stack(radii[one])) + xp.min(xp.stack(radii[two]))
         squared = orbit[i] ** 2 + orbit[j] ** 2 - 2.0 * orbit[i] * orbit[j] * xp.cos(turned)
         gap = xp.sqrt(squared) - size
         alone = (i == j) & (xp.asarray(drive.sectors) < 2.0)
-        found[one, two] = xp.where(alone, xp.inf, gap)
-    return found
+        clearances[one, two] = xp.where(alone, xp.inf, gap)
+    return clearances
 
 
 def _polar(x: Array, y: Array) -> Array:
     """Polar angle; 0 for the axis itself."""
     xp = namespace(x, y)
-    there = (x != 0.0) | (y != 0.0)
-    angle: Array = xp.where(there, xp.arctan2(y, xp.where(there, x, 1.0)), 0.0)
+    off_axis = (x != 0.0) | (y != 0.0)
+    angle: Array = xp.where(off_axis, xp.arctan2(y, xp.where(off_axis, x, 1.0)), 0.0)
     return angle
 
 

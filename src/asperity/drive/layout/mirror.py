@@ -44,11 +44,12 @@ def mirror_image(drive: Drive) -> MirrorImage | None:
 def _assumes_alike(drive: Drive, image: MirrorImage) -> bool:
     """Whether what is assumed in place of compatibility is its own mirror image."""
     body = {
-        each.name: drive.bodies[other].name for each, other in zip(drive.bodies, image.bodies, strict=True)
+        member.name: drive.bodies[other].name
+        for member, other in zip(drive.bodies, image.bodies, strict=True)
     }
     contact = {
-        each.name: drive.contacts[other].name
-        for each, other in zip(drive.contacts, image.contacts, strict=True)
+        pair.name: drive.contacts[other].name
+        for pair, other in zip(drive.contacts, image.contacts, strict=True)
     }
     pins, pairs = drive.closure.constant_pins, drive.closure.equal_coefficients
     return {body[name] for name in pins} == set(pins) and (
@@ -85,23 +86,23 @@ def _contacts(drive: Drive, images: tuple[int, ...], shifts: tuple[int, ...]) ->
 
     def is_image(contact: Contact, size: np.ndarray, other: Contact, other_size: np.ndarray) -> bool:
         one, two = number[contact.first], number[contact.second]
-        apart = shifts[two] - contact.sector - shifts[one]
+        shift = shifts[two] - contact.sector - shifts[one]
         ways = [((other.first, other.second), other.sector, other.tracks, other_size)]
         ways.append(((other.second, other.first), -other.sector, other.tracks[::-1], other_size[::-1]))
         return contact.internal == other.internal and any(
             (number[names[0]], number[names[1]]) == (images[one], images[two])
-            and sector(contact, apart) == sector(contact, beyond)
+            and sector(contact, shift) == sector(contact, beyond)
             and tracks == contact.tracks
             and bool(np.all(np.abs(sizes - size) <= _ALIKE * size))
             for names, beyond, tracks, sizes in (ways[:1] if contact.internal else ways)
         )
 
-    found = []
+    contact_images = []
     for contact, size in zip(drive.contacts, radii.T, strict=True):
         for k, other in enumerate(drive.contacts):
             if is_image(contact, size, other, radii[:, k]):
-                found.append(k)
+                contact_images.append(k)
                 break
         else:
             return None
-    return tuple(found)
+    return tuple(contact_images)

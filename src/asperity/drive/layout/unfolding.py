@@ -114,7 +114,7 @@ def forces_on_centre(
     ----------
     Balance of each body; equations (I4) and (M1) of :doc:`/equations`.
     """
-    loose = tuple(Body(each.name, "free" if each.place == "held" else each.place) for each in drive.bodies)
+    loose = tuple(Body(body.name, "free" if body.place == "held" else body.place) for body in drive.bodies)
     matrices = incidence(dataclasses.replace(drive, bodies=loose, motion=None))
     on_bodies = -(matrices.approach.T @ normal + matrices.sliding.T @ tangential).reshape(-1, 2)
     on_carrier = (matrices.pins.T @ pin_force).reshape(-1, 2).sum(axis=0)

@@ -44,17 +44,19 @@ def wedges(drive: Drive) -> tuple[tuple[int, int], ...]:
         Numbers of contacts in one sector; empty for a drive without wedges.
     """
     place = {body.name: body.place for body in drive.bodies}
-    found = []
+    wedge_contacts = []
     for body in drive.bodies:
-        touching = [k for k, each in enumerate(drive.contacts) if body.name in (each.first, each.second)]
+        touching = [
+            k for k, contact in enumerate(drive.contacts) if body.name in (contact.first, contact.second)
+        ]
         if body.place != "pin" or len(touching) != 2:
             continue
         inner = [k for k in touching if not drive.contacts[k].internal and drive.contacts[k].sector == 0]
         outer = [k for k in touching if drive.contacts[k].internal and drive.contacts[k].first == body.name]
         others = [{drive.contacts[k].first, drive.contacts[k].second} - {body.name} for k in inner]
         if inner and outer and all(place[name] == "free" for name in others[0]):
-            found.append((inner[0], outer[0]))
-    return tuple(found)
+            wedge_contacts.append((inner[0], outer[0]))
+    return tuple(wedge_contacts)
 
 
 def wedge_angles(drive: Drive) -> WedgeAngles:

@@ -30,7 +30,7 @@ class Bores(eqx.Module):
         Approach and slip of the contacts under the force of each pin: the part that changes its sign with it [m/N].
     around_normal, around_tangential : Array
         The part that does not, counted outward and counter-clockwise [m/N].
-    own : Array
+    push_compliance : Array
         Of each pin along its push, shape (pins,) [m/N].
     """
 
@@ -38,7 +38,7 @@ class Bores(eqx.Module):
     along_tangential: Array
     around_normal: Array
     around_tangential: Array
-    own: Array
+    push_compliance: Array
 
     def by_pin(self, side: Array) -> tuple[Array, Array]:
         """Approach and slip over a small change of each pin's force, shape (contacts, pins) [m/N].
@@ -116,5 +116,5 @@ def sides(force: Array, largest: Real) -> tuple[Array, Array, Array]:
     Elementary.
     """
     small = _TURNOVER * largest
-    whole = jnp.sqrt(force**2 + small**2)
-    return force / whole, whole - small, small**2 / whole**3
+    smooth_force = jnp.sqrt(force**2 + small**2)
+    return force / smooth_force, smooth_force - small, small**2 / smooth_force**3

@@ -161,7 +161,7 @@ def machine_of(
     reference = laws.reference_force
     # the derivative of a largest number is 0/0 where XLA rounds it differently a second time, and scales need none
     scales = laws.springs.secant_compliance * reference, reference, drive.second_radius
-    length, largest, lever = (jax.lax.stop_gradient(jnp.max(each)) for each in scales)
+    length, largest, lever = (jax.lax.stop_gradient(jnp.max(scale)) for scale in scales)
     return Machine(
         drive=drive,
         laws=laws,
@@ -245,8 +245,8 @@ def contact_forces(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
 
 def contact_interference(machine: Machine, x: Unknowns) -> Array:
     """Interference of the contacts, shape (contacts,) [m]."""
-    own = machine.pattern * x.interference * machine.length
-    return own if machine.added is None else own + machine.added
+    pattern_interference = machine.pattern * x.interference * machine.length
+    return pattern_interference if machine.added is None else pattern_interference + machine.added
 
 
 def forces_on(drive: Drive, load: DriveLoad) -> Array:
@@ -471,11 +471,13 @@ def _of_pins(machine: Machine, task: Task, forces: tuple[Array, Array], pin: Arr
         [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
     )
     constant = (pin[:count] - task.pin_at_rest) / machine.largest
-    own = jnp.where(loaded & kept, constant, springs / machine.length)
+    pin_misfits = jnp.where(loaded & kept, constant, springs / machine.length)
     if supports is None:
-        return own
+        return pin_misfits
     beside = product(supports.direction, moved - task.origin) - supports.compliance * pin[count:]
-    return jnp.concatenate([own, jnp.where(loaded, beside / machine.length, pin[count:] / machine.largest)])
+    return jnp.concatenate(
+        [pin_misfits, jnp.where(loaded, beside / machine.length, pin[count:] / machine.largest)]
+    )
 
 
 def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:

@@ -61,8 +61,8 @@ def _within(state: _Search) -> Array:
     near = xp.where(nudge < abs(half - chord), chord + side * nudge, half)
     reach = xp.maximum(state.slack - 0.5 * width, 0.0)
     trial = xp.where(abs(near - half) <= reach, near, half - side * reach)
-    found: Array = xp.where(xp.isfinite(trial), trial, half)
-    return found
+    value: Array = xp.where(xp.isfinite(trial), trial, half)
+    return value
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -108,10 +108,10 @@ def _searched(excesses: Callable[[Array], Array], start: Array, loop: _Loop) -> 
     def narrow(state: _Search) -> _Search:
         """Double the upper bound until a limit is reached there, then narrow the interval."""
         trial = xp.where(state.bracketed, _within(state), state.upper)
-        found = excesses(trial)
-        beyond = found >= 0.0
+        excess = excesses(trial)
+        beyond = excess >= 0.0
         reached = xp.any(beyond, axis=0)
-        known = xp.where(xp.isnan(found), -1.0, found)
+        known = xp.where(xp.isnan(excess), -1.0, excess)
         largest = xp.max(known, axis=0)
         return _Search(
             lower=xp.where(reached, state.lower, trial),
@@ -220,6 +220,6 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
         return right_side / jnp.where(slope == 0.0, 1.0, slope)
 
     # the root is known: the search returns it, and implicit_root gives it the implicit derivative
-    root = implicit_root(excess, lower, lambda _, found: found, divide)
+    root = implicit_root(excess, lower, lambda _, known_root: known_root, divide)
     value = jnp.where(bracketed, jnp.where(at_once, 0.0, root), jnp.inf)
     return FirstLimit(value=value, which=jnp.where(bracketed, index, -1))

@@ -87,7 +87,7 @@ def started_from(machine: Machine, state: DriveState, size: Array) -> Unknowns:
 class _Search(NamedTuple):
     """The last balance, the contacts that slide in it and what they hold; those that slide in the next trial."""
 
-    found: Unknowns
+    unknowns: Unknowns
     slides: Array
     held: Array
     trial: Array
@@ -164,43 +164,47 @@ def solved(
             return newton_step(slopes, misfits.all, solve_in_turn), misfits
 
         tried, last, misfits = newton(
-            step_at, state.found, positive=first.normal.size, residual=Misfits(first, begin), longest=longest
+            step_at,
+            state.unknowns,
+            positive=first.normal.size,
+            residual=Misfits(first, begin),
+            longest=longest,
         )
         balanced = (_worst(misfits.all) < _BALANCED) & (last < _DETERMINED)
         kept = balanced | (state.steps == 0)
-        found, slides, held = jax.tree.map(
+        unknowns, slides, held = jax.tree.map(
             lambda new, old: jnp.where(kept, new, old),
             (tried, state.trial, misfits.held),
-            (state.found, state.slides, state.held),
+            (state.unknowns, state.slides, state.held),
         )
-        trial = _next_slides(found, slides, held, paired)
+        trial = _next_slides(unknowns, slides, held, paired)
         going = balanced & may_slide & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
-        return _Search(found, slides, held, trial, going, state.steps + 1)
+        return _Search(unknowns, slides, held, trial, going, state.steps + 1)
 
     going = (nothing[0] == 0.0) & ~jnp.asarray(known)
     start_of = _Search(first, begin, begin, begin, going, nothing[0].astype(int))
     end = jax.lax.while_loop(unfinished, improve, start_of)
-    found = known_state(machine, task, end.found, end.slides, pressed_sectors=pressed_sectors)
-    return found, end.slides
+    unknowns = known_state(machine, task, end.unknowns, end.slides, pressed_sectors=pressed_sectors)
+    return unknowns, end.slides
 
 
 def known_state(
-    machine: Machine, task: Task, found: Unknowns, slides: Array, *, pressed_sectors: int
+    machine: Machine, task: Task, unknowns: Unknowns, slides: Array, *, pressed_sectors: int
 ) -> Unknowns:
     """Unknowns of a state that are known already, with the derivatives of a root."""
-    return _known_root(pressed_sectors, found, (machine, task, slides))
+    return _known_root(pressed_sectors, unknowns, (machine, task, slides))
 
 
 @functools.partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _known_root(pressed_sectors: int, found: Unknowns, given: _Given) -> Unknowns:
-    return found
+def _known_root(pressed_sectors: int, unknowns: Unknowns, given: _Given) -> Unknowns:
+    return unknowns
 
 
 @_known_root.defjvp
 def _derivative(pressed_sectors: int, primals: tuple[Any, Any], tangents: tuple[Any, Any]) -> tuple[Any, Any]:
-    (found, given), (_, moved) = primals, tangents
+    (unknowns, given), (_, moved) = primals, tangents
     at = _known_root(
-        pressed_sectors, found, given
+        pressed_sectors, unknowns, given
     )  # the root itself, so that this may be differentiated in turn
 
     def equations(given: _Given) -> Unknowns:

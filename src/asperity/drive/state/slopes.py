@@ -268,15 +268,15 @@ def newton_step(slopes: Slopes, residual: Unknowns, solver: Callable[[Array, Arr
     held = residual.tangential - product(slopes.held_normal, alone)
     held = _triangular(slopes.held_tangential, held[:, None])[:, 0]
     rest = jnp.concatenate([residual.displacement, residual.turn, residual.pin, residual.interference])
-    found = solver(
+    structural_step = solver(
         slopes.structure + _matrix(slopes.normal, normal) + _matrix(slopes.tangential, tangential),
         rest - product(slopes.normal, alone) - product(slopes.tangential, held),
     )
     ends = np.cumsum([residual.displacement.size, residual.turn.size, residual.pin.size])
-    displacement, turn, pin, interference = jnp.split(found, ends)
+    displacement, turn, pin, interference = jnp.split(structural_step, ends)
     return Unknowns(
-        normal=product(normal, found) + alone,
-        tangential=product(tangential, found) + held,
+        normal=product(normal, structural_step) + alone,
+        tangential=product(tangential, structural_step) + held,
         pin=pin,
         displacement=displacement,
         turn=turn,
@@ -315,13 +315,13 @@ def _of_pins(machine: Machine, task: Task, x: Unknowns) -> tuple[Array, Array]:
     drive, load = machine.drive, task.load
     count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
     constant = _kept(machine, task)
-    own: Array = jnp.broadcast_to(load.pin_compliance, (count,))
+    compliance: Array = jnp.broadcast_to(load.pin_compliance, (count,))
     if machine.laws.bores is not None:
         bores, (normal, tangential) = machine.laws.bores, contact_forces(machine, x)
         _, _, turns = sides(x.pin[:count] * machine.largest, machine.largest)
         opened = product(bores.around_normal.T, change_of_normal(task, normal))
-        own = own - turns * (opened + product(bores.around_tangential.T, tangential))
-    soft = own * machine.largest / machine.length
+        compliance = compliance - turns * (opened + product(bores.around_tangential.T, tangential))
+    soft = compliance * machine.largest / machine.length
     rows = jnp.where(constant[:, None], 0.0, machine.matrices.pins[:count])
     slopes = jnp.where(constant, 1.0, -soft)
     if load.supports is None:
@@ -355,16 +355,16 @@ def _diagonal(values: Array) -> Array:
 
 def _matrix(one: Array, other: Array) -> Array:
     """Product of two small matrices as a part of the program around it."""
-    found: Array = (one[:, :, None] * other[None]).sum(axis=1)
-    return found
+    matrix: Array = (one[:, :, None] * other[None]).sum(axis=1)
+    return matrix
 
 
 def _triangular(matrix: Array, columns: Array) -> Array:
     """Solve for contacts each of which depends on itself, and perhaps on one that depends on itself only."""
-    own = jnp.diagonal(matrix)
-    beside = matrix - _diagonal(own)
-    each = columns / own[:, None]
-    return each - _matrix(beside, each) / own[:, None]
+    diagonal = jnp.diagonal(matrix)
+    beside = matrix - _diagonal(diagonal)
+    uncoupled = columns / diagonal[:, None]
+    return uncoupled - _matrix(beside, uncoupled) / diagonal[:, None]
 
 
 def _eliminated(matrix: Array, columns: Array) -> Array:

@@ -11,7 +11,7 @@ from jax import Array
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
 from asperity.drive.layout.drive import CARRIER, Drive
-from asperity.drive.mechanism import Bearings, NormalSprings, whole_approach
+from asperity.drive.mechanism import Bearings, NormalSprings, total_approach
 from asperity.drive.state.bores import Bores
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.supports import Supports
@@ -188,12 +188,12 @@ def contact_approach(*, laws: ContactLaws, normal: Array) -> Array:
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    found = jnp.asarray(
-        whole_approach(springs=laws.springs, normal_force=normal, rest_force=laws.reference_force)
+    approach = jnp.asarray(
+        total_approach(springs=laws.springs, normal_force=normal, rest_force=laws.reference_force)
     )
     if laws.coupling is not None:
-        found = found + product(laws.coupling, normal)
-    return found if laws.linear_compliance is None else found + laws.linear_compliance * normal
+        approach = approach + product(laws.coupling, normal)
+    return approach if laws.linear_compliance is None else approach + laws.linear_compliance * normal
 
 
 def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Array:

@@ -113,11 +113,11 @@ def state_at_rest(
     task = Task(ASSEMBLED, given, unloaded, no_displacement(drive), no_force(drive))
     pressed = sectors if interference is None else 0
     if known is None:
-        found = solved(machine, task, assembled_guess(machine), pressed_sectors=pressed)
-        return state_of(machine, task, *found)
-    own = known.interference if added is None else known.interference - added
-    there = started_from(machine, known, jnp.sum(pattern * own) / jnp.sum(pattern**2))
-    root = known_state(machine, task, there, known.slides, pressed_sectors=pressed)
+        balance = solved(machine, task, assembled_guess(machine), pressed_sectors=pressed)
+        return state_of(machine, task, *balance)
+    pattern_interference = known.interference if added is None else known.interference - added
+    unknowns = started_from(machine, known, jnp.sum(pattern * pattern_interference) / jnp.sum(pattern**2))
+    root = known_state(machine, task, unknowns, known.slides, pressed_sectors=pressed)
     return state_of(machine, task, root, known.slides)
 
 
@@ -317,25 +317,25 @@ def _loaded(
     borne = dataclasses.replace(load, body_force=forces_on(drive, load))
     loaded = Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
 
-    def step(before: _Found, kind: Array | int) -> tuple[_Found, DriveState]:
-        first, known = (kind == each for each in (_FIRST_ROLLING, _KNOWN_STANDING))
+    def step(before: _Balance, kind: Array | int) -> tuple[_Balance, DriveState]:
+        first, known = (kind == state_kind for state_kind in (_FIRST_ROLLING, _KNOWN_STANDING))
         kind = jnp.where(first, ROLLING, jnp.where(known, STANDING, kind))
         task = loaded._replace(kind=kind, by_laws=first)
         begin = jnp.where(kind == STANDING, before.slides, 0.0)
-        found, slides = solved(
+        unknowns, slides = solved(
             machine, task, before.unknowns, slides=begin, pressed_sectors=0, known=known, holds=holds
         )
-        return _Found(found, slides), state_of(machine, task, found, slides)
+        return _Balance(unknowns, slides), state_of(machine, task, unknowns, slides)
 
-    last, found = _Found(started_from(machine, rest, size), rest.slides), []
+    last, solved_states = _Balance(started_from(machine, rest, size), rest.slides), []
     for alike in kinds:
         if len(alike) == 1:
             last, state = step(last, alike[0])
-            found.append(state)
+            solved_states.append(state)
             continue
         last, states = jax.lax.scan(step, last, jnp.stack([jnp.asarray(kind) for kind in alike]))
-        found += [jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
-    return found
+        solved_states += [jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
+    return solved_states
 
 
 def closed_around(
@@ -363,7 +363,7 @@ def _rolling_kinds(creep_of: CreepOf | None) -> tuple[int, ...]:
     return (ROLLING,) if creep_of is None else (_FIRST_ROLLING, ROLLING)
 
 
-class _Found(NamedTuple):
+class _Balance(NamedTuple):
     """What one state passes to the next."""
 
     unknowns: Unknowns

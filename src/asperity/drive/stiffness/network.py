@@ -103,7 +103,7 @@ def network_stiffness(
     copies = sectors_of_members(drive)[turning]
     turns = product(tied.T, springs.turns[:, turning] / length)
     moments = product(tied.T, springs.moments[:, turning] * copies / length)
-    kinematic, static = (jnp.concatenate([springs.moves, each], axis=1) for each in (turns, moments))
+    kinematic, static = (jnp.concatenate([springs.moves, columns], axis=1) for columns in (turns, moments))
     laws, moved_by, slides = springs.compliance / scale, kinematic, jnp.zeros(len(kinematic), dtype=bool)
     if sliding_friction is not None:
         friction, slides = _sliding(sliding_friction, first, len(kinematic))
@@ -214,5 +214,5 @@ def with_shafts(
         1.0 / jnp.asarray(input_shaft_stiffness, dtype=float) / ratio**2
     )  # derivatives of a rigid shaft: 0
     at_output = 1.0 / jnp.asarray(output_shaft_stiffness, dtype=float)
-    whole = 1.0 / stiffness + at_input + at_output
-    return 1.0 / whole, at_input / whole, at_output / whole
+    compliance = 1.0 / stiffness + at_input + at_output
+    return 1.0 / compliance, at_input / compliance, at_output / compliance

@@ -67,7 +67,7 @@ class DriveForces(eqx.Module):
     closure_residual: Array
 
 
-def _each(springs: NormalSprings) -> list[NormalSprings]:
+def _contact_springs(springs: NormalSprings) -> list[NormalSprings]:
     return [jax.tree.map(lambda leaf, i=i: leaf[i], springs) for i in range(5)]
 
 
@@ -119,7 +119,7 @@ def closure_misfit(branch: Branch, force: BranchForces) -> Real:
         )
         return _misfit(branch, list(jnp.asarray(together)))
     # contact by contact: XLA does not vectorise logarithms of a stacked array inside a fused loop
-    springs = _each(branch.mechanism.springs)
+    springs = _contact_springs(branch.mechanism.springs)
     return _misfit(
         branch,
         [
@@ -135,7 +135,9 @@ def _closure_steepness(branch: Branch) -> Real:
         return jnp.asarray(1.0)
     if branch.mechanism.springs.crowns is not None:
         return _misfit(branch, list(jnp.asarray(steepest_compliance(branch.mechanism.springs))))
-    return _misfit(branch, [steepest_compliance(spring) for spring in _each(branch.mechanism.springs)])
+    return _misfit(
+        branch, [steepest_compliance(spring) for spring in _contact_springs(branch.mechanism.springs)]
+    )
 
 
 def _residuals(branch: Branch, unknowns: tuple[Array, Array]) -> tuple[Real, Real]:
