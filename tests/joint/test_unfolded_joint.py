@@ -131,3 +131,18 @@ def test_beyond_the_slip_of_one_planet_the_other_bears_the_rest(opposed):
     other = windup(alike[0], largest_torque=2.0 * (47.0 - held), level="assembly")
     assert float(found.angle[-1]) == pytest.approx(float(other.angle[-1]), rel=2e-3)
     assert float(found.stiffness[-1]) == pytest.approx(0.5 * float(other.stiffness[-1]), rel=1e-6)
+
+
+@pytest.mark.slow
+def test_the_loop_of_unlike_sectors_is_divided_where_contacts_begin_to_slide(planetary):
+    """Halfway from the first slip to the most that they carry: few steps have the loop of many."""
+    joint = unfolded(planetary, np.array([1e-6, 0.0, -1e-6]))
+    solution = solve_joint(joint)
+    first, last = (float(each.output_torque) for each in (solution.first_slip, solution.capacity))
+    assert first < 0.99 * last
+    few, many = (
+        windup(joint, largest_torque=0.5 * (first + last), level="assembly", steps=steps)
+        for steps in (20, 80)
+    )
+    for name in ("hysteresis", "dissipated_energy", "lost_motion"):
+        assert float(getattr(few, name)) == pytest.approx(float(getattr(many, name)), rel=1e-6), name
