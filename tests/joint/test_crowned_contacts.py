@@ -13,7 +13,12 @@ from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
 from asperity.errors import InputError
 from asperity.joint.contacts import bulk_springs
-from asperity.joint.crowned_contacts import crown_compliances, rough_slices, slice_slip_ratios, whole_contact
+from asperity.joint.crowned_contacts import (
+    contact_of_slices,
+    crown_compliances,
+    rough_slices,
+    slice_slip_ratios,
+)
 from asperity.joint.description import joint_contacts
 from asperity.joint.solve import refuse_short_contacts
 from asperity.rolling.life import sliced_track_lives, track_lives
@@ -193,12 +198,12 @@ def test_asperities_add_over_the_slices(pair):
     rough = jax.jit(rough_slices, static_argnames="model")
     numbers = {"pairs": pairs, "model": contacts.contact_factor_model}
     slices = rough(lines=lines, normal_force=force, tangential_force=0.2 * force, **numbers)
-    whole = whole_contact(slices=slices, lines=lines)
+    whole = contact_of_slices(slices=slices, lines=lines)
     assert float(whole.elastic_load[0] + whole.plastic_load[0]) == pytest.approx(800.0, rel=1e-12)
     even = dataclasses.replace(lines, line_load=0.0 * lines.line_load + force / pairs.contact_length)
     scale = float(jnp.sum(lines.length_share[:, 0]))
     flat = rough(lines=even, normal_force=force, tangential_force=0.2 * force, **numbers)
-    found = whole_contact(slices=flat, lines=even)
+    found = contact_of_slices(slices=flat, lines=even)
     one = jax.tree.map(lambda leaf: leaf[0], flat)  # every slice is the whole contact
     assert float(found.normal_stiffness[0]) == pytest.approx(
         scale * float(one.normal_stiffness[0]), rel=1e-12
@@ -207,7 +212,7 @@ def test_asperities_add_over_the_slices(pair):
         scale * float(one.tangential_stiffness[0]), rel=1e-12
     )
     none = rough(lines=lines, normal_force=-force, tangential_force=0.0 * force, **numbers)
-    assert float(whole_contact(slices=none, lines=lines).normal_stiffness[0]) == 0.0
+    assert float(contact_of_slices(slices=none, lines=lines).normal_stiffness[0]) == 0.0
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@ import pytest
 from asperity.joint.description import (
     bodies_of_contacts,
     body_masses,
-    each_contact,
+    contact_values,
     joint_contacts,
     tracks_of,
 )
@@ -65,8 +65,8 @@ def test_contacts(planar_joint):
 
 def test_one_entry_for_all_or_one_each(planar_joint):
     joint = planar_joint("multiroller")
-    np.testing.assert_allclose(each_contact(joint, (2.0,)), [2.0, 2.0, 2.0, 2.0])
-    np.testing.assert_allclose(each_contact(joint, (1.0, 2.0, 3.0, 4.0)), [1.0, 2.0, 3.0, 4.0])
+    np.testing.assert_allclose(contact_values(joint, (2.0,)), [2.0, 2.0, 2.0, 2.0])
+    np.testing.assert_allclose(contact_values(joint, (1.0, 2.0, 3.0, 4.0)), [1.0, 2.0, 3.0, 4.0])
 
 
 def test_bodies_of_contacts(planar_joint):

@@ -4,7 +4,7 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.joint.description import body_masses, each_contact, tracks_of
+from asperity.joint.description import body_masses, contact_values, tracks_of
 from asperity.joint.unfolding import SectorSizes, unfolded_joint
 
 
@@ -21,7 +21,7 @@ def test_it_has_the_same_parts(planar_joint, name, central):
     assert sum(map(float, body_masses(whole))) == pytest.approx(
         copies @ np.array(body_masses(joint)), rel=1e-12
     )
-    np.testing.assert_allclose(each_contact(whole, whole.contact_lengths), joint.contact_lengths[0])
+    np.testing.assert_allclose(contact_values(whole, whole.contact_lengths), joint.contact_lengths[0])
     # the sun has one track with a contact of each sector
     ((_, on_sun),) = tracks_of(whole, 0)
     assert on_sun == [k * contacts for k in range(count)]

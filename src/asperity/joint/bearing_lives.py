@@ -138,11 +138,11 @@ def lives_of_bearings(
 
 def _radial_loads(rated: tuple[RatedBearing | None, ...], forces: Array) -> Array:
     """Load of one bearing at each place."""
-    found = [
+    radial_loads = [
         jnp.nan if bearing is None else force / bearing.count + bearing.outside_force
         for bearing, force in zip(rated, forces, strict=True)
     ]
-    return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, found), forces[0])[:-1])
+    return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, radial_loads), forces[0])[:-1])
 
 
 def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Array, shares: Real) -> Array:
@@ -230,5 +230,5 @@ def _under_duty(joint: Joint, rest: DriveState, torques: Array, speeds: Array) -
             jnp.where(speed > 0.0, known * state.speed * speed, 0.0),
         )
 
-    found: BearingState = jax.vmap(under)(torques, speeds)
-    return found
+    bearings: BearingState = jax.vmap(under)(torques, speeds)
+    return bearings

@@ -19,7 +19,7 @@ from asperity.contact.hertz_line import (
 )
 from asperity.drive.layout.drive import contact_angles
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint, each_contact, places, track_lengths, tracks_of
+from asperity.joint.description import Joint, contact_values, places, track_lengths, tracks_of
 from asperity.types import Real
 
 
@@ -36,10 +36,10 @@ def exact_bodies(joint: Joint) -> list[BodyInMachine]:
     list of BodyInMachine
         Without stepped rollers: their tracks lie in different planes.
     """
-    lengths = each_contact(joint, joint.contact_lengths)
+    lengths = contact_values(joint, joint.contact_lengths)
     first, _ = places(joint.drive)
     at_first, at_second = contact_angles(joint.drive)
-    found = []
+    bodies = []
     for number, (body, shape, material) in enumerate(
         zip(joint.drive.bodies, joint.shapes, joint.materials, strict=True)
     ):
@@ -61,8 +61,8 @@ def exact_bodies(joint: Joint) -> list[BodyInMachine]:
             solid = Disc(radius, *elastic, joint.plane_state)
         angles = [at_first[k] if first[k] == number else at_second[k] for k in contacts]
         sectors = joint.drive.sectors if body.place == "axis" else None
-        found.append(BodyInMachine(solid, tuple(contacts), jnp.stack(angles), sectors))
-    return found
+        bodies.append(BodyInMachine(solid, tuple(contacts), jnp.stack(angles), sectors))
+    return bodies
 
 
 def hollow_stepped(joint: Joint) -> dict[int, SteppedRoller]:
@@ -167,10 +167,10 @@ def body_compliance(
     """
     count = len(joint.drive.contacts)
     exact = _exact_sides(joint)
-    found = jnp.zeros((2 * count, 2 * count))
+    compliance = jnp.zeros((2 * count, 2 * count))
     bodies = exact_bodies(joint)
     if bodies:
-        found = coupled_compliance(
+        compliance = coupled_compliance(
             bodies=bodies,
             contact_lengths=contacts.pairs.contact_length,
             half_widths=half_width,
@@ -178,8 +178,8 @@ def body_compliance(
             kernel=contacts.rims,
         )
     if exact.all():
-        return found
-    own = []
+        return compliance
+    local_compliance = []
     for width in (half_width, stick_half_width):
         sides = zip(
             one_sided_secants(contacts, width), (contacts.driving, contacts.driven), exact, strict=True
@@ -192,8 +192,8 @@ def body_compliance(
                 poisson_ratio=body.poisson_ratio,
             )
             parts.append(jnp.where(known, 0.0, secant - bend))
-        own.append(parts[0] + parts[1])
-    return found + jnp.diag(jnp.concatenate(own)) + _bores_of_stepped(joint)
+        local_compliance.append(parts[0] + parts[1])
+    return compliance + jnp.diag(jnp.concatenate(local_compliance)) + _bores_of_stepped(joint)
 
 
 def with_rims(joint: Joint, contacts: JointContacts) -> JointContacts:

@@ -65,18 +65,22 @@ def pins_in_bores(joint: Joint) -> Bores | None:
         if diameter is not None:
             for (_, contacts), annulus in zip(tracks, _annuli(joint, body), strict=True):
                 at = jnp.stack([at_first[k] if first[k] == body else at_second[k] for k in contacts])
-                found = bore_compliance(body=annulus, contact_angles=at, push_angle=angle)
+                bore = bore_compliance(body=annulus, contact_angles=at, push_angle=angle)
                 pressed = jnp.asarray(diameter) > 0.0
-                parts.append(BoreCompliance(*(jnp.where(pressed, each, 0.0) for each in found)))
+                parts.append(
+                    BoreCompliance(*(jnp.where(pressed, displacement, 0.0) for displacement in bore))
+                )
         exact = joint.body_model == "exact" and len(parts) == 1
         push_compliance.append(
-            _beside_each_other([part.push_compliance for part in parts]) if parts else jnp.zeros(())
+            _parallel_compliance([part.push_compliance for part in parts]) if parts else jnp.zeros(())
         )
         for k, name in enumerate(("along", "around")):
             at_contacts = np.array(tracks[0][1])
-            each = jnp.split(getattr(parts[0], name), 2) if exact else (jnp.zeros(at_contacts.size),) * 2
-            normals[k].append(none.at[at_contacts].set(each[0]))
-            tangentials[k].append(none.at[at_contacts].set(each[1]))
+            displacements = (
+                jnp.split(getattr(parts[0], name), 2) if exact else (jnp.zeros(at_contacts.size),) * 2
+            )
+            normals[k].append(none.at[at_contacts].set(displacements[0]))
+            tangentials[k].append(none.at[at_contacts].set(displacements[1]))
     along, around = (
         (jnp.stack(normal, axis=1), jnp.stack(tangential, axis=1))
         for normal, tangential in zip(normals, tangentials, strict=True)
@@ -95,13 +99,13 @@ def _annuli(joint: Joint, body: int) -> list[Annulus]:
     ]
 
 
-def _beside_each_other(compliances: list[Array]) -> Array:
+def _parallel_compliance(compliances: list[Array]) -> Array:
     """Springs that move alike; none gives way where one is rigid."""
-    whole = compliances[0]
+    compliance = compliances[0]
     for other in compliances[1:]:
-        both = whole + other
-        whole = jnp.where(both > 0.0, whole * other / jnp.where(both > 0.0, both, 1.0), 0.0)
-    return whole
+        both = compliance + other
+        compliance = jnp.where(both > 0.0, compliance * other / jnp.where(both > 0.0, both, 1.0), 0.0)
+    return compliance
 
 
 def pin_compliances(joint: Joint) -> Array:

@@ -25,7 +25,7 @@ from asperity.joint.bodies import contact_walls
 from asperity.joint.description import (
     Joint,
     body_masses,
-    each_contact,
+    contact_values,
     in_motion,
     joint_contacts,
     tracks_of,
@@ -198,15 +198,15 @@ def _loading(
 def _first_guess(joint: Joint, rest: DriveState) -> Real:
     """The torque at which all contacts of one kind would slip [N·m]."""
     drive, xp = joint.drive, namespace(joint, rest)
-    friction = each_contact(joint, joint.friction_coefficients)
+    friction = contact_values(joint, joint.friction_coefficients)
     orbit = xp.max(abs(xp.asarray(drive.centres))) + xp.max(drive.second_radius)
     guess: Real = xp.min(friction * rest.normal) * orbit * drive.sectors
     return guess
 
 
-def _named(joint: Joint, found: FirstLimit) -> TorqueCapacity:
+def _named(joint: Joint, limit: FirstLimit) -> TorqueCapacity:
     walls = joint.cam is not None and joint.body_model != "springs"
-    return named_capacity(found, contacts=len(joint.drive.contacts), walls=walls)
+    return named_capacity(limit, contacts=len(joint.drive.contacts), walls=walls)
 
 
 def torque_capacities(
@@ -255,12 +255,12 @@ def torque_capacity(
     """Torque capacity of one joint, of NumPy's numbers, in one direction, 1 or −1; as :func:`torque_capacities`."""
 
     def excesses(torque: np.ndarray) -> np.ndarray:
-        found = under(np.asarray(direction * torque), np.asarray(rolls), np.asarray(holds))
-        return np.asarray(found.excesses)
+        under_torque = under(np.asarray(direction * torque), np.asarray(rolls), np.asarray(holds))
+        return np.asarray(under_torque.excesses)
 
     guess = _first_guess(joint, without_torque.rest)
-    found = _named(joint, first_limit_of_numbers(excesses=excesses, first_guess=guess))
-    return jax.tree.map(np.asarray, found)
+    capacity = _named(joint, first_limit_of_numbers(excesses=excesses, first_guess=guess))
+    return jax.tree.map(np.asarray, capacity)
 
 
 def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:

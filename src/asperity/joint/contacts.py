@@ -23,11 +23,11 @@ from asperity.contact.rough_contact import RoughContact
 from asperity.drive.mechanism import NormalSprings, crowned_springs
 from asperity.joint.crowned_contacts import (
     CrownCompliance,
+    contact_of_slices,
     crown_compliances,
     crowned_lines,
     loads_along,
     rough_slices,
-    whole_contact,
 )
 from asperity.joint.fit import ClosureSprings
 from asperity.materials import Material
@@ -225,7 +225,7 @@ def _rough_crowned(
         normal_force=normal_force,
         tangential_force=tangential_force,
     )
-    return whole_contact(slices=slices, lines=lines)
+    return contact_of_slices(slices=slices, lines=lines)
 
 
 def loaded_contacts(

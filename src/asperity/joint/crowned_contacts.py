@@ -133,7 +133,7 @@ def rough_slices(
     )
 
 
-def whole_contact(*, slices: RoughContact, lines: CrownedLine) -> RoughContact:
+def contact_of_slices(*, slices: RoughContact, lines: CrownedLine) -> RoughContact:
     """Spots and stiffnesses of contacts from those of their slices."""
     added: RoughContact = jax.tree.map(lambda value: jnp.sum(lines.length_share * value, axis=0), slices)
     middle = jax.tree.map(lambda value: value[0], slices)

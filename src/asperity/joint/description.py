@@ -271,7 +271,7 @@ def bodies_of_contacts(joint: Joint) -> BodiesOfContacts:
     )
 
 
-def each_contact(joint: Joint, values: tuple[Any, ...]) -> Any:
+def contact_values(joint: Joint, values: tuple[Any, ...]) -> Any:
     """One entry for each contact from one for all or one each, stacked along a first axis.
 
     Parameters
@@ -314,10 +314,10 @@ def joint_contacts(joint: Joint) -> JointContacts:
             radius_1=joint.drive.first_radius,
             radius_2=joint.drive.second_radius,
             sign=jnp.where(np.array(inside), -1.0, 1.0),
-            contact_length=each_contact(joint, joint.contact_lengths),
-            friction_coefficient=each_contact(joint, joint.friction_coefficients),
+            contact_length=contact_values(joint, joint.contact_lengths),
+            friction_coefficient=contact_values(joint, joint.friction_coefficients),
             moduli=pair(driving, driven),
-            surface=each_contact(joint, joint.surfaces),
+            surface=contact_values(joint, joint.surfaces),
         ),
         driving=driving,
         driven=driven,
@@ -343,7 +343,7 @@ def tracks_of(joint: Joint, body: int) -> list[tuple[Array, list[int]]]:
         Radius [m] and numbers of contacts; contacts of one track are those that the drive lists with one radius.
     """
     first, second = places(joint.drive)
-    found: dict[str, tuple[Array, list[int]]] = {}
+    tracks: dict[str, tuple[Array, list[int]]] = {}
     for k, contact in enumerate(joint.drive.contacts):
         for side, bodies, radii in (
             (0, first, joint.drive.first_radius),
@@ -351,30 +351,30 @@ def tracks_of(joint: Joint, body: int) -> list[tuple[Array, list[int]]]:
         ):
             if bodies[k] == body:
                 track = contact.tracks[side]
-                found.setdefault(track, (radii[k], []))[1].append(k)
-    return list(found.values())
+                tracks.setdefault(track, (radii[k], []))[1].append(k)
+    return list(tracks.values())
 
 
 def track_lengths(joint: Joint, body: int) -> list[Real]:
     """Lengths of the tracks of a body along the axis, which make its mass [m]."""
-    lengths, tracks = each_contact(joint, joint.contact_lengths), tracks_of(joint, body)
-    own = joint.shapes[body].length
-    if own is not None:
-        return [own / len(tracks)] * len(tracks)
+    lengths, tracks = contact_values(joint, joint.contact_lengths), tracks_of(joint, body)
+    length = joint.shapes[body].length
+    if length is not None:
+        return [length / len(tracks)] * len(tracks)
     return [jnp.max(lengths[np.array(contacts)]) for _, contacts in tracks]
 
 
 def cylinders(joint: Joint, body: int) -> list[tuple[Real, Real, Real]]:
     """The cylinders that make a body, one for each of its tracks."""
     shape, material = joint.shapes[body], joint.materials[body]
-    found: list[tuple[Real, Real, Real]] = []
+    solids: list[tuple[Real, Real, Real]] = []
     for (radius, _), length in zip(tracks_of(joint, body), track_lengths(joint, body), strict=True):
         outer: Real = radius
         bore: Real = 0.0 if shape.size is None else shape.size
         if shape.kind == "ring" and shape.size is not None:
             outer, bore = radius + shape.size, 2.0 * radius
-        found.append((material.density * jnp.pi * (outer**2 - 0.25 * bore**2) * length, outer, bore))
-    return found
+        solids.append((material.density * jnp.pi * (outer**2 - 0.25 * bore**2) * length, outer, bore))
+    return solids
 
 
 def body_masses(joint: Joint) -> list[Real]:

@@ -135,11 +135,11 @@ def _along_the_line(lines: CrownedLine, pairs: RollerPairs, normal_force: Array)
     touching = normal_force > 0.0
     mean = jnp.where(touching, normal_force, 1.0) / pairs.contact_length
     length = lines.loaded_share * pairs.contact_length
-    found = {
+    spread = {
         "loaded_length_share": lines.loaded_share,
         "peak_line_load_ratio": lines.line_load[0] / mean,
         "end_line_load_ratio": lines.end_line_load / mean,
         "loaded_length_over_width": 0.5 * length / lines.half_width[0],
     }
-    shaped = {name: jnp.where(touching, value, jnp.nan) for name, value in found.items()}
+    shaped = {name: jnp.where(touching, value, jnp.nan) for name, value in spread.items()}
     return shaped | {"slices_hold": lines.solved | ~touching}

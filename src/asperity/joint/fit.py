@@ -73,8 +73,8 @@ HOTTEST = 3000.0
 def loose_temperature(fit: Fit) -> Array:
     """Temperature from which a joint has no interference [degC]."""
     rise = loosening_rise(interference=fit.interference, change_per_kelvin=fit.change_per_kelvin)
-    found = jnp.asarray(fit.assembly_temperature + rise)
-    return jnp.where((found >= -273.15) & (found <= HOTTEST), found, math.inf)
+    temperature = jnp.asarray(fit.assembly_temperature + rise)
+    return jnp.where((temperature >= -273.15) & (temperature <= HOTTEST), temperature, math.inf)
 
 
 def refuse_loose(fit: Fit | None) -> None:

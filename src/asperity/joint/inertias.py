@@ -44,7 +44,7 @@ def joint_inertias(joint: Joint) -> tuple[Real, Real]:
     drive = joint.drive
     speed = speeds(drive)
     carrier, out = speed[drive.members.index(CARRIER)], speed[drive.members.index(drive.output)]
-    own: Real = 0.0
+    at_input: Real = 0.0
     moved: Real = 0.0
     for number, (body, mass) in enumerate(zip(drive.bodies, body_masses(joint), strict=True)):
         spin = sum(
@@ -52,11 +52,11 @@ def joint_inertias(joint: Joint) -> tuple[Real, Real]:
             for part, radius, bore in cylinders(joint, number)
         )
         if body.name == drive.input:
-            own = own + spin
+            at_input = at_input + spin
             continue
         if body.on_axis:
             moved = moved + spin * (speed[number] / out) ** 2
             continue
-        own = own + drive.sectors * spin * speed[number] ** 2  # the input has the speed 1
+        at_input = at_input + drive.sectors * spin * speed[number] ** 2  # the input has the speed 1
         moved = moved + drive.sectors * mass * jnp.sum(drive.centres[number] ** 2) * (carrier / out) ** 2
-    return own, moved
+    return at_input, moved

@@ -154,8 +154,8 @@ def _preload_by_work(joint: Joint, contacts: JointContacts, forces: Array, at: A
         )
         return share / (even(preload) + jnp.sum(added * forces) / preload)
 
-    found: Array = jax.lax.fori_loop(0, _CROWNED_STEPS, improve, at)
-    return found
+    crowned_preload: Array = jax.lax.fori_loop(0, _CROWNED_STEPS, improve, at)
+    return crowned_preload
 
 
 def _approach(joint: Joint, contacts: JointContacts, force: Array) -> tuple[NormalSprings, Array | None]:
@@ -163,12 +163,12 @@ def _approach(joint: Joint, contacts: JointContacts, force: Array) -> tuple[Norm
     width = jnp.asarray(contacts.pairs.half_width(force))
     if joint.body_model == "springs":
         return bulk_springs(contacts=contacts, half_width=width), None
-    whole = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=width)
-    normal = whole[: force.size, : force.size]
-    own = jnp.diag(normal)
+    compliance = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=width)
+    normal = compliance[: force.size, : force.size]
+    diagonal = jnp.diag(normal)
     bend = logarithmic_decrease(contacts=contacts, body_model=joint.body_model, plane_state=joint.plane_state)
-    springs = NormalSprings(secant_compliance=own + bend, incremental_compliance=own)
-    return springs, normal - jnp.diag(own)
+    springs = NormalSprings(secant_compliance=diagonal + bend, incremental_compliance=diagonal)
+    return springs, normal - jnp.diag(diagonal)
 
 
 def smooth_creep(contacts: JointContacts, normal_force: Array) -> CreepLaw:

@@ -114,13 +114,13 @@ def _by_force(
     Unlike sectors have nan where the laws of their contacts and their forces do not settle.
     """
     assert joint.cam is not None
-    there = dataclasses.replace(
+    pressed_joint = dataclasses.replace(
         joint, preload=preload, interference=None, fit=None, pattern=joint.cam.pattern, cam=None
     )
     unlike, pattern = joint.unlike, jnp.asarray(joint.cam.pattern, dtype=float)
 
-    def around(there: Joint) -> Pressed:
-        laws = contact_laws(there, contacts)
+    def around(pressed_joint: Joint) -> Pressed:
+        laws = contact_laws(pressed_joint, contacts)
         rest = state_at_rest(
             drive=joint.drive,
             laws=laws,
@@ -134,13 +134,13 @@ def _by_force(
         return Pressed(laws, rest)
 
     if unlike is None:
-        return around(there)
+        return around(pressed_joint)
     start = least.normal * preload / mean_preload(joint, least.normal) if known is None else known.normal
     start = jax.lax.stop_gradient(start)
 
     def of_ratio(ratio: Array) -> Pressed:
-        own = dataclasses.replace(unlike, reference_force=start * ratio)
-        return around(dataclasses.replace(there, unlike=own))
+        sectors_at_ratio = dataclasses.replace(unlike, reference_force=start * ratio)
+        return around(dataclasses.replace(pressed_joint, unlike=sectors_at_ratio))
 
     def change(ratio: Array) -> Array:
         return of_ratio(ratio).rest.normal / start - ratio

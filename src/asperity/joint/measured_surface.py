@@ -84,13 +84,13 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
             f"{np.count_nonzero(~inside)} of {DRAWS} draws of the measured D = {centre[0]:.3f} lie outside 1 to 2: the "
             "measurement is too uncertain; measure more profiles"
         )
-    own = joint.surfaces[0]
-    assert not isinstance(own, RandomRoughness), "the surface of the file is that of the measurement"
+    mean_surface = joint.surfaces[0]
+    assert not isinstance(mean_surface, RandomRoughness), "the surface of the file is that of the measurement"
     surface = Surface(
         fractal_dimension=jnp.asarray(dimension[inside]),
         fractal_roughness=jnp.asarray(np.exp(log_roughness[inside])),
         frequency_ratio=jnp.full(np.count_nonzero(inside), float(measurement.frequency_ratio)),
-        asperity_base=own.asperity_base,
+        asperity_base=mean_surface.asperity_base,
     )
     shape = np.shape(surface.fractal_dimension)
     result = over_surfaces(joint, (surface,), shape=shape)

@@ -87,7 +87,7 @@ def body_rims(
     signs = jnp.asarray(turns).reshape((-1,) + (1,) * len(batch))
     outward = 1.0 if body.loaded_rim == "inner" else -1.0
 
-    def found(forces: tuple[Array, ...], pressed: PinLoad | None) -> RimRange:
+    def stress_range(forces: tuple[Array, ...], pressed: PinLoad | None) -> RimRange:
         normal, tangential = forces
         loads = RimLoads(
             angles=jnp.broadcast_to(member.contact_angles, (len(at), *batch)),
@@ -108,20 +108,20 @@ def body_rims(
             )
         return rim_range(body=body, stresses=stresses)
 
-    ranges = jax.vmap(found)(
+    ranges = jax.vmap(stress_range)(
         tuple(map(jnp.stack, zip(*states, strict=True))), pin
     )  # traced and compiled once
     working, resting = (jax.tree.map(operator.itemgetter(i), ranges) for i in range(2))
     strength = material.yield_strength if material.tensile_strength is None else material.tensile_strength
     safety = jnp.full(batch, jnp.nan)
     if material.fatigue_strength is not None:
-        each = fatigue_safety(
+        point_safety = fatigue_safety(
             mean=working.mean,
             amplitude=working.amplitude,
             fatigue_strength=material.fatigue_strength,
             strength=strength,
         )
-        safety = jnp.min(each, axis=0)
+        safety = jnp.min(point_safety, axis=0)
     return BodyRims(
         stress=working.largest,
         stress_at_rest=resting.largest,

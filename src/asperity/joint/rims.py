@@ -71,10 +71,10 @@ def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
     states = (working, (result.rest.normal, result.rest.tangential))
     width = jnp.asarray(result.diagnostics.hertz_half_width)
     sectors = 1 if joint.unlike is None else joint.unlike.sectors
-    return _in_order(_each_body(joint, states, width, sectors), bends(joint))
+    return _in_order(_bending_bodies(joint, states, width, sectors), bends(joint))
 
 
-def _each_body(
+def _bending_bodies(
     joint: Joint, states: tuple[tuple[Array, Array], ...], width: Array, sectors: int = 1
 ) -> list[BodyRims]:
     """Those that bend, under normal and tangential forces, the latter counter-clockwise."""
@@ -82,7 +82,7 @@ def _each_body(
     first, _ = places(drive)
     exact = [number for number in range(len(drive.bodies)) if len(tracks_of(joint, number)) == 1]
     members = dict(zip(exact, exact_bodies(joint), strict=True))
-    found = []
+    rims = []
     for number, acts in enumerate(bends(joint)):
         if not acts:
             continue
@@ -92,8 +92,8 @@ def _each_body(
         )
         finer = sectors if drive.bodies[number].place == "held" else 1
         pin = _pin_load(joint, number, states)
-        found.append(body_rims(member, joint.materials[number], states, width, signs, finer, pin))
-    return found
+        rims.append(body_rims(member, joint.materials[number], states, width, signs, finer, pin))
+    return rims
 
 
 def _pin_load(joint: Joint, number: int, states: tuple[tuple[Array, Array], ...]) -> PinLoad | None:
@@ -108,15 +108,15 @@ def _pin_load(joint: Joint, number: int, states: tuple[tuple[Array, Array], ...]
     return PinLoad(jnp.abs(force), push_angles(drive)[at] + jnp.where(force > 0.0, jnp.pi, 0.0))
 
 
-def _in_order(found: list[BodyRims], there: tuple[bool, ...]) -> BodyRims:
+def _in_order(rims: list[BodyRims], bending: tuple[bool, ...]) -> BodyRims:
     """The bodies that bend in the order of all bodies; nan for the others."""
-    at = [number for number, acts in enumerate(there) if acts]
-    pair = jnp.full((2, len(there)), jnp.nan)
-    one = jnp.full(len(there), jnp.nan)
+    at = [number for number, acts in enumerate(bending) if acts]
+    pair = jnp.full((2, len(bending)), jnp.nan)
+    one = jnp.full(len(bending), jnp.nan)
     empty = BodyRims(pair, pair, pair, pair, one, one)
 
     def placed(base: Array, *values: Array) -> Array:
         return base.at[..., jnp.array(at)].set(jnp.stack(values, axis=-1)) if values else base
 
-    placed_rims: BodyRims = jax.tree.map(placed, empty, *found)
+    placed_rims: BodyRims = jax.tree.map(placed, empty, *rims)
     return placed_rims

@@ -278,8 +278,8 @@ def _beyond_what_is_computed(joint: Joint, solution: Solution, capacity: TorqueC
     torque, limit = float(joint.output_torque), float(capacity.output_torque)
     cam = float(joint.cam.force_per_torque)
     least = float(mean_preload(joint, solution.result.rest.normal))
-    shown = [format_quantity(each, "N*m") for each in (torque, math.copysign(limit, torque))]
-    forces = [format_quantity(least + cam * abs(each), "N") for each in (torque, limit)]
+    shown = [format_quantity(moment, "N*m") for moment in (torque, math.copysign(limit, torque))]
+    forces = [format_quantity(least + cam * abs(moment), "N") for moment in (torque, limit)]
     return (
         f"under the output torque {shown[0]} the loading cam presses with {forces[0]}; the joint is computed up to "
         f"{forces[1]}, at {shown[1]}, where {limit_words(capacity, contacts=solution.result.contact_names)}; lower the "
@@ -297,11 +297,11 @@ def refuse_no_rolling(joint: Joint, solution: Solution) -> None:
             "fractal_dimension or hardness, or lower fractal_roughness"
         )
     torque = float(joint.output_torque)
-    found = solution.reverse_rolling_capacity if torque < 0.0 else solution.rolling_capacity
+    capacity = solution.reverse_rolling_capacity if torque < 0.0 else solution.rolling_capacity
     raise NoSolutionError(
         f"no steady rolling under {format_quantity(torque, 'N*m')}: the joint rolls up to "
-        f"{format_quantity(math.copysign(float(found.output_torque), torque), 'N*m')}, at which "
-        f"{limit_words(found, contacts=solution.result.contact_names)}; lower the torque"
+        f"{format_quantity(math.copysign(float(capacity.output_torque), torque), 'N*m')}, at which "
+        f"{limit_words(capacity, contacts=solution.result.contact_names)}; lower the torque"
         f"{'' if joint.rolling.skew is None else ' or the skew'}, or raise the preload or the friction coefficient"
     )
 
@@ -314,7 +314,7 @@ def refuse_short_contacts(result: JointResult) -> None:
     first = int(np.argmin(np.asarray(holds)))
     width = 2.0 * float(np.asarray(result.diagnostics.hertz_half_width)[first])
     ratio = float(np.asarray(result.diagnostics.loaded_length_over_width)[first])
-    length, across = (format_quantity(each, "mm", 3) for each in (ratio * width, width))
+    length, across = (format_quantity(size, "mm", 3) for size in (ratio * width, width))
     raise InputError(
         f"the crowned rollers touch at {result.contact_names[first]} over a length of {length} and a width of "
         f"{across}: the slices need a contact at least twice as long as wide; choose a larger crown radius"

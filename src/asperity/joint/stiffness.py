@@ -66,10 +66,10 @@ def springs_of_compliance(*, compliance: Array, half_width: Array, loaded: Loade
             jnp.broadcast_to(interfaces.asperity_tangential, sticking.shape),
         ]
     )
-    own = jnp.einsum("ii...->i...", compliance)
+    diagonal = jnp.einsum("ii...->i...", compliance)
     if loaded.crown is not None:
-        own = own + jnp.concatenate(jnp.broadcast_arrays(*loaded.crown))
-    stiffness = jnp.where(acts, 1.0 / (own + 1.0 / jnp.where(acts, asperities, 1.0)), 0.0)
+        diagonal = diagonal + jnp.concatenate(jnp.broadcast_arrays(*loaded.crown))
+    stiffness = jnp.where(acts, 1.0 / (diagonal + 1.0 / jnp.where(acts, asperities, 1.0)), 0.0)
     others = 1.0 - jnp.eye(acts.shape[0]).reshape((acts.shape[0],) * 2 + (1,) * (acts.ndim - 1))
     coupling = jnp.where(acts[:, None] & acts[None], others * compliance, 0.0)
     half = touching.shape[0]

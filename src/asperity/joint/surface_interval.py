@@ -34,14 +34,14 @@ def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple
     numbers = jax.tree.map(
         lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=())
     )
-    each = jax.tree.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
-    found: JointResult = compile_fast(_each_surface, numbers, each)(numbers, each)
-    return found
+    samples = jax.tree.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
+    results: JointResult = compile_fast(_results_of_surfaces, numbers, samples)(numbers, samples)
+    return results
 
 
-def _each_surface(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
-    found: JointResult = jax.vmap(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
-    return found
+def _results_of_surfaces(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
+    results: JointResult = jax.vmap(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
+    return results
 
 
 def result_ends(
@@ -79,7 +79,7 @@ def result_ends(
     def ends(values: Any, unit: str) -> dict[str, float | None]:
         kept = np.broadcast_to(values, shape)[usable]
         finite = known and bool(np.isfinite(kept).all())
-        pair = [float(each) for each in np.percentile(kept, percentiles)] if finite else [None, None]
+        pair = [float(bound) for bound in np.percentile(kept, percentiles)] if finite else [None, None]
         return dict(zip((f"low_{unit}", f"high_{unit}"), pair, strict=True))
 
     return {

@@ -24,12 +24,12 @@ from asperity.types import Real
 def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
     """Interference that a kelvin adds to each contact of a joint, shape (contacts,) [m/K]."""
     drive = joint.drive
-    own = [jnp.asarray(material.thermal_expansion) for material in joint.materials]
+    expansions = [jnp.asarray(material.thermal_expansion) for material in joint.materials]
     first, second = places(drive)
     outer = []
     for contact, body in enumerate(second):
         shape, material = joint.shapes[body], joint.materials[body]
-        expansion: Any = own[body]
+        expansion: Any = expansions[body]
         if housing_expansion is not None and shape.kind == "ring" and shape.support != "free":
             assert shape.size is not None
             expansion = ring_expansion(
@@ -43,8 +43,8 @@ def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
                 plane_state=joint.plane_state,
             )
         outer.append(expansion)
-    inner = jnp.stack([own[body] for body in first])
-    carrier = own[drive.pinned[0]] if drive.pinned else own[0]
+    inner = jnp.stack([expansions[body] for body in first])
+    carrier = expansions[drive.pinned[0]] if drive.pinned else expansions[0]
     return interference_of_strains(drive=drive, strains=(inner, jnp.stack(outer)), carrier=carrier)
 
 
@@ -72,8 +72,8 @@ def contact_fit(
 def at_temperature(joint: Joint, temperature: float) -> Joint:
     """The same joint, of NumPy's numbers, at another working temperature."""
     assert joint.fit is not None
-    there = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
+    heated = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), heated)
     return numbers
 
 

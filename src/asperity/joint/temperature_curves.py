@@ -68,8 +68,8 @@ def temperature_curves(joint: Joint, solved_at: Callable[[float], Solution | Non
     ends = sorted((float(fit.assembly_temperature), float(fit.working_temperature)))
     margin = max(_LEAST_MARGIN, 0.5 * (ends[1] - ends[0]))
     temperature = np.linspace(ends[0] - margin, ends[1] + margin, _TEMPERATURES)
-    found = _of_drive(joint, [solved_at(each) for each in temperature])
-    return TemperatureCurves(*map(jnp.asarray, (temperature, *found)))
+    curves = _of_drive(joint, [solved_at(celsius) for celsius in temperature])
+    return TemperatureCurves(*map(jnp.asarray, (temperature, *curves)))
 
 
 def _of_drive(joint: Joint, solutions: list[Solution | None]) -> tuple[np.ndarray, ...]:

@@ -52,10 +52,15 @@ class TorqueCapacity(eqx.Module):
 
 def named_capacity(limit: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
     """The capacity with its kind of limit and contact, from the first of many limits."""
-    each = (*_PER_CONTACT, "wall_too_thin") if walls else _PER_CONTACT
-    names = ["none", "pins_lock", *(name for name in each for _ in range(contacts)), "no_solution"]
+    limits_of_contact = (*_PER_CONTACT, "wall_too_thin") if walls else _PER_CONTACT
+    names = [
+        "none",
+        "pins_lock",
+        *(name for name in limits_of_contact for _ in range(contacts)),
+        "no_solution",
+    ]
     kinds = [LIMIT_KINDS.index(name) for name in names]
-    places = [contacts, contacts, *list(range(contacts)) * len(each), contacts]
+    places = [contacts, contacts, *list(range(contacts)) * len(limits_of_contact), contacts]
     xp = namespace(limit)
     return TorqueCapacity(
         output_torque=limit.value,
@@ -102,7 +107,7 @@ def capacity_document(
     """The capacity of one joint in one direction as a part of a JSON document [N·m]."""
     torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
     at_least = LIMIT_KINDS[int(capacity.limit)] in MODEL_LIMITS
-    found: dict[str, Any] = {
+    document: dict[str, Any] = {
         "output_torque_Nm": torque if math.isfinite(torque) else None,
         "limit": LIMIT_KINDS[int(capacity.limit)],
         "limiting_contact": contacts[contact] if contact < len(contacts) else None,
@@ -111,11 +116,11 @@ def capacity_document(
         "is_lower_bound": at_least,
     }
     if first_slip is not None and LIMIT_KINDS[int(first_slip.limit)] == "gross_slip":
-        found["first_slip"] = {
+        document["first_slip"] = {
             "output_torque_Nm": float(first_slip.output_torque),
             "contact": contacts[int(first_slip.limiting_contact)],
         }
-    return found
+    return document
 
 
 def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
@@ -133,7 +138,9 @@ def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
     bool
         Where it is the lower bound of the capacity standing, in either direction.
     """
-    bounds = [each["output_torque_Nm"] for each in (both, both["reverse"]) if each.get("is_lower_bound")]
+    bounds = [
+        capacity["output_torque_Nm"] for capacity in (both, both["reverse"]) if capacity.get("is_lower_bound")
+    ]
     return torque is not None and any(math.isclose(torque, bound, rel_tol=_SAME) for bound in bounds)
 
 

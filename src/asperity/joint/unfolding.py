@@ -62,20 +62,20 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
     ----------
     Equation (I4) of :doc:`/equations`.
     """
-    own = joint.drive
-    count = len(own.contacts)
-    drive = unfolded(own, sectors=sectors, floating=floating)
-    central = [i for i, body in enumerate(own.bodies) if body.place == "axis"]
-    others = [i for i, body in enumerate(own.bodies) if body.place != "axis"]
+    sector_drive = joint.drive
+    count = len(sector_drive.contacts)
+    drive = unfolded(sector_drive, sectors=sectors, floating=floating)
+    central = [i for i, body in enumerate(sector_drive.bodies) if body.place == "axis"]
+    others = [i for i, body in enumerate(sector_drive.bodies) if body.place != "axis"]
     order = central + sectors * others
 
-    def each(values: tuple[Any, ...]) -> tuple[Any, ...]:
+    def repeated(values: tuple[Any, ...]) -> tuple[Any, ...]:
         return values * sectors if len(values) == count else values
 
     held = jnp.array([drive.bodies[body].name in floating for body in drive.floating])
     cam = joint.cam
     if cam is not None:
-        cam = dataclasses.replace(cam, pattern=each(cam.pattern))
+        cam = dataclasses.replace(cam, pattern=repeated(cam.pattern))
     fit = joint.fit
     if fit is not None:
         fit = dataclasses.replace(
@@ -86,17 +86,17 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
         drive=drive,
         shapes=tuple(joint.shapes[i] for i in order),
         materials=tuple(joint.materials[i] for i in order),
-        surfaces=each(joint.surfaces),
-        contact_lengths=each(joint.contact_lengths),
-        friction_coefficients=each(joint.friction_coefficients),
+        surfaces=repeated(joint.surfaces),
+        contact_lengths=repeated(joint.contact_lengths),
+        friction_coefficients=repeated(joint.friction_coefficients),
         pattern=joint.pattern * sectors,
         rolling=dataclasses.replace(
             joint.rolling,
             duty=(),
-            skew=None if joint.rolling.skew is None else each(joint.rolling.skew),
-            roughness=None if joint.rolling.roughness is None else each(joint.rolling.roughness),
+            skew=None if joint.rolling.skew is None else repeated(joint.rolling.skew),
+            roughness=None if joint.rolling.roughness is None else repeated(joint.rolling.roughness),
         ),
-        crown_curvatures=None if joint.crown_curvatures is None else each(joint.crown_curvatures),
+        crown_curvatures=None if joint.crown_curvatures is None else repeated(joint.crown_curvatures),
         fit=fit,
         cam=cam,
         unlike=UnlikeSectors(

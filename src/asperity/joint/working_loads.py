@@ -40,13 +40,13 @@ def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
     xp = namespace(joint, result)
     known = xp.where(joint.input_speed != 0.0, xp.isfinite(result.rolling.residual), result.solved)
     normal, tangential = working_forces(joint, result)
-    found = member_loads(
+    loads = member_loads(
         drive=joint.drive,
         normal=normal,
         tangential=tangential,
         body_force=centrifugal_forces(joint, [result.masses[k] for k in range(len(joint.shapes))]),
     )
-    return MemberLoads(*(xp.where(known, each, xp.nan) for each in found))
+    return MemberLoads(*(xp.where(known, load, xp.nan) for load in loads))
 
 
 def working_forces(joint: Joint, result: JointResult) -> tuple[Array, Array]:
@@ -109,15 +109,15 @@ def forces_on_axis(joint: Joint, normal: Array, tangential: Array, pin_force: Ar
     Equation (I4) of :doc:`/equations`.
     """
     drive = joint.drive
-    found = jnp.zeros(len(drive.members))
+    axis_forces = jnp.zeros(len(drive.members))
     if joint.unlike is None:
-        return found
+        return axis_forces
     bodies = tuple(body.name for body in drive.bodies if body.on_axis)
     forces = forces_on_centre(
         drive=drive, bodies=bodies, normal=normal, tangential=tangential, pin_force=pin_force
     )
     at = np.array([drive.members.index(name) for name in (*bodies, CARRIER)])
-    return found.at[at].set(jnp.linalg.norm(forces, axis=1))
+    return axis_forces.at[at].set(jnp.linalg.norm(forces, axis=1))
 
 
 def member_speeds(joint: Joint, result: JointResult) -> Array:
@@ -194,12 +194,12 @@ def pin_bending(joint: Joint, force: Array) -> tuple[Array, Array]:
         return unknown, unknown
     moments = [
         pin_bending_moment(
-            force=abs(own),
+            force=abs(pin_force),
             free_length=joint.pin.free_length,
             roller_length=sum(track_lengths(joint, body)),
             support=joint.pin.support,
         )
-        for own, body in zip(force, joint.drive.pinned, strict=True)
+        for pin_force, body in zip(force, joint.drive.pinned, strict=True)
     ]
     moment = xp.stack(moments) if moments else xp.zeros_like(force)
     return moment, pin_bending_stress(moment=moment, diameter=joint.pin.diameter)

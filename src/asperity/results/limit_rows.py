@@ -10,7 +10,7 @@ import jax.numpy as jnp
 from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS, Surface
 from asperity.drive.layout.wedge import self_locking_ratio
 from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE
-from asperity.joint.description import each_contact
+from asperity.joint.description import contact_values
 from asperity.results.result import Limit, Result
 from asperity.results.solved import SolvedJoint, has_spots
 from asperity.unit_table import Dimension
@@ -62,7 +62,7 @@ ROWS = (
         "self_locking_ratio",
         "self-locking ratio tan(beta/2)/mu",
         value=lambda solved: self_locking_ratio(
-            solved.joint.drive, each_contact(solved.joint, solved.joint.friction_coefficients)
+            solved.joint.drive, contact_values(solved.joint, solved.joint.friction_coefficients)
         ),
         needs="geometry",
         needs_wedges=True,

@@ -22,7 +22,7 @@ from asperity.drive.state.state import ContactLaws
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
-from asperity.joint.description import Joint, each_contact, in_motion, pin_names, tracks_of
+from asperity.joint.description import Joint, contact_values, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.rims import joint_rims
 from asperity.joint.solve import Solution, joint_state, solution_of
@@ -72,7 +72,7 @@ def joint_size(joint: Joint, result: JointResult) -> JointSize:
     stepped = any(len(tracks_of(joint, number)) > 1 for number in range(len(joint.shapes)))
     stated = [jnp.asarray(shape.length) for shape in joint.shapes if shape.length is not None]
     length = (
-        jnp.nan if stepped else jnp.max(jnp.stack([*each_contact(joint, joint.contact_lengths), *stated]))
+        jnp.nan if stepped else jnp.max(jnp.stack([*contact_values(joint, joint.contact_lengths), *stated]))
     )
     return JointSize(2.0 * jnp.max(jnp.stack(outer)), jnp.asarray(length), jnp.sum(copies * result.masses))
 

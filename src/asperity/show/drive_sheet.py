@@ -12,7 +12,7 @@ import asperity
 from asperity.drive.layout.drive import CARRIER, speed_ratio
 from asperity.drive.layout.wedge import wedge_angles, wedges
 from asperity.errors import printable
-from asperity.joint.description import Joint, each_contact, tracks_of
+from asperity.joint.description import Joint, contact_values, tracks_of
 from asperity.joint.evaluation import JointForces, JointResult
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.show.dimension_lines import dimension
@@ -213,7 +213,7 @@ def _lines(
             f"{letters.get(number, '–')}  {gap.words} {gap.size:.4g}" for number, gap in enumerate(clearances)
         ]
     lengths = [
-        dimension(1e3 * float(each)) for each in np.asarray(each_contact(joint, joint.contact_lengths))
+        dimension(1e3 * float(each)) for each in np.asarray(contact_values(joint, joint.contact_lengths))
     ]
     alike = len(set(lengths)) == 1
     lines += ["", f"Contacts, length {lengths[0]}" if alike else "Contacts"]
