@@ -273,7 +273,7 @@ def document_of_branches(monkeypatch):
         known = {
             "sizes": SectorDeviations({"planet": planets}, np.outer(planets, per_size), per_size, support),
             "noun": "planet",
-            "own_preload": 1000.0,
+            "equal_preload": 1000.0,
             "interference": np.array([14e-6, 12e-6, -1e-6]),
             "preload": np.array([1100.0, 900.0, 0.0]),
             "rest": rest,

@@ -146,7 +146,7 @@ def _refuse_unsettled(
     if not floating and not any(contact.sector for contact in joint.drive.contacts):
         _refuse_loose(noun, interference)
     if not settled.without_torque.rest.residual < STATE_TOLERANCE:
-        stated = ", ".join(format_quantity(float(each), "um", 3) for each in interference)
+        stated = ", ".join(format_quantity(float(deviation), "um", 3) for deviation in interference)
         raise NoSolutionError(
             f"no balance without torque presses every {noun}: one is loose, or nothing holds it; with the members on "
             f"the axis centred their interferences are {stated}; state smaller deviations, or raise load.interference"

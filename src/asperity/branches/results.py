@@ -69,7 +69,7 @@ class UnequalBranches:
         Sizes of the branches.
     noun : str
         What a branch is called.
-    own_preload : float
+    equal_preload : float
         Preload of equal branches [N].
     interference, preload : ndarray
         Of each branch without torque, the sun where its bearings let it be, shape (n,) [m], [N].
@@ -81,7 +81,7 @@ class UnequalBranches:
 
     sizes: SectorDeviations
     noun: str
-    own_preload: float
+    equal_preload: float
     interference: np.ndarray
     preload: np.ndarray
     rest: BranchState
@@ -118,21 +118,23 @@ def unequal_branches(branches: AssembledBranches, states: DriveStates) -> Unequa
     Equation (I4) of :doc:`/equations`.
     """
     equal, joint, count = branches.equal, branches.joint, branches.sectors
-    each = (states.rest, states.standing, states.rolling)
+    drive_states = (states.rest, states.standing, states.rolling)
     options = (count, branches.floating)
-    program = compile_fast(_sums, equal, joint, each, options=options)
-    sums: _Sums = jax.tree.map(np.asarray, program(equal, joint, each))
+    program = compile_fast(_sums, equal, joint, drive_states, options=options)
+    sums: _Sums = jax.tree.map(np.asarray, program(equal, joint, drive_states))
     torque = abs(float(joint.output_torque))
-    found = [_state(branches, sums, kind, state, torque) for kind, state in enumerate(each)]
-    exists = [float(state.worst) < STATE_TOLERANCE for state in each]
-    rest, standing, rolling = (state if there else None for state, there in zip(found, exists, strict=True))
+    branch_states = [_state(branches, sums, kind, state, torque) for kind, state in enumerate(drive_states)]
+    balances = [float(state.worst) < STATE_TOLERANCE for state in drive_states]
+    rest, standing, rolling = (
+        state if balanced else None for state, balanced in zip(branch_states, balances, strict=True)
+    )
     return UnequalBranches(
         sizes=branches.sizes,
         noun=branches.noun,
-        own_preload=float(branches.settled.equal.normal[0]),
+        equal_preload=float(branches.settled.equal.normal[0]),
         interference=mean_interference(equal, branches.settled, np.asarray(sums.interference)),
         preload=np.asarray(states.rest.normal).reshape(count, -1)[:, 0],
-        rest=found[0] if rest is None else rest,
+        rest=branch_states[0] if rest is None else rest,
         standing=standing,
         rolling=rolling,
     )
@@ -175,10 +177,10 @@ def _moments_on_axis(equal: Joint, joint: Joint, state: DriveState) -> Array:
 def _output_moments(joint: Joint, state: DriveState, sectors: int) -> Array:
     """Moments that the sectors pass to the output [N·m]."""
     drive, matrices = joint.drive, incidence(joint.drive)
-    each = -matrices.turning[:, drive.members.index(drive.output)] * state.tangential
+    moments = -matrices.turning[:, drive.members.index(drive.output)] * state.tangential
     if drive.output == CARRIER:
-        each = matrices.levers * state.pin_force
-    return jnp.sum(each.reshape(sectors, -1), axis=1)
+        moments = matrices.levers * state.pin_force
+    return jnp.sum(moments.reshape(sectors, -1), axis=1)
 
 
 def _working_interference(joint: Joint, floating: tuple[str, ...], rest: DriveState) -> Array:

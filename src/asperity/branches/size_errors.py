@@ -99,25 +99,27 @@ def size_error_curves(branches: AssembledBranches) -> SizeErrorCurves:
     joint, sizes = branches.equal, branches.sizes
     widest = _WIDEST * branches.equal_interference
     deviation = np.linspace(-widest, widest, _POINTS)
-    loaded = [_loaded(joint, sizes.with_first(each)) for each in deviation]
+    loaded = [_loaded(joint, sizes.with_first(deviated)) for deviated in deviation]
     nothing = np.full(branches.sectors, np.nan)
 
     def shares(of: Callable[[UnequalBranches], BranchState | None]) -> np.ndarray:
-        states = [None if each is None else of(each.branches) for each in loaded]
+        states = [None if point is None else of(point.branches) for point in loaded]
         return np.array([nothing if state is None else state.share for state in states])
 
     def numbers(of: Callable[[LoadedBranches], float]) -> np.ndarray:
-        return np.array([np.nan if each is None else of(each) for each in loaded])
+        return np.array([np.nan if point is None else of(point) for point in loaded])
 
     return SizeErrorCurves(
         deviation=deviation,
-        standing_share=shares(lambda found: found.standing),
-        rolling_share=shares(lambda found: found.rolling),
-        first_slip=numbers(lambda each: float(each.limits.first_slip.output_torque)),
-        all_slip=numbers(lambda each: float(each.limits.standing.output_torque)),
+        standing_share=shares(lambda branches: branches.standing),
+        rolling_share=shares(lambda branches: branches.rolling),
+        first_slip=numbers(lambda point: float(point.limits.first_slip.output_torque)),
+        all_slip=numbers(lambda point: float(point.limits.standing.output_torque)),
         sun_force=numbers(
-            lambda each: (
-                math.nan if each.branches.standing is None else math.hypot(*each.branches.standing.sun_force)
+            lambda point: (
+                math.nan
+                if point.branches.standing is None
+                else math.hypot(*point.branches.standing.sun_force)
             )
         ),
         noun=branches.noun,

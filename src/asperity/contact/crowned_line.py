@@ -161,12 +161,12 @@ def _approach(load: Array, crown: Array) -> Array:
 def _approach_jvp(primals: tuple[Array, Array], tangents: tuple[Array, Array]) -> tuple[Array, Array]:
     """Implicit differentiation at the root."""
     (load, crown), (load_dot, crown_dot) = primals, tangents
-    found = _approach(load, crown)
-    _, slope = _carried(found, crown)
+    approach = _approach(load, crown)
+    _, slope = _carried(approach, crown)
     rate = jnp.zeros_like(load) if isinstance(load_dot, SymbolicZero) else load_dot
     if not isinstance(crown_dot, SymbolicZero):
-        rate = rate - jax.jvp(lambda rho: _carried(found, rho)[0], (crown,), (crown_dot,))[1]
-    return found, rate * found / slope
+        rate = rate - jax.jvp(lambda rho: _carried(approach, rho)[0], (crown,), (crown_dot,))[1]
+    return approach, rate * approach / slope
 
 
 _approach.defjvp(_approach_jvp, symbolic_zeros=True)

@@ -130,15 +130,15 @@ def crown_slip(
         "effective_radius": effective_radius,
         "contact_modulus": contact_modulus,
     }
-    whole, stick = jnp.broadcast_arrays(
+    normal, stick = jnp.broadcast_arrays(
         jnp.asarray(normal_force, dtype=float), jnp.asarray(stick_force, dtype=float)
     )
-    first, last = jnp.cbrt(stick), jnp.cbrt(whole)
-    nodes, weights = (jnp.asarray(each).reshape(-1, *(1,) * whole.ndim) for each in (_NODES, _WEIGHTS))
+    first, last = jnp.cbrt(stick), jnp.cbrt(normal)
+    nodes, weights = (jnp.asarray(rule).reshape(-1, *(1,) * normal.ndim) for rule in (_NODES, _WEIGHTS))
     root = 0.5 * ((last + first) + (last - first) * nodes)
     per_root = 3.0 * root**2 * shortening(normal_force=root**3, **numbers)
     ends = 0.5 * (last - first) * jnp.sum(weights * per_root, axis=0)
-    added = crown_compression(normal_force=whole, **numbers) - crown_compression(
+    added = crown_compression(normal_force=normal, **numbers) - crown_compression(
         normal_force=stick, **numbers
     )
     return jnp.asarray(friction_coefficient * (added + (2.0 / math.pi) * lateral_strain_compliance * ends))

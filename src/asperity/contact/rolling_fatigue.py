@@ -249,5 +249,5 @@ def damage_shares(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
     A. Palmgren, Z. VDI 68 (1924) 339; M. A. Miner, J. Appl. Mech. 12 (1945) A159. Equation (B8) of :doc:`/equations`.
     """
     damage = time_shares * cycle_rates / lives
-    whole = jnp.sum(damage, axis=0)
-    return damage / jnp.where(whole == 0.0, jnp.nan, whole)
+    total = jnp.sum(damage, axis=0)
+    return damage / jnp.where(total == 0.0, jnp.nan, total)

@@ -198,8 +198,8 @@ def _share_at(magnitude: Real, across: Real, ratio: Real) -> Real:
     high = jnp.maximum(1.0, sliding)
     start = jnp.clip(partial + 0.5 * across * magnitude, 0.0, high)
     start = jnp.where(magnitude**2 + across**2 < 1.0, start, jnp.maximum(start, sliding))
-    found, _, _ = lax.fori_loop(0, _STEPS, improve, (start, jnp.zeros_like(start), high))
-    return jnp.where(across > 0.0, found, partial)
+    creepage, _, _ = lax.fori_loop(0, _STEPS, improve, (start, jnp.zeros_like(start), high))
+    return jnp.where(across > 0.0, creepage, partial)
 
 
 def skewed_contact(
@@ -259,13 +259,13 @@ def skewed_contact(
         lambda _, __: jnp.sign(safe) * _share_at(*lax.stop_gradient((jnp.abs(safe), across, ratio))),
         lambda linear, y: y / linear(jnp.ones_like(y)),
     )
-    found, sideways = _scaled_forces(share, lateral / across_max, ratio)
+    longitudinal, sideways = _scaled_forces(share, lateral / across_max, ratio)
     return SkewedContact(
         longitudinal_creepage=jnp.where(carried, share, jnp.sign(given) * jnp.inf) * along_max,
         lateral_creepage=lateral,
         longitudinal_slip_ratio=given,
         lateral_slip_ratio=jnp.where(carried, sideways, 0.0),
-        solved=carried & (jnp.abs(found - safe) <= _RESIDUAL),
+        solved=carried & (jnp.abs(longitudinal - safe) <= _RESIDUAL),
     )
 
 

@@ -130,8 +130,8 @@ def _peaks(square: Square, frictions: Array, poissons: Array, start: Array) -> S
 
 def _peak(square: Square, friction: Real, poisson: Real, start: tuple[float, float]) -> StressPeak:
     frictions, poissons = jnp.broadcast_arrays(jnp.asarray(friction, float), jnp.asarray(poisson, float))
-    found = _peaks(square, frictions.ravel(), poissons.ravel(), jnp.asarray(start))
-    return jax.tree.map(lambda leaf: leaf.reshape(frictions.shape), found)
+    peaks = _peaks(square, frictions.ravel(), poissons.ravel(), jnp.asarray(start))
+    return jax.tree.map(lambda leaf: leaf.reshape(frictions.shape), peaks)
 
 
 def _shear_square(place: Array, friction: Array, _: Array) -> Array:

@@ -57,7 +57,7 @@ def branch_document(branches: AssembledBranches, solution: Solution) -> Document
                 **{f"{name}_deviation_m": float(each[index]) for name, each in sizes.deviations.items()},
                 "interference_m": float(found.interference[index]),
                 "preload_N": float(found.preload[index]),
-                "preload_over_equal_branches": float(found.preload[index]) / found.own_preload,
+                "preload_over_equal_branches": float(found.preload[index]) / found.equal_preload,
             }
             for index in range(found.preload.size)
         ],
@@ -72,7 +72,7 @@ def branch_document(branches: AssembledBranches, solution: Solution) -> Document
 def _note(found: UnequalBranches) -> str:
     """How much harder the most loaded branch is pressed than equal ones, in words."""
     hardest = int(np.argmax(found.preload))
-    ratio, what = found.preload[hardest] / found.own_preload, f"{found.noun} {hardest + 1}"
+    ratio, what = found.preload[hardest] / found.equal_preload, f"{found.noun} {hardest + 1}"
     if np.ptp(found.preload) <= _EVEN * found.preload[hardest]:
         what = f"every {found.noun}"
     return (

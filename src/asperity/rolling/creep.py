@@ -102,10 +102,10 @@ def contact_creep(
     friction = jnp.asarray(contacts.pairs.friction_coefficient)
     limit = friction * jnp.where(normal_force > 0.0, normal_force, 1.0)
     q = jnp.clip(jnp.abs(tangential_force) / limit, _LEAST_SLIP, _MOST_SLIP)
-    found = _creep_at(contacts, skew, normal_force, q, stiffness)
+    creep = _creep_at(contacts, skew, normal_force, q, stiffness)
     # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
-    scale = jax.lax.optimization_barrier(found.law.gross_slip_scale)
-    return found._replace(law=CreepLaw(jnp.broadcast_to(friction, scale.shape), scale))
+    scale = jax.lax.optimization_barrier(creep.law.gross_slip_scale)
+    return creep._replace(law=CreepLaw(jnp.broadcast_to(friction, scale.shape), scale))
 
 
 def _creep_at(

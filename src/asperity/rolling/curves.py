@@ -80,11 +80,13 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
     """
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
-    own, speed = float(numbers.output_torque), float(numbers.sun_speed)
+    output_torque, speed = float(numbers.output_torque), float(numbers.sun_speed)
     limited = math.isfinite(torque_capacity)
     towards = np.linspace(0.0, 1.0, _TORQUES)
     # the curves are steep near gross slip
-    torque = torque_capacity * towards * (2.0 - towards) if limited else _OVER_TORQUE * own * towards
+    torque = (
+        torque_capacity * towards * (2.0 - towards) if limited else _OVER_TORQUE * output_torque * towards
+    )
     speeds = np.linspace(0.0, _OVER_SPEED * speed, _SPEEDS + 1)[1:] if speed > 0.0 else np.zeros(0)
     grid_speed, grid_torque = np.meshgrid(speeds, torque[1:], indexing="ij")
     loads = (
@@ -113,22 +115,22 @@ def _over_loads(*given: Any) -> tuple[Array, Array, Array, Array]:
     return _shown(rolling_over_loads(*given))
 
 
-def _shown(found: RollingResult) -> tuple[Array, Array, Array, Array]:
+def _shown(rolling: RollingResult) -> tuple[Array, Array, Array, Array]:
     return (
-        found.drift_per_output_turn,
-        found.life_turns.drive,
-        found.life_hours.drive,
-        found.power.efficiency,
+        rolling.drift_per_output_turn,
+        rolling.life_turns.drive,
+        rolling.life_hours.drive,
+        rolling.power.efficiency,
     )
 
 
 def rolling_over_loads(joint: Joint, rest: DriveState, torque: Array, input_speed: Array) -> RollingResult:
     """Steady rolling of a joint under torques at speeds."""
     contacts = joint_contacts(joint)
-    found: RollingResult = jax.vmap(
+    rolling: RollingResult = jax.vmap(
         rolling_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
     )(torque, input_speed)
-    return found
+    return rolling
 
 
 _POINTS, _LARGEST_SHARE = 60, 0.98

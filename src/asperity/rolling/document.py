@@ -17,46 +17,46 @@ Document = dict[str, Any]
 
 def rolling_document(joint: Joint, result: JointResult) -> Document:
     """Creep, drift, axial forces, losses and life of a solved joint."""
-    found = result.rolling
+    rolling = result.rolling
     return {
         "unknown_because": unknown_because(joint, result),
-        "speed_loss": found.speed_loss,
-        "drift_rad_per_output_turn": found.drift_per_output_turn,
-        "drift_rad_per_hour": 3600.0 * found.drift_rate,
-        "output_speed_rad_per_s": found.output_speed,
-        "efficiency": found.power.efficiency,
+        "speed_loss": rolling.speed_loss,
+        "drift_rad_per_output_turn": rolling.drift_per_output_turn,
+        "drift_rad_per_hour": 3600.0 * rolling.drift_rate,
+        "output_speed_rad_per_s": rolling.output_speed,
+        "efficiency": rolling.power.efficiency,
         "input_torque_Nm": rolling_input_torque(
-            power=found.power,
+            power=rolling.power,
             output_torque=joint.output_torque,
-            output_speed=found.output_speed,
+            output_speed=rolling.output_speed,
             input_speed=joint.sun_speed,
         ),
-        "input_power_W": found.power.input,
-        "output_power_W": found.power.output,
-        "losses_W": losses(found),
-        "axial_thrust_N": dict(zip(result.body_names, np.asarray(found.axial_thrust), strict=True)),
+        "input_power_W": rolling.power.input,
+        "output_power_W": rolling.power.output,
+        "losses_W": losses(rolling),
+        "axial_thrust_N": dict(zip(result.body_names, np.asarray(rolling.axial_thrust), strict=True)),
         "reliability": np.asarray(joint.rolling.reliability),
         "no_life_because": no_life_because(result),
-        "life_hours": found.life_hours.drive,
-        "life_output_turns": found.life_turns.drive,
-        "body_life_hours": _by_body(result.body_names, found.life_hours),
-        "body_life_output_turns": _by_body(result.body_names, found.life_turns),
-        "duty_life_hours": found.duty_life_hours,
-        "duty_life_output_turns": found.duty_life_turns,
+        "life_hours": rolling.life_hours.drive,
+        "life_output_turns": rolling.life_turns.drive,
+        "body_life_hours": _by_body(result.body_names, rolling.life_hours),
+        "body_life_output_turns": _by_body(result.body_names, rolling.life_turns),
+        "duty_life_hours": rolling.duty_life_hours,
+        "duty_life_output_turns": rolling.duty_life_turns,
         "duty": {
             str(index): {"damage_share": share, "life_hours": hours, "shakedown_ratio": pressure}
             for index, (share, hours, pressure) in enumerate(
                 zip(
-                    np.asarray(found.duty_damage_shares),
-                    np.asarray(found.duty_load_hours),
-                    np.asarray(found.duty_shakedown_ratios),
+                    np.asarray(rolling.duty_damage_shares),
+                    np.asarray(rolling.duty_load_hours),
+                    np.asarray(rolling.duty_shakedown_ratios),
                     strict=True,
                 ),
                 start=1,
             )
         },
-        "contacts": {name: _contact(found, k) for k, name in enumerate(result.contact_names)},
-        "residual": found.residual,
+        "contacts": {name: _contact(rolling, k) for k, name in enumerate(result.contact_names)},
+        "residual": rolling.residual,
     }
 
 
@@ -80,40 +80,40 @@ def losses(rolling: RollingResult) -> Document:
     return {**by_contact, "bearings": power.bearings, "total": power.loss}
 
 
-def _contact(found: RollingResult, k: int) -> Document:
-    power = found.power
+def _contact(rolling: RollingResult, k: int) -> Document:
+    power = rolling.power
     return {
-        "creepage": found.creepage[k],
-        "traction_coefficient": found.traction_coefficient[k],
-        "hertz_pressure_Pa": found.hertz_pressure[k],
-        "shakedown_ratio": found.shakedown_ratio[k],
-        "life_hours": found.life_hours.contact[k],
-        "slip_ratio": found.slip_ratio[k],
-        "flash_temperature_K": found.flash_temperature[k],
-        "film_thickness_m": found.film_thickness[k],
-        "film_ratio": found.film_ratio[k],
-        "normal_N": found.normal[k],
-        "tangential_N": found.tangential[k],
-        "stick_fraction": np.asarray(found.stick_fraction)[k],
-        "layer_ratio": found.layer_ratio[k],
-        "layer_creepage_factor": found.layer_creepage_factor[k],
-        "rough_half_width_m": found.rough_half_width[k],
-        "rough_peak_pressure_Pa": found.rough_peak_pressure[k],
+        "creepage": rolling.creepage[k],
+        "traction_coefficient": rolling.traction_coefficient[k],
+        "hertz_pressure_Pa": rolling.hertz_pressure[k],
+        "shakedown_ratio": rolling.shakedown_ratio[k],
+        "life_hours": rolling.life_hours.contact[k],
+        "slip_ratio": rolling.slip_ratio[k],
+        "flash_temperature_K": rolling.flash_temperature[k],
+        "film_thickness_m": rolling.film_thickness[k],
+        "film_ratio": rolling.film_ratio[k],
+        "normal_N": rolling.normal[k],
+        "tangential_N": rolling.tangential[k],
+        "stick_fraction": np.asarray(rolling.stick_fraction)[k],
+        "layer_ratio": rolling.layer_ratio[k],
+        "layer_creepage_factor": rolling.layer_creepage_factor[k],
+        "rough_half_width_m": rolling.rough_half_width[k],
+        "rough_peak_pressure_Pa": rolling.rough_peak_pressure[k],
         "crown_creepage_factor": None
-        if found.crown_creepage_factor is None
-        else found.crown_creepage_factor[k],
-        "skew_creepage_factor": found.skew_creepage_factor[k],
-        "capacity_loss": found.capacity_loss[k],
-        "axial_force_N": found.axial_force[k],
+        if rolling.crown_creepage_factor is None
+        else rolling.crown_creepage_factor[k],
+        "skew_creepage_factor": rolling.skew_creepage_factor[k],
+        "capacity_loss": rolling.capacity_loss[k],
+        "axial_force_N": rolling.axial_force[k],
         "losses_W": {
             **{name: np.asarray(getattr(power, name))[k] for name in ("creep", "skew", "hysteresis", "oil")},
             "total": np.asarray(power.contact)[k],
         },
-        "life_output_turns": found.life_turns.contact[k],
-        "life_stress_cycles": {"driving": found.cycles[0][k], "driven": found.cycles[1][k]},
+        "life_output_turns": rolling.life_turns.contact[k],
+        "life_stress_cycles": {"driving": rolling.cycles[0][k], "driven": rolling.cycles[1][k]},
         "stress_cycles_per_output_turn": {
-            "driving": found.cycles_per_turn[0][k],
-            "driven": found.cycles_per_turn[1][k],
+            "driving": rolling.cycles_per_turn[0][k],
+            "driven": rolling.cycles_per_turn[1][k],
         },
     }
 
@@ -137,8 +137,8 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
     list of str
         One sentence for each reason; empty if everything is there.
     """
-    found, slip = result.rolling, np.asarray(result.diagnostics.slip_ratio)
-    if not bool(np.isfinite(np.asarray(found.residual))):
+    rolling, slip = result.rolling, np.asarray(result.diagnostics.slip_ratio)
+    if not bool(np.isfinite(np.asarray(rolling.residual))):
         named = [name for name, ratio in zip(result.contact_names, slip, strict=True) if not ratio < 1.0]
         if named:
             verbs = "slips or has lifted off" if len(named) == 1 else "slip or have lifted off"
@@ -152,7 +152,7 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
             + ("" if joint.rolling.skew is None else ", or skew alone makes it slip")
         ]
     reasons = absent_in_rolling(joint, result)
-    if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
+    if joint.rolling.duty and np.isnan(np.asarray(rolling.duty_life_hours)):
         reasons.append("no life under the duty: the joint does not roll under one of its loads")
     return reasons
 
@@ -160,7 +160,7 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
 def no_life_because(result: JointResult) -> str | None:
     """Why a joint that rolls has no fatigue life; None where it has one, or does not roll."""
     ratio = np.asarray(result.rolling.shakedown_ratio)
-    beyond = [name for name, each in zip(result.contact_names, ratio, strict=True) if each >= 1.0]
+    beyond = [name for name, pressure in zip(result.contact_names, ratio, strict=True) if pressure >= 1.0]
     if not beyond:
         return None
     return (

@@ -107,11 +107,11 @@ def duty_life(
     Equation (B8) of :doc:`/equations`.
     """
     points = per_contact(conditions.duty)
-    found = jax.vmap(rolled)(points.output_torque, points.sun_speed)
-    turns_a_second = found.output_speed / (2.0 * jnp.pi)
+    rolling = jax.vmap(rolled)(points.output_torque, points.sun_speed)
+    turns_a_second = rolling.output_speed / (2.0 * jnp.pi)
     spectrum = {
-        "lives": found.cycles,
-        "cycle_rates": found.cycles_per_turn * turns_a_second[:, None, None],
+        "lives": rolling.cycles,
+        "cycle_rates": rolling.cycles_per_turn * turns_a_second[:, None, None],
         "time_shares": points.share[:, None, None],
     }
     tracks = spectrum_life(**spectrum)
@@ -127,7 +127,7 @@ def duty_life(
         hours=hours,
         turns=hours * 3600.0 * jnp.sum(points.share * turns_a_second, axis=0),
         damage_shares=jnp.sum(shares, axis=(1, 2)),
-        load_hours=found.life_hours.drive,
-        shakedown_ratios=jnp.max(found.shakedown_ratio, axis=1),
-        slip_ratios=jnp.max(found.slip_ratio, axis=1),
+        load_hours=rolling.life_hours.drive,
+        shakedown_ratios=jnp.max(rolling.shakedown_ratio, axis=1),
+        slip_ratios=jnp.max(rolling.slip_ratio, axis=1),
     )

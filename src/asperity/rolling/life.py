@@ -76,9 +76,9 @@ def sliced_track_lives(*, pairs: RollerPairs, lines: CrownedLine, peak_pressure:
     ----------
     Equations (B7) and (B8) of :doc:`/equations`: the stressed volumes of the slices add.
     """
-    whole = track_lives(pairs=pairs, half_width=lines.half_width, peak_pressure=peak_pressure)
-    shortest = jnp.min(whole, axis=1)
-    rate = jnp.sum(lines.length_share * (whole / shortest[:, None]) ** -WEIBULL_SLOPE, axis=1)
+    lives = track_lives(pairs=pairs, half_width=lines.half_width, peak_pressure=peak_pressure)
+    shortest = jnp.min(lives, axis=1)
+    rate = jnp.sum(lines.length_share * (lives / shortest[:, None]) ** -WEIBULL_SLOPE, axis=1)
     return jnp.asarray(shortest * rate ** (-1.0 / WEIBULL_SLOPE))
 
 
@@ -172,12 +172,14 @@ def _on_shared_tracks(bodies: BodiesOfContacts, tracks: Array) -> Array:
     """Lives of tracks, of which those on a shared body together fail as the one on which all branches roll."""
     if bodies.sectors == 1:
         return tracks
-    apart = (2, bodies.sectors, -1, *tracks.shape[2:])
-    own = tracks.reshape(apart)
-    each = jnp.broadcast_to(1.0 / jnp.sum(1.0 / own, axis=1, keepdims=True), own.shape).reshape(tracks.shape)
+    by_sector = (2, bodies.sectors, -1, *tracks.shape[2:])
+    sector_lives = tracks.reshape(by_sector)
+    harmonic_lives = jnp.broadcast_to(
+        1.0 / jnp.sum(1.0 / sector_lives, axis=1, keepdims=True), sector_lives.shape
+    ).reshape(tracks.shape)
     shared = np.array([[bodies.shared[b] for b in side] for side in (bodies.driving, bodies.driven)])
     shared = shared.reshape(*shared.shape, *(1,) * (tracks.ndim - 2))
-    return jnp.where(shared, each * bodies.sectors ** (1.0 / WEIBULL_SLOPE), tracks)
+    return jnp.where(shared, harmonic_lives * bodies.sectors ** (1.0 / WEIBULL_SLOPE), tracks)
 
 
 def _copies(bodies: BodiesOfContacts, planet_count: Real, shape: tuple[int, ...]) -> Array:
@@ -195,4 +197,4 @@ def _life(rate: Array) -> Array:
 
 
 def _at(bodies: Sequence[int], body: int) -> list[int]:
-    return [k for k, each in enumerate(bodies) if each == body]
+    return [k for k, member in enumerate(bodies) if member == body]

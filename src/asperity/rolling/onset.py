@@ -259,8 +259,8 @@ def rolling_onset(
             creep_share,
         ),
     )
-    found: RollingOnset = jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
-    return found
+    onset: RollingOnset = jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
+    return onset
 
 
 def _onset(

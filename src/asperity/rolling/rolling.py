@@ -329,13 +329,13 @@ def _where(condition: Array, values: _Values) -> _Values:
 
 def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:
     """Axial forces on the bodies; a contact pushes its two bodies oppositely."""
-    found = []
+    thrust = []
     for number, shared in enumerate(bodies.shared):
         pushed = [axial[k] for k, body in enumerate(bodies.driven) if body == number]
         pushed += [-axial[k] for k, body in enumerate(bodies.driving) if body == number]
         force = functools.reduce(operator.add, pushed, jnp.zeros_like(axial[0]))
-        found.append(branches * force if shared else force)
-    return jnp.stack(jnp.broadcast_arrays(*found))
+        thrust.append(branches * force if shared else force)
+    return jnp.stack(jnp.broadcast_arrays(*thrust))
 
 
 def _bearing_power(joint: Joint, state: DriveState) -> Array:

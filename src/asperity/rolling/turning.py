@@ -67,20 +67,20 @@ def rolling_at(
     pressed = pressed_at(joint, contacts, without_torque)
 
     def rolled(torque: Array, speed: Array) -> RollingResult:
-        there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
+        loaded_joint = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
         masses, sense = body_masses(joint), driving_sense(joint.drive)
         laws, rest = pressed(torque)
         _, rolling = loaded_states(
             drive=joint.drive,
             laws=laws,
             rest=rest,
-            load=drive_load(there, masses, torque),
+            load=drive_load(loaded_joint, masses, torque),
             creep_of=creep_under(joint, contacts),
         )
         creep = creep_law(joint, contacts, rolling.normal, rolling.tangential)
         seen = dataclasses.replace(
             rolling, tangential=sense * rolling.tangential, creepage=sense * rolling.creepage
         )
-        return turning(there, contacts, creep, seen)
+        return turning(loaded_joint, contacts, creep, seen)
 
     return rolled
