@@ -8,7 +8,7 @@ import pytest
 from scipy.special import j0
 
 from asperity.body.punch import distance_moments
-from asperity.body.rim_kernel import own_sums, separated_sums
+from asperity.body.rim_kernel import self_sums, separated_sums
 
 MODES = np.arange(1.0, 1e6)
 
@@ -21,17 +21,17 @@ def direct(values, offset):
 
 
 @pytest.mark.parametrize("alpha", [0.02, 0.1, 0.2])
-def test_own_sums(alpha):
+def test_self_sums(alpha):
     weight = j0(MODES * alpha) ** 2
     tail = 1.0 / (math.pi * alpha * MODES[-1])  # of J0^2/n, whose mean is 1/(pi alpha n^2)
     wave = 0.3 / (alpha * MODES[-1]) ** 2  # of J0^2, which the tail leaves out
-    plus, minus = own_sums(alpha)
+    plus, minus = self_sums(alpha)
     assert float(plus) == pytest.approx(np.sum(weight / (MODES + 1.0)) + tail, rel=0.0, abs=wave)
     assert float(minus) == pytest.approx(np.sum(weight[1:] / (MODES[1:] - 1.0)) + tail, rel=0.0, abs=wave)
 
 
-def test_own_sums_tend_to_the_half_planes_logarithm():
-    plus, minus = own_sums(1e-6)
+def test_self_sums_tend_to_the_half_planes_logarithm():
+    plus, minus = self_sums(1e-6)
     assert float(0.5 * (plus + minus)) == pytest.approx(math.log(2e6) - 0.5, rel=1e-9)
 
 
@@ -48,6 +48,6 @@ def test_separated_sums(angle, alpha, beta):
 
 
 def test_slope_over_the_half_width():
-    slope = jax.grad(lambda a: own_sums(a)[0])(0.05)
-    difference = (own_sums(0.05 + 1e-5)[0] - own_sums(0.05 - 1e-5)[0]) / 2e-5
+    slope = jax.grad(lambda a: self_sums(a)[0])(0.05)
+    difference = (self_sums(0.05 + 1e-5)[0] - self_sums(0.05 - 1e-5)[0]) / 2e-5
     assert float(slope) == pytest.approx(float(difference), rel=1e-7)

@@ -31,7 +31,7 @@ from asperity.body.annulus_modes import (
 )
 from asperity.body.punch import LARGEST_PUNCH_ARGUMENT, distance_moments, punch_factor
 from asperity.body.rigid_modes import translation_compliance, uniform_compliance
-from asperity.body.rim_kernel import RimSums, own_sums, separated_sums
+from asperity.body.rim_kernel import RimSums, self_sums, separated_sums
 from asperity.body.shapes import Annulus, Disc, kolosov_constant
 from asperity.materials import shear_modulus
 from asperity.types import Real
@@ -131,16 +131,16 @@ def _closed_part(side: float, kolosov: Real, angle: Array, normal: Array, shear:
 
     Angles have the shape (copies, n, n, ...), punch angles (n, ...).
     """
-    own = np.zeros(angle.shape[:3], bool)
-    own[0] = np.eye(angle.shape[1], dtype=bool)
-    same = jnp.asarray(own).reshape(own.shape + (1,) * (angle.ndim - 3))
+    diagonal = np.zeros(angle.shape[:3], bool)
+    diagonal[0] = np.eye(angle.shape[1], dtype=bool)
+    same = jnp.asarray(diagonal).reshape(diagonal.shape + (1,) * (angle.ndim - 3))
     plus, minus = (kolosov, 1.0) if side > 0.0 else (1.0, kolosov)
     safe = jnp.where(same, math.pi, angle)
 
     def straight(punch: Array) -> Array:
         sums = _separated(safe, punch, punch)
-        own_plus, own_minus = own_sums(punch)
-        itself = (plus * own_plus + minus * own_minus)[None, :, None]
+        self_plus, self_minus = self_sums(punch)
+        itself = (plus * self_plus + minus * self_minus)[None, :, None]
         return jnp.sum(jnp.where(same, itself, plus * sums.cosine_plus + minus * sums.cosine_minus), axis=0)
 
     sums = _separated(safe, normal, shear)

@@ -29,7 +29,7 @@ from jax import Array
 from asperity.body.annulus_modes import Wall
 from asperity.body.compliance import loaded_radius, wall_of
 from asperity.body.rigid_modes import uniform_compliance
-from asperity.body.rim_kernel import own_sums
+from asperity.body.rim_kernel import self_sums
 from asperity.body.rim_moments import (
     MOMENTS,
     WIDEST_CONTACT,
@@ -73,23 +73,25 @@ class _Places(NamedTuple):
     body: np.ndarray  # of each place
     contacts: np.ndarray  # of each pair, shape (2, pairs)
     angles: np.ndarray  # the same in the list of all bodies' contacts
-    own_body: np.ndarray  # of each contact of each body
-    own_contact: np.ndarray
+    contact_body: np.ndarray  # of each contact of each body
+    contact_number: np.ndarray
 
 
 def _places(bodies: Sequence[BodyInMachine]) -> _Places:
-    own = [(number, contact) for number, member in enumerate(bodies) for contact in member.contacts]
-    own_body, own_contact = np.array(own).T
+    members = [(number, contact) for number, member in enumerate(bodies) for contact in member.contacts]
+    contact_body, contact_number = np.array(members).T
     pairs = [
-        pair for pair in itertools.combinations(range(len(own)), 2) if len({own[k][0] for k in pair}) == 1
+        pair
+        for pair in itertools.combinations(range(len(members)), 2)
+        if len({members[k][0] for k in pair}) == 1
     ]
     angles = np.array(pairs, dtype=int).reshape(-1, 2).T
     return _Places(
-        body=np.concatenate([np.arange(len(bodies)), own_body[angles[0]]]),
-        contacts=own_contact[angles],
+        body=np.concatenate([np.arange(len(bodies)), contact_body[angles[0]]]),
+        contacts=contact_number[angles],
         angles=angles,
-        own_body=own_body,
-        own_contact=own_contact,
+        contact_body=contact_body,
+        contact_number=contact_number,
     )
 
 
@@ -98,7 +100,9 @@ def _column(values: Sequence[Any], rank: int) -> Array:
     if all(isinstance(value, float) for value in values):
         return jnp.asarray(np.array(values).reshape((-1,) + (1,) * rank))
     arrays = [jnp.asarray(value, dtype=float) for value in values]
-    same = jnp.broadcast_arrays(*(each.reshape((1,) * (rank - each.ndim) + each.shape) for each in arrays))
+    same = jnp.broadcast_arrays(
+        *(array.reshape((1,) * (rank - array.ndim) + array.shape) for array in arrays)
+    )
     return jnp.stack(same)
 
 
@@ -147,7 +151,7 @@ def coupled_compliance(
     Equation (E3) of :doc:`/equations`.
     """
     rank, count = half_widths.ndim - 1, half_widths.shape[0]
-    places, whole = _places(bodies), len(bodies)
+    places, body_count = _places(bodies), len(bodies)
     numbers = _numbers(bodies, rank)
     if kernel is None:
         kernel = _kernel(bodies, places, numbers, rank)
@@ -155,48 +159,50 @@ def coupled_compliance(
     # contacts on themselves, normal and tangential, then pairs: both normal, both tangential, and mixed
     widths = jnp.concatenate([half_widths, stick_half_widths])
     one, two = places.contacts
-    own, own_body = (
-        np.concatenate([places.own_contact, places.own_contact + count]),
-        np.tile(places.own_body, 2),
+    springs, contact_body = (
+        np.concatenate([places.contact_number, places.contact_number + count]),
+        np.tile(places.contact_body, 2),
     )
-    pair = np.arange(whole, places.body.size)
-    left = np.concatenate([own, one, one + count, one, two])
-    right = np.concatenate([own, two, two + count, two + count, one + count])
+    pair = np.arange(body_count, places.body.size)
+    left = np.concatenate([springs, one, one + count, one, two])
+    right = np.concatenate([springs, two, two + count, two + count, one + count])
     radial, tangential, coupling = (kind * places.body.size for kind in range(3))
     entry = np.concatenate(
         [
-            places.own_body,
-            places.own_body + tangential,
+            places.contact_body,
+            places.contact_body + tangential,
             *(pair + kind for kind in (radial, tangential, coupling, coupling)),
         ]
     )
     sign = np.ones(entry.size)
-    sign[own.size + 2 * pair.size : own.size + 3 * pair.size] = -1.0
-    body = np.concatenate([own_body, np.tile(places.body[pair], 4)])
+    sign[springs.size + 2 * pair.size : springs.size + 3 * pair.size] = -1.0
+    body = np.concatenate([contact_body, np.tile(places.body[pair], 4)])
     squares = widths**2
     per_radius = numbers.inverse_square[body]
     smooth = (sign.reshape((-1,) + (1,) * rank) * numbers.scale[body]) * weighted_mean(
         jnp.concatenate(kernel, axis=1)[:, entry], squares[left] * per_radius, squares[right] * per_radius
     )
-    own_plus, own_minus = own_sums(widths[own] * jnp.sqrt(per_radius[: own.size]))
+    self_plus, self_minus = self_sums(widths[springs] * jnp.sqrt(per_radius[: springs.size]))
     lengths = jnp.broadcast_to(contact_lengths, (count, *jnp.shape(contact_lengths)[1:]))
-    pressed = (numbers.plus[own_body] * own_plus + numbers.minus[own_body] * own_minus) * (
-        numbers.local_scale[own_body] / lengths[np.tile(places.own_contact, 2)]
+    pressed = (numbers.plus[contact_body] * self_plus + numbers.minus[contact_body] * self_minus) * (
+        numbers.local_scale[contact_body] / lengths[np.tile(places.contact_number, 2)]
     )
-    smooth_own, apart = smooth[: own.size], smooth[own.size :]
-    diagonal = jnp.tensordot(np.eye(2 * count)[:, own], smooth_own + pressed, axes=1)
+    smooth_self, mutual = smooth[: springs.size], smooth[springs.size :]
+    diagonal = jnp.tensordot(np.eye(2 * count)[:, springs], smooth_self + pressed, axes=1)
 
-    shape = jnp.broadcast_shapes(diagonal.shape[1:], apart.shape[1:])
+    shape = jnp.broadcast_shapes(diagonal.shape[1:], mutual.shape[1:])
     entries = jnp.concatenate(
         [
             jnp.broadcast_to(part, (part.shape[0], *shape))
-            for part in (diagonal, apart, jnp.zeros((1, *shape)))
+            for part in (diagonal, mutual, jnp.zeros((1, *shape)))
         ]
     )
     where = np.full((2 * count, 2 * count), entries.shape[0] - 1)
     where[range(2 * count), range(2 * count)] = range(2 * count)
-    at = 2 * count + np.arange(apart.shape[0])
-    where[left[own.size :], right[own.size :]] = where[right[own.size :], left[own.size :]] = at
+    at = 2 * count + np.arange(mutual.shape[0])
+    where[left[springs.size :], right[springs.size :]] = where[
+        right[springs.size :], left[springs.size :]
+    ] = at
     return jnp.where(_too_wide(bodies, half_widths), jnp.nan, entries[where])
 
 
@@ -226,7 +232,9 @@ def _numbers(bodies: Sequence[BodyInMachine], rank: int) -> _Numbers:
     if len(states) > 1:
         raise InputError("the bodies of a machine must all be in plane strain, or all in plane stress")
     kolosov = jnp.asarray(kolosov_constant(poisson_ratio=poisson, plane_state=states.pop()))
-    hole = np.array([isinstance(each.body, Annulus) and each.body.loaded_rim == "inner" for each in bodies])
+    hole = np.array(
+        [isinstance(member.body, Annulus) and member.body.loaded_rim == "inner" for member in bodies]
+    )
     hole = hole.reshape((-1,) + (1,) * rank)
     local_scale = 1.0 / (4.0 * math.pi * shear_modulus(youngs_modulus=young, poisson_ratio=poisson))
     return _Numbers(
@@ -274,12 +282,12 @@ def machine_kernel(bodies: Sequence[BodyInMachine]) -> RimKernel:
 
 def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers, rank: int) -> RimKernel:
     """What no load changes: the kernel at every place, without the disc or hole under a contact's own force."""
-    whole = len(bodies)
+    body_count = len(bodies)
     polar = [jnp.asarray(member.contact_angles) for member in bodies]
     shape = jnp.broadcast_shapes(*(angles.shape[1:] for angles in polar), (1,) * rank)
-    listed = jnp.concatenate([jnp.broadcast_to(each, (each.shape[0], *shape)) for each in polar])
-    apart = listed[places.angles[0]] - listed[places.angles[1]]
-    angle = jnp.concatenate([jnp.zeros((whole, *shape)), apart])
+    listed = jnp.concatenate([jnp.broadcast_to(angles, (angles.shape[0], *shape)) for angles in polar])
+    pair_angle = listed[places.angles[0]] - listed[places.angles[1]]
+    angle = jnp.concatenate([jnp.zeros((body_count, *shape)), pair_angle])
     closed = closed_kernel(
         angle=angle,
         plus=numbers.plus[places.body],
@@ -293,7 +301,7 @@ def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers,
     walls = [wall_of(bodies[number].body) for number in hollow]  # type: ignore[arg-type]
     wall: Wall = jax.tree.map(lambda *leaves: _column(leaves, rank), *walls)
     radial, twist = (0.5 * numbers.sectors[np.array(hollow)] * part for part in uniform_compliance(wall))
-    into_bodies = np.eye(whole)[:, hollow]
+    into_bodies = np.eye(body_count)[:, hollow]
     solid = 1.0 - into_bodies.sum(axis=1).reshape((-1,) + (1,) * rank)
     pressure = solid * pressure + jnp.tensordot(into_bodies, radial, axes=1)
     twist = jnp.tensordot(into_bodies, twist, axes=1)

@@ -119,8 +119,8 @@ def separated_derivatives(angle: Real) -> RimSums:
     )
 
 
-def _own_series() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Coefficients of even and odd powers of 2 alpha; see :func:`own_sums`."""
+def _self_series() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Coefficients of even and odd powers of 2 alpha; see :func:`self_sums`."""
     sign = np.array([(-1.0) ** j for j in range(_TERMS)])
     even = np.array([mean_power(2 * j) ** 2 for j in range(_TERMS + 1)])
     odd = np.array([mean_power(2 * j + 1) ** 2 for j in range(_TERMS)])
@@ -138,7 +138,7 @@ def _own_series() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     return logarithm, regular, kink, bend
 
 
-_LOGARITHM, _REGULAR, _KINK, _BEND = _own_series()
+_LOGARITHM, _REGULAR, _KINK, _BEND = _self_series()
 
 
 def _polynomial(coefficients: np.ndarray, variable: Array) -> Array:
@@ -148,7 +148,7 @@ def _polynomial(coefficients: np.ndarray, variable: Array) -> Array:
     return total
 
 
-def own_sums(punch_angle: Real) -> tuple[Array, Array]:
+def self_sums(punch_angle: Real) -> tuple[Array, Array]:
     r"""Sums at the contact itself, weighted with :math:`J_0(n\alpha)^2`; those of sines are zero.
 
     .. math::

@@ -121,11 +121,13 @@ def closed_kernel(*, angle: Array, plus: Real, minus: Real, sectors: Array) -> R
 
     def one_more(total: tuple[Array, Array], sector: Array) -> tuple[tuple[Array, Array], None]:
         def added(total: tuple[Array, Array]) -> tuple[Array, Array]:
-            there = (sector < sectors) & ((sector > 0.0) | (angle != 0.0))
-            sums = separated_derivatives(jnp.where(there, angle + turn * sector, math.pi))
+            separated = (sector < sectors) & ((sector > 0.0) | (angle != 0.0))
+            sums = separated_derivatives(jnp.where(separated, angle + turn * sector, math.pi))
             straight = plus * sums.cosine_plus + minus * sums.cosine_minus
             crossed = plus * sums.sine_plus - minus * sums.sine_minus
-            return total[0] + jnp.where(there, straight, 0.0), total[1] + jnp.where(there, crossed, 0.0)
+            return total[0] + jnp.where(separated, straight, 0.0), total[1] + jnp.where(
+                separated, crossed, 0.0
+            )
 
         return jax.lax.cond(jnp.any(sector < sectors), added, lambda total: total, total), None
 

@@ -174,12 +174,12 @@ def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStr
         2.0 * math.pi * jnp.outer(jnp.asarray(steps), jnp.asarray(numbers))
     )  # its table as numbers would be most of the program
     table = jnp.cos(turns), jnp.sin(turns)
-    there = mode * others[:, None]
+    phase = mode * others[:, None]
 
     def series(even: Array, odd: Array) -> Array:
         """Sum of even cos + odd sin over the modes, at the points of the grid by tables and at the others."""
         grid = jnp.tensordot(table[0], even, axes=1) + jnp.tensordot(table[1], odd, axes=1)
-        rest = jnp.sum(jnp.cos(there) * even + jnp.sin(there) * odd, axis=1)
+        rest = jnp.sum(jnp.cos(phase) * even + jnp.sin(phase) * odd, axis=1)
         return jnp.concatenate([grid, jnp.broadcast_to(rest, (rest.shape[0], *grid.shape[1:]))])
 
     def stress(along_push: Array, along_drag: Array) -> Array:

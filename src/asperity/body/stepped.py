@@ -139,8 +139,8 @@ def bore_addition(
             (_higher(modes, tracks, _annulus(modes, tracks)), _higher(modes, solid, _disc(modes, solid))),
         ),
     ):
-        hollow, whole = (_by_track(each, first_is_small)[:, at[:, None], at[None]] for each in rims)
-        change = jnp.broadcast_to(hollow - whole, (4, at.size, at.size, mode.size))
+        hollow_rims, solid_rims = (_by_track(rim, first_is_small)[:, at[:, None], at[None]] for rim in rims)
+        change = jnp.broadcast_to(hollow_rims - solid_rims, (4, at.size, at.size, mode.size))
         angle = mode * turn[..., None]
         waves = jnp.stack([jnp.cos(angle), -jnp.sin(angle), jnp.sin(angle), jnp.cos(angle)])
         waves = jnp.where(mode > 0.0, 1.0, 0.5) * jnp.where(mode % copies == 0.0, copies, 0.0) * waves
@@ -226,12 +226,12 @@ def _layer(mode: Array, tracks: _Tracks, ratio: Array) -> tuple[Channels, Channe
     outer, inner = ratio ** (mode + 1.0), ratio ** (mode - 1.0)
     passed = Channels(outer, 0.0, d1.pp * (inner - outer), inner)
     returned = Channels(outer, -d2.mm * (inner - outer), 0.0, inner)
-    whole = _inverse(_sum(_UNIT, channel_product(returned, passed), -1.0))
-    first_by_inner = _scaled(channel_product(whole, returned), -1.0)
+    resolvent = _inverse(_sum(_UNIT, channel_product(returned, passed), -1.0))
+    first_by_inner = _scaled(channel_product(resolvent, returned), -1.0)
     second_by_inner = _sum(_UNIT, channel_product(passed, first_by_inner), -1.0)
-    second_by_outer = _scaled(channel_product(passed, whole), -1.0)
+    second_by_outer = _scaled(channel_product(passed, resolvent), -1.0)
     back = channel_product(d2, returned)
-    at_outer = _sum(channel_product(d1, whole), channel_product(back, second_by_outer))
+    at_outer = _sum(channel_product(d1, resolvent), channel_product(back, second_by_outer))
     outer_by_inner = _sum(channel_product(d1, first_by_inner), channel_product(back, second_by_inner))
     at_inner = _sum(
         channel_product(channel_product(d1, passed), first_by_inner), channel_product(d2, second_by_inner)
@@ -257,10 +257,10 @@ def _higher(mode: Array, tracks: _Tracks, core: Channels) -> _Rims:
         Channels(
             *(
                 jnp.where(stepped, one / tracks.large_length, two)
-                for one, two in zip(each, alone, strict=True)
+                for one, two in zip(channels, alone, strict=True)
             )
         )
-        for each in (meeting, across, rim)
+        for channels in (meeting, across, rim)
     )
     joined = _inverse(
         _sum(
@@ -292,9 +292,9 @@ def _lengthwise(mode: Array, tracks: _Tracks, compliance: Channels, length: Real
 def _uniform(tracks: _Tracks) -> _Rims:
     """Mode n = 0: uniform pressures on both rims, and torques that balance, which twist the core between the tracks."""
     small, large, bore = tracks.small, tracks.large, tracks.bore
-    whole = tracks.small_length + tracks.large_length
+    total_length = tracks.small_length + tracks.large_length
     half = 0.5 * (tracks.kolosov - 1.0)
-    a1, b1 = whole * (small - bore**2 / small), tracks.large_length * (large**2 / small - small)
+    a1, b1 = total_length * (small - bore**2 / small), tracks.large_length * (large**2 / small - small)
     a2, b2 = half * small + bore**2 / small, -(half * small + large**2 / small)
     determinant = a1 * b2 - a2 * b1
     # inner and outer coefficients of r under a force per angle on the smaller and on the larger rim
@@ -307,7 +307,7 @@ def _uniform(tracks: _Tracks) -> _Rims:
         inner, outer = (b2 * one - b1 * two) / determinant, (a1 * two - a2 * one) / determinant
         radial.append((a2 * inner, half * outer * large - (rest - outer * large**2) / large))
     twist = 2.0 / (
-        3.0 * whole * (small**4 - bore**4)
+        3.0 * total_length * (small**4 - bore**4)
     )  # 2G times angle per torque between the middles, over pi / 2
     torque = [
         twist * one * two * radius * other
@@ -330,16 +330,19 @@ def _from_components(radial: Real, tangential: Real) -> tuple[Real, Real, Real, 
 def _first(tracks: _Tracks) -> _Rims:
     """Mode n = 1 under forces that balance: they pass between the rims in the larger track, and between the tracks."""
     small, large, bore, kolosov = tracks.small, tracks.large, tracks.bore, tracks.kolosov
-    own, whole = tracks.large_length, tracks.small_length + tracks.large_length
-    a1, b1 = 4.0 * whole * (small**2 - bore**4 / small**2), 4.0 * own * (large**4 / small**2 - small**2)
+    large_length, total_length = tracks.large_length, tracks.small_length + tracks.large_length
+    a1, b1 = (
+        4.0 * total_length * (small**2 - bore**4 / small**2),
+        4.0 * large_length * (large**4 / small**2 - small**2),
+    )
     a2, b2 = kolosov * small**2 + bore**4 / small**2, -(kolosov * small**2 + large**4 / small**2)
     determinant = a1 * b2 - a2 * b1
     columns = []
     for number in range(4):  # the channels plus and minus of the smaller, then of the larger rim
         plus_small, minus_small, plus_large, minus_large = (float(number == k) for k in range(4))
-        passing = (minus_large - minus_small) / (4.0 * (kolosov + 1.0) * own)
-        rest = large**2 * (plus_large - 4.0 * own * passing) / (4.0 * own)
-        one = plus_small + 4.0 * own * (passing + rest / small**2)
+        passing = (minus_large - minus_small) / (4.0 * (kolosov + 1.0) * large_length)
+        rest = large**2 * (plus_large - 4.0 * large_length * passing) / (4.0 * large_length)
+        one = plus_small + 4.0 * large_length * (passing + rest / small**2)
         two = -passing - rest / small**2
         inner, outer = (b2 * one - b1 * two) / determinant, (a1 * two - a2 * one) / determinant
         shift = 2.0 * kolosov * passing * jnp.log(large / small) + 2.0 * (outer - inner) * small**2
@@ -354,10 +357,10 @@ def _first(tracks: _Tracks) -> _Rims:
     matrix = jnp.stack([jnp.stack([jnp.asarray(entry) for entry in column]) for column in columns], axis=1)
     matrix = 0.5 * (matrix + matrix.T)
     sheared = 1.0 / (
-        3.0 * whole * (small**2 - bore**2)
+        3.0 * total_length * (small**2 - bore**2)
     )  # 2G times displacement per force, in the channel minus
     lever = jnp.stack(
-        [jnp.asarray(0.0), jnp.asarray(own), jnp.asarray(0.0), -jnp.asarray(tracks.small_length)]
+        [jnp.asarray(0.0), jnp.asarray(large_length), jnp.asarray(0.0), -jnp.asarray(tracks.small_length)]
     )
     matrix = matrix + sheared * lever[:, None] * lever[None]
     return _Rims(
