@@ -108,8 +108,8 @@ def _between_inertias(
 
 def _over_torque(joint: Joint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
     """A joint about each of the torques, as NumPy arrays."""
-    found = standing_over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
-    stiffness = np.where(found.solved, np.asarray(found.assembly)[:, 0], np.nan)
+    standing = standing_over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
+    stiffness = np.where(standing.solved, np.asarray(standing.assembly)[:, 0], np.nan)
     ratio = float(np.asarray(speed_ratio(joint.drive)))
     slope = lost_speed_slopes(joint, np.asarray(torques)) * abs(float(joint.input_speed) / ratio)
     made = _between_inertias(
@@ -156,10 +156,10 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
     if not float(solution.result.assembly.stiffness.output) > 0.0:
         raise InputError("the assembled joint has no stiffness, so that it has no natural frequency")
     coupled: Inertias = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), inertias)
-    own = float(joint.output_torque)
-    limit = _limit(solution, own)
-    largest = np.copysign(_NEAR_CAPACITY * limit, own) if np.isfinite(limit) else own
-    torques = np.append(np.linspace(0.0, largest, _TORQUES), own)
+    output_torque = float(joint.output_torque)
+    limit = _limit(solution, output_torque)
+    largest = np.copysign(_NEAR_CAPACITY * limit, output_torque) if np.isfinite(limit) else output_torque
+    torques = np.append(np.linspace(0.0, largest, _TORQUES), output_torque)
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     over = _over_torque(numbers, coupled, torques)
     at = jax.tree.map(lambda values: values[-1], over)
@@ -190,7 +190,7 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
 
 def _limit(solution: Solution, torque: float) -> float:
     """Capacity in the direction of a torque [N·m]; where only what is computed ends there, at most twice the torque."""
-    found = solution.reverse_capacity if torque < 0.0 else solution.capacity
-    limit = float(found.output_torque)
-    ends = LIMIT_KINDS[int(found.limit)] in MODEL_LIMITS and torque != 0.0
+    capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
+    limit = float(capacity.output_torque)
+    ends = LIMIT_KINDS[int(capacity.limit)] in MODEL_LIMITS and torque != 0.0
     return min(limit, 2.0 * abs(torque) / _NEAR_CAPACITY) if ends else limit

@@ -112,14 +112,14 @@ def over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -
     OverTorque
         Results of states that do not balance have no meaning.
     """
-    found: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction)
-    return found
+    results: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction)
+    return results
 
 
 def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -> StandingOverTorque:
     """What a joint that stands does at torques, as NumPy arrays."""
-    found: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction)
-    return found
+    results: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction)
+    return results
 
 
 def lost_speed_slopes(joint: Joint, torques: np.ndarray) -> np.ndarray:
@@ -137,8 +137,8 @@ def lost_speed_slopes(joint: Joint, torques: np.ndarray) -> np.ndarray:
     ndarray
         Slopes, shape (torques,) [1/(N·m)]; nan where there is no steady rolling.
     """
-    found: np.ndarray = _in_batches(slope_program, joint, torques)
-    return found
+    slopes: np.ndarray = _in_batches(slope_program, joint, torques)
+    return slopes
 
 
 def _in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
@@ -147,11 +147,11 @@ def _in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, 
     without_torque = jax.tree.map(np.asarray, compile_fast(assembled_joint, moving)(moving))
     asked = np.asarray(torques, dtype=float)
     filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
-    found = []
+    batches = []
     for part in filled.reshape(-1, BATCH):
         arguments = (moving, without_torque, part, *map(np.asarray, numbers))
-        found.append(jax.tree.map(np.asarray, compile_fast(program, *arguments)(*arguments)))
-    return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *found)
+        batches.append(jax.tree.map(np.asarray, compile_fast(program, *arguments)(*arguments)))
+    return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *batches)
 
 
 def standing_program(
@@ -277,26 +277,30 @@ def _standing(
 ) -> StandingOverTorque:
     """Stiffness of the joint that stands, with and without slip."""
     sense = driving_sense(joint.drive)
-    own = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
-    frictions = jnp.stack([own, jnp.full_like(own, no_slip_friction)])
+    friction_coefficient = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
+    frictions = jnp.stack([friction_coefficient, jnp.full_like(friction_coefficient, no_slip_friction)])
 
     def levels(friction: Array) -> tuple[Array, Array, Array]:
         pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
-        found = loaded_stiffness(
+        stiffness = loaded_stiffness(
             joint,
             dataclasses.replace(contacts, pairs=pairs),
             state.normal,
             sense * state.tangential,
-            jnp.where(friction == own, state.slides, 0.0),
+            jnp.where(friction == friction_coefficient, state.slides, 0.0),
             state.pin_force,
         )
         return (
-            jnp.asarray(found.published.output),
-            jnp.asarray(found.series_with_bulk.output),
-            jnp.asarray(with_its_cam(found.assembly, cam).stiffness.output),
+            jnp.asarray(stiffness.published.output),
+            jnp.asarray(stiffness.series_with_bulk.output),
+            jnp.asarray(with_its_cam(stiffness.assembly, cam).stiffness.output),
         )
 
-    slip = slip_ratio(normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=own)
+    slip = slip_ratio(
+        normal_force=state.normal,
+        tangential_force=state.tangential,
+        friction_coefficient=friction_coefficient,
+    )
     published, series, assembly = jax.vmap(levels)(frictions)
     return StandingOverTorque(
         balanced=state.worst < STATE_TOLERANCE,

@@ -112,17 +112,17 @@ def parallel_elements(law: SeriesLaw, *, elements: int) -> ParallelElements:
     yield_angle = _yield_angles(law, scale, elements)
     matrices, targets = [], []
     for size in (largest, 0.5 * largest):
-        there, back = np.linspace(0.0, size, _POINTS)[1:], np.linspace(size, -size, 2 * _POINTS)[1:]
-        torque = np.concatenate([there, back, -back])
+        loading_torque, back = np.linspace(0.0, size, _POINTS)[1:], np.linspace(size, -size, 2 * _POINTS)[1:]
+        torque = np.concatenate([loading_torque, back, -back])
         angle = np.concatenate(
             [
-                law.loading(there),
+                law.loading(loading_torque),
                 law.branch(back, size=size, sense=-1.0),
                 law.branch(-back, size=size, sense=1.0),
             ]
         )
         columns = _columns(angle, yield_angle, scale)
-        down, up = np.split(np.arange(there.size, angle.size), 2)
+        down, up = np.split(np.arange(loading_torque.size, angle.size), 2)
         down = down[::-1]  # angles that grow, for interpolation
 
         def lowered(
@@ -131,18 +131,22 @@ def parallel_elements(law: SeriesLaw, *, elements: int) -> ParallelElements:
             return values[up] - np.interp(angle[up], angle[down], values[down])
 
         width = np.stack([lowered(column) for column in columns.T], axis=1)
-        matrices += [columns, _columns(law.loading(-there), yield_angle, scale), _LOOP_WEIGHT * width]
-        targets += [torque, -there, _LOOP_WEIGHT * lowered(torque)]
+        matrices += [
+            columns,
+            _columns(law.loading(-loading_torque), yield_angle, scale),
+            _LOOP_WEIGHT * width,
+        ]
+        targets += [torque, -loading_torque, _LOOP_WEIGHT * lowered(torque)]
     matrix = np.concatenate(matrices)
     if _is_odd(law, scale):
         matrix[:, 1] = 0.0
     both_signs = np.concatenate([matrix, -matrix[:, 1:3]], axis=1)
-    found, _ = nnls(both_signs, np.concatenate(targets) / largest, maxiter=100 * both_signs.shape[1])
-    found *= largest
-    found[1:3] -= found[-2:]
-    stiffness = found[3:-2] / scale
+    coefficients, _ = nnls(both_signs, np.concatenate(targets) / largest, maxiter=100 * both_signs.shape[1])
+    coefficients *= largest
+    coefficients[1:3] -= coefficients[-2:]
+    stiffness = coefficients[3:-2] / scale
     used = stiffness > 0.0
-    return ParallelElements(found[:3] / scale ** np.arange(1, 4), stiffness[used], yield_angle[used])
+    return ParallelElements(coefficients[:3] / scale ** np.arange(1, 4), stiffness[used], yield_angle[used])
 
 
 def fit_error(law: SeriesLaw, fitted: ParallelElements) -> FitError:
@@ -150,18 +154,18 @@ def fit_error(law: SeriesLaw, fitted: ParallelElements) -> FitError:
     bound = 2.0 * _largest_angle(law)
     angle_error, width_error = 0.0, 0.0
     for size in (law.largest_torque, 0.5 * law.largest_torque):
-        there, back = np.linspace(0.0, size, _POINTS)[1:], np.linspace(size, -size, _POINTS)[1:]
-        found = fitted.angles(np.concatenate([there, back, -back]), largest_angle=bound)
-        loading, down, up = np.split(found, [there.size, there.size + back.size])
-        other = fitted.angles(-there, largest_angle=bound)
+        loading_torque, back = np.linspace(0.0, size, _POINTS)[1:], np.linspace(size, -size, _POINTS)[1:]
+        angles = fitted.angles(np.concatenate([loading_torque, back, -back]), largest_angle=bound)
+        loading, down, up = np.split(angles, [loading_torque.size, loading_torque.size + back.size])
+        other = fitted.angles(-loading_torque, largest_angle=bound)
         true_down, true_up = (law.branch(way * -back, size=size, sense=way) for way in (-1.0, 1.0))
         deviations = (
-            loading - law.loading(there),
-            other - law.loading(-there),
+            loading - law.loading(loading_torque),
+            other - law.loading(-loading_torque),
             down - true_down,
             up - true_up,
         )
-        angle_error = max(angle_error, *(float(np.max(np.abs(each))) for each in deviations))
+        angle_error = max(angle_error, *(float(np.max(np.abs(deviation))) for deviation in deviations))
         widths = (down[:-1] - up[-2::-1]) - (true_down[:-1] - true_up[-2::-1])
         width_error = max(width_error, float(np.max(np.abs(widths))))
     return FitError(angle_error, width_error)

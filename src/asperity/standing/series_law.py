@@ -122,8 +122,10 @@ def slip_elements(law: SeriesLaw, *, elements: int) -> SlipElements:
         return np.maximum(0.0, torque[:, None] - threshold) @ compliance
 
     scale = max(float(law.slip(largest)), np.finfo(float).tiny)
-    found, _ = nnls(np.maximum(0.0, torque[:, None] - threshold) / largest, law.slip(torque) / scale)
-    compliance = found * scale / largest
+    scaled_compliance, _ = nnls(
+        np.maximum(0.0, torque[:, None] - threshold) / largest, law.slip(torque) / scale
+    )
+    compliance = scaled_compliance * scale / largest
     off = slip(compliance, np.concatenate([[0.0], torque])) - law.slip(np.concatenate([[0.0], torque]))
     # along a branch from the torque S: gamma(S) - 2 gamma((S - T)/2)
     error = max(

@@ -44,10 +44,12 @@ class Standing(NamedTuple):
 
 def standing_at(joint: Joint, torques: np.ndarray) -> Standing:
     """What a wind-up needs to know of a joint with any type of drive."""
-    found = standing_over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
-    own, without = ({name: np.asarray(getattr(found, name))[:, k] for name in LEVELS} for k in range(2))
-    holds, ratio = np.asarray(found.solved), np.asarray(found.slip_ratio).T
-    return Standing(np.asarray(found.balanced), holds, ratio, own, without)
+    standing = standing_over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
+    with_slip, without_slip = (
+        {name: np.asarray(getattr(standing, name))[:, k] for name in LEVELS} for k in range(2)
+    )
+    holds, ratio = np.asarray(standing.solved), np.asarray(standing.slip_ratio).T
+    return Standing(np.asarray(standing.balanced), holds, ratio, with_slip, without_slip)
 
 
 class BothSenses(eqx.Module):
@@ -78,13 +80,14 @@ class BothSenses(eqx.Module):
 
 def both_senses(*, joint: Joint, torque: Array | np.ndarray) -> BothSenses:
     """Stiffness and drift of a joint at given torques."""
-    found = over_torque(joint, np.asarray(torque), no_slip_friction=NO_SLIP_FRICTION)
-    slip = np.max(np.asarray(found.slip_ratio), axis=1)
-    solved = np.asarray(found.solved)
+    results = over_torque(joint, np.asarray(torque), no_slip_friction=NO_SLIP_FRICTION)
+    slip = np.max(np.asarray(results.slip_ratio), axis=1)
+    solved = np.asarray(results.solved)
     levels = {
-        name: jnp.asarray(np.where(solved, np.asarray(getattr(found, name))[:, 0], np.nan)) for name in LEVELS
+        name: jnp.asarray(np.where(solved, np.asarray(getattr(results, name))[:, 0], np.nan))
+        for name in LEVELS
     }
-    driving, braking = jnp.asarray(found.drift).T
+    driving, braking = jnp.asarray(results.drift).T
     return BothSenses(
         torque=jnp.asarray(torque),
         **levels,

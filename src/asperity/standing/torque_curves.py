@@ -50,24 +50,24 @@ class TorqueCurves(eqx.Module):
 
 def torque_curves(*, joint: Joint, torque_capacity: float) -> TorqueCurves:
     """Stiffness, drift and efficiency of a joint from no torque to its capacity."""
-    own = float(joint.output_torque)
+    output_torque = float(joint.output_torque)
     limited = math.isfinite(torque_capacity) and torque_capacity > 0.0
-    largest = torque_capacity if limited else _OVER_TORQUE * abs(own) or 1.0
+    largest = torque_capacity if limited else _OVER_TORQUE * abs(output_torque) or 1.0
     towards = np.linspace(0.0, 1.0, _TORQUES)
     # the curves are steep near gross slip
-    torque = math.copysign(largest, own) * (towards * (2.0 - towards) if limited else towards)
-    found = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION)
-    slip = np.max(np.asarray(found.slip_ratio), axis=1)
-    holds = np.asarray(found.solved)
-    levels = {name: np.where(holds, np.asarray(getattr(found, name))[:, 0], np.nan) for name in LEVELS}
-    with_torque, against = np.asarray(found.drift).T
+    torque = math.copysign(largest, output_torque) * (towards * (2.0 - towards) if limited else towards)
+    results = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION)
+    slip = np.max(np.asarray(results.slip_ratio), axis=1)
+    holds = np.asarray(results.solved)
+    levels = {name: np.where(holds, np.asarray(getattr(results, name))[:, 0], np.nan) for name in LEVELS}
+    with_torque, against = np.asarray(results.drift).T
     return TorqueCurves(
         torque=torque,
         **levels,
         drift_per_output_turn=np.where(torque < 0.0, against, with_torque),
-        efficiency=np.asarray(found.efficiency),
-        total_loss=np.asarray(found.total_loss),
-        life_hours=np.asarray(found.life_hours),
-        life_turns=np.asarray(found.life_turns),
+        efficiency=np.asarray(results.efficiency),
+        total_loss=np.asarray(results.total_loss),
+        life_hours=np.asarray(results.life_hours),
+        life_turns=np.asarray(results.life_turns),
         slip_ratio=np.where(holds, slip, np.nan),
     )

@@ -232,7 +232,9 @@ class _Curves(NamedTuple):
         """Both curves, and the loop by Masing's rule."""
         panels, shown, largest = self.panels, self.shown, self.largest
         slip_angle, at_shown = self.angle(self.slip), panels.index_of(shown)
-        forward, reverse = (self.angle(each)[at_shown] for each in self.real)  # both counted as positive
+        forward, reverse = (
+            self.angle(compliance)[at_shown] for compliance in self.real
+        )  # both counted as positive
         signed = np.concatenate([-shown[:0:-1], shown])
         torque = signed * largest
 
@@ -279,17 +281,17 @@ def is_symmetric(joint: Joint) -> bool:
     if image is None:
         return False
     described = (
-        *((each, image.bodies) for each in (joint.shapes, joint.materials)),
+        *((sizes, image.bodies) for sizes in (joint.shapes, joint.materials)),
         *(
-            (each, image.contacts)
-            for each in (
+            (values, image.contacts)
+            for values in (
                 joint.surfaces,
                 joint.contact_lengths,
                 joint.friction_coefficients,
                 joint.pattern,
                 joint.crown_curvatures or (),
             )
-            if len(each) > 1
+            if len(values) > 1
         ),
     )
     return all(
@@ -355,10 +357,10 @@ def windup(
 
     def compliances(torques: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         asked, place = np.unique(np.abs(torques) if mirrored else torques, return_inverse=True)
-        found = standing_at(joint, asked)
-        slid.append((asked, _slides(found)))
-        _refuse(found, asked, largest, joint.contact_names)
-        real, elastic = (levels[level][place] for levels in (found.levels, found.levels_without_slip))
+        standing = standing_at(joint, asked)
+        slid.append((asked, _slides(standing)))
+        _refuse(standing, asked, largest, joint.contact_names)
+        real, elastic = (levels[level][place] for levels in (standing.levels, standing.levels_without_slip))
         if not np.all(real > 0.0):
             raise InputError(
                 f"the joint has no {level} stiffness at every torque up to {format_quantity(largest, 'N*m')}: all "
@@ -379,9 +381,9 @@ def windup(
     return integrated(divisions=divisions) if divisions.size else curve
 
 
-def _slides(found: Standing) -> np.ndarray:
+def _slides(standing: Standing) -> np.ndarray:
     """Whether each contact bears all its friction, shape (torques, contacts)."""
-    return found.slip_ratio.T >= 1.0 - SLIP_TOLERANCE
+    return standing.slip_ratio.T >= 1.0 - SLIP_TOLERANCE
 
 
 def _divisions(
@@ -389,30 +391,30 @@ def _divisions(
 ) -> np.ndarray:
     """Torques, without sign, at which a contact begins to slide, between ascending ones that are known [N·m]."""
     changes = np.nonzero(np.any(sliding[1:] != sliding[:-1], axis=1))[0]
-    found: list[float] = []
+    divisions: list[float] = []
     for k in changes:
         start, end = torques[k], torques[k + 1]
         if end - start <= tolerance:
-            found.append(float(min(abs(start), abs(end))))
+            divisions.append(float(min(abs(start), abs(end))))
             continue
         between = np.linspace(start, end, _SEARCHED)
         inner = np.vstack([sliding[k], slides(between[1:-1]), sliding[k + 1]])
-        found += list(_divisions(between, inner, slides, tolerance))
-    return np.unique(found)
+        divisions += list(_divisions(between, inner, slides, tolerance))
+    return np.unique(divisions)
 
 
-def _refuse(found: Standing, values: np.ndarray, largest: float, names: tuple[str, ...]) -> None:
+def _refuse(standing: Standing, values: np.ndarray, largest: float, names: tuple[str, ...]) -> None:
     """Refuse torques at which the force balance does not close or friction does not hold."""
     shown = format_quantity(largest, "N*m")
-    if not np.all(found.solved):
-        failed = values[~found.solved]
+    if not np.all(standing.solved):
+        failed = values[~standing.solved]
         raise NoSolutionError(
             f"the force balance has no solution at {format_quantity(failed[np.abs(failed).argmin()], 'N*m')}, which "
             f"is within the largest torque of {shown}; check radii and preload"
         )
-    if not np.all(found.holds):
-        first = np.abs(np.where(found.holds, np.inf, values)).argmin()
-        contact = names[int(found.slip_ratio[:, first].argmax())]
+    if not np.all(standing.holds):
+        first = np.abs(np.where(standing.holds, np.inf, values)).argmin()
+        contact = names[int(standing.slip_ratio[:, first].argmax())]
         raise InputError(
             f"the largest torque {shown} is beyond the torque capacity: contact {contact} slips at "
             f"{format_quantity(values[first], 'N*m')} or less; lower the torque, or raise preload or friction"
