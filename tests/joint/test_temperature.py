@@ -10,9 +10,9 @@ from asperity.compilation import compile_fast
 from asperity.errors import InputError
 from asperity.joint.evaluation import evaluate
 from asperity.joint.fit import refuse_loose
-from asperity.joint.solve import solve_joint
+from asperity.joint.solve import solution_of, solve_joint
 from asperity.joint.status import STATUS_NAMES, joint_status
-from asperity.joint.temperature import contact_expansion
+from asperity.joint.temperature import at_temperature, contact_expansion
 from asperity.joint.temperature_curves import temperature_curves
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
@@ -117,7 +117,7 @@ def test_it_is_the_joint_with_the_interference_that_is_left(planetary_at):
     assert told["at_assembly"]["force_N"] == pytest.approx(float(assembled.preload), rel=1e-8)
     assert told["at_assembly"]["thermal_change_m"] == pytest.approx(-16.5e-6, rel=1e-9)
     assert told["at_assembly"]["loose_temperature_degC"] == pytest.approx(20.0 + 30.0 / 0.55)
-    curves = temperature_curves(joint)
+    curves = temperature_curves(joint, lambda temperature: solution_of(at_temperature(joint, temperature)))
     at = np.asarray(curves.temperature)
     assert float(np.interp(20.0, at, curves.preload)) == pytest.approx(float(assembled.preload), rel=1e-3)
     assert float(np.interp(50.0, at, curves.stiffness)) == pytest.approx(

@@ -1,6 +1,7 @@
 """The report of a joint: its sections, required and actual values, and the file from which it can be made again."""
 
 import hashlib
+import re
 from pathlib import Path
 
 import pytest
@@ -58,7 +59,7 @@ def test_margins_are_required_actual_and_pass(made):
     assert rows["fractal dimension D"][2] == "≥ 1.02 and ≤ 1.99"
     said = [block.text for block in made.blocks if isinstance(block, Paragraph) and block.strong]
     assert said[0].startswith(
-        "Requirements of function and strength that are not met: Hertz pressure over first yield"
+        "Is damaged: Requirements of function and strength that are not met: Hertz pressure over first yield"
     )
 
 
@@ -131,7 +132,7 @@ def test_unequal_branches_have_tables_of_their_own():
     assert [row[1] for row in tables(report)["Branches"].rows] == ["1", "0", "-1"]
     assert "sector 1 is pressed" in report_html(report)
     summary = dict(tables(report)["Summary"].rows)
-    assert "sp_3; others carry the rest" in summary["first slip, standing"]
+    assert re.fullmatch(r"11\.6 N·m at sp_3 .*; others carry the rest", summary["first slip, standing"])
     assert {row[-1] for row in tables(report)["Safety margins"].rows if row[1] == "function"} == {"pass"}
     loads = {row[:2]: row[2:] for row in tables(report)["Loads of the structure"].rows}
     assert float(loads["sun, on the axis, input", "resultant force"][0]) > 100.0

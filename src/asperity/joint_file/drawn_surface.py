@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,9 +15,11 @@ from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH, replace_values, si_values
-from asperity.surface.measurement import SurfaceMeasurement
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from asperity.surface.measurement import SurfaceMeasurement
 
 #: Values of D between the ends of its range, and of Ra between the ends of its scatter.
 DIMENSIONS, AVERAGES = 15, 5
