@@ -69,14 +69,16 @@ def _sheet(case: Case, file: str, forces: bool) -> Sheet:
     from asperity.joint_file.own_branches import with_own_branches
     from asperity.show.drive_sheet import drive_sheet
 
-    joint = with_own_branches(case) if forces else joint_from_case(case)
+    joint = joint_from_case(case)
     refuse_impossible(joint.drive)
-    found = None
+    loaded = found = None
     if forces:
         from asperity.joint.solve import solve_joint
 
-        found = solve_joint(joint).result
-    return drive_sheet(joint, name=file, result=found, interference=_interference(case, found, file))
+        loaded = with_own_branches(case)
+        found = solve_joint(loaded).result
+    made = _interference(case, found, file)
+    return drive_sheet(joint, name=file, result=found, loaded=loaded, interference=made)
 
 
 def _interference(case: AnyCase, found: JointResult | None, file: str) -> float | None:

@@ -38,7 +38,8 @@ def report_pictures(
     """All pictures of a joint."""
     from matplotlib.figure import Figure
 
-    whole = drive_sheet(joint, name=name, interference=interference)
+    nominal = joint if solved.branches is None else solved.branches.equal
+    whole = drive_sheet(nominal, name=name, interference=interference)
     found = {"drive": figure_svg(sheet_figure(whole))}
     found["forces"] = figure_svg(sheet_figure(forces_sheet(joint, solved.result)))
     budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")

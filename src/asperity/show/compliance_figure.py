@@ -93,7 +93,7 @@ def draw_budget(axes: Axes, solved: SolvedJoint) -> None:
     """Share of every spring in the compliance of the assembled joint, as bars."""
     shares = compliance_shares(solved)
     bars = axes.barh(list(shares), [100.0 * share for share in shares.values()], color="tab:blue")
-    axes.bar_label(bars, fmt="%.1f %%", padding=3)
+    axes.bar_label(bars, fmt="%.3g %%", padding=3)
     axes.invert_yaxis()
     axes.margins(x=0.25)
     note = budget_words(shares.values(), elastic_bodies=bool(shares) and solved.joint.body_model != "springs")

@@ -52,7 +52,12 @@ PLAIN, WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
 
 
 def drive_sheet(
-    joint: Joint, *, name: str, result: JointResult | None = None, interference: float | None = None
+    joint: Joint,
+    *,
+    name: str,
+    result: JointResult | None = None,
+    loaded: Joint | None = None,
+    interference: float | None = None,
 ) -> Sheet:
     """Draw a drive to scale.
 
@@ -64,6 +69,8 @@ def drive_sheet(
         What the drawing is called, for example the name of its file.
     result : JointResult, optional
         Its result, if the forces on the bodies are to be drawn too.
+    loaded : Joint, optional
+        Whose forces these are where the sectors differ, every sector by itself; the same joint if absent.
     interference : float or None, optional
         With which the drive is made where the joint states a force [m]; None where it is not known.
 
@@ -94,7 +101,7 @@ def drive_sheet(
         lines = _lines(
             joint, all_sizes, clearances, listed, dict.fromkeys(range(len(clearances)), "C"), interference
         )
-        beside = _beside(joint, result, lines, on_paper, (width, height, column), scale)
+        beside = _beside(loaded or joint, result, lines, on_paper, (width, height, column), scale)
         taken.add_areas(beside)
         names = write_contact_names(joint, view, taken)
         placed = place_dimensions(
@@ -104,19 +111,19 @@ def drive_sheet(
             break
         listed |= placed.unplaced
     lines = _lines(joint, all_sizes, clearances, listed, placed.letters, interference)
-    beside = _beside(joint, result, lines, on_paper, (width, height, column), scale)
+    beside = _beside(loaded or joint, result, lines, on_paper, (width, height, column), scale)
     items = [*view, *placed.items, *names, *beside, *block, frame(on_paper, width, height)]
     return Sheet(width, height, scale, middle, tuple(items))
 
 
 def forces_sheet(joint: Joint, result: JointResult) -> Sheet:
-    """The forces on the bodies of one sector as a picture of its own."""
+    """The forces on the bodies of one sector, or of all that differ, as a picture of its own."""
     items = free_bodies(joint, result, middle=(0.0, 5.0), room=166.0, scale=1.0)
     boxes = [text_box(item, 1.0) for item in items if isinstance(item, Text)]
     boxes += [_around(item) for item in items if not isinstance(item, Text)]
     wider = max(0.0, -84.0 - min(box.left for box in boxes))
     higher = max(0.0, max(box.high for box in boxes) - min(box.low for box in boxes) - 108.0)
-    for row, line in enumerate(load_lines(joint, result.forces, part="sector")):
+    for row, line in enumerate(load_lines(joint, result.forces)):
         items.append(Text((-82.0, -56.0 - 0.5 * higher - _SPACING * row), line))
     return Sheet(170.0 + wider, 140.0 + higher, 1.0, (85.0 + wider, 68.0 + 0.5 * higher), tuple(items))
 
@@ -164,7 +171,7 @@ def _beside(
     ]
     if result is None:
         return items
-    loads = load_lines(joint, result.forces, part="sector")
+    loads = load_lines(joint, result.forces)
     low = top + _SPACING * (len(loads) + 2)
     items += [Text(on_paper(column, low - _SPACING * (row + 1)), line) for row, line in enumerate(loads)]
     centre = on_paper(0.5 * (column + width - MARGIN), 0.5 * (low + height - MARGIN))
@@ -302,11 +309,12 @@ def title_block(
     ]
 
 
-def load_lines(joint: Joint, forces: JointForces, *, part: str) -> list[str]:
+def load_lines(joint: Joint, forces: JointForces) -> list[str]:
     """What stands beside bodies that are drawn apart."""
+    sectors = "one sector" if joint.unlike is None else "all sectors"
     entry, out = (name.replace("_", " ") for name in joint.ends)
     return [
-        f"Forces on the bodies of one {part}, drawn apart, without centrifugal forces.",
+        f"Forces on the bodies of {sectors}, drawn apart, without centrifugal forces.",
         "Arrows show directions, not sizes.",
         f"Torque at the {entry} {format_quantity(float(forces.input_torque), 'N*m')}, "
         f"at the {out} {format_quantity(float(forces.output_torque), 'N*m')}.",

@@ -47,7 +47,7 @@ export function driveDrawing(drawing, document_) {
     element(
       "p",
       { class: "note" },
-      "One sector",
+      document_.of_own_branches ? "All sectors" : "One sector",
       ...keys(drawing, "the first body of each contact", largest),
       `${thinner} ${made(drawing, drawing.rings)}`,
     ),
@@ -175,7 +175,7 @@ function arrows(drawing, size, largest, font) {
 function forcesDescribed(document_) {
   const { normal_N: normal, tangential_N: tangential } = document_.standing.forces;
   const each = Object.keys(normal).map((name) => `${name} ${number(normal[name])} N and ${number(tangential[name])} N`);
-  return `One sector with its forces, normal and tangential: ${each.join("; ")}.`;
+  return `${document_.of_own_branches ? "All sectors" : "One sector"} with normal and tangential forces: ${each.join("; ")}.`;
 }
 
 function scaleBar(x, y, inner, font) {
