@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
@@ -21,23 +19,6 @@ from asperity.drive.state.rolling_speeds import RollingSpeeds
 from asperity.drive.state.state import DriveState
 from asperity.rolling.conditions import RollingConditions
 from asperity.types import Real
-
-
-class RollingLosses(NamedTuple):
-    """Losses of a rolling joint, all branches together [W]; contact axis first.
-
-    Parameters
-    ----------
-    creep, skew, hysteresis, oil, bearings, contact
-        As of :class:`RollingPower`.
-    """
-
-    creep: Real
-    skew: Real
-    hysteresis: Real
-    oil: Real
-    bearings: Array
-    contact: Array
 
 
 class RollingPower(eqx.Module):
@@ -124,10 +105,10 @@ def rolling_power(
 
     Notes
     -----
-    Without friction at the loading rollers' pins, creep and bearings equal :math:`T_{in}\omega_s - T_{out}\omega_c` of
-    the rolling state. With it they are larger by :math:`2n(T_{Bl} + T_{Br})\,\omega_c`: equation (5) leaves out that
-    these bearings brake the carrier that holds them. Skew, hysteresis and oil are in no balance of forces; all losses
-    add to the power at the output. Churning of the oil is left out.
+    Creep and bearings equal :math:`T_{in}\omega_s - T_{out}\omega_c` of the rolling state. With the balance of the
+    carrier as printed, equation (5) of Zou et al. 2025, they are larger by :math:`2n(T_{Bl} + T_{Br})\,\omega_c`: it
+    leaves out that the rollers' bearings brake the carrier that holds them. Skew, hysteresis and oil are in no balance
+    of forces; all losses add to the power at the output. Churning of the oil is left out.
 
     References
     ----------
@@ -154,39 +135,19 @@ def rolling_power(
     if conditions.viscosity is not None:
         oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling, lines)
         counted = counted + oil
-    losses = RollingLosses(creep, skew, hysteresis, oil, bearing_power, jnp.asarray(counted))
-    return power_budget(losses, output_power=output_torque * speeds.output)
-
-
-def power_budget(losses: RollingLosses, *, output_power: Real) -> RollingPower:
-    r"""What goes in and comes out of a rolling joint, from its losses.
-
-    .. math:: P_{in} = P_{out} + P_{loss}
-
-    Parameters
-    ----------
-    losses : RollingLosses
-        Losses by cause [W].
-    output_power : Real
-        Output torque times the size of the output's speed, creep taken off; negative where the torque drives [W].
-
-    Returns
-    -------
-    RollingPower
-        The budget.
-
-    References
-    ----------
-    Balance of powers; equations (B3) and (B9) of :doc:`/equations`.
-    """
-    at_output = jnp.asarray(output_power)
-    loss = jnp.sum(losses.contact, axis=0) + losses.bearings
+    at_output = jnp.asarray(output_torque * speeds.output)
+    loss = jnp.sum(counted, axis=0) + bearing_power
     drives = at_output >= 0.0
     entering = jnp.where(drives, at_output + loss, -at_output)
     leaving = jnp.where(drives, at_output, -at_output - loss)
     works = (leaving >= 0.0) & (entering > 0.0)
     return RollingPower(
-        **losses._asdict(),
+        creep=creep,
+        skew=skew,
+        hysteresis=hysteresis,
+        oil=oil,
+        bearings=bearing_power,
+        contact=jnp.asarray(counted),
         loss=loss,
         input=entering,
         output=jnp.where(leaving >= 0.0, leaving, jnp.nan),
