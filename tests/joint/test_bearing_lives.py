@@ -16,7 +16,7 @@ HELD = RatedBearing(5000.0, 3000.0, 1.0, 400.0, "ball")
 def test_lives_by_hand(solved_paper):
     joint, solution = solved_paper
     rated = dataclasses.replace(joint, pin_bearing=PIN, output_bearing=HELD)
-    found = joint_bearing_lives(rated, solution.result)
+    found = joint_bearing_lives(rated, solution.result, solution.laws)
     # without torque N_pw sin(beta) = 1000/(2 cos 27.0831 deg) sin 13.1582 deg = 127.838 N on two bearings
     assert float(found.static_safety[0]) == pytest.approx(1200.0 / (0.5 * 127.838), rel=1e-5)
     # relative to the carrier the rollers turn (R_s/R_w)(1 + 1/9) times as fast as the sun, less creep

@@ -57,7 +57,7 @@ def test_lives_by_hand_from_the_printed_loads_and_speeds(rated):
 def test_a_drive_that_stands_has_no_lives_in_hours(rated):
     joint, solution = rated
     standing = dataclasses.replace(joint, input_speed=np.float64(0.0))
-    found = joint_bearing_lives(standing, solution.result)
+    found = joint_bearing_lives(standing, solution.result, solution.laws)
     assert np.all(np.isnan(np.asarray(found.life)))
     assert np.isnan(np.asarray(found.load)[1])  # the input has no ratings
     assert float(found.static_safety[0]) == pytest.approx(1200.0 / (0.5 * 10.0 / 3.0 / 30e-3), rel=1e-6)
@@ -69,11 +69,12 @@ def test_the_loads_of_the_duty_are_those_of_joints_of_their_own(rated):
     points = ((3.0, 300.0, 0.6), (-5.0, 600.0, 0.3), (12.0, 0.0, 0.1))
     duty = tuple(DutyPoint(*map(np.float64, point)) for point in points)
     loaded = dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=duty))
-    found = call_compiled(joint_bearing_lives, loaded, solution.result)
+    found = call_compiled(joint_bearing_lives, loaded, solution.result, solution.laws)
     damage, largest = 0.0, 0.0
     for torque, speed, share in points:
         alone = dataclasses.replace(joint, output_torque=np.float64(torque), input_speed=np.float64(speed))
-        lives = joint_bearing_lives(alone, solve_joint(alone).result)
+        solved = solve_joint(alone)
+        lives = joint_bearing_lives(alone, solved.result, solved.laws)
         damage = damage + share * np.nan_to_num(1.0 / np.asarray(lives.life))  # one that stands has no damage
         largest = np.maximum(largest, np.asarray(lives.load))
     assert found.duty_life[[0, 2]] == pytest.approx(1.0 / damage[[0, 2]], rel=1e-9)

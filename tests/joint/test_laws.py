@@ -2,7 +2,6 @@
 
 import dataclasses
 import math
-from types import SimpleNamespace
 
 import jax.numpy as jnp
 import numpy as np
@@ -10,15 +9,15 @@ import pytest
 from scipy.optimize import brentq
 
 from asperity.contact.crowned_line import crown_compression
-from asperity.drive.mechanism import NormalSprings, total_approach
+from asperity.drive.mechanism import total_approach
 from asperity.drive.state.creep import creepages
 from asperity.errors import InputError
+from asperity.joint.assembled import assembled
 from asperity.joint.contacts import rough_joint_contacts
 from asperity.joint.description import body_masses, joint_contacts
 from asperity.joint.evaluation import assembled_joint
 from asperity.joint.laws import (
-    _approach,
-    _expected_preload,
+    approach_springs,
     contact_laws,
     creep_law,
     drive_load,
@@ -52,7 +51,7 @@ def test_reference_force_of_an_interference(planar_joint):
         return force * unit * (sun + planet + ring)
 
     joint = planar_joint("planetary", SPRINGS)
-    laws = contact_laws(joint, joint_contacts(joint))
+    laws = assembled(joint, joint_contacts(joint)).laws
     expected = brentq(lambda force: compression(force) - 30e-6, 10.0, 1e6)
     np.testing.assert_allclose(laws.reference_force, expected, rtol=1e-3)
     assert laws.coupling is None
@@ -66,12 +65,10 @@ def test_crowns_take_from_the_force_of_an_interference(planar_joint):
     """30 um are the approaches of both contacts, that of the crowned planet's track included."""
     crown = {'contact_length = "10 mm"': 'planet_crown_radius = "1 m"\ncontact_length = "10 mm"'}
     even, joint = planar_joint("planetary", SPRINGS), planar_joint("planetary", SPRINGS | crown)
-    laws = contact_laws(joint, joint_contacts(joint))
+    laws = assembled(joint, joint_contacts(joint)).laws
     force = float(laws.reference_force[0])
     np.testing.assert_allclose(laws.reference_force, force, rtol=1e-12)
-    of_cylinders = contact_laws(
-        dataclasses.replace(even, interference=None, preload=force), joint_contacts(even)
-    )
+    of_cylinders = contact_laws(even, joint_contacts(even), jnp.full(2, force))
     approach = force * float(np.sum(of_cylinders.springs.secant_compliance))
     approach += sum(
         float(
@@ -116,7 +113,7 @@ def test_an_interference_makes_the_preload_that_makes_it(planar_case, name, sect
 
 def test_a_given_preload_is_the_reference(planar_joint):
     joint = planar_joint("planetary", SPRINGS | {'interference = "30 um"': 'preload = "700 N"'})
-    laws = contact_laws(joint, joint_contacts(joint))
+    laws = assembled(joint, joint_contacts(joint)).laws
     np.testing.assert_allclose(laws.reference_force, 700.0, rtol=1e-12)
     rough = rough_joint_contacts(
         contacts=joint_contacts(joint), normal_force=jnp.full(2, 700.0), tangential_force=jnp.zeros(2)
@@ -131,41 +128,11 @@ def test_springs_and_coupling_of_exact_bodies(planar_joint, monkeypatch):
         [[3.0, 0.5, 9.0, 9.0], [0.5, 4.0, 9.0, 9.0], [9.0, 9.0, 9.0, 9.0], [9.0, 9.0, 9.0, 9.0]]
     )
     monkeypatch.setattr("asperity.joint.laws.body_compliance", lambda **_: whole)
-    springs, coupling = _approach(joint, joint_contacts(joint), jnp.full(2, 700.0))
+    springs, coupling = approach_springs(joint, joint_contacts(joint), jnp.full(2, 700.0))
     fall = 2.0 * (1.0 - POISSON**2) / (math.pi * YOUNG * LENGTH)
     np.testing.assert_allclose(springs.incremental_compliance, [3e-9, 4e-9], rtol=1e-12)
     np.testing.assert_allclose(springs.secant_compliance, [3e-9 + fall, 4e-9 + fall], rtol=1e-9)
     np.testing.assert_allclose(coupling, [[0.0, 0.5e-9], [0.5e-9, 0.0]], rtol=1e-12, atol=1e-24)
-
-
-@pytest.mark.parametrize("coupled", [False, True])
-def test_unlike_forces_do_the_work_of_the_interference(monkeypatch, coupled):
-    """Made-up springs whose secants fall with the logarithm of the force: the root of the work, by Brent's method."""
-    forces, pattern = np.array([1.0, 0.6, 0.6, 0.8]), np.array([0.0, 0.0, 0.0, 1.0])
-    at_one, fall = np.array([1.1e-8, 1.3e-8, 1.2e-8, 1e-8]), 3e-10
-    between = 5e-10 * (np.ones((4, 4)) - np.eye(4)) if coupled else None
-
-    def approach(joint, contacts, force):
-        secant = at_one - fall * jnp.log(force)
-        return NormalSprings(secant_compliance=secant, incremental_compliance=secant - fall), between
-
-    monkeypatch.setattr("asperity.joint.laws._approach", approach)
-    joint = SimpleNamespace(
-        materials=(SimpleNamespace(youngs_modulus=YOUNG),),
-        interference=40e-6,
-        working_pattern=pattern,
-        ring_bending_stiffness=None,
-    )
-    contacts = SimpleNamespace(pairs=SimpleNamespace(contact_length=np.full(4, LENGTH)), crown_curvature=None)
-
-    def left(preload):
-        compressed = preload * forces * (at_one - fall * np.log(preload * forces))
-        if between is not None:
-            compressed = compressed + between @ (preload * forces)
-        return forces @ compressed - 40e-6 * (pattern @ forces)
-
-    expected = brentq(left, 10.0, 1e5)
-    assert float(_expected_preload(joint, contacts, jnp.asarray(forces))) == pytest.approx(expected, rel=1e-5)
 
 
 def test_creep_of_skewed_contacts_by_hand(planar_joint):

@@ -26,7 +26,7 @@ def solution(joint):
 @pytest.fixture(scope="module")
 def curves(joint, solution):
     capacity = float(solution.rolling_capacity.output_torque)
-    return rolling_curves(joint=joint, result=solution.result, torque_capacity=capacity)
+    return rolling_curves(joint=joint, result=solution.result, laws=solution.laws, torque_capacity=capacity)
 
 
 @pytest.mark.slow
@@ -74,7 +74,8 @@ def test_curves_over_torque_and_the_map_are_the_joint_at_that_load(curves, joint
 @pytest.mark.slow
 def test_a_standing_sun_has_no_map_and_no_hours(joint):
     standing = dataclasses.replace(joint, input_speed=0.0)
-    found = rolling_curves(joint=standing, result=solve_joint(standing).result, torque_capacity=math.inf)
+    solved = solve_joint(standing)
+    found = rolling_curves(joint=standing, result=solved.result, laws=solved.laws, torque_capacity=math.inf)
     assert found.map_speed.size == found.efficiency.size == 0
     assert np.all(np.isnan(found.life_hours))
     assert np.all(np.isfinite(found.life_turns[:20]))

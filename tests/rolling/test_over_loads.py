@@ -17,7 +17,7 @@ pytestmark = pytest.mark.slow
 def curves(planetary):
     joint, solution, _ = planetary
     capacity = float(solution.rolling_capacity.output_torque)
-    return rolling_curves(joint=joint, result=solution.result, torque_capacity=capacity)
+    return rolling_curves(joint=joint, result=solution.result, laws=solution.laws, torque_capacity=capacity)
 
 
 @pytest.mark.long

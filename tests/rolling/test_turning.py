@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drives import planetary_drive, two_row_multiroller
+from asperity.joint.assembled import Pressed
 from asperity.joint.description import joint_contacts
 from asperity.joint.evaluation import evaluate, laws_and_states
-from asperity.joint.loading_cam import Pressed
 from asperity.rolling.turning import driving_sense, rolling_at
 
 

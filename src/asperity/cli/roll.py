@@ -11,8 +11,7 @@ from asperity.cli.terminal import about, prepare_computation, print_json, say_wr
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
-    from asperity.joint.description import Joint
-    from asperity.joint.evaluation import JointResult
+    from asperity.results.solved import SolvedJoint
 
 _WIDTH = 10.0  # of the picture [in]
 
@@ -48,7 +47,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
         solved, document = solve_case(case)  # refuses a torque beyond the capacity
         refuse_no_rolling(solved.joint, solved.solution)
     if plot_file:
-        _draw(solved.joint, solved.result, document, file, plot_file)
+        _draw(solved, document, file, plot_file)
     _show(document, file, as_json)
 
 
@@ -58,13 +57,14 @@ def _capacity(document: dict[str, Any]) -> float:
     return math.inf if capacity is None else float(capacity)
 
 
-def _draw(joint: Joint, result: JointResult, document: dict[str, Any], file: str, plot_file: str) -> None:
+def _draw(solved: SolvedJoint, document: dict[str, Any], file: str, plot_file: str) -> None:
     from asperity.rolling.curves import rolling_curves
     from asperity.show.rolling_figure import rolling_figure
     from asperity.show.style import plain_title
 
+    joint, result = solved.joint, solved.result
     capacity = math.copysign(_capacity(document), float(joint.output_torque))
-    curves = rolling_curves(joint=joint, result=result, torque_capacity=capacity)
+    curves = rolling_curves(joint=joint, result=result, laws=solved.solution.laws, torque_capacity=capacity)
     title = f"{plain_title(file)} in rolling"
     write_image(
         rolling_figure(curves, result.rolling, joint=joint, title=title, width=_WIDTH),

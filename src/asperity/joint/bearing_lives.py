@@ -12,7 +12,7 @@ from jax import Array
 
 from asperity.contact.rolling_fatigue import spectrum_life
 from asperity.drive.layout.drive import Drive
-from asperity.drive.state.state import STATE_TOLERANCE, DriveState
+from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws
 from asperity.drive.state.states import loaded_states
 from asperity.drive.structure.bearing_life import (
     LIFE_EXPONENTS,
@@ -20,11 +20,12 @@ from asperity.drive.structure.bearing_life import (
     basic_rating_life,
     static_safety,
 )
+from asperity.joint.assembled import Pressed
 from asperity.joint.description import Joint, body_masses, joint_contacts
 from asperity.joint.evaluation import JointResult
 from asperity.joint.fit import per_contact
-from asperity.joint.laws import contact_laws, creep_under, drive_load
-from asperity.joint.loading_cam import Pressed, pressed_at
+from asperity.joint.laws import creep_under, drive_load
+from asperity.joint.loading_cam import pressed_at
 from asperity.joint.working_loads import (
     forces_on_axis,
     member_speeds,
@@ -164,7 +165,7 @@ def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Arra
     return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, lives)))
 
 
-def joint_bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
+def joint_bearing_lives(joint: Joint, result: JointResult, laws: ContactLaws) -> BearingLives:
     """Lives, static safeties and load ratios of the bearings of a drive; pure.
 
     Parameters
@@ -173,6 +174,8 @@ def joint_bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
         One joint.
     result : JointResult
         Its result.
+    laws : ContactLaws
+        Laws of its contacts.
 
     Returns
     -------
@@ -187,7 +190,7 @@ def joint_bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
     drive, under = joint.drive, {}
     if joint.rolling.duty:
         points = per_contact(joint.rolling.duty)
-        duty = _under_duty(joint, result.rest, points.output_torque, points.sun_speed)
+        duty = _under_duty(joint, Pressed(laws, result.rest), points.output_torque, points.sun_speed)
         under = {"duty": duty, "shares": points.share}
     pins, at_rest = working_loads(joint, result).pin, result.rest
     loaded = forces_on_axis(joint, *working_forces(joint, result), pins)
@@ -206,10 +209,10 @@ def _state(drive: Drive, pin_force: Array, axis_force: Array, speeds: Array) -> 
     )
 
 
-def _under_duty(joint: Joint, rest: DriveState, torques: Array, speeds: Array) -> BearingState:
+def _under_duty(joint: Joint, without_torque: Pressed, torques: Array, speeds: Array) -> BearingState:
     """The bearings under the loads of the duty, which are the first axis."""
     contacts, masses = joint_contacts(joint), body_masses(joint)
-    pressed = pressed_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
+    pressed = pressed_at(joint, contacts, without_torque)
 
     def under(torque: Array, speed: Array) -> BearingState:
         laws, rest = pressed(torque)

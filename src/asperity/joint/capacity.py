@@ -21,6 +21,7 @@ from asperity.drive.state.first_limit import (
 )
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
+from asperity.joint.assembled import Pressed
 from asperity.joint.bodies import contact_walls
 from asperity.joint.description import (
     Joint,
@@ -31,7 +32,7 @@ from asperity.joint.description import (
     tracks_of,
 )
 from asperity.joint.laws import creep_law, creep_under, drive_load
-from asperity.joint.loading_cam import Pressed, pressed_at
+from asperity.joint.loading_cam import pressed_at
 from asperity.joint.torque_limits import TorqueCapacity, named_capacity
 from asperity.rolling.creep import capacity_loss
 from asperity.types import Real

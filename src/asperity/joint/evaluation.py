@@ -19,6 +19,7 @@ from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.drive.stiffness.assembly import Assembly
 from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
+from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
 from asperity.joint.description import (
     Joint,
@@ -31,8 +32,6 @@ from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import (
     CamOfJoint,
-    Pressed,
-    assembled,
     mean_preload,
     states_under_torque,
     turned_cam,

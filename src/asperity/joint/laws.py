@@ -17,9 +17,7 @@ from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw
-from asperity.drive.state.equal_springs import rest_forces
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad
-from asperity.drive.state.states import state_at_rest
 from asperity.drive.state.supports import Supports, carrier_supports
 from asperity.joint.bodies import body_compliance
 from asperity.joint.bores import pin_compliances, pins_in_bores
@@ -30,22 +28,16 @@ from asperity.joint.contacts import (
     rough_joint_contacts,
     with_crowns,
 )
-from asperity.joint.crowned_contacts import crown_compressions, lateral_strain_compliance
-from asperity.joint.description import Joint, body_masses
+from asperity.joint.crowned_contacts import lateral_strain_compliance
+from asperity.joint.description import Joint
 from asperity.joint.fit import BodyModel
 from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep
 from asperity.types import Real
 
-#: A force that is small for every wall: over Young's modulus times length times interference.
-_SMALL_FORCE = 1e-5
-_REFERENCE_STEPS, _CROWNED_STEPS = 4, 10
-#: Each leaves less than a thousandth of what its preload is away from that around which its laws are taken.
-_ASSEMBLIES = 2
 
-
-def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
-    """Laws of the contacts of a joint around their forces without torque.
+def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) -> ContactLaws:
+    """Laws of the contacts of a joint around forces without torque.
 
     Parameters
     ----------
@@ -53,36 +45,28 @@ def contact_laws(joint: Joint, contacts: JointContacts) -> ContactLaws:
         The joint.
     contacts : JointContacts
         Its contacts.
+    reference_force : Array
+        The forces, shape (contacts,) [N].
 
     Returns
     -------
     ContactLaws
         Approach, slip, and the creep of smooth even rollers; a rolling state takes that of :func:`creep_law`.
 
-    Notes
-    -----
-    Where the preload is an interference, the laws are taken around the force that it makes in the assembled drive. The
-    same force, stated as the preload, gives the same laws.
-
     References
     ----------
     Equations (A3), (B1) and (E3) of :doc:`/equations`.
     """
-    return _laws_around(joint, contacts, _reference_force(joint, contacts))
-
-
-def _laws_around(joint: Joint, contacts: JointContacts, reference: Array) -> ContactLaws:
-    """Laws of the contacts around given forces without torque [N]."""
-    springs, coupling = _approach(joint, contacts, reference)
+    springs, coupling = approach_springs(joint, contacts, reference_force)
     crowned = contacts.crown_curvature is not None
     rough = rough_joint_contacts(
-        contacts=contacts, normal_force=reference, tangential_force=jnp.zeros_like(reference)
+        contacts=contacts, normal_force=reference_force, tangential_force=jnp.zeros_like(reference_force)
     )
     stiff = rough.tangential_stiffness > 0.0
     laws = ContactLaws(
-        springs=with_crowns(springs, contacts=contacts, rest_force=reference),
-        reference_force=reference,
-        creep=smooth_creep(contacts, reference),
+        springs=with_crowns(springs, contacts=contacts, rest_force=reference_force),
+        reference_force=reference_force,
+        creep=smooth_creep(contacts, reference_force),
         asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
         coupling=coupling,
         lateral_strain_compliance=(
@@ -95,70 +79,15 @@ def _laws_around(joint: Joint, contacts: JointContacts, reference: Array) -> Con
     )
     if joint.closure_springs is None:
         return laws
-    bulk = closure_springs(contacts=contacts, rest_force=reference, model="bulk")
+    bulk = closure_springs(contacts=contacts, rest_force=reference_force, model="bulk")
     asperities = 1.0 / rough.normal_stiffness if joint.closure_springs == "bulk_and_asperities" else None
     closure = dataclasses.replace(laws, springs=bulk, coupling=None, linear_compliance=asperities, bores=None)
     return dataclasses.replace(laws, closure=closure)
 
 
-def _reference_force(joint: Joint, contacts: JointContacts) -> Array:
-    """Forces without torque around which the laws are taken [N]."""
-    if joint.unlike is not None:
-        return joint.unlike.reference_force
-    forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
-    if joint.preload is not None:
-        return jnp.asarray(joint.preload) * forces
-    load, preload = drive_load(joint, body_masses(joint), 0.0), _expected_preload(joint, contacts, forces)
-    for _ in range(_ASSEMBLIES):
-        rest = state_at_rest(
-            drive=joint.drive,
-            laws=_laws_around(joint, contacts, preload * forces),
-            pattern=joint.working_pattern,
-            interference=joint.interference,
-            load=load,
-        )
-        preload = rest.normal[0]
-    return preload * forces
-
-
-def _expected_preload(joint: Joint, contacts: JointContacts, forces: Array) -> Array:
-    """Preload by the work of the interference, if nothing but the contacts gives way, all by one share."""
-    young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
-    small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
-    return _preload_by_work(joint, contacts, forces, small)
-
-
-def _preload_by_work(joint: Joint, contacts: JointContacts, forces: Array, at: Array) -> Array:
-    """Preload by the work of the interference, with the compliance at a preload and its logarithm."""
-    springs, coupling = _approach(joint, contacts, at * forces)
-    share = jnp.sum(joint.working_pattern * forces) * jnp.asarray(joint.interference)
-    work = jnp.sum(springs.secant_compliance * forces**2)
-    work = work if coupling is None else work + forces @ coupling @ forces
-    rings = ring_springs(joint)
-    work = work if rings is None else work + jnp.sum(rings * forces**2)
-    # the work falls by this for each e-fold of the force
-    softer = jnp.sum((springs.secant_compliance - springs.incremental_compliance) * forces**2)
-
-    def even(preload: Array) -> Array:
-        return jnp.maximum(work - softer * jnp.log(preload / at), 0.2 * work)
-
-    curvature, preload = contacts.crown_curvature, at
-    if curvature is None:
-        for _ in range(_REFERENCE_STEPS):
-            preload = share / even(preload)
-        return preload
-
-    def improve(_: int, preload: Array) -> Array:
-        added = crown_compressions(
-            pairs=contacts.pairs, crown_curvature=curvature, normal_force=preload * forces
-        )
-        return share / (even(preload) + jnp.sum(added * forces) / preload)
-
-    crowned_preload: Array = jax.lax.fori_loop(0, _CROWNED_STEPS, improve, at)
-    return crowned_preload
-
-
-def _approach(joint: Joint, contacts: JointContacts, force: Array) -> tuple[NormalSprings, Array | None]:
+def approach_springs(
+    joint: Joint, contacts: JointContacts, force: Array
+) -> tuple[NormalSprings, Array | None]:
     """Normal springs of the contacts at given forces, and their coupling."""
     width = jnp.asarray(contacts.pairs.half_width(force))
     if joint.body_model == "springs":

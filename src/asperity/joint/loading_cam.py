@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.drive.state.equal_springs import rest_forces
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState
-from asperity.drive.state.states import DriveStates, drive_states, loaded_states, state_at_rest
+from asperity.drive.state.states import DriveStates, loaded_states, state_at_rest
 from asperity.drive.stiffness.assembly import Assembly
 from asperity.drive.stiffness.loading_cam import (
     cam_angle,
@@ -21,25 +22,11 @@ from asperity.drive.stiffness.loading_cam import (
     with_cam,
 )
 from asperity.implicit import SETTLED, settled_root
+from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses
 from asperity.joint.laws import contact_laws, drive_load
 from asperity.types import Real
-
-
-class Pressed(NamedTuple):
-    """An assembled joint.
-
-    Parameters
-    ----------
-    laws : ContactLaws
-        Laws of its contacts.
-    rest : DriveState
-        Its state without the forces of a torque.
-    """
-
-    laws: ContactLaws
-    rest: DriveState
 
 
 class CamOfJoint(eqx.Module):
@@ -114,13 +101,10 @@ def _by_force(
     Unlike sectors have nan where the laws of their contacts and their forces do not settle.
     """
     assert joint.cam is not None
-    pressed_joint = dataclasses.replace(
-        joint, preload=preload, interference=None, fit=None, pattern=joint.cam.pattern, cam=None
-    )
     unlike, pattern = joint.unlike, jnp.asarray(joint.cam.pattern, dtype=float)
 
-    def around(pressed_joint: Joint) -> Pressed:
-        laws = contact_laws(pressed_joint, contacts)
+    def around(reference_force: Array) -> Pressed:
+        laws = contact_laws(joint, contacts, reference_force)
         rest = state_at_rest(
             drive=joint.drive,
             laws=laws,
@@ -134,19 +118,15 @@ def _by_force(
         return Pressed(laws, rest)
 
     if unlike is None:
-        return around(pressed_joint)
+        return around(preload * rest_forces(drive=joint.drive, pattern=pattern))
     start = least.normal * preload / mean_preload(joint, least.normal) if known is None else known.normal
     start = jax.lax.stop_gradient(start)
 
-    def of_ratio(ratio: Array) -> Pressed:
-        sectors_at_ratio = dataclasses.replace(unlike, reference_force=start * ratio)
-        return around(dataclasses.replace(pressed_joint, unlike=sectors_at_ratio))
-
     def change(ratio: Array) -> Array:
-        return of_ratio(ratio).rest.normal / start - ratio
+        return around(start * ratio).rest.normal / start - ratio
 
     ratio = settled_root(change, jnp.ones_like(start))
-    laws, rest = of_ratio(ratio)
+    laws, rest = around(start * ratio)
     known_only = jnp.where(jnp.max(jnp.abs(rest.normal / (start * ratio) - 1.0)) < SETTLED, 1.0, jnp.nan)
     return Pressed(
         dataclasses.replace(laws, reference_force=known_only * laws.reference_force),
@@ -154,36 +134,10 @@ def _by_force(
     )
 
 
-def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
-    """A joint under its preload or interference alone."""
-    laws = contact_laws(joint, contacts)
-    rest = state_at_rest(
-        drive=joint.drive,
-        laws=laws,
-        pattern=joint.working_pattern,
-        preload=joint.preload,
-        interference=joint.interference,
-        load=drive_load(joint, body_masses(joint), 0.0),
-    )
-    return Pressed(laws, rest)
-
-
 def states_under_torque(
     joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf
 ) -> tuple[ContactLaws, DriveStates]:
     """A joint assembled, standing and rolling under its torque."""
-    if joint.cam is None:
-        laws = contact_laws(joint, contacts)
-        states = drive_states(
-            drive=joint.drive,
-            laws=laws,
-            pattern=joint.working_pattern,
-            preload=joint.preload,
-            interference=joint.interference,
-            load=load,
-            creep_of=creep_of,
-        )
-        return laws, states
     without_torque = assembled(joint, contacts)
     pressed = pressed_at(joint, contacts, without_torque)(joint.output_torque)
     loaded = loaded_states(
@@ -194,7 +148,9 @@ def states_under_torque(
         creep_of=creep_of,
         separate=True,
     )
-    return without_torque.laws, DriveStates(without_torque.rest, *loaded, pressed.rest)
+    return without_torque.laws, DriveStates(
+        without_torque.rest, *loaded, None if joint.cam is None else pressed.rest
+    )
 
 
 def turned_cam(

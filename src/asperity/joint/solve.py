@@ -12,14 +12,15 @@ import numpy as np
 from asperity.body.stepped import WIDEST_BORE
 from asperity.compilation import Program, compile_fast
 from asperity.drive.layout.existence import refuse_impossible
-from asperity.drive.state.state import DriveState
+from asperity.drive.state.state import ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.assembled import Pressed
 from asperity.joint.capacity import torque_capacities, torque_capacity, under_torque
 from asperity.joint.description import Joint, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.fit import refuse_loose
-from asperity.joint.loading_cam import Pressed, mean_preload
+from asperity.joint.loading_cam import mean_preload
 from asperity.joint.pins import overhang, refuse_pins
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
@@ -34,6 +35,8 @@ class Solution(eqx.Module):
     ----------
     result : JointResult
         Forces, contacts, stiffness, diagnostics and rolling.
+    laws : ContactLaws
+        Of its contacts, around their forces without torque.
     states : DriveStates
         Of the drive: assembled, standing and rolling.
     capacity, reverse_capacity : TorqueCapacity
@@ -45,6 +48,7 @@ class Solution(eqx.Module):
     """
 
     result: JointResult
+    laws: ContactLaws
     states: DriveStates
     capacity: TorqueCapacity
     reverse_capacity: TorqueCapacity
@@ -66,7 +70,7 @@ def solution_of(joint: Joint) -> Solution:
     under = programs.under_torque.with_first(joint, without_torque)
     capacities = torque_capacities(joint, without_torque, under)
     both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacities for i in range(2)]
-    return Solution(result, states, *both)
+    return Solution(result, without_torque.laws, states, *both)
 
 
 def joint_state(joint: Joint) -> JointResult:

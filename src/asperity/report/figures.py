@@ -56,7 +56,9 @@ def report_pictures(
             windup_figure(windup, onset, title="", stacked=True, capacities=windup_capacities)
         )
     if math.isfinite(float(solved.result.rolling.residual)):
-        curves = rolling_curves(joint=joint, result=solved.result, torque_capacity=rolling_capacity)
+        curves = rolling_curves(
+            joint=joint, result=solved.result, laws=solved.solution.laws, torque_capacity=rolling_capacity
+        )
         found["rolling"] = figure_svg(
             rolling_figure(curves, solved.result.rolling, joint=joint, title="", width=_WIDTH)
         )

@@ -87,7 +87,7 @@ class SolvedJoint:
     result : JointResult
         What :func:`asperity.joint.evaluation.evaluated_with_laws` says about it.
     laws : ContactLaws or None
-        Likewise; None where the capacities are known.
+        Likewise; None where nothing is asked for that needs them.
     notes : tuple of Note, optional
         Comparisons with what is usual, which are requirements too.
     branches : AssembledBranches, optional
@@ -113,7 +113,7 @@ class SolvedJoint:
         self.result = result
         self.branches = branches
         self.notes = notes
-        self._laws = laws
+        self.laws = laws
 
     @functools.cached_property
     def bearings(self) -> BearingLives:
@@ -121,7 +121,7 @@ class SolvedJoint:
         if not any(self.has_bearings):
             nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
             return BearingLives(nothing, nothing, nothing, nothing, nothing)
-        lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
+        lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result, self.laws)
         return lives
 
     @functools.cached_property
@@ -142,13 +142,13 @@ class SolvedJoint:
     @functools.cached_property
     def _standing(self) -> TorqueCapacity:
         """Both directions; a study that asks for no other does not search for those in rolling."""
-        assert self._laws is not None
-        return capacity_both_ways(self.joint, self.result.rest, self._laws, rolls=False)
+        assert self.laws is not None
+        return capacity_both_ways(self.joint, self.result.rest, self.laws, rolls=False)
 
     @functools.cached_property
     def _rolling(self) -> TorqueCapacity:
-        assert self._laws is not None
-        return capacity_both_ways(self.joint, self.result.rest, self._laws, rolls=True)
+        assert self.laws is not None
+        return capacity_both_ways(self.joint, self.result.rest, self.laws, rolls=True)
 
     def _capacity(self, *, rolls: bool, index: Any) -> TorqueCapacity:
         return jax.tree.map(lambda leaf: leaf[index], self._rolling if rolls else self._standing)
@@ -250,7 +250,7 @@ def solved_with_capacities(
         *loss_notes(result.rolling, result.contact_names),
         *skew_notes(result.rolling, result.contact_names),
     )
-    solved = SolvedJoint(joint, result, None, notes, branches)
+    solved = SolvedJoint(joint, result, solution.laws, notes, branches)
     solved.solution = solution
     solved._standing, solved._rolling = (
         jax.tree.map(lambda *leaves: np.stack(leaves), *both)

@@ -14,11 +14,11 @@ from jax import Array
 
 from asperity.compilation import compile_fast
 from asperity.drive.state.creep import creepages
-from asperity.drive.state.state import DriveState
+from asperity.drive.state.state import ContactLaws
+from asperity.joint.assembled import Pressed
 from asperity.joint.description import Joint, joint_contacts
 from asperity.joint.evaluation import JointResult
-from asperity.joint.laws import contact_laws, creep_law
-from asperity.joint.loading_cam import Pressed
+from asperity.joint.laws import creep_law
 from asperity.rolling.rolling import RollingResult
 from asperity.rolling.turning import rolling_at
 
@@ -60,7 +60,9 @@ class RollingCurves(eqx.Module):
     efficiency: Array
 
 
-def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float) -> RollingCurves:
+def rolling_curves(
+    *, joint: Joint, result: JointResult, laws: ContactLaws, torque_capacity: float
+) -> RollingCurves:
     """Creep curves of the contacts; drift, life and efficiency of the joint over torque and speed.
 
     Parameters
@@ -69,6 +71,8 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
         One joint.
     result : JointResult
         What it does under its own torque and speed.
+    laws : ContactLaws
+        Laws of its contacts.
     torque_capacity : float
         Its torque capacity; infinite or nan if friction does not limit it [N·m].
 
@@ -93,7 +97,7 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
         jnp.concatenate([torque, grid_torque.ravel()]),
         jnp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
     )
-    given = (numbers, jax.tree.map(np.asarray, result.rest), *loads)
+    given = (numbers, jax.tree.map(np.asarray, Pressed(laws, result.rest)), *loads)
     over = compile_fast(_over_loads, *given)(*given)
     drift, turns, hours, efficiency = jax.tree.map(np.asarray, over)
     traction, creepage = creep_curves(joint, result)
@@ -124,12 +128,12 @@ def _shown(rolling: RollingResult) -> tuple[Array, Array, Array, Array]:
     )
 
 
-def rolling_over_loads(joint: Joint, rest: DriveState, torque: Array, input_speed: Array) -> RollingResult:
+def rolling_over_loads(
+    joint: Joint, without_torque: Pressed, torque: Array, input_speed: Array
+) -> RollingResult:
     """Steady rolling of a joint under torques at speeds."""
     contacts = joint_contacts(joint)
-    rolling: RollingResult = jax.vmap(
-        rolling_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
-    )(torque, input_speed)
+    rolling: RollingResult = jax.vmap(rolling_at(joint, contacts, without_torque))(torque, input_speed)
     return rolling
 
 

@@ -11,10 +11,11 @@ from jax import Array
 from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, speeds
 from asperity.drive.state.states import loaded_states
+from asperity.joint.assembled import Pressed
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, places
 from asperity.joint.laws import creep_law, creep_under, drive_load
-from asperity.joint.loading_cam import Pressed, pressed_at
+from asperity.joint.loading_cam import pressed_at
 from asperity.rolling.rolling import RollingResult, turning
 
 

@@ -17,6 +17,7 @@ from asperity.drive.state.creep import drift_per_turn
 from asperity.drive.state.first_limit import slip_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
 from asperity.drive.state.states import loaded_state, loaded_states, standing_state
+from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, in_motion, joint_contacts
@@ -24,8 +25,6 @@ from asperity.joint.evaluation import assembled_joint
 from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import (
     CamOfJoint,
-    Pressed,
-    assembled,
     pressed_at,
     turned_cam,
     with_its_cam,

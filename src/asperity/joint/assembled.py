@@ -1,0 +1,102 @@
+"""A joint as it is assembled, and the laws of its contacts around the forces that it has then."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.state.equal_springs import rest_forces
+from asperity.drive.state.state import ContactLaws, DriveState
+from asperity.drive.state.states import state_at_rest
+from asperity.joint.contacts import JointContacts, bulk_springs
+from asperity.joint.description import Joint, body_masses
+from asperity.joint.laws import contact_laws, drive_load, ring_springs
+
+#: A force that is small for every wall: over Young's modulus times length times interference.
+_SMALL_FORCE = 1e-5
+#: Each leaves less than a thousandth of what its preload is away from that around which its laws are taken.
+_ASSEMBLIES = 3
+
+
+class Pressed(NamedTuple):
+    """An assembled joint.
+
+    Parameters
+    ----------
+    laws : ContactLaws
+        Laws of its contacts.
+    rest : DriveState
+        Its state without the forces of a torque.
+    """
+
+    laws: ContactLaws
+    rest: DriveState
+
+
+def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
+    """A joint under its preload or interference alone.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+
+    Returns
+    -------
+    Pressed
+        Its state, and the laws of its contacts around the forces of that state.
+
+    Notes
+    -----
+    Where the preload is an interference, the joint is assembled several times, each time with the laws around the force
+    of the time before: the same force, stated as the preload, gives the same joint.
+
+    References
+    ----------
+    Equations (A3) and (E3) of :doc:`/equations`.
+    """
+    load = drive_load(joint, body_masses(joint), 0.0)
+
+    def around(reference_force: Array) -> Pressed:
+        laws = contact_laws(joint, contacts, reference_force)
+        rest = state_at_rest(
+            drive=joint.drive,
+            laws=laws,
+            pattern=joint.working_pattern,
+            preload=joint.preload,
+            interference=joint.interference,
+            load=load,
+        )
+        return Pressed(laws, rest)
+
+    if joint.unlike is not None:
+        return around(joint.unlike.reference_force)
+    forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
+    if joint.preload is not None:
+        return around(jnp.asarray(joint.preload) * forces)
+
+    def again(preload: Array, _: None) -> tuple[Array, Pressed]:
+        pressed = around(preload * forces)
+        return pressed.rest.normal[0], pressed
+
+    _, each = jax.lax.scan(again, _expected_preload(joint, contacts, forces), None, length=_ASSEMBLIES)
+    last: Pressed = jax.tree.map(lambda leaf: leaf[-1], each)
+    return last
+
+
+def _expected_preload(joint: Joint, contacts: JointContacts, forces: Array) -> Array:
+    """Preload by the work of the interference, the contacts as springs at a small force [N]."""
+    young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
+    small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
+    compliance = bulk_springs(
+        contacts=contacts, half_width=jnp.asarray(contacts.pairs.half_width(small * forces))
+    ).secant_compliance
+    rings = ring_springs(joint)
+    compliance = compliance if rings is None else compliance + rings
+    share = jnp.sum(joint.working_pattern * forces) * jnp.asarray(joint.interference)
+    return jnp.asarray(share / jnp.sum(compliance * forces**2))
