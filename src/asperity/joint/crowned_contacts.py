@@ -13,7 +13,6 @@ from asperity.contact.crowned_line import (
     CrownedLine,
     CrownedLines,
     crown_compliance,
-    crown_compression,
     crowned_line,
 )
 from asperity.contact.crowned_shear import crown_shear_compliance
@@ -54,12 +53,6 @@ def loads_along(*, pairs: RollerPairs, crown_curvature: Array, normal_force: Arr
 
 def _pressed(normal_force: Array) -> Array:
     return jnp.where(normal_force > 0.0, normal_force, 1.0)
-
-
-def crown_compressions(*, pairs: RollerPairs, crown_curvature: Array, normal_force: Array) -> Array:
-    """Approach that the crowns add [m]."""
-    lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
-    return crown_compression(normal_force=_pressed(normal_force), **vars(lines))
 
 
 def lateral_strain_compliance(driving: Material, driven: Material) -> Array:

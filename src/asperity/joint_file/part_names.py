@@ -104,12 +104,6 @@ def contacts_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
     return tuple(CONTACTS[kind]) if kind in CONTACTS else _listed(tables["contact"])
 
 
-def bodies_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
-    """Names of the bodies of a joint file of another drive than that of Zou et al."""
-    kind = type_of(tables)
-    return bodies_of_type(kind) if kind in CONTACTS else _listed(tables["roller"])
-
-
 def sized_tracks(tables: Mapping[str, Any]) -> dict[str, tuple[tuple[str, str], ...]]:
     """What every sector has in a size of its own: rollers, or the tracks of stepped ones.
 
