@@ -221,9 +221,9 @@ def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
     from asperity.cli.document_text import show_warnings
     from asperity.cli.terminal import console
-    from asperity.study.design.design_result import found_diagnostics
+    from asperity.study.design.design_result import joint_diagnostics
 
-    found = found_diagnostics(result.joint_text)
+    found = joint_diagnostics(result.joint_text)
     if found["diagnostics"] is None:
         because = found["no_result_because"]
         click.echo(f"Under the output torque of its file the designed joint has no result: {because}")

@@ -105,7 +105,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     from asperity.errors import InputError
     from asperity.study.design.design import design
     from asperity.study.design.design_file import read_design
-    from asperity.study.design.design_result import design_document, found_diagnostics, shortcoming
+    from asperity.study.design.design_result import design_document, joint_diagnostics, shortcoming
 
     problem = read_design(file)
     if len(problem.objectives) > 1:
@@ -118,7 +118,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
         "conflict": shortcoming(result) or None,
         "joint_text": result.joint_text,
     }
-    return document | found_diagnostics(result.joint_text) | {"shown": design_words(result)}
+    return document | joint_diagnostics(result.joint_text) | {"shown": design_words(result)}
 
 
 def design_words(result: DesignResult) -> dict[str, Any]:

@@ -168,10 +168,10 @@ def block_results(
     values = [axis.values[part] for axis, part in zip(plan.axes, block, strict=True)]
     grid = np.meshgrid(*values, indexing="ij")
     points = {axis.path: column.reshape(-1) for axis, column in zip(plan.axes, grid, strict=True)}
-    status, found = evaluate_points(
+    status, result_values = evaluate_points(
         plan.values, points, plan.results, batch=math.prod(plan.block_shape), **options
     )
     shape = grid[0].shape
     return status.reshape(shape), {
-        name: value.reshape(value.shape[:-1] + shape) for name, value in found.items()
+        name: value.reshape(value.shape[:-1] + shape) for name, value in result_values.items()
     }
