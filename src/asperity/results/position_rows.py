@@ -94,8 +94,8 @@ def _beyond(document: Document) -> str:
         ends = "at least: what is computed ends there"
     else:
         ends = "beyond, a contact slips"
-    found = _finite(_in_its_direction(document)["output_torque_Nm"])
-    standing = "not limited by friction" if found is None else format_quantity(found, "N*m")
+    at_rest = _finite(_in_its_direction(document)["output_torque_Nm"])
+    standing = "not limited by friction" if at_rest is None else format_quantity(at_rest, "N*m")
     return f"{ends}; standing: {standing}"
 
 
