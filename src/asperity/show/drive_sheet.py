@@ -197,8 +197,8 @@ def _lines(
         pinned = ", ".join(drive.bodies[body].name.replace("_", " ") for body in drive.pinned)
         lines.append(f"pins of the carrier: {pinned}")
     unsaid = [all_sizes[number] for number in sorted(listed)]
-    for of, each in groupby(unsaid, key=lambda size: size.of):
-        lines.append(f"{of}: {', '.join(size.listed for size in each)}")
+    for of, group in groupby(unsaid, key=lambda size: size.of):
+        lines.append(f"{of}: {', '.join(size.listed for size in group)}")
     if wedges(drive):
         angles = wedge_angles(drive)
         lines.append(
@@ -220,7 +220,7 @@ def _lines(
             f"{letters.get(number, '–')}  {gap.words} {gap.size:.4g}" for number, gap in enumerate(clearances)
         ]
     lengths = [
-        dimension(1e3 * float(each)) for each in np.asarray(contact_values(joint, joint.contact_lengths))
+        dimension(1e3 * float(length)) for length in np.asarray(contact_values(joint, joint.contact_lengths))
     ]
     alike = len(set(lengths)) == 1
     lines += ["", f"Contacts, length {lengths[0]}" if alike else "Contacts"]
