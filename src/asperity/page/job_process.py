@@ -90,7 +90,7 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
     from asperity.study.tolerances.uncertainty import uncertainty
 
     stated = options.get("distribution")
-    found = uncertainty(
+    dataset = uncertainty(
         read_case(file),
         distribution=parse_distribution(stated) if stated else None,
         samples=options["samples"],
@@ -98,7 +98,7 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
         block=BLOCK,
         report=report,
     )
-    return uncertainty_document(found)
+    return uncertainty_document(dataset)
 
 
 def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
@@ -148,11 +148,11 @@ def design_words(result: DesignResult) -> dict[str, Any]:
         "limits": [
             {
                 "value": "–"
-                if each.value != each.value
-                else format_quantity(each.value, table[each.name].display_unit),
-                "limit": format_quantity(each.limit, table[each.name].display_unit),
+                if limit.value != limit.value
+                else format_quantity(limit.value, table[limit.name].display_unit),
+                "limit": format_quantity(limit.limit, table[limit.name].display_unit),
             }
-            for each in result.limits
+            for limit in result.limits
         ],
     }
 
