@@ -167,7 +167,7 @@ def export_content(
 
 
 def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
-    entry, moving = (float(np.asarray(each)) for each in joint_inertias(joint))
+    entry, moving = (float(np.asarray(inertia)) for inertia in joint_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
     lost = float(np.asarray(power.loss)) - float(
         np.sum(np.asarray(power.creep))
