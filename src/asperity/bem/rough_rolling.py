@@ -70,7 +70,7 @@ class RoughRolling(NamedTuple):
 
 
 def _reach(layer_ratio: float) -> float:
-    """Where the separation of Hertz's contact makes the pressure negligible."""
+    """Half-widths from the middle at which Hertz's separation makes the pressure negligible [-]."""
     low, high = 1.0, 10.0 + 6.0 * math.sqrt(_DECADES * layer_ratio)
     for _ in range(60):
         x = 0.5 * (low + high)

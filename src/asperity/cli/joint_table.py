@@ -272,7 +272,7 @@ def _strength(document: Document) -> list[tuple[str, str]]:
 
 
 def _roughness(surface: Document, *, of_all: bool) -> str:
-    """Which Ra the D and G of a surface mean."""
+    """Words for D and G of a surface, with the Ra that corresponds to them."""
     where = "" if of_all else f"{', '.join(surface['contacts'])}: "
     low, high = (in_unit(surface[f"roughness_average_{end}_m"], "um", 2) for end in ("low", "high"))
     return (
@@ -283,7 +283,7 @@ def _roughness(surface: Document, *, of_all: bool) -> str:
 
 
 def _rolling_capacity(document: Document) -> str:
-    """How much torque the joint passes while it turns, in the direction of its torque."""
+    """Words for the torque capacity in rolling, in the direction of the joint's torque."""
     capacity = document["rolling"]["torque_capacity_Nm"]
     if capacity is None:
         return "not limited by friction"

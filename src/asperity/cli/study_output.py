@@ -31,7 +31,7 @@ def show_status(dataset: xarray.Dataset) -> None:
 
     Parameters
     ----------
-    found : xarray.Dataset
+    dataset : xarray.Dataset
         Evaluated points.
     """
     from asperity.joint.status import STATUS_MEANINGS

@@ -98,7 +98,7 @@ def uncertainty(
 
 
 def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, seed: int) -> dict[str, Any]:
-    """What drives do whose branches have sizes of their own."""
+    """Document of drives whose branches are drawn one by one."""
     from asperity.cli.terminal import progress_bar
     from asperity.study.tolerances.branch_scatter import branch_scatter
 
@@ -194,7 +194,7 @@ def _cell(number: float) -> str:
 
 
 def _shares(dataset: xarray.Dataset, name: str) -> str:
-    """How often each category of a result that is not a quantity occurs."""
+    """Words for the share of each category of a result that is not a quantity."""
     categories = str(dataset["categories"].sel(result=name).item()).split(" ")
     solved = dataset["samples"].sel(result=name).values[dataset["status"].values == 0]
     codes, counts = np.unique(solved.astype(int), return_counts=True)

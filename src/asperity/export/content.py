@@ -220,7 +220,7 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
 
 
 def _whose_branches(content: ExportContent) -> list[str]:
-    """Whose curves these are, where the joint file states branches of unlike sizes."""
+    """Comment on branches of unlike sizes; empty for equal ones."""
     if content.joint.unlike is None:
         return []
     return ["Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."]

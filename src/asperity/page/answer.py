@@ -133,7 +133,7 @@ def stated_values(case: Case, tables: Mapping[str, Any]) -> Answer:
 
 
 def _shown(value_si: float, key: Key) -> float:
-    """In the unit of display, without the last two digits, which a conversion makes up."""
+    """Value in the unit of display, to 14 digits: conversion makes up the last two."""
     return float(f"{from_si(value_si, key.unit):.14g}")
 
 

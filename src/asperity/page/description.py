@@ -123,7 +123,7 @@ def _example(key: Key) -> float:
 
 
 def _default(text: str) -> str | None:
-    """What the meaning says of a key that is absent."""
+    """Words of a meaning for an absent key; None without any."""
     said = re.search(r"[^;,.]*(?:\d\.\d+)? if absent[^;.]*", text)
     if said is None:
         said = re.search(r"if absent, [^;.]*|Without it [^.]*", text)

@@ -152,7 +152,7 @@ class JointRequest:
         return dict(self.tables) if self.tables else parse_toml(self.text, source=self.name)
 
     def _once(self, name: str, make: Callable[[], Any]) -> Any:
-        """What is made of this request once."""
+        """The result of ``make``, computed once for this request and name."""
         # not by functools.cached_property: in Python 3.11 its lock lets one request wait for the file of another
         if name not in self._made:
             self._made[name] = make()

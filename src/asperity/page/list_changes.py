@@ -71,7 +71,7 @@ def places_of_lists(
 
 
 def _count(tables: Mapping[str, Any], changes: Mapping[str, Any], path: str, *, otherwise: int) -> int:
-    """How many branches the drive has; what is wrong with that number is said where it is read."""
+    """Number of branches of the drive; ``otherwise`` where it cannot be read."""
     section, name = path.split(".")
     try:
         key = key_at(path, type_of(tables))
@@ -127,7 +127,7 @@ def stated_lists(case: Case, tables: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _texts(section: Mapping[str, Any]) -> dict[str, str]:
-    """What a section states, by key; ``deviation.left`` for a key in a table of it."""
+    """Key → text of a section; ``deviation.left`` for a key in a table of it."""
     texts = {}
     for key, value in section.items():
         if isinstance(value, Mapping):

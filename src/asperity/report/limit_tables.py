@@ -52,7 +52,7 @@ def margins_table(margins: Sequence[Margin]) -> Iterator[Block]:
 
 
 def _rank(margin: Margin) -> tuple[int, float]:
-    """What is not met, then what is not known, then states; then the others by the share of their limit."""
+    """Key to sort margins: not met, not known, states, then by the share of their limit."""
     if margin.state:
         return 2, 0.0
     if not margin.passes:

@@ -51,7 +51,7 @@ def summary(document: Document) -> Table:
 
 
 def _branches(document: Document) -> tuple[str, str]:
-    """How many branches there are, by their name in this drive."""
+    """Name of the branches in this drive, and their number."""
     stated = document["input"]["drive"]
     for name in ("planets", "sectors"):
         if name in stated:

@@ -137,7 +137,7 @@ def _table(table: Table) -> str:
 
 
 def _widths(table: Table) -> list[str]:
-    """Numbers and short words take what they need; long words share the rest by their lengths."""
+    """Width of each column: ``auto`` for numbers and short words; long words share the rest by length."""
     widths = ["auto"] * len(table.head)
     if len(table.words) > 1:
         longest = {place: max(len(row[place]) for row in (table.head, *table.rows)) for place in table.words}

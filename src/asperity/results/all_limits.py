@@ -88,7 +88,7 @@ def _does_not_carry(solved: SolvedJoint, point: DutyPoint, slip_ratio: float) ->
 
 
 def _not_carried(loads: list[str]) -> Result:
-    """How many loads of a duty the joint does not carry, with its limit."""
+    """Result with its limit for the number of loads of a duty that the joint does not carry."""
     return Result(
         "duty_loads_not_carried",
         "loads of the duty that the joint does not carry",
@@ -144,7 +144,7 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 
 def _without_film_factor(solved: SolvedJoint) -> str:
-    """What the life of the drive leaves out where the oil film does not carry the load, to stand beside the verdict."""
+    """Words beside the verdict where the life has no factor for the film; empty where the film is full or unknown."""
     ratios = np.asarray(solved.result.rolling.film_ratio, dtype=float)
     known = ratios[np.isfinite(ratios)]
     if not known.size or film_band(float(known.min())) == "full":

@@ -342,7 +342,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
 
 
 def _at_assembly(solved: SolvedJoint) -> Solution | None:
-    """What the joint does at the temperature of its assembly; None where it has none."""
+    """Solution at the temperature of assembly; None without one."""
     fit = solved.joint.fit
     return None if fit is None else solved.at_temperature(float(fit.assembly_temperature))
 

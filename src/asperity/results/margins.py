@@ -144,7 +144,7 @@ def verdict_document(judged: Sequence[Margin], rims: dict[str, Any]) -> dict[str
 
     Parameters
     ----------
-    found : sequence of Margin
+    judged : sequence of Margin
         Every requirement of the joint.
     rims : dict
         Stresses and safeties of its bodies that bend, as in the document of the joint.

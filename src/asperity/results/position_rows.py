@@ -86,7 +86,7 @@ def _comes_back(document: Document) -> PositionRow:
 
 
 def _beyond(document: Document) -> str:
-    """What ends the rolling, or what is computed of it, and the capacity of the joint that stands."""
+    """Words for what ends the rolling beyond its capacity, and the capacity at rest."""
     capacity, torque = document["torque_capacity"], _finite(document["rolling"]["torque_capacity_Nm"])
     if torque is None:
         ends = "not limited by friction"

@@ -186,7 +186,7 @@ def _lines(
     letters: dict[int, str],
     interference: float | None,
 ) -> list[str]:
-    """What the view itself does not say."""
+    """Lines of text beside the view: ratio, members, sizes without a leader, clearances and contacts."""
     drive = joint.drive
     lines = [
         f"ratio {format_quantity(float(speed_ratio(drive)), '1', 5)}",
@@ -235,7 +235,7 @@ def _lines(
 
 
 def _interference(joint: Joint, ring: str, less: float | None) -> str:
-    """By how much the ring of a contact is too small, and whether its diameter on the sheet says so."""
+    """Words for the interference of a contact with a ring; empty for none."""
     if less == 0.0:
         return ""
     if less is None:

@@ -233,7 +233,7 @@ def _middle(ends: tuple[Point, Point]) -> Point:
 
 
 def _gap(a: Point, b: Point, radii: tuple[float, float]) -> tuple[Point, Point]:
-    """Where two circles are closest."""
+    """Points of two circles on the line of their centres, where they are closest."""
     far = math.dist(a, b)
     e, f = (b[0] - a[0]) / far, (b[1] - a[1]) / far
     return (a[0] + radii[0] * e, a[1] + radii[0] * f), (b[0] - radii[1] * e, b[1] - radii[1] * f)

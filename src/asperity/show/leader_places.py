@@ -104,7 +104,7 @@ def _items(text: str, place: Place, side: Side, level: float, scale: float) -> l
 
 
 def _costs(places: Sequence[Place], side: Side, circles: Sequence[Circle], scale: float) -> np.ndarray:
-    """What every leader costs, shape (places, levels)."""
+    """Cost of every leader [mm on paper], shape (places, levels)."""
     x = side.x - (SHOULDER if side.align == "left" else -SHOULDER) / scale
     tips = np.array([place.tip for place in places])[:, None]
     ends = np.stack([np.full(len(side.levels), x), np.array(side.levels)], axis=-1)[None]

@@ -115,7 +115,7 @@ def evaluate_points(
     -------
     status : ndarray
         Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (n,).
-    found : dict of ndarray
+    result_values : dict of ndarray
         Name → values, shape (n,) or (rows, n); nan where they have no value.
 
     Raises
@@ -219,7 +219,7 @@ def derivatives_at(
     -------
     status : ndarray
         Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (points,).
-    found, slopes : dict of ndarray
+    result_values, slopes : dict of ndarray
         Name → shape (rows, points) and (rows, points, variables) [SI]; a single number has one row. Nothing is
         replaced by nan: a search may pass through joints that cannot exist.
 

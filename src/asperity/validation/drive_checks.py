@@ -183,7 +183,7 @@ _RADII = (_SUN * _PLANET / (_SUN + _PLANET), _PLANET * _RING / (_RING - _PLANET)
 
 
 def _compression(force: float) -> float:
-    """By how much sun, planet and ring give way together: Johnson 1985, (5.57), and Weber and Banaschek 1953."""
+    """Compression of sun, planet and ring under a force [m]: Johnson 1985, (5.57), and Weber and Banaschek 1953."""
     at_sun, at_ring = (_half_width(force, radius) for radius in _RADII)
     rollers = sum(
         2.0 * math.log(4.0 * radius / width) - 1.0

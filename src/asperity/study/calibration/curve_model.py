@@ -138,7 +138,7 @@ class CurveModel:
     def _points(
         self, sets: np.ndarray, torque: np.ndarray, slips: np.ndarray, *, slopes: bool
     ) -> JointPoints:
-        """What the joint shows with sets of its unknowns, shape (sets, unknowns of the joint) [SI]."""
+        """The joint's curve for each row of its unknowns, shape (sets, unknowns of the joint) [SI]."""
         return joint_points(
             self.values,
             self.paths,
@@ -315,7 +315,7 @@ class CurveModel:
         return self._share(path)
 
     def _share(self, path: str) -> np.ndarray:
-        """What one unit of an offset or a drift adds to each angle."""
+        """Slope of each angle by an offset or a drift, shape (rows,)."""
         data = self.measurement
         if _kind(path) == "drift":
             assert data.time is not None

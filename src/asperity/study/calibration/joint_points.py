@@ -111,7 +111,7 @@ def _over(
 def _directional(
     structure: str, base: Array, direction: Array, torques: Array
 ) -> tuple[dict[str, Array], dict[str, Array]]:
-    """What is compiled to fit a joint with another drive to a curve."""
+    """Curves of a joint over torques, and the slopes of stiffness and drift along a direction of its numbers."""
     tables = json.loads(structure)
 
     def slopes_and_curves(rows: Array) -> tuple[dict[str, Array], dict[str, Array]]:

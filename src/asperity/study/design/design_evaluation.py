@@ -165,7 +165,7 @@ class DesignEvaluator:
         return abs(constraint.limit - bound) / self._size(constraint) - INSIDE
 
     def _size(self, constraint: Constraint) -> float:
-        """What differences from a limit are divided by: the limit itself, or where that is 0 a size of the joint."""
+        """Scale of the distance from a limit: its absolute value; of a limit of 0 the largest radius or 1 [SI]."""
         if constraint.limit != 0.0:
             return abs(constraint.limit)
         return self._largest_radius if RESULTS[constraint.name].axis == "clearance" else 1.0
@@ -308,5 +308,5 @@ def _log_ratio(value: np.ndarray, limit: float) -> np.ndarray:
 
 
 def _finite(slope: np.ndarray) -> np.ndarray:
-    """Slopes that are not finite, where a state does not exist, are replaced by 0."""
+    """Slopes with 0 in place of those that are not finite."""
     return np.where(np.isfinite(slope), slope, 0.0)

@@ -343,7 +343,7 @@ def _check_limit(result: Result, limit: float, written: str) -> None:
 
 
 def _implied(stated: Sequence[Constraint], results: Mapping[str, Result]) -> Iterator[Constraint]:
-    """What holds for every joint that exists, unless the same limit is stated for all contacts."""
+    """Limits of existence, :data:`EXISTENCE`, without those that are stated for all contacts."""
     for (name, at_most), bound in EXISTENCE.items():
         if name not in results:
             continue

@@ -80,7 +80,7 @@ def write_block(
         Number of the block.
     status : ndarray
         Codes, in the shape of the block.
-    found : dict of ndarray
+    result_values : dict of ndarray
         Results, in the shape of the block.
 
     Raises

@@ -162,7 +162,7 @@ def block_results(
     -------
     status : ndarray
         Codes, in the shape of the block.
-    found : dict of ndarray
+    result_values : dict of ndarray
         Name → values, in the shape of the block, with the contact axis first if there is one.
     """
     values = [axis.values[part] for axis, part in zip(plan.axes, block, strict=True)]

@@ -18,7 +18,7 @@ def sensitivity_document(dataset: xarray.Dataset) -> dict[str, Any]:
 
     Parameters
     ----------
-    found : xarray.Dataset
+    dataset : xarray.Dataset
         What :func:`asperity.study.tolerances.sensitivity.sensitivity` returns.
 
     Returns
@@ -70,7 +70,7 @@ def uncertainty_document(dataset: xarray.Dataset) -> dict[str, Any]:
 
     Parameters
     ----------
-    found : xarray.Dataset
+    dataset : xarray.Dataset
         What :func:`asperity.study.tolerances.uncertainty.uncertainty` returns.
 
     Returns
