@@ -70,7 +70,7 @@ def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
     monkeypatch.setattr("asperity.page.job_process.design_words", lambda found: "words")
     warned = {"diagnostics": [], "no_result_because": None}
     monkeypatch.setattr(
-        "asperity.study.design.design_result.found_diagnostics", lambda text: warned | {"joint_text": text}
+        "asperity.study.design.design_result.joint_diagnostics", lambda text: warned | {"joint_text": text}
     )
     assert run("design") == {
         "feasible": True,

@@ -45,7 +45,7 @@ def found(table):
             "load.output_torque": (("load.output_torque",), TORQUE, key_attributes("load.output_torque"))
         },
         status=np.array([0, 0, 3], dtype=np.int8),
-        found={"mass": np.array([1.0, 1.0, np.nan]), "slip_ratio": SLIP},
+        result_values={"mass": np.array([1.0, 1.0, np.nan]), "slip_ratio": SLIP},
         attributes={"title": "a test"},
     )
 
@@ -116,7 +116,7 @@ def small(case):
             ),
         },
         status=status,
-        found={"published_stiffness_output": stiffness, "normal_force": forces},
+        result_values={"published_stiffness_output": stiffness, "normal_force": forces},
         attributes={},
     )
 
@@ -174,7 +174,7 @@ def test_clearances_are_a_result_and_have_rows(case):
         dimensions=(axis.path,),
         coordinates={axis.path: coordinate(axis)},
         status=np.zeros(2, dtype=np.int8),
-        found={"clearance": gaps},
+        result_values={"clearance": gaps},
         table=table,
         attributes={},
     )

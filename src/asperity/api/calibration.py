@@ -82,8 +82,8 @@ def calibrate(
     files = [data] if isinstance(data, str | Path) else list(data)
     if not files:
         raise InputError("no data: name at least one CSV file")
-    measurements = tuple(read_measurement(each, unloaded_ratio=ratio) for each in files)
-    found = fit(
+    measurements = tuple(read_measurement(file, unloaded_ratio=ratio) for file in files)
+    calibration = fit(
         case=case,
         measurements=measurements,
         unknowns=read_unknowns(unknowns, case=case, measurements=measurements),
@@ -92,7 +92,7 @@ def calibrate(
         starts=starts,
         seed=seed,
     )
-    return CalibratedJoint(joint, found)
+    return CalibratedJoint(joint, calibration)
 
 
 class CalibratedJoint(Shown):
@@ -108,12 +108,12 @@ class CalibratedJoint(Shown):
 
     def __init__(self, start: DescribedJoint, calibration: Calibration) -> None:
         self.start, self.calibration = start, calibration
-        self._estimates = {each.path: each for each in calibration.estimates}
+        self._estimates = {estimate.path: estimate for estimate in calibration.estimates}
 
     @property
     def joint(self) -> DescribedJoint:
         """The joint with the estimates in place of its numbers."""
-        changes = {path: each.value for path, each in self._estimates.items() if of_joint_file(path)}
+        changes = {path: estimate.value for path, estimate in self._estimates.items() if of_joint_file(path)}
         if "play.angle" in changes and self.start.case.play is None:  # a section [play] has both keys
             changes.setdefault("play.take_up_torque", 0.0)
         return self.start.edited(joint_file_text(self.start.case, changes, comment=""))
@@ -127,21 +127,21 @@ class CalibratedJoint(Shown):
         return list(self._estimates)
 
     def _quantities(self) -> dict[str, NamedQuantity]:
-        found = {}
-        for path, each in self._estimates.items():
+        quantities = {}
+        for path, estimate in self._estimates.items():
             kind = path.partition(" ")[0]
             dimension = CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension
-            found[path] = NamedQuantity(path, path, each.value, dimension, unit_of(path))
-        return found
+            quantities[path] = NamedQuantity(path, path, estimate.value, dimension, unit_of(path))
+        return quantities
 
     def to_frame(self) -> Any:
         """The estimates as a pandas data frame: value, ends of the 95 % interval and unit, and whether determined."""
         estimates, units = list(self._estimates.values()), [unit_of(path) for path in self._estimates]
         columns: dict[str, Any] = {
-            title: [from_si(getattr(each, title), unit) for each, unit in zip(estimates, units, strict=True)]
+            title: [from_si(getattr(e, title), unit) for e, unit in zip(estimates, units, strict=True)]
             for title in ("value", "lower", "upper")
         }
-        columns |= {"unit": units, "determined": [each.determined for each in estimates]}
+        columns |= {"unit": units, "determined": [estimate.determined for estimate in estimates]}
         return frame(columns, index=list(self._estimates), index_name="unknown")
 
     def posterior(self, draws: int, *, seed: int = 1) -> Posterior:
@@ -176,16 +176,17 @@ class CalibratedJoint(Shown):
 
     def _parts(self) -> list[str | Table]:
         rows = []
-        for path, each in self._estimates.items():
+        for path, estimate in self._estimates.items():
             unit = unit_of(path)
             ends = [
-                format_quantity(end, unit, 6) if each.determined else "-" for end in (each.lower, each.upper)
+                format_quantity(end, unit, 6) if estimate.determined else "-"
+                for end in (estimate.lower, estimate.upper)
             ]
-            note = "" if each.determined else "NOT determined"
-            note += f" at its {each.at_bound} bound" if each.at_bound else ""
-            rows.append((path, format_quantity(each.value, unit, 6), *ends, note.strip()))
+            note = "" if estimate.determined else "NOT determined"
+            note += f" at its {estimate.at_bound} bound" if estimate.at_bound else ""
+            rows.append((path, format_quantity(estimate.value, unit, 6), *ends, note.strip()))
         curves = self.calibration.curves
-        sources = [f"{each.residual.size} rows of {each.measurement.source}" for each in curves]
+        sources = [f"{curve.residual.size} rows of {curve.measurement.source}" for curve in curves]
         parts: list[str | Table] = [
             f"{len(rows)} unknown{'s'[: len(rows) - 1]} from {' and '.join(sources)}",
             Table(("unknown", "estimate", "95 % from", "to", ""), rows),

@@ -94,11 +94,11 @@ class DesignedJoint(Shown):
         numbers = [self[path] for path in self.keys()]
         return frame(
             {
-                "value": [each.value for each in numbers],
-                "unit": [each.unit for each in numbers],
-                "si": [each.si for each in numbers],
-                "si_unit": [each.si_unit for each in numbers],
-                "at_bound": [self.result.at_bound.get(each.name, "") for each in numbers],
+                "value": [quantity.value for quantity in numbers],
+                "unit": [quantity.unit for quantity in numbers],
+                "si": [quantity.si for quantity in numbers],
+                "si_unit": [quantity.si_unit for quantity in numbers],
+                "at_bound": [self.result.at_bound.get(quantity.name, "") for quantity in numbers],
             },
             index=self.keys(),
             index_name="number",

@@ -73,8 +73,8 @@ class DescribedJoint(Shown):
         from asperity.study.parameters import long_name
 
         return {
-            path: NamedQuantity(path, long_name(path), each.value, each.key.dimension, each.key.unit)
-            for path, each in numeric_keys(self.case).items()
+            path: NamedQuantity(path, long_name(path), entry.value, entry.key.dimension, entry.key.unit)
+            for path, entry in numeric_keys(self.case).items()
         }
 
     def __getitem__(self, path: str) -> NamedQuantity:
@@ -212,11 +212,11 @@ class DescribedJoint(Shown):
         stated, numbers = numeric_keys(self.case), self.numbers
         return frame(
             {
-                "value": [each.value for each in numbers.values()],
-                "unit": [each.unit for each in numbers.values()],
-                "si": [each.si for each in numbers.values()],
-                "si_unit": [each.si_unit for each in numbers.values()],
-                "tolerance": [from_si(stated[path].tolerance, each.unit) for path, each in numbers.items()],
+                "value": [quantity.value for quantity in numbers.values()],
+                "unit": [quantity.unit for quantity in numbers.values()],
+                "si": [quantity.si for quantity in numbers.values()],
+                "si_unit": [quantity.si_unit for quantity in numbers.values()],
+                "tolerance": [from_si(stated[path].tolerance, q.unit) for path, q in numbers.items()],
             },
             index=list(numbers),
             index_name="number",
@@ -231,7 +231,7 @@ class DescribedJoint(Shown):
         return f"{self.source}: {count.si:g} {what}, {stated}"
 
     def _parts(self) -> list[str | Table]:
-        rows = [(path, format_quantity(each.si, each.unit, 6)) for path, each in self.numbers.items()]
+        rows = [(path, format_quantity(q.si, q.unit, 6)) for path, q in self.numbers.items()]
         return [self.summary, Table(("number", "value"), rows)]
 
 

@@ -117,7 +117,7 @@ class NamedQuantity:
 def _converted(si: Any, unit: str) -> Any:
     if np.ndim(si) == 0:
         return from_si(float(si), unit)
-    return np.array([from_si(float(each), unit) for each in si])
+    return np.array([from_si(float(number), unit) for number in si])
 
 
 def si_number(given: Any, dimension: Dimension, *, name: str) -> float:

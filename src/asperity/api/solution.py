@@ -74,8 +74,8 @@ class JointSolution(Shown):
         return self._quantity(self._table[known_result(name, among=("stiffness", *self._table))])
 
     def _quantity(self, row: Result) -> NamedQuantity:
-        found = row.of(self._solved)
-        values = np.asarray(found, dtype=float)
+        value = row.of(self._solved)
+        values = np.asarray(value, dtype=float)
         rows = row.row_names if row.row_shape else ()
         return NamedQuantity(
             name=row.name,
@@ -107,8 +107,8 @@ class JointSolution(Shown):
     @property
     def limits(self) -> list[dict[str, Any]]:
         """Every limit of the joint and of its model in SI units, with ``ok``, ``meaning`` and ``remedy``."""
-        found: list[dict[str, Any]] = self.document["diagnostics"]
-        return found
+        checks: list[dict[str, Any]] = self.document["diagnostics"]
+        return checks
 
     @functools.cached_property
     def document(self) -> dict[str, Any]:
@@ -120,24 +120,24 @@ class JointSolution(Shown):
         singles = self._singles()
         return frame(
             {
-                "label": [each.label for each in singles],
-                "value": [each.value for each in singles],
-                "unit": [each.unit for each in singles],
-                "si": [each.si for each in singles],
-                "si_unit": [each.si_unit for each in singles],
-                "level": [each.level for each in singles],
+                "label": [quantity.label for quantity in singles],
+                "value": [quantity.value for quantity in singles],
+                "unit": [quantity.unit for quantity in singles],
+                "si": [quantity.si for quantity in singles],
+                "si_unit": [quantity.si_unit for quantity in singles],
+                "level": [quantity.level for quantity in singles],
             },
-            index=[each.name for each in singles],
+            index=[quantity.name for quantity in singles],
             index_name="result",
         )
 
     def to_series(self) -> Any:
         """Every number as a pandas series of SI values; the index holds the name and the SI unit."""
         singles = self._singles()
-        index = [(each.name, each.si_unit) for each in singles]
+        index = [(quantity.name, quantity.si_unit) for quantity in singles]
         library = pandas()
         return library.Series(
-            [each.si for each in singles],
+            [quantity.si for quantity in singles],
             index=library.MultiIndex.from_tuples(index, names=["result", "unit"]),
             name=self._source,
         )
@@ -187,9 +187,9 @@ class JointSolution(Shown):
     def _contact_table(self) -> Table:
         drift = [name for name, row in self._table.items() if "drift" in name and row.axis == "contact"]
         shown = [self[name] for name in (*_PRINTED_CONTACTS, *drift)]
-        head = ("contact", *(_titled(each) for each in shown))
+        head = ("contact", *(_titled(quantity) for quantity in shown))
         rows = [
-            (contact, *(format_quantity(_number(each, contact), "1") for each in shown))
+            (contact, *(format_quantity(_number(quantity, contact), "1") for quantity in shown))
             for contact in self._solved.row_names("contact")
         ]
         return Table(head, rows)
@@ -198,24 +198,22 @@ class JointSolution(Shown):
         unknown = [self.document["stiffness_unknown_because"], *self.document["rolling"]["unknown_because"]]
         parts: list[str | Table] = [f"Not known: {reason}" for reason in dict.fromkeys(unknown) if reason]
         by_limit: dict[str, list[dict[str, Any]]] = {}
-        for each in self.limits:
-            if not each["ok"]:
-                by_limit.setdefault(each["name"], []).append(each)
+        for check in self.limits:
+            if not check["ok"]:
+                by_limit.setdefault(check["name"], []).append(check)
         if not by_limit:
             return [*parts, "Every limit of the model is kept."]
         rows = [_warning(checks) for checks in by_limit.values()]
-        meanings = {f"{each['label']}: {each['meaning']}.": None for each in self.limits if not each["ok"]}
+        meanings = {f"{row['label']}: {row['meaning']}.": None for row in self.limits if not row["ok"]}
         head = ("limit crossed", "worst value", "limit", "contacts", "about")
         return [*parts, Table(head, rows, "Warnings, the most serious first"), "\n".join(meanings)]
 
 
 def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
     """One limit, by the contact that is farthest beyond it; a value that is infinite or not known is the farthest."""
-    unknown = sorted(
-        (each for each in checks if each["value"] is None), key=lambda each: not each.get("infinite")
-    )
-    worst = unknown[0] if unknown else max(checks, key=lambda each: abs(each["value"] - each["limit"]))
-    contacts = ", ".join(each["contact"].replace("_", " ") for each in checks if each["contact"])
+    unknown = sorted((row for row in checks if row["value"] is None), key=lambda row: not row.get("infinite"))
+    worst = unknown[0] if unknown else max(checks, key=lambda row: abs(row["value"] - row["limit"]))
+    contacts = ", ".join(row["contact"].replace("_", " ") for row in checks if row["contact"])
     return (
         worst["label"],
         worst["shown"],
@@ -225,12 +223,12 @@ def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
     )
 
 
-def _titled(each: NamedQuantity) -> str:
-    short = each.label.removesuffix(" of the contact").removesuffix(" of the Hertzian contact")
-    return short if each.unit == "1" else f"{short} {each.unit.replace('*', '·')}"
+def _titled(quantity: NamedQuantity) -> str:
+    short = quantity.label.removesuffix(" of the contact").removesuffix(" of the Hertzian contact")
+    return short if quantity.unit == "1" else f"{short} {quantity.unit.replace('*', '·')}"
 
 
-def _number(each: NamedQuantity, contact: str) -> float:
+def _number(quantity: NamedQuantity, contact: str) -> float:
     """Value of one contact in the unit of display."""
-    number: float = each[contact].value
+    number: float = quantity[contact].value
     return number

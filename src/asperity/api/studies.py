@@ -75,7 +75,7 @@ def _axis(path: str, values: Any, kind: str | None = None) -> SweepAxis:
         values = [f"{float(number)!r} {unit}" for number in np.ravel(numbers)]
     if isinstance(values, NamedQuantity) or not isinstance(values, Sequence | np.ndarray):
         raise InputError(f"{path}: expected a list of values with their units, got {quoted(values)}")
-    return ListedAxis(path, tuple(si_number(each, key.dimension, name=path) for each in values))
+    return ListedAxis(path, tuple(si_number(value, key.dimension, name=path) for value in values))
 
 
 def plot(shown: Any, *, result: str | None = None) -> Figure:

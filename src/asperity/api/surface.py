@@ -168,12 +168,12 @@ class FractalSurface(Shown):
         nothing = (float("nan"), float("nan"))
         return frame(
             {
-                "value": [each.value for each in numbers],
-                "unit": [each.unit for each in numbers],
-                "si": [each.si for each in numbers],
-                "si_lower": [ends.get(each.name, nothing)[0] for each in numbers],
-                "si_upper": [ends.get(each.name, nothing)[1] for each in numbers],
-                "si_unit": [each.si_unit for each in numbers],
+                "value": [quantity.value for quantity in numbers],
+                "unit": [quantity.unit for quantity in numbers],
+                "si": [quantity.si for quantity in numbers],
+                "si_lower": [ends.get(quantity.name, nothing)[0] for quantity in numbers],
+                "si_upper": [ends.get(quantity.name, nothing)[1] for quantity in numbers],
+                "si_unit": [quantity.si_unit for quantity in numbers],
             },
             index=list(self._numbers),
             index_name="number",
@@ -197,8 +197,8 @@ class FractalSurface(Shown):
     def _parts(self) -> list[str | Table]:
         ends = self.intervals
         rows = []
-        for each in self._numbers.values():
-            interval = [format_quantity(end, each.unit) for end in ends.get(each.name, ())]
-            rows.append((each.label, str(each), *(interval or ("", ""))))
+        for quantity in self._numbers.values():
+            interval = [format_quantity(end, quantity.unit) for end in ends.get(quantity.name, ())]
+            rows.append((quantity.label, str(quantity), *(interval or ("", ""))))
         title = f"{self.measured.source}: estimator {self.fit.estimator}, {self.fit.profiles} profile(s)"
         return [title, Table(("number", "value", "95 % from", "to"), rows)]

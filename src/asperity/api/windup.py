@@ -194,8 +194,8 @@ class JointWindup(Shown):
 
     def _parts(self) -> list[str | Table]:
         rows = []
-        for each in self._figures.values():
-            limited = np.isfinite(each.si)
-            rows.append((each.label, str(each) if limited else "not limited by friction"))
+        for quantity in self._figures.values():
+            limited = np.isfinite(quantity.si)
+            rows.append((quantity.label, str(quantity) if limited else "not limited by friction"))
         title = f"{self.joint.source}: wind-up at the output, input locked, {self.level} stiffness"
         return [title, Table(("figure", "value"), rows)]

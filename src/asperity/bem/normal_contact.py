@@ -82,7 +82,7 @@ def _solved(
     total = force / half_space.pixel_area
     if start is None:
         start = half_space.flattening_pressure(heights)
-    found = bounded_solution(
+    solution = bounded_solution(
         response=half_space.normal_displacement,
         estimate=half_space.traction_estimate,
         target=heights,
@@ -94,10 +94,10 @@ def _solved(
         tolerance=tolerance,
         max_iterations=max_iterations,
     )
-    carried = jnp.sum(found.traction) * half_space.pixel_area
-    fraction = jnp.mean(found.traction > 0.0, dtype=heights.dtype)
-    gap = found.displacement - heights - found.shift
-    return found, {
+    carried = jnp.sum(solution.traction) * half_space.pixel_area
+    fraction = jnp.mean(solution.traction > 0.0, dtype=heights.dtype)
+    gap = solution.displacement - heights - solution.shift
+    return solution, {
         "gap": gap,
         "normal_force": carried,
         "real_contact_area": fraction * half_space.nominal_area,
@@ -178,7 +178,7 @@ def normal_contact(
             f"normal_force = {force:g} {unit}: a surface of hardness {limit:g} Pa carries less than "
             f"{capacity:g} {unit} on this grid; reduce the load"
         )
-    found, derived = _solved(
+    solution, derived = _solved(
         half_space,
         h,
         jnp.asarray(force),
@@ -187,7 +187,7 @@ def normal_contact(
         jnp.asarray(tolerance),
         jnp.asarray(max_iterations),
     )
-    refuse_unconverged("normal contact", found, tolerance)
+    refuse_unconverged("normal contact", solution, tolerance)
     if not float(derived["load_balance_error"]) <= _LOAD_TOLERANCE:
         raise NoSolutionError(
             f"normal contact: the pressure adds up to {float(derived['normal_force']):.9g} {unit} instead of "
@@ -195,19 +195,19 @@ def normal_contact(
         )
     return NormalContact(
         half_space=half_space,
-        pressure=found.traction,
-        displacement=found.displacement,
-        approach=found.shift,
-        iterations=found.iterations,
-        residual=found.residual,
+        pressure=solution.traction,
+        displacement=solution.displacement,
+        approach=solution.shift,
+        iterations=solution.iterations,
+        residual=solution.residual,
         **derived,
     )
 
 
-def refuse_unconverged(what: str, found: BoundedSolution, tolerance: float) -> None:
+def refuse_unconverged(what: str, solution: BoundedSolution, tolerance: float) -> None:
     """Raise :class:`NoSolutionError` unless the solution is converged to the tolerance [-] and finite."""
-    residual, iterations = float(jnp.max(found.residual)), int(jnp.max(found.iterations))
-    if not residual <= tolerance or not bool(jnp.all(jnp.isfinite(found.traction))):
+    residual, iterations = float(jnp.max(solution.residual)), int(jnp.max(solution.iterations))
+    if not residual <= tolerance or not bool(jnp.all(jnp.isfinite(solution.traction))):
         raise NoSolutionError(
             f"{what}: not converged after {iterations} iterations, relative residual {residual:.3g}, "
             f"tolerance {tolerance:.3g}; increase max_iterations or the tolerance"

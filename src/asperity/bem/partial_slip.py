@@ -98,7 +98,7 @@ def shear_history(
         if pixels is not None:
             slip = jnp.roll(slip, -pixels, axis=0)
         target = slip - by_pressure
-        found = bounded_solution(
+        solution = bounded_solution(
             response=response,
             estimate=estimate,
             target=target if force_driven else target + value,
@@ -110,17 +110,17 @@ def shear_history(
             tolerance=tolerance,
             max_iterations=max_iterations,
         )
-        rigid = found.shift if force_driven else value
-        sticks = contact & (jnp.abs(found.traction) < cap)
-        new_slip = jnp.where(sticks, slip, found.displacement + by_pressure - rigid)
-        work = work - jnp.sum(found.traction * (new_slip - slip)) * half_space.pixel_area
+        rigid = solution.shift if force_driven else value
+        sticks = contact & (jnp.abs(solution.traction) < cap)
+        new_slip = jnp.where(sticks, slip, solution.displacement + by_pressure - rigid)
+        work = work - jnp.sum(solution.traction * (new_slip - slip)) * half_space.pixel_area
         stick = jnp.sum(sticks, dtype=cap.dtype) / jnp.sum(contact, dtype=cap.dtype)
-        small = BoundedSolution(found.traction, new_slip, rigid, found.iterations, found.residual)
-        return (found.traction, new_slip, work), (
+        small = BoundedSolution(solution.traction, new_slip, rigid, solution.iterations, solution.residual)
+        return (solution.traction, new_slip, work), (
             small,
             stick,
             work,
-            jnp.sum(found.traction) * half_space.pixel_area,
+            jnp.sum(solution.traction) * half_space.pixel_area,
         )
 
     start = (jnp.zeros_like(cap), by_pressure, jnp.zeros(()))
@@ -170,7 +170,7 @@ def solved_shear(
             f"tangential_force reaches {np.abs(path).max():g} {unit}: the bodies slide at {sliding_force:g} {unit} "
             "(friction coefficient times load); prescribe the displacement instead"
         )
-    found, stick, work, force = shear_history(
+    solution, stick, work, force = shear_history(
         half_space,
         jnp.asarray(mu * p),
         jnp.asarray(path),
@@ -182,7 +182,7 @@ def solved_shear(
         jnp.asarray(tolerance),
         jnp.asarray(max_iterations),
     )
-    refuse_unconverged(what, found, tolerance)
+    refuse_unconverged(what, solution, tolerance)
     balance = jnp.abs(force - jnp.asarray(path)) / sliding_force if force_driven else jnp.zeros_like(force)
     if not float(jnp.max(balance)) <= _FORCE_TOLERANCE:
         raise NoSolutionError(
@@ -191,13 +191,13 @@ def solved_shear(
         )
     return PartialSlip(
         tangential_force=force,
-        displacement=found.shift,
+        displacement=solution.shift,
         stick_fraction=stick,
         friction_work=work,
-        traction=found.traction,
-        slip=jnp.where(jnp.asarray(p > 0.0), found.displacement, 0.0),
-        iterations=found.iterations,
-        residual=found.residual,
+        traction=solution.traction,
+        slip=jnp.where(jnp.asarray(p > 0.0), solution.displacement, 0.0),
+        iterations=solution.iterations,
+        residual=solution.residual,
         load_balance_error=balance,
     )
 

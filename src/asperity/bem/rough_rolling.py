@@ -70,7 +70,7 @@ class RoughRolling(NamedTuple):
 
 
 def _reach(layer_ratio: float) -> float:
-    """Where the separation of Hertz's contact makes the pressure negligible."""
+    """Half-widths from the middle at which Hertz's separation makes the pressure negligible [-]."""
     low, high = 1.0, 10.0 + 6.0 * math.sqrt(_DECADES * layer_ratio)
     for _ in range(60):
         x = 0.5 * (low + high)
@@ -262,10 +262,10 @@ def rough_rolling(
         change = np.linalg.solve(jacobian, -misfit)
         step, size = 1.0, np.linalg.norm(misfit / scale)
         while True:
-            found = equations(x + step * change)
-            if np.linalg.norm(found[0] / scale) < size or step < 1e-3:
+            trial = equations(x + step * change)
+            if np.linalg.norm(trial[0] / scale) < size or step < 1e-3:
                 break
             step *= 0.5
         x = x + step * change
-        misfit, jacobian, traction = found
+        misfit, jacobian, traction = trial
     raise NoSolutionError(f"rolling of rough cylinders, slip ratio {slip_ratio:g}: not converged")

@@ -253,7 +253,7 @@ def steady_rolling(
     shift = np.asarray(half_space.coupled_displacement(jnp.asarray(np.append(p, 0.0))))
     by_pressure[0] = shift[:-1] - shift[1:]
     for factors in _FRICTION_FACTORS:
-        t, xi, slip, force_found, slides, k, residual = _newton(
+        t, xi, slip, tangential, slides, k, residual = _newton(
             half_space,
             jnp.asarray(mu * p),
             jnp.zeros(p.shape) if layer is None else layer,
@@ -279,7 +279,7 @@ def steady_rolling(
 
     return SteadyRolling(
         creepage=both(xi),
-        tangential_force=both(force_found),
+        tangential_force=both(tangential),
         traction=both(t),
         slip=jnp.where(contact, both(slip), 0.0),
         stick_fraction=jnp.sum(contact & ~slides, dtype=jnp.float64) / jnp.sum(contact, dtype=jnp.float64),

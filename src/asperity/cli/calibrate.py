@@ -80,9 +80,9 @@ def calibrate(
 
     with about(file):
         ratio = float(speed_ratio(joint_from_case(case).drive))
-    measurements = tuple(read_measurement(each, unloaded_ratio=ratio) for each in data)
+    measurements = tuple(read_measurement(path, unloaded_ratio=ratio) for path in data)
     with progress_bar("starts") as report, about(file, *data):
-        found = fit(
+        calibration = fit(
             case=case,
             measurements=measurements,
             unknowns=read_unknowns(unknowns, case=case, measurements=measurements),
@@ -95,15 +95,15 @@ def calibrate(
     drawn = None
     if draws is not None:
         with progress_bar("steps of the posterior") as report, about(file, *data):
-            drawn = posterior(found, draws=draws, seed=seed, progress=report)
+            drawn = posterior(calibration, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
         from asperity.joint_file.edited_text import joint_file_text
         from asperity.study.calibration.unknowns import of_joint_file
 
-        changes = {each.path: each.value for each in found.estimates if of_joint_file(each.path)}
+        changes = {e.path: e.value for e in calibration.estimates if of_joint_file(e.path)}
         if "play.angle" in changes and case.play is None:  # a section [play] has both keys
             changes.setdefault("play.take_up_torque", 0.0)
-        fitted = [f"{level} stiffness" if each.drift is None else "drift" for each in measurements]
+        fitted = [f"{level} stiffness" if curve.drift is None else "drift" for curve in measurements]
         comment = f"Calibrated by asperity: {file} from {' and '.join(data)}, {' and '.join(fitted)}."
         text = joint_file_text(case, changes, comment=comment)
         write_text(text, out)
@@ -111,18 +111,18 @@ def calibrate(
     from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure
 
     if plot is not None:
-        write_image(calibration_figure(found), plot)
+        write_image(calibration_figure(calibration), plot)
         say_written(plot)
     if plot_posterior is not None and drawn is not None:
-        write_image(posterior_figure(found, drawn), plot_posterior)
+        write_image(posterior_figure(calibration, drawn), plot_posterior)
         say_written(plot_posterior)
     if as_json:
-        print_json(_document(found, drawn))
+        print_json(_document(calibration, drawn))
     else:
-        _show(found, drawn)
+        _show(calibration, drawn)
 
 
-def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
+def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, Any]:
     import math
     from dataclasses import asdict
 
@@ -132,29 +132,29 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
         "estimates": [
             {
                 k: (None if isinstance(v, float) and not math.isfinite(v) else v)
-                for k, v in {**asdict(each), "unit": si_unit_of(each.path)}.items()
+                for k, v in {**asdict(estimate), "unit": si_unit_of(estimate.path)}.items()
             }
-            for each in found.estimates
+            for estimate in calibration.estimates
         ],
         "directions": [
-            {**asdict(each), "standard_deviation": min(each.standard_deviation, 1e300)}
-            for each in found.directions
+            {**asdict(direction), "standard_deviation": min(direction.standard_deviation, 1e300)}
+            for direction in calibration.directions
         ],
-        "covariance_of_scaled_values": found.covariance.tolist(),
+        "covariance_of_scaled_values": calibration.covariance.tolist(),
         "curves": [
             {
-                "source": each.measurement.source,
-                "quantity": each.measurement.quantity.name,
-                "rows": each.residual.size,
+                "source": curve.measurement.source,
+                "quantity": curve.measurement.quantity.name,
+                "rows": curve.residual.size,
                 "residual_standard_deviation": {
-                    "value": each.standard_deviation,
-                    "unit": each.measurement.quantity.si_unit,
+                    "value": curve.standard_deviation,
+                    "unit": curve.measurement.quantity.si_unit,
                 },
-                "durbin_watson": each.durbin_watson,
+                "durbin_watson": curve.durbin_watson,
             }
-            for each in found.curves
+            for curve in calibration.curves
         ],
-        "relative_rms_of_starts": [float(each) for each in found.starts],
+        "relative_rms_of_starts": [float(rms) for rms in calibration.starts],
     }
     if drawn is not None:
         document["posterior"] = {
@@ -165,11 +165,11 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
                 "r_hat": float(drawn.r_hat[i]),
                 "effective_draws": float(drawn.effective_draws[i]),
             }
-            for i, unknown in enumerate(found.unknowns)
+            for i, unknown in enumerate(calibration.unknowns)
         }
         document["posterior_standard_deviation_of_errors"] = {
             "quantiles": _quantiles(drawn.standard_deviation),
-            "unit": found.curves[0].measurement.quantity.si_unit,
+            "unit": calibration.curves[0].measurement.quantity.si_unit,
             "r_hat": float(drawn.r_hat[-1]),
             "effective_draws": float(drawn.effective_draws[-1]),
         }
@@ -195,53 +195,54 @@ def interval_digits(lower: float, upper: float) -> int:
     return min(max(4, 2 + math.ceil(math.log10(size / width))), 15)
 
 
-def _show(found: Calibration, drawn: Posterior | None) -> None:
+def _show(calibration: Calibration, drawn: Posterior | None) -> None:
     from asperity.cli.terminal import console, table
     from asperity.study.calibration.calibration_plot import unit_of
     from asperity.study.calibration.fitted_curve import residual_sentences
     from asperity.units import format_quantity
 
     target = console()
-    sources = [f"{each.residual.size} rows of {each.measurement.source}" for each in found.curves]
-    count = len(found.estimates)
+    sources = [f"{curve.residual.size} rows of {curve.measurement.source}" for curve in calibration.curves]
+    count = len(calibration.estimates)
     rows = table(target, f"{count} unknown{'s'[: count - 1]} from {' and '.join(sources)}",
                  "unknown", "estimate", "95 % from", "to", "")  # fmt: skip
     rows.columns[0].no_wrap, rows.columns[-1].no_wrap = True, False  # the notes give way, not the names
-    for each in found.estimates:
-        unit = unit_of(each.path)
-        digits = interval_digits(each.lower, each.upper)
+    for estimate in calibration.estimates:
+        unit = unit_of(estimate.path)
+        digits = interval_digits(estimate.lower, estimate.upper)
         ends = [
-            format_quantity(v, unit, digits) if each.determined else "-" for v in (each.lower, each.upper)
+            format_quantity(v, unit, digits) if estimate.determined else "-"
+            for v in (estimate.lower, estimate.upper)
         ]
         notes = [
-            "" if each.determined else "NOT determined",
-            each.at_bound and f"at its {each.at_bound} bound",
+            "" if estimate.determined else "NOT determined",
+            estimate.at_bound and f"at its {estimate.at_bound} bound",
         ]
         rows.add_row(
-            each.path,
-            format_quantity(each.value, unit, max(digits, 5)),
+            estimate.path,
+            format_quantity(estimate.value, unit, max(digits, 5)),
             *ends,
             ", ".join(note for note in notes if note),
         )
     target.print(rows)
-    for sentence in residual_sentences(found.curves):
+    for sentence in residual_sentences(calibration.curves):
         target.print(sentence)
     target.print("Combinations of unknowns, the least well determined first:")
-    for direction in found.directions:
+    for direction in calibration.directions:
         target.print(f"  {direction.words}", markup=False)
     if drawn is not None:
         count = len(drawn.scaled_values)
         title = f"Posterior, {count} draws, {drawn.divergences} divergent, R-hat {drawn.r_hat.max():.3f}"
         rows = table(target, title, "unknown", "2.5 %", "median", "97.5 %", "effective draws")
-        for i, unknown in enumerate(found.unknowns):
+        for i, unknown in enumerate(calibration.unknowns):
             values = _quantiles(unknown.from_unit(drawn.scaled_values[:, i])).values()
             shown = [format_quantity(v, unit_of(unknown.path)) for v in values]
             rows.add_row(unknown.path, *shown, f"{drawn.effective_draws[i]:.0f}")
-        unit = found.curves[0].measurement.quantity.fine_unit
+        unit = calibration.curves[0].measurement.quantity.fine_unit
         shown = [format_quantity(v, unit) for v in _quantiles(drawn.standard_deviation).values()]
         rows.add_row("size of errors", *shown, f"{drawn.effective_draws[-1]:.0f}")
         target.print(rows)
-        for i, unknown in enumerate(found.unknowns):
+        for i, unknown in enumerate(calibration.unknowns):
             if note := drawn.note(i):
                 target.print(
                     f"{unknown.path}: {note}, so that the bounds determine the interval", markup=False

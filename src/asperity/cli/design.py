@@ -221,25 +221,25 @@ def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
     from asperity.cli.document_text import show_warnings
     from asperity.cli.terminal import console
-    from asperity.study.design.design_result import found_diagnostics
+    from asperity.study.design.design_result import joint_diagnostics
 
-    found = found_diagnostics(result.joint_text)
-    if found["diagnostics"] is None:
-        because = found["no_result_because"]
+    diagnostics = joint_diagnostics(result.joint_text)
+    if diagnostics["diagnostics"] is None:
+        because = diagnostics["no_result_because"]
         click.echo(f"Under the output torque of its file the designed joint has no result: {because}")
         return
-    show_warnings(console(), found)
+    show_warnings(console(), diagnostics)
 
 
-def _show_front_warnings(target: Console, found: dict[str, Any]) -> None:
+def _show_front_warnings(target: Console, diagnostics: dict[str, Any]) -> None:
     """How many designs of a front cross which limit, the most serious first."""
     from collections import Counter
 
-    designs = [entries for entries in found["diagnostics"] if entries is not None]
+    designs = [entries for entries in diagnostics["diagnostics"] if entries is not None]
     crossed = Counter(label for entries in designs for label in {entry["label"] for entry in entries})
-    if len(designs) < len(found["diagnostics"]):
+    if len(designs) < len(diagnostics["diagnostics"]):
         target.print(
-            f"{len(found['diagnostics']) - len(designs)} designs have no result under the file's torque"
+            f"{len(diagnostics['diagnostics']) - len(designs)} designs have no result under the file's torque"
         )
     if not crossed:
         target.print("No warnings: every limit of the model is kept")
@@ -256,18 +256,18 @@ def _show_variables(target: Console, result: DesignResult) -> None:
 
     stated = numeric_keys(result.problem.case)
     rows = []
-    for each in result.problem.variables:
-        unit = key_at(each.path).unit
-        numbers = (result.point[each.path], each.lower, each.upper)
+    for free in result.problem.variables:
+        unit = key_at(free.path).unit
+        numbers = (result.point[free.path], free.lower, free.upper)
         rows.append(
             {
-                "number": each.path,
-                "before": format_quantity(stated[each.path].value, unit) if each.path in stated else "-",
+                "number": free.path,
+                "before": format_quantity(stated[free.path].value, unit) if free.path in stated else "-",
                 **dict(
                     zip(("design", "from", "to"), (format_quantity(v, unit, 5) for v in numbers), strict=True)
                 ),
-                "step": "" if each.step is None else format_quantity(each.step, unit),
-                "at bound": result.at_bound.get(each.path, ""),
+                "step": "" if free.step is None else format_quantity(free.step, unit),
+                "at bound": result.at_bound.get(free.path, ""),
             }
         )
     columns = [name for name in rows[0] if any(row[name] for row in rows)]
@@ -322,7 +322,7 @@ def _show_limits(target: Console, result: DesignResult) -> None:
 
 
 def _show_search(target: Console, result: DesignResult) -> None:
-    ends = {f"{each.objective:.4g}" for each in result.starts if each.converged and each.violation < 1e-6}
+    ends = {f"{start.objective:.4g}" for start in result.starts if start.converged and start.violation < 1e-6}
     converged = sum(start.converged for start in result.starts)
     values = f", to {len(ends)} different value{'s' * (len(ends) != 1)} (4 digits)" if ends else ""
     target.print(

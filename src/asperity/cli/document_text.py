@@ -230,19 +230,20 @@ def _of(state: Document | None, name: str, index: int, factor: float) -> str:
     return "-" if value is None else number(factor * value, 3)
 
 
-def _sun(found: Document, standing: Document | None) -> str:
-    sun = (standing or found["without_torque"])["sun"]
-    force = in_unit(force_size(found, sun["force_N"]), "N") + (" standing" if standing else " without torque")
-    if found["sun_support_stiffness_N_per_m"] is None:
+def _sun(unlike: Document, standing: Document | None) -> str:
+    sun = (standing or unlike["without_torque"])["sun"]
+    state = "standing" if standing else "without torque"
+    force = f"{in_unit(force_size(unlike, sun['force_N']), 'N')} {state}"
+    if unlike["sun_support_stiffness_N_per_m"] is None:
         return f"{force} on its bearings, which hold it"
     return f"{in_unit(math.hypot(*sun['displacement_m']), 'um')} off centre, {force} on its bearings"
 
 
-def _others(found: Document, state: Document) -> list[str]:
+def _others(unlike: Document, state: Document) -> list[str]:
     """Forces on the other members on the axis, in words."""
     forces = state.get("central_forces_N", {})
     named = [
-        f"{in_unit(force_size(found, force), 'N')} on the {name.replace('_', ' ')}"
+        f"{in_unit(force_size(unlike, force), 'N')} on the {name.replace('_', ' ')}"
         for name, force in forces.items()
     ]
     return [", ".join(named)] if named else []

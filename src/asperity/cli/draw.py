@@ -71,21 +71,21 @@ def _sheet(case: Case, file: str, forces: bool) -> Sheet:
 
     joint = joint_from_case(case)
     refuse_impossible(joint.drive)
-    loaded = found = None
+    loaded = result = None
     if forces:
         from asperity.joint.solve import solve_joint
 
         loaded = with_own_branches(case)
-        found = solve_joint(loaded).result
-    made = _interference(case, found, file)
-    return drive_sheet(joint, name=file, result=found, loaded=loaded, interference=made)
+        result = solve_joint(loaded).result
+    made = _interference(case, result, file)
+    return drive_sheet(joint, name=file, result=result, loaded=loaded, interference=made)
 
 
-def _interference(case: AnyCase, found: JointResult | None, file: str) -> float | None:
+def _interference(case: AnyCase, result: JointResult | None, file: str) -> float | None:
     """The interference with which the ring is made; without it there is a drawing all the same, with a warning."""
     from asperity.joint_file.made_interference import made_interference
 
-    made = made_interference(case, found)
+    made = made_interference(case, result)
     if made.size is None:
         say(
             f"asperity: warning: {file}: the interference of the preload is not known, and the ring's bore without it: "

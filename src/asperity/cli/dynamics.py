@@ -48,17 +48,17 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     with about(file):
         inertias = inertias_from_case(case)
         joint = with_own_branches(case)
-        found = solved_dynamics(joint, inertias)
+        solved = solved_dynamics(joint, inertias)
     if csv_file:
-        write_columns(response_columns(found), csv_file)
+        write_columns(response_columns(solved), csv_file)
         say_written(csv_file)
     if plot_file:
         from asperity.show.dynamics_figure import dynamics_figure
         from asperity.show.style import plain_title
 
-        write_image(dynamics_figure(found, title=f"{plain_title(file)} between motor and load"), plot_file)
+        write_image(dynamics_figure(solved, title=f"{plain_title(file)} between motor and load"), plot_file)
         say_written(plot_file)
-    document = dynamics_document(found, inertias) | {"of_own_branches": (joint.unlike is not None)}
+    document = dynamics_document(solved, inertias) | {"of_own_branches": (joint.unlike is not None)}
     if as_json:
         print_json(document)
         return

@@ -56,11 +56,11 @@ def _show_stiffness(target: Console, document: Document) -> None:
         "output\nN·m/rad",
         "output\nN·m/arcmin",
     )
-    for words, found in stiffness_rows(document):
+    for words, level in stiffness_rows(document):
         shown.add_row(
             words,
             *(
-                number(found[key])
+                number(level[key])
                 for key in ("input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
             ),
         )
@@ -210,13 +210,13 @@ def _show_drive(target: Console, document: Document) -> None:
         *(("first slip", text) for text in first_slip_words(capacity)),
         ("rolling", _rolling_capacity(document)),
     )
-    before, after = _own_rows(document)
+    before, after = _drive_rows(document)
     target.print("Drive", style="bold")
     for label, text in (*before, *common, *after):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
 
 
-def _own_rows(document: Document) -> tuple[Rows, Rows]:
+def _drive_rows(document: Document) -> tuple[Rows, Rows]:
     """Rows of a drive before and after those of its torques."""
     geometry, forces = document["geometry"], document["standing"]["forces"]
     speed = in_unit(forces["output_speed_rad_per_s"], "rpm")
@@ -239,8 +239,8 @@ def _own_rows(document: Document) -> tuple[Rows, Rows]:
         )
     after = [*((("pin force", pins),) if pins else ()), *_strength(document), ("mass", masses)]
     after += [
-        ("roughness", _roughness(each, of_all=len(document["surfaces"]) == 1))
-        for each in document["surfaces"]
+        ("roughness", _roughness(surface, of_all=len(document["surfaces"]) == 1))
+        for surface in document["surfaces"]
     ]
     gaps = [entry for entry in geometry["clearances"] if entry["gap_m"] is not None]
     if gaps:
@@ -254,14 +254,14 @@ def _own_rows(document: Document) -> tuple[Rows, Rows]:
 def _strength(document: Document) -> list[tuple[str, str]]:
     """Lives of rated bearings, and safeties of the bodies that bend."""
     lives = [
-        f"{each['bearing'].replace('_', ' ')} {number(hours)} h"
-        for each in document["bearings"]
-        if (hours := each["life_hours"]) is not None
+        f"{bearing['bearing'].replace('_', ' ')} {number(hours)} h"
+        for bearing in document["bearings"]
+        if (hours := bearing["life_hours"]) is not None
     ]
     safeties = [
-        f"{name.replace('_', ' ')} {number(each['yield_safety'])} against yield"
-        + ("" if each["fatigue_safety"] is None else f", {number(each['fatigue_safety'])} against fatigue")
-        for name, each in document["rims"].items()
+        f"{name.replace('_', ' ')} {number(rim['yield_safety'])} against yield"
+        + ("" if rim["fatigue_safety"] is None else f", {number(rim['fatigue_safety'])} against fatigue")
+        for name, rim in document["rims"].items()
     ]
     rows = []
     if document["bearings"]:
@@ -272,7 +272,7 @@ def _strength(document: Document) -> list[tuple[str, str]]:
 
 
 def _roughness(surface: Document, *, of_all: bool) -> str:
-    """Which Ra the D and G of a surface mean."""
+    """Words for D and G of a surface, with the Ra that corresponds to them."""
     where = "" if of_all else f"{', '.join(surface['contacts'])}: "
     low, high = (in_unit(surface[f"roughness_average_{end}_m"], "um", 2) for end in ("low", "high"))
     return (
@@ -283,14 +283,14 @@ def _roughness(surface: Document, *, of_all: bool) -> str:
 
 
 def _rolling_capacity(document: Document) -> str:
-    """How much torque the joint passes while it turns, in the direction of its torque."""
-    found = document["rolling"]["torque_capacity_Nm"]
-    if found is None:
+    """Words for the torque capacity in rolling, in the direction of the joint's torque."""
+    capacity = document["rolling"]["torque_capacity_Nm"]
+    if capacity is None:
         return "not limited by friction"
-    if found <= 0.0:
+    if capacity <= 0.0:
         return "slips without a torque"
-    at_least = " at least" if may_carry_more(document["torque_capacity"], found) else ""
-    return f"up to {in_unit(found, 'N*m')}{at_least} without gross slip"
+    at_least = " at least" if may_carry_more(document["torque_capacity"], capacity) else ""
+    return f"up to {in_unit(capacity, 'N*m')}{at_least} without gross slip"
 
 
 def capacity_text(capacity: Document) -> str:
@@ -320,10 +320,10 @@ def _show_budget(target: Console, document: Document) -> None:
         parts = sorted(
             ((part, contact) for contact, part in where.items() if abs(part) > NO_SHARE), reverse=True
         )
-        each = (
+        by_contact = (
             f" ({', '.join(f'{contact} {100.0 * part:.1f} %' for part, contact in parts)})" if parts else ""
         )
-        print_wrapped(target, f"  {name} {100.0 * total:.1f} %{each}", indent=4)
+        print_wrapped(target, f"  {name} {100.0 * total:.1f} %{by_contact}", indent=4)
     if not shares:
         why = document["stiffness_unknown_because"] or "the joint passes no torque"
         print_wrapped(target, f"  none: {why}", indent=2)

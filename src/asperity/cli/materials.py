@@ -26,21 +26,22 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
     from asperity.errors import InputError, nearest
     from asperity.library import Finish, read_finishes, read_materials
 
-    found, finishes = read_materials(file), read_finishes(finishes_file)
+    materials, finishes = read_materials(file), read_finishes(finishes_file)
     if file is not None:
-        _check_numbers(file, found)
+        _check_numbers(file, materials)
     if name is not None:
-        if name not in found and name not in finishes:
-            hint = nearest(name, [*found, *finishes]) or f"; it contains {', '.join([*found, *finishes])}"
+        if name not in materials and name not in finishes:
+            known = [*materials, *finishes]
+            hint = nearest(name, known) or f"; it contains {', '.join(known)}"
             raise InputError(f"the library has no entry '{name}'{hint}")
-        found = {name: found[name]} if name in found else {}
+        materials = {name: materials[name]} if name in materials else {}
         finishes = {name: finishes[name]} if name in finishes else {}
     if as_json:
         import json
 
         document = {
-            "materials": {key: asdict(each) for key, each in found.items()},
-            "finishes": {key: asdict(each) for key, each in finishes.items()},
+            "materials": {key: asdict(material) for key, material in materials.items()},
+            "finishes": {key: asdict(finish) for key, finish in finishes.items()},
         }
         click.echo(json.dumps(document, indent=2))
         return
@@ -48,14 +49,13 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
     from asperity.units import format_quantity
 
     target = console()
-    if found:
+    if materials:
         shown = table(target, "Materials", "name", "E", "nu", "density", "yield strength", "hardness")
-        for each in found.values():
-            hard = each.numbers.get("hardness") or f"{each.numbers['hardness_factor']} x yield"
-            row = [
-                str(each.numbers[k]) for k in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")
-            ]
-            shown.add_row(each.name, *row, str(hard))
+        for material in materials.values():
+            numbers = material.numbers
+            hard = numbers.get("hardness") or f"{numbers['hardness_factor']} x yield"
+            row = [str(numbers[k]) for k in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")]
+            shown.add_row(material.name, *row, str(hard))
         target.print(shown)
     if finishes:
         shown = table(target, "Finishes (G from Ra at this D)", "name", "Ra", "D", "G from", "G to")
@@ -68,7 +68,7 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
                 *(format_quantity(v, "mm", 3) for v in finish.fractal_roughness),
             )
         target.print(shown)
-    entries: list[LibraryMaterial | Finish] = [*found.values(), *finishes.values()]
+    entries: list[LibraryMaterial | Finish] = [*materials.values(), *finishes.values()]
     for entry in entries:
         target.print(
             f"{entry.name}: {entry.description}. Source: {entry.reference}. {entry.note}".rstrip(),
@@ -76,13 +76,13 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
         )
 
 
-def _check_numbers(file: str, found: dict[str, LibraryMaterial]) -> None:
+def _check_numbers(file: str, materials: dict[str, LibraryMaterial]) -> None:
     """Check that the values of a library are within the ranges that a joint file allows for materials."""
     from asperity.errors import InputError
     from asperity.joint_file.si_tables import check_values, key_at
     from asperity.units import parse_quantity
 
-    for name, entry in found.items():
+    for name, entry in materials.items():
         for key, number in entry.numbers.items():
             path = f"materials.{name.replace('.', '_')}.{key}"
             try:

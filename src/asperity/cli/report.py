@@ -98,7 +98,7 @@ def report(
         from asperity.joint_file.drawn_surface import with_measured_surface
 
         measured = measured_surface(surfaces)
-        texts = tuple(read_text(each) for each in surfaces)
+        texts = tuple(read_text(path) for path in surfaces)
         case = with_measured_surface(case, measured)
     source = ReportSource(
         name=Path(file).name,

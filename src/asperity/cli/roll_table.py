@@ -207,14 +207,14 @@ def _show_life(target: Console, document: Document) -> None:
             "life under it\nalone, hours",
         )
         for name, load in loads.items():
-            found = rolling["duty"][name]
+            of_load = rolling["duty"][name]
             duty.add_row(
                 name,
                 in_unit(load["output_torque"], "N*m"),
                 in_unit(load["sun_speed"], "rpm"),
                 f"{scaled(load['share'], 100.0)} %",
-                "-" if found["damage_share"] is None else f"{scaled(found['damage_share'], 100.0)} %",
-                _life(found["life_hours"]),
+                "-" if of_load["damage_share"] is None else f"{scaled(of_load['damage_share'], 100.0)} %",
+                _life(of_load["life_hours"]),
             )
         target.print(duty)
 

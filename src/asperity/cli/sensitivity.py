@@ -54,17 +54,17 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     others = [name for name in DEFAULT_RESULTS if name in table] if as_json or plot is not None else []
     names = tuple(dict.fromkeys((*others, asked)))
     with about(file):
-        found = differentiate(case, names)
+        dataset = differentiate(case, names)
     if as_json:
         from asperity.study.tolerances.documents import sensitivity_document
 
-        print_json(sensitivity_document(found))
+        print_json(sensitivity_document(dataset))
     else:
-        _show(ranking(found, result))
+        _show(ranking(dataset, result))
     if plot is not None:
         from asperity.study.tolerances.influence_plot import tornado_figure
 
-        write_image(tornado_figure(found, result=result), plot)
+        write_image(tornado_figure(dataset, result=result), plot)
         say_written(plot)
 
 

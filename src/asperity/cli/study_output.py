@@ -26,24 +26,24 @@ _MOST_NAMES = 8
 _GAP = 3  # between two columns
 
 
-def show_status(found: xarray.Dataset) -> None:
+def show_status(dataset: xarray.Dataset) -> None:
     """Say how many points have a result, and why others have none.
 
     Parameters
     ----------
-    found : xarray.Dataset
+    dataset : xarray.Dataset
         Evaluated points.
     """
     from asperity.joint.status import STATUS_MEANINGS
 
-    counts = status_counts(found)
+    counts = status_counts(dataset)
     total = sum(counts.values())
     click.echo(f"{total} point{'s' * (total != 1)}, {counts.get(0, 0)} solved")
     for code, count in sorted(counts.items()):
         if code != 0:
             click.echo(f"  {count} not solved: {STATUS_MEANINGS[code] if code > 0 else 'not computed'}")
-    if "rolling_slip_ratio" in found:
-        slipping = _points_beyond(found["rolling_slip_ratio"], 1.0)
+    if "rolling_slip_ratio" in dataset:
+        slipping = _points_beyond(dataset["rolling_slip_ratio"], 1.0)
         if slipping:
             click.echo(
                 f"  {slipping} solved standing, but a contact slips as a whole in rolling: skew takes its friction"
@@ -56,9 +56,9 @@ def _points_beyond(values: xarray.DataArray, limit: float) -> int:
     return int((values >= limit).any(rows).sum())
 
 
-def status_counts(found: xarray.Dataset) -> dict[int, int]:
+def status_counts(dataset: xarray.Dataset) -> dict[int, int]:
     """How many points have each status."""
-    data = found["status"].data
+    data = dataset["status"].data
     if hasattr(data, "to_delayed"):  # chunks of a store: never all at once
         parts = [part.compute(scheduler="synchronous") for part in data.to_delayed().ravel()]
     else:
@@ -71,7 +71,7 @@ def status_counts(found: xarray.Dataset) -> dict[int, int]:
     return counts
 
 
-def show_points(found: xarray.Dataset) -> None:
+def show_points(dataset: xarray.Dataset) -> None:
     """Print the points of a small sweep: coordinates, results (main ones, if many), status where one is unsolved."""
     from asperity.cli.terminal import console, table
     from asperity.joint.status import STATUS_NAMES
@@ -81,20 +81,20 @@ def show_points(found: xarray.Dataset) -> None:
     from asperity.study.parameters import long_name
     from asperity.units import from_si
 
-    axes = [str(name) for name in found["status"].dims]
-    asked = [str(name) for name in found.data_vars if name != "status"]
-    of_result = {name: rows_of(found, name) for name in asked}
+    axes = [str(name) for name in dataset["status"].dims]
+    asked = [str(name) for name in dataset.data_vars if name != "status"]
+    of_result = {name: rows_of(dataset, name) for name in asked}
     chosen = asked
     if sum(map(len, of_result.values())) > _MOST_COLUMNS:
-        chosen = [name for name in _SHOWN if name in found] or asked[:1]
+        chosen = [name for name in _SHOWN if name in dataset] or asked[:1]
     units = {path: key_at(path).unit for path in axes}
-    places = list(itertools.islice(np.ndindex(found["status"].shape), _MOST_ROWS))
+    places = list(itertools.islice(np.ndindex(dataset["status"].shape), _MOST_ROWS))
     at = [dict(zip(axes, place, strict=True)) for place in places]
     absent = {
         (name, row)
         for name in chosen
         for row, values in of_result[name].items()
-        if RESULTS[name].present is not None and all(np.isnan(float(values.isel(each))) for each in at)
+        if RESULTS[name].present is not None and all(np.isnan(float(values.isel(point))) for point in at)
     }
     columns = [
         (name, row, values)
@@ -104,17 +104,17 @@ def show_points(found: xarray.Dataset) -> None:
     ][:_MOST_COLUMNS]
     coordinates = {
         f"{long_name(path)}{_unit(units[path])}": [
-            f"{from_si(float(found[path][each[path]]), units[path]):.6g}" for each in at
+            f"{from_si(float(dataset[path][point[path]]), units[path]):.6g}" for point in at
         ]
         for path in axes
     }
     cells = {
         f"{row_name(name, row).replace('_', ' ')}{_unit(RESULTS[name].display_unit)}": [
-            _cell(values.isel(each), RESULTS[name]) for each in at
+            _cell(values.isel(point), RESULTS[name]) for point in at
         ]
         for name, row, values in columns
     }
-    codes = [int(found["status"][place]) for place in places]
+    codes = [int(dataset["status"][place]) for place in places]
     if any(codes):
         cells["status"] = [STATUS_NAMES[code].replace("_", " ") if code else "" for code in codes]
     target = console()
@@ -127,7 +127,7 @@ def show_points(found: xarray.Dataset) -> None:
         for row in zip(*block.values(), strict=True):
             shown.add_row(*row)
         target.print(shown)
-    more = found["status"].size - _MOST_ROWS
+    more = dataset["status"].size - _MOST_ROWS
     if more > 0:
         click.echo(f"and {more} more point{'s' * (more != 1)}; --out writes them all")
     for name in chosen:

@@ -141,7 +141,7 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
 
 
 def _way_on(measured: MeasuredFiles, long_cutoff: float | None) -> str:
-    """How a surface without D and G becomes a joint."""
+    """Words on how to state a surface without D and G in a joint file."""
     if long_cutoff is None:
         return (
             "A joint needs neither D nor G: measure again with --lambda-c, the width of its contacts (2b, as 'asperity "

@@ -130,7 +130,7 @@ def sweep(
         )
     try:
         with progress_bar("points") as report, about(file, out):
-            found = evaluate_sweep(
+            dataset = evaluate_sweep(
                 case,
                 grid,
                 results=names,
@@ -146,13 +146,13 @@ def sweep(
             say(f"the finished blocks are kept in {out}; the same command continues from there")
         raise
     if out is not None and not streamed:
-        write_table(found, out)
+        write_table(dataset, out)
     if plot is not None:
         from asperity.study.sweep.sweep_plot import sweep_figure
 
-        write_image(sweep_figure(found, result=plot_result, limits=drawn), plot)
+        write_image(sweep_figure(dataset, result=plot_result, limits=drawn), plot)
         say_written(plot)
-    _show(found, out)
+    _show(dataset, out)
 
 
 def _check_plot_result(
@@ -172,12 +172,12 @@ def _check_plot_result(
         )
 
 
-def _show(found: xarray.Dataset, out: str | None) -> None:
+def _show(dataset: xarray.Dataset, out: str | None) -> None:
     """The points of a small sweep, or a summary."""
     from asperity.cli.study_output import show_points, show_status
 
-    show_status(found)
+    show_status(dataset)
     if out is None:
-        show_points(found)
+        show_points(dataset)
     else:
         say_written(out)

@@ -81,24 +81,24 @@ def uncertainty(
         return
     names = None if results is None else [n.strip() for n in results.split(",") if n.strip()]
     with progress_bar("samples") as report, about(file):
-        found = propagate(
+        dataset = propagate(
             case, results=names, distribution=otherwise, samples=samples, seed=seed, report=report
         )
     if as_json:
         from asperity.study.tolerances.documents import uncertainty_document
 
-        print_json(uncertainty_document(found))
+        print_json(uncertainty_document(dataset))
     else:
-        _show(found)
+        _show(dataset)
     if plot is not None:
         from asperity.study.tolerances.influence_plot import uncertainty_figure
 
-        write_image(uncertainty_figure(found, result=found["result"].values[0]), plot)
+        write_image(uncertainty_figure(dataset, result=dataset["result"].values[0]), plot)
         say_written(plot)
 
 
 def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, seed: int) -> dict[str, Any]:
-    """What drives do whose branches have sizes of their own."""
+    """Document of drives whose branches are drawn one by one."""
     from asperity.cli.terminal import progress_bar
     from asperity.study.tolerances.branch_scatter import branch_scatter
 
@@ -107,9 +107,9 @@ def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, see
         return branch_scatter(case, report=report, **asked).document()
 
 
-def _show_branches(found: dict[str, Any], draws: int, as_json: bool) -> None:
+def _show_branches(scatter: dict[str, Any], draws: int, as_json: bool) -> None:
     if as_json:
-        print_json(found)
+        print_json(scatter)
         return
     from asperity.cli.terminal import console, table
 
@@ -125,33 +125,34 @@ def _show_branches(found: dict[str, Any], draws: int, as_json: bool) -> None:
         ("largest_rolling_share", "largest share of a branch, rolling", "%", 100.0),
         ("sun_force_N", "force on the sun's bearings", "N", 1.0),
     ):
-        values = ["-"] * 3 if found[name] is None else [f"{factor * each:.4g}" for each in found[name]]
+        values = ["-"] * 3 if scatter[name] is None else [f"{factor * value:.4g}" for value in scatter[name]]
         shown.add_row(words, unit, *values)
     target.print(shown)
+    alone = scatter["share_without_a_balance"]
     click.echo(
-        f"equal branches pass {found['equal_branches_Nm']:.4g} N·m; a branch is loose in "
-        f"{100.0 * found['share_with_a_loose_branch']:.1f} % and slips under the torque of the file in "
-        f"{100.0 * found['share_that_slips_under_the_torque']:.1f} % of the drives"
-        + (f"; {100.0 * alone:.1f} % have no balance" if (alone := found["share_without_a_balance"]) else "")
+        f"equal branches pass {scatter['equal_branches_Nm']:.4g} N·m; a branch is loose in "
+        f"{100.0 * scatter['share_with_a_loose_branch']:.1f} % and slips under the torque of the file in "
+        f"{100.0 * scatter['share_that_slips_under_the_torque']:.1f} % of the drives"
+        + (f"; {100.0 * alone:.1f} % have no balance" if alone else "")
     )
 
 
-def _show(found: xarray.Dataset) -> None:
+def _show(dataset: xarray.Dataset) -> None:
     from asperity.cli.study_output import show_status
     from asperity.cli.terminal import console, table
     from asperity.results import display_unit
     from asperity.study.tolerances.documents import failures
     from asperity.units import from_si
 
-    show_status(found)
+    show_status(dataset)
     target, named = console(), []
     rows = table(
         target, "95 % of the results", "result", "unit", "nominal", "mean", "std. dev.", "2.5 %", "97.5 %"
     )
-    for name in found["result"].values.tolist():
-        one = found.sel(result=name)
+    for name in dataset["result"].values.tolist():
+        one = dataset.sel(result=name)
         if one["categories"].item():
-            named.append(f"{one['result_name'].item()}: {_shares(found, name)}")
+            named.append(f"{one['result_name'].item()}: {_shares(dataset, name)}")
             continue
         low, _, high = one["quantiles"].values
         numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
@@ -161,12 +162,12 @@ def _show(found: xarray.Dataset) -> None:
     if rows.rows:
         target.print(rows)
     for sentence in failures(
-        found, {name: name.replace("_", " ") for name in found["result"].values.tolist()}
+        dataset, {name: name.replace("_", " ") for name in dataset["result"].values.tolist()}
     ):
         click.echo(sentence)
     for line in named:
         click.echo(line)
-    first = found.isel(result=0)
+    first = dataset.isel(result=0)
     if np.all(np.isnan(first["total_order"].values)):
         return
     name = str(first["result"].item()).replace("_", " ")
@@ -192,10 +193,10 @@ def _cell(number: float) -> str:
     return format_quantity(number, "1", 5) if np.isfinite(number) else "fails"
 
 
-def _shares(found: xarray.Dataset, name: str) -> str:
-    """How often each category of a result that is not a quantity occurs."""
-    categories = str(found["categories"].sel(result=name).item()).split(" ")
-    solved = found["samples"].sel(result=name).values[found["status"].values == 0]
+def _shares(dataset: xarray.Dataset, name: str) -> str:
+    """Words for the share of each category of a result that is not a quantity."""
+    categories = str(dataset["categories"].sel(result=name).item()).split(" ")
+    solved = dataset["samples"].sel(result=name).values[dataset["status"].values == 0]
     codes, counts = np.unique(solved.astype(int), return_counts=True)
     pairs = sorted(zip(counts.tolist(), codes.tolist(), strict=True), reverse=True)
     return ", ".join(f"{categories[code]} in {100.0 * count / solved.size:.2f} %" for count, code in pairs)

@@ -88,11 +88,11 @@ def _show(document: dict[str, Any]) -> None:
                 target.print(Text(f"        {row['note']}"))
                 continue
             unit = "" if row["unit"] == "-" else f" {row['unit']}"
-            apart, of = ("difference", unit) if row["absolute"] else ("relative deviation", "")
+            kind, of = ("difference", unit) if row["absolute"] else ("relative deviation", "")
             target.print(
                 Text(
                     f"        found {shown(row['found'], 8)}, expected {shown(row['expected'], 8)}{unit}\n"
-                    f"        {apart} {shown(row['deviation'], 2)}{of}, tolerance {shown(row['tolerance'], 2)}{of}; "
+                    f"        {kind} {shown(row['deviation'], 2)}{of}, tolerance {shown(row['tolerance'], 2)}{of}; "
                     f"{row['reference']}"
                 )
             )

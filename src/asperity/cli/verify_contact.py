@@ -140,7 +140,7 @@ def verify_contact(
     console = Console(stderr=True)
     with Progress(console=console, transient=True, disable=not sys.stderr.isatty()) as progress:
         bar = progress.add_task("contacts", total=len(samples) * seeds * loads)
-        found = [
+        comparisons = [
             compare(
                 sample,
                 seeds=seeds,
@@ -153,15 +153,15 @@ def verify_contact(
     if plot_file:
         from asperity.verify.comparison import comparison_figure
 
-        write_image(comparison_figure(samples, found), plot_file)
+        write_image(comparison_figure(samples, comparisons), plot_file)
         say_written(plot_file)
     if as_json:
         import json
 
-        document = [_document(sample, result) for sample, result in zip(samples, found, strict=True)]
+        document = [_document(sample, result) for sample, result in zip(samples, comparisons, strict=True)]
         click.echo(json.dumps(document, indent=2))
         return
-    _show(samples, found)
+    _show(samples, comparisons)
 
 
 def _read(option: str, text: str, dimension: Any) -> float:
@@ -183,7 +183,7 @@ _UNITS = {
 }
 
 
-def _document(sample: Sample, found: Comparison) -> dict[str, Any]:
+def _document(sample: Sample, comparison: Comparison) -> dict[str, Any]:
     """Everything computed for one sample; null where a stiffness is infinite (complete contact)."""
     import dataclasses
     import math
@@ -195,12 +195,12 @@ def _document(sample: Sample, found: Comparison) -> dict[str, Any]:
             return [plain(entry) for entry in value]
         return value if math.isfinite(value) else None
 
-    names = [field.name for field in dataclasses.fields(found)]
+    names = [field.name for field in dataclasses.fields(comparison)]
     results = {}
     for name in names:
         stem = name.removeprefix("law_").removeprefix("persson_")
         key = f"{name}_{_UNITS[stem]}" if stem in _UNITS else name
-        results[key] = plain(np.asarray(getattr(found, name)).tolist())
+        results[key] = plain(np.asarray(getattr(comparison, name)).tolist())
     return {"sample": dataclasses.asdict(sample), **results}
 
 
@@ -211,14 +211,14 @@ _COLUMNS = {
 }
 
 
-def _show(samples: list[Sample], found: list[Comparison]) -> None:
+def _show(samples: list[Sample], comparisons: list[Comparison]) -> None:
     """Print one table per sample: boundary elements with their scatter, and both theories as ratios to them."""
     import numpy as np
 
     from asperity.cli.terminal import prepare_output
 
     prepare_output()
-    for sample, result in zip(samples, found, strict=True):
+    for sample, result in zip(samples, comparisons, strict=True):
         seeds = result.real_contact_area.shape[0]
         click.secho(
             f"D = {sample.fractal_dimension:g}: rms height {float(result.rms_height) * 1e6:.3g} µm, rms slope "

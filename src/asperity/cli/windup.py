@@ -192,17 +192,17 @@ def _show_rolling(document: dict[str, Any], same: bool) -> None:
     from asperity.cli.terminal import console, table
     from asperity.units import format_quantity
 
-    target, found = console(), document["rolling"]
+    target, rolling = console(), document["rolling"]
     torque = format_quantity(document["largest_torque_Nm"], "N*m")
-    if found["unknown_because"]:
+    if rolling["unknown_because"]:
         print_wrapped(
-            target, f"When the input turns under {torque}: {found['unknown_because'][0]}.", indent=0
+            target, f"When the input turns under {torque}: {rolling['unknown_because'][0]}.", indent=0
         )
         return
     columns = ["", "input", "output"] + ([] if same else ["input, reverse", "output, reverse"])
-    ways = [found] if same or found["reverse"]["unknown_because"] else [found, found["reverse"]]
+    ways = [rolling] if same or rolling["reverse"]["unknown_because"] else [rolling, rolling["reverse"]]
     shown = table(target, f"When the input turns under {torque}", *columns[: 1 + 2 * len(ways)])
-    share = f"{100.0 * found['creep_share_of_windup']:.3g} %"
+    share = f"{100.0 * rolling['creep_share_of_windup']:.3g} %"
     for key, words in (
         ("static_curve_up_to", f"static curve holds up to (creep {share} of the wind-up)"),
         ("steady_creep_from", "steady creep from (every contact has rolled its width)"),
@@ -211,12 +211,12 @@ def _show_rolling(document: dict[str, Any], same: bool) -> None:
         cells = [in_unit(way[key][side], "deg") for way in ways for side in ("input_rad", "output_rad")]
         shown.add_row(words, *cells)
     drift = [in_unit(way["drift_rad_per_output_turn"], "arcmin") for way in ways]
-    shown.add_row("drift per output turn in steady rolling", *(cell for each in drift for cell in ("", each)))
+    shown.add_row("drift per output turn in steady rolling", *(cell for text in drift for cell in ("", text)))
     target.print(shown)
     rolled = table(
         target, "Contacts", "contact", "width", "rolled by it after, input", "output", "share of the drift"
     )
-    for name, contact in found["contacts"].items():
+    for name, contact in rolling["contacts"].items():
         after = contact["rolls_its_width_in"]
         rolled.add_row(
             name,

@@ -167,7 +167,7 @@ def export_content(
 
 
 def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
-    entry, moving = (float(np.asarray(each)) for each in joint_inertias(joint))
+    entry, moving = (float(np.asarray(inertia)) for inertia in joint_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
     lost = float(np.asarray(power.loss)) - float(
         np.sum(np.asarray(power.creep))
@@ -220,7 +220,7 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
 
 
 def _whose_branches(content: ExportContent) -> list[str]:
-    """Whose curves these are, where the joint file states branches of unlike sizes."""
+    """Comment on branches of unlike sizes; empty for equal ones."""
     if content.joint.unlike is None:
         return []
     return ["Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."]

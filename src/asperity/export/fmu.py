@@ -74,8 +74,8 @@ class FmuParts:
 
 def fmu_parts(content: ExportContent) -> FmuParts:
     """Model description and data of a joint."""
-    drifts = [np.asarray(each) for each in (content.curves.driving_drift, content.curves.braking_drift)]
-    if not all(np.all(np.isfinite(each)) for each in drifts):
+    drifts = [np.asarray(drift) for drift in (content.curves.driving_drift, content.curves.braking_drift)]
+    if not all(np.all(np.isfinite(drift)) for drift in drifts):
         torque = np.asarray(content.windup.torque)[~np.isfinite(drifts[0] + drifts[1])]
         raise InputError(
             f"the joint has no steady rolling at {np.min(np.abs(torque)):.4g} N*m"
@@ -86,7 +86,7 @@ def fmu_parts(content: ExportContent) -> FmuParts:
     law = SeriesLaw(content.windup, content.play)
     slip = slip_elements(law, elements=ELEMENTS)
     variables = _variables(content, law, slip)
-    numbers = [0.0 if each.start is None else each.start for each in variables]
+    numbers = [0.0 if variable.start is None else variable.start for variable in variables]
     points = np.asarray(content.windup.torque).size
     plain = (
         f"#define POINTS {points}\n#define ELEMENTS {slip.threshold.size}\n"
@@ -191,7 +191,7 @@ def _variables(content: ExportContent, law: SeriesLaw, slip: SlipElements) -> li
 def _description(content: ExportContent, identifier: str, guid: str, variables: list[_Variable]) -> str:
     """``modelDescription.xml``."""
     said = " | ".join(heading(content, what="FMU"))
-    units = dict.fromkeys(each.unit for each in variables)
+    units = dict.fromkeys(variable.unit for variable in variables)
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<fmiModelDescription fmiVersion="2.0" modelName={quoteattr(Path(content.source).stem)} guid="{guid}"',
@@ -207,15 +207,15 @@ def _description(content: ExportContent, identifier: str, guid: str, variables: 
         '  <DefaultExperiment startTime="0" stepSize="0.001"/>',
         "  <ModelVariables>",
     ]
-    for place, each in enumerate(variables):
-        fixed = "fixed" if each.causality == "parameter" else "continuous"
-        start = "" if each.start is None else f' start="{each.start!r}"'
+    for place, variable in enumerate(variables):
+        fixed = "fixed" if variable.causality == "parameter" else "continuous"
+        start = "" if variable.start is None else f' start="{variable.start!r}"'
         lines += [
-            f'    <ScalarVariable name="{each.name}" valueReference="{place}" causality="{each.causality}"'
-            f' variability="{fixed}" description={quoteattr(each.description)}>'
-            f'<Real unit="{each.unit}"{start}/></ScalarVariable>'
+            f'    <ScalarVariable name="{variable.name}" valueReference="{place}" causality="{variable.causality}"'
+            f' variability="{fixed}" description={quoteattr(variable.description)}>'
+            f'<Real unit="{variable.unit}"{start}/></ScalarVariable>'
         ]
-    outputs = [place for place, each in enumerate(variables, start=1) if each.causality == "output"]
+    outputs = [place for place, variable in enumerate(variables, start=1) if variable.causality == "output"]
     unknowns = "".join(f'<Unknown index="{place}"/>' for place in outputs)
     lines += [
         "  </ModelVariables>",

@@ -49,7 +49,7 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
         "    </body>",
         "  </worldbody>",
         "  <tendon>",
-        *[line for each in tendons for line in each],
+        *[line for tendon in tendons for line in tendon],
         "  </tendon>",
         "  <!-- For MuJoCo older than 4.0, which has no springyield: put this one linear spring, which has no",
         "       hysteresis, in place of all tendons above.",
@@ -107,7 +107,7 @@ def _tendon(
     yield_angle: float | None = None,
     damping: float = 0.0,
 ) -> list[str]:
-    numbers = " ".join(f"{float(each):.12g}" for each in stiffness)
+    numbers = " ".join(f"{float(value):.12g}" for value in stiffness)
     more = "" if yield_angle is None else f' springyield="{yield_angle:.12g}"'
     more += f' damping="{damping:.9g}"' if damping > 0.0 else ""
     return [

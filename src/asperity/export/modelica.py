@@ -16,8 +16,8 @@ from asperity.export.elements import FittedElements
 def modelica_file(content: ExportContent, fitted: FittedElements) -> bytes:
     """The Modelica package of a joint."""
     curves, elements = content.curves, fitted.elements
-    drifts = [np.asarray(each) for each in (curves.driving_drift, curves.braking_drift)]
-    if not all(np.all(np.isfinite(each)) for each in drifts):
+    drifts = [np.asarray(drift) for drift in (curves.driving_drift, curves.braking_drift)]
+    if not all(np.all(np.isfinite(drift)) for drift in drifts):
         raise InputError(
             "the joint has no steady rolling at some torques, and a Modelica model needs its drift at every torque: "
             "lower the largest torque, or export to a table",

@@ -153,19 +153,19 @@ _WRITERS: dict[str, Callable[[ExportContent, str], Exported]] = {
 
 def table_columns(content: ExportContent) -> dict[str, np.ndarray]:
     """The curves at the torques of the wind-up, shape (n,)."""
-    curve, found = content.windup, content.curves
+    curve, curves = content.windup, content.curves
     columns = {
         "torque_Nm": curve.torque,
-        "stiffness_published_Nm_per_rad": found.published,
-        "stiffness_series_Nm_per_rad": found.series_with_bulk,
-        "stiffness_assembly_Nm_per_rad": found.assembly,
+        "stiffness_published_Nm_per_rad": curves.published,
+        "stiffness_series_Nm_per_rad": curves.series_with_bulk,
+        "stiffness_assembly_Nm_per_rad": curves.assembly,
         "loading_rad": curve.angle,
         "unloading_rad": curve.unloading_angle,
         "reloading_rad": curve.reloading_angle,
         "slip_rad": curve.slip_angle,
-        "drift_driving_rad_per_turn": found.driving_drift,
-        "drift_braking_rad_per_turn": found.braking_drift,
-        "largest_slip_ratio": found.slip_ratio,
+        "drift_driving_rad_per_turn": curves.driving_drift,
+        "drift_braking_rad_per_turn": curves.braking_drift,
+        "largest_slip_ratio": curves.slip_ratio,
     }
     return {name: np.asarray(values, dtype=float) for name, values in columns.items()}
 

@@ -171,7 +171,7 @@ def _materials_built_in() -> dict[str, LibraryMaterial]:
 
 
 def _materials(extension: str | Path | None) -> dict[str, LibraryMaterial]:
-    found = {}
+    materials = {}
     tables = _tables("materials_library.toml", extension)
     with _naming(extension):
         for name, entry in tables.items():
@@ -194,8 +194,8 @@ def _materials(extension: str | Path | None) -> dict[str, LibraryMaterial]:
                 raise InputError(
                     f"library entry {name}: exactly one of 'hardness' and 'hardness_factor' is needed"
                 )
-            found[name] = LibraryMaterial(name=name, numbers=numbers, **words)
-    return found
+            materials[name] = LibraryMaterial(name=name, numbers=numbers, **words)
+    return materials
 
 
 def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float, float]:
@@ -205,7 +205,7 @@ def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float
             f"library entry {name}: {key}: expected one value or [lowest, highest], got {quoted(value)}"
         )
     try:
-        low, high = (parse_quantity(each, dimension) for each in pair)
+        low, high = (parse_quantity(text, dimension) for text in pair)
     except InputError as error:
         raise InputError(f"library entry {name}: {key}: {error}") from None
     if not 0.0 < low <= high:
@@ -243,7 +243,7 @@ def _finishes_built_in() -> dict[str, Finish]:
 
 def _finishes(extension: str | Path | None) -> dict[str, Finish]:
     known = ("roughness_average", "sampling_length", "fractal_dimension", "published_dimension", *_WORDS)
-    found = {}
+    finishes = {}
     tables = _tables("finishes_library.toml", extension)
     with _naming(extension):
         for name, entry in tables.items():
@@ -269,11 +269,11 @@ def _finishes(extension: str | Path | None) -> dict[str, Finish]:
                 if not 1.0 < pair[0] <= pair[1] < 2.0:
                     raise InputError(f"library entry {name}: {key} must be between 1 and 2, got {pair}")
             corners = [
-                fractal_roughness_from_average(roughness_average=each, cut_off=length, fractal_dimension=d)
-                for each in average
+                fractal_roughness_from_average(roughness_average=height, cut_off=length, fractal_dimension=d)
+                for height in average
                 for d in dimension
             ]
-            found[name] = Finish(
+            finishes[name] = Finish(
                 name=name,
                 roughness_average=average,
                 sampling_length=length,
@@ -282,7 +282,7 @@ def _finishes(extension: str | Path | None) -> dict[str, Finish]:
                 published_dimension=published,
                 **words,
             )
-    return found
+    return finishes
 
 
 def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[str, Any], dict[str, str]]:
@@ -313,7 +313,7 @@ def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[
 
 
 def _from_library(entry: dict[str, Any], folder: Path) -> dict[str, Any]:
-    own = {key: value for key, value in entry.items() if key not in ("library", "file")}
+    stated = {key: value for key, value in entry.items() if key not in ("library", "file")}
     for key in ("library", "file"):
         if not isinstance(entry.get(key, ""), str):
             raise InputError(f"{key}: expected a name as text, got {quoted(entry[key])}")
@@ -326,7 +326,7 @@ def _from_library(entry: dict[str, Any], folder: Path) -> dict[str, Any]:
             f"library: there is no material {quoted(entry['library'])}; known are {', '.join(library)}"
         )
     numbers = dict(library[entry["library"]].numbers)
-    if "hardness" in own or "hardness_factor" in own:
+    if "hardness" in stated or "hardness_factor" in stated:
         numbers.pop("hardness", None)
         numbers.pop("hardness_factor", None)
-    return {**numbers, **own}
+    return {**numbers, **stated}

@@ -56,35 +56,35 @@ def joint_answer(request: JointRequest) -> Answer:
         "document": document,
         "drawing": drive_shapes(solved.joint, solved.result)
         | {"made_interference_m": made_interference(case, solved.result).size},
-        "margins": [_margin(each) for each in margins(solved)],
+        "margins": [_margin(margin) for margin in margins(solved)],
         "curves": curves,
         "creep": _creep(solved),
         "windup": wound.result(),
     }
 
 
-def _margin(each: Margin) -> Answer:
+def _margin(margin: Margin) -> Answer:
     """One requirement in the unit of display; numbers that are infinite, and what is not known, are None."""
-    unit = each.result.display_unit
+    unit = margin.result.display_unit
 
     def shown(value: float) -> float | None:
         return from_si(value, unit) if math.isfinite(value) else None
 
-    used = each.utilisation
+    used = margin.utilisation
     return {
-        "name": each.result.name,
-        "label": each.result.label,
-        "place": each.place.replace("_", " "),
+        "name": margin.result.name,
+        "label": margin.result.label,
+        "place": margin.place.replace("_", " "),
         "unit": unit,
-        "actual": shown(each.actual),
-        "infinite": math.isinf(each.actual),
-        "lowest": shown(each.lowest),
-        "highest": shown(each.highest),
-        "inclusive": each.result.limit is not None and each.result.limit.inclusive,
+        "actual": shown(margin.actual),
+        "infinite": math.isinf(margin.actual),
+        "lowest": shown(margin.lowest),
+        "highest": shown(margin.highest),
+        "inclusive": margin.result.limit is not None and margin.result.limit.inclusive,
         "used": used if math.isfinite(used) else None,
-        "ok": each.passes,
-        "severity": each.severity,
-        "state": each.state,
+        "ok": margin.passes,
+        "severity": margin.severity,
+        "state": margin.state,
     }
 
 
@@ -133,7 +133,7 @@ def stated_values(case: Case, tables: Mapping[str, Any]) -> Answer:
 
 
 def _shown(value_si: float, key: Key) -> float:
-    """In the unit of display, without the last two digits, which a conversion makes up."""
+    """Value in the unit of display, to 14 digits: conversion makes up the last two."""
     return float(f"{from_si(value_si, key.unit):.14g}")
 
 
@@ -144,28 +144,28 @@ def plain_numbers(values: Any) -> list[float | None]:
 
 def _curves(solved: SolvedJoint) -> Answer:
     capacity = float(solved.capacity_of_direction.output_torque)
-    found = torque_curves(joint=solved.joint, torque_capacity=capacity)
+    curves = torque_curves(joint=solved.joint, torque_capacity=capacity)
     return {
-        "torque_Nm": plain_numbers(found.torque),
-        "published_Nm_per_rad": plain_numbers(found.published),
-        "series_with_bulk_Nm_per_rad": plain_numbers(found.series_with_bulk),
-        "assembly_Nm_per_rad": plain_numbers(found.assembly),
-        "drift_rad_per_output_turn": plain_numbers(found.drift_per_output_turn),
-        "efficiency": plain_numbers(found.efficiency),
-        "total_loss_W": plain_numbers(found.total_loss),
-        "life_hours": plain_numbers(found.life_hours),
-        "life_output_turns": plain_numbers(found.life_turns),
-        "largest_slip_ratio": plain_numbers(found.slip_ratio),
+        "torque_Nm": plain_numbers(curves.torque),
+        "published_Nm_per_rad": plain_numbers(curves.published),
+        "series_with_bulk_Nm_per_rad": plain_numbers(curves.series_with_bulk),
+        "assembly_Nm_per_rad": plain_numbers(curves.assembly),
+        "drift_rad_per_output_turn": plain_numbers(curves.drift_per_output_turn),
+        "efficiency": plain_numbers(curves.efficiency),
+        "total_loss_W": plain_numbers(curves.total_loss),
+        "life_hours": plain_numbers(curves.life_hours),
+        "life_output_turns": plain_numbers(curves.life_turns),
+        "largest_slip_ratio": plain_numbers(curves.slip_ratio),
     }
 
 
 def _creep(solved: SolvedJoint) -> Answer:
     """Creep curve of each contact: traction T/N over creepage."""
-    found = creep_curves(solved.joint, solved.result)
+    curves = creep_curves(solved.joint, solved.result)
     return {
         name: {"traction": plain_numbers(traction), "creepage": plain_numbers(creepage)}
         for name, traction, creepage in zip(
-            solved.result.contact_names, found.traction, found.creepage, strict=True
+            solved.result.contact_names, curves.traction, curves.creepage, strict=True
         )
     }
 
@@ -206,12 +206,12 @@ def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:
                 for radius in sorted([*radii, *_bore(joint, number)], reverse=True)
             ]
     known = bool(np.all(np.isfinite(np.asarray(result.forces.normal))))
-    found = body_forces(joint, result)
+    forces = body_forces(joint, result)
     return {
         "rollers": circles,
         "rings": rings,
-        "forces": _contact_forces(joint, found) if known else [],
-        "bodies": [_free_body(joint, number, found) for number in drive.floating if known],
+        "forces": _contact_forces(joint, forces) if known else [],
+        "bodies": [_free_body(joint, number, forces) for number in drive.floating if known],
     }
 
 
@@ -221,16 +221,16 @@ def _bore(joint: Joint, number: int) -> list[float]:
     return [] if bore is None else [0.5 * float(bore)]
 
 
-def _contact_forces(joint: Joint, found: list[BodyForce]) -> list[dict[str, Any]]:
+def _contact_forces(joint: Joint, forces: list[BodyForce]) -> list[dict[str, Any]]:
     """The forces of each contact on its first body, where they act."""
     centres = np.asarray(joint.drive.centres)
     entries = []
     for k, (contact, number) in enumerate(zip(joint.drive.contacts, places(joint.drive)[0], strict=True)):
         normal, tangential = (
             next(
-                each
-                for each in found
-                if (each.name, each.kind, each.body) == (contact.name, kind, contact.first)
+                force
+                for force in forces
+                if (force.name, force.kind, force.body) == (contact.name, kind, contact.first)
             )
             for kind in ("N", "T")
         )
@@ -248,7 +248,7 @@ def _contact_forces(joint: Joint, found: list[BodyForce]) -> list[dict[str, Any]
     return entries
 
 
-def _free_body(joint: Joint, number: int, found: list[BodyForce]) -> dict[str, Any]:
+def _free_body(joint: Joint, number: int, forces: list[BodyForce]) -> dict[str, Any]:
     """One roller with the forces on it: its tracks and bore, and where around its axis each force acts."""
     body = joint.drive.bodies[number].name
     return {
@@ -256,14 +256,14 @@ def _free_body(joint: Joint, number: int, found: list[BodyForce]) -> dict[str, A
         "radii_m": [*(float(radius) for radius, _ in tracks_of(joint, number)), *_bore(joint, number)],
         "forces": [
             {
-                "name": each.name,
-                "kind": {"N": "normal", "T": "tangential", "F": "pin"}[each.kind],
-                "radius_m": 0.0 if each.kind == "F" else _track(joint, each),
-                "place": list(each.place),
-                "force_N": _vector(each),
+                "name": force.name,
+                "kind": {"N": "normal", "T": "tangential", "F": "pin"}[force.kind],
+                "radius_m": 0.0 if force.kind == "F" else _track(joint, force),
+                "place": list(force.place),
+                "force_N": _vector(force),
             }
-            for each in found
-            if each.body == body
+            for force in forces
+            if force.body == body
         ],
     }
 
@@ -278,4 +278,4 @@ def _track(joint: Joint, force: BodyForce) -> float:
 
 
 def _vector(force: BodyForce) -> list[float]:
-    return [force.size * each for each in force.direction]
+    return [force.size * component for component in force.direction]

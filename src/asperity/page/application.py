@@ -95,8 +95,8 @@ def application(
             kept.keep(request.identity, answer)
             if faster is not None:
                 faster.add(called)
-        found: dict[str, Any] = answer[1]
-        return found
+        document: dict[str, Any] = answer[1]
+        return document
 
     async def asset(request: Request) -> Response:
         name, kind = ASSETS[request.url.path]
@@ -135,12 +135,12 @@ def application(
             return problem(error, source=asked.joint.name)
 
     async def download(request: Request) -> Response:
-        found = kept.get(request.path_params["identity"])
+        kept_answer = kept.get(request.path_params["identity"])
         if request.path_params["kind"] not in DOWNLOADS:
             raise HTTPException(404)
-        if found is None:
+        if kept_answer is None:
             return refusal(404, "this joint is no longer kept; change a value and download again", "refused")
-        asked, answer = found
+        asked, answer = kept_answer
         end = request.path_params["kind"]
         content = await (readers if end == "toml" else computations).run(
             _downloaded, end, asked, answer["document"]

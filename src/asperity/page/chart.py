@@ -154,7 +154,7 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
     if request.family:
         axes.append(ListedAxis(request.family, curves))
     check_axes(case, axes)
-    absent = [each.path for each in axes if each.path not in stated]
+    absent = [axis.path for axis in axes if axis.path not in stated]
     if absent:
         raise InputError(
             f"{absent[0]}: the joint file does not state this number; give it a value before it is varied"
@@ -167,8 +167,8 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
     columns[request.over] = np.tile([*x, here], max(len(curves), 1))
     if request.family:
         columns[request.family] = np.repeat(curves, x.size + 1)
-    status, found = evaluate_points(values, columns, (result.name,), quick=True, batch=BLOCK)
-    y = np.atleast_2d(found[result.name])[row].reshape(-1, x.size + 1)
+    status, result_values = evaluate_points(values, columns, (result.name,), quick=True, batch=BLOCK)
+    y = np.atleast_2d(result_values[result.name])[row].reshape(-1, x.size + 1)
     status = status.reshape(-1, x.size + 1)
     used = sorted(set(status.reshape(-1).tolist()) - {0})
     return {

@@ -145,8 +145,8 @@ class Child:
             if "error" in answer:
                 raise (NoSolutionError if answer["kind"] == "no_solution" else InputError)(answer["error"])
             if "result" in answer:
-                found: dict[str, Any] = answer["result"]
-                return found
+                result: dict[str, Any] = answer["result"]
+                return result
             if report is not None:
                 report(answer["done"], answer["total"])
         if self._stopped:

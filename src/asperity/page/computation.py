@@ -19,7 +19,7 @@ from typing import Any, TypeVar
 from asperity.compilation import Program
 from asperity.errors import AsperityError
 
-Found = TypeVar("Found")
+Computed = TypeVar("Computed")
 
 #: Computations that may wait or run at the same time.
 MOST_WAITING = 8
@@ -53,7 +53,7 @@ class Computations:
         """Whether nothing runs and nothing waits."""
         return self._waiting == 0
 
-    def submit(self, function: Callable[..., Found], *arguments: Any) -> Future[Found]:
+    def submit(self, function: Callable[..., Computed], *arguments: Any) -> Future[Computed]:
         """Put a computation at the end of the queue.
 
         Parameters
@@ -85,7 +85,7 @@ class Computations:
         with self._lock:
             self._waiting -= 1
 
-    async def run(self, function: Callable[..., Found], *arguments: Any) -> Found:
+    async def run(self, function: Callable[..., Computed], *arguments: Any) -> Computed:
         """Run a computation and wait for it.
 
         Parameters
@@ -129,7 +129,7 @@ class FasterPrograms:
     @property
     def idle(self) -> bool:
         """Whether no program is compiled, and none waits."""
-        return all(each.done() for each in self._left)
+        return all(compilation.done() for compilation in self._left)
 
     def add(self, programs: Iterable[Program]) -> None:
         """Compile programs again, those of them for which this was not asked before.
@@ -139,11 +139,11 @@ class FasterPrograms:
         programs : iterable of Program
             What was called for an answer.
         """
-        new = [each for each in programs if each not in self._known]
+        new = [program for program in programs if program not in self._known]
         self._known.update(new)
-        self._left = {each for each in self._left if not each.done()}
+        self._left = {compilation for compilation in self._left if not compilation.done()}
         with contextlib.suppress(RuntimeError):  # closed since: an answer of the last moment
-            self._left.update(self._pool.submit(each.compile_again) for each in new)
+            self._left.update(self._pool.submit(program.compile_again) for program in new)
 
     def close(self) -> None:
         """Drop what waits, and finish what runs."""

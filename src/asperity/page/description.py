@@ -60,9 +60,9 @@ def description() -> dict[str, Any]:
                 "name": name,
                 "description": entry.description,
                 "reference": entry.reference,
-                "roughness_average_um": [float(f"{1e6 * each:.6g}") for each in entry.roughness_average],
+                "roughness_average_um": [float(f"{1e6 * value:.6g}") for value in entry.roughness_average],
                 "fractal_dimension": list(entry.fractal_dimension),
-                "fractal_roughness_mm": [1e3 * each for each in entry.fractal_roughness],
+                "fractal_roughness_mm": [1e3 * value for value in entry.fractal_roughness],
                 "frequency_ratio": FREQUENCY_RATIO,
             }
             for name, entry in read_finishes().items()
@@ -79,23 +79,23 @@ def form_of(case: Case) -> dict[str, Any]:
 
 
 @functools.lru_cache(maxsize=8)
-def _form(whole: type[Case], choices: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any]:
+def _form(case_type: type[Case], choices: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any]:
     groups = [
-        {"name": name, "heading": heading, "parameters": _parameters(whole, name)}
+        {"name": name, "heading": heading, "parameters": _parameters(case_type, name)}
         for name, heading in HEADINGS.items()
-        if name in whole.model_fields
+        if name in case_type.model_fields
     ]
-    return {"groups": groups, "choices": [_choice(whole, path, words) for path, words in choices]}
+    return {"groups": groups, "choices": [_choice(case_type, path, words) for path, words in choices]}
 
 
-def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:
-    found = []
-    for path, key in keys_by_path(whole, numbers="all").items():
+def _parameters(case_type: type[BaseModel], section: str) -> list[dict[str, Any]]:
+    parameters = []
+    for path, key in keys_by_path(case_type, numbers="all").items():
         if path.split(".")[0] == section:
-            model, name = _field(whole, path)
+            model, name = _field(case_type, path)
             field = model.model_fields[name]
             said = meaning(model, name)
-            found.append(
+            parameters.append(
                 {
                     "key": path,
                     "meaning": said,
@@ -114,7 +114,7 @@ def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:
                     "replaces": list(counterparts(name)),
                 }
             )
-    return found
+    return parameters
 
 
 def _example(key: Key) -> float:
@@ -123,7 +123,7 @@ def _example(key: Key) -> float:
 
 
 def _default(text: str) -> str | None:
-    """What the meaning says of a key that is absent."""
+    """Words of a meaning for an absent key; None without any."""
     said = re.search(r"[^;,.]*(?:\d\.\d+)? if absent[^;.]*", text)
     if said is None:
         said = re.search(r"if absent, [^;.]*|Without it [^.]*", text)
@@ -131,16 +131,16 @@ def _default(text: str) -> str | None:
     return None if words == "if absent" else words[0].lower() + words[1:]
 
 
-def _field(whole: type[BaseModel], path: str) -> tuple[type[BaseModel], str]:
+def _field(case_type: type[BaseModel], path: str) -> tuple[type[BaseModel], str]:
     """The model and the name of the field that describe a path best: for one contact, that of the whole entry."""
-    model: type[BaseModel] = whole
+    model: type[BaseModel] = case_type
     name = ""
     for part in path.split("."):
         if part == "*":
             continue
         if name:
             below = models_of(model.model_fields[name].annotation)
-            inside = [each for each in below if part in each.model_fields]
+            inside = [inner for inner in below if part in inner.model_fields]
             if not inside:
                 return model, name
             model = inside[0]
@@ -148,8 +148,8 @@ def _field(whole: type[BaseModel], path: str) -> tuple[type[BaseModel], str]:
     return model, name
 
 
-def _choice(whole: type[BaseModel], path: str, words: tuple[str, ...]) -> dict[str, Any]:
-    model, name = _field(whole, path)
+def _choice(case_type: type[BaseModel], path: str, words: tuple[str, ...]) -> dict[str, Any]:
+    model, name = _field(case_type, path)
     field = model.model_fields[name]
     said = meaning(model, name)
     section = path.split(".")[0]
@@ -158,6 +158,6 @@ def _choice(whole: type[BaseModel], path: str, words: tuple[str, ...]) -> dict[s
         "group": section,
         "meaning": said,
         "words": list(words),
-        "required": field.is_required() and whole.model_fields[section].is_required(),
+        "required": field.is_required() and case_type.model_fields[section].is_required(),
         "default": _default(said),
     }

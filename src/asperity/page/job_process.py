@@ -90,7 +90,7 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
     from asperity.study.tolerances.uncertainty import uncertainty
 
     stated = options.get("distribution")
-    found = uncertainty(
+    dataset = uncertainty(
         read_case(file),
         distribution=parse_distribution(stated) if stated else None,
         samples=options["samples"],
@@ -98,14 +98,14 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
         block=BLOCK,
         report=report,
     )
-    return uncertainty_document(found)
+    return uncertainty_document(dataset)
 
 
 def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
     from asperity.errors import InputError
     from asperity.study.design.design import design
     from asperity.study.design.design_file import read_design
-    from asperity.study.design.design_result import design_document, found_diagnostics, shortcoming
+    from asperity.study.design.design_result import design_document, joint_diagnostics, shortcoming
 
     problem = read_design(file)
     if len(problem.objectives) > 1:
@@ -118,7 +118,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
         "conflict": shortcoming(result) or None,
         "joint_text": result.joint_text,
     }
-    return document | found_diagnostics(result.joint_text) | {"shown": design_words(result)}
+    return document | joint_diagnostics(result.joint_text) | {"shown": design_words(result)}
 
 
 def design_words(result: DesignResult) -> dict[str, Any]:
@@ -148,11 +148,11 @@ def design_words(result: DesignResult) -> dict[str, Any]:
         "limits": [
             {
                 "value": "–"
-                if each.value != each.value
-                else format_quantity(each.value, table[each.name].display_unit),
-                "limit": format_quantity(each.limit, table[each.name].display_unit),
+                if limit.value != limit.value
+                else format_quantity(limit.value, table[limit.name].display_unit),
+                "limit": format_quantity(limit.limit, table[limit.name].display_unit),
             }
-            for each in result.limits
+            for limit in result.limits
         ],
     }
 

@@ -115,7 +115,7 @@ class Jobs:
                 raise BusyError(f"{MOST_JOBS} jobs are waiting already; stop one, or wait for its end")
             job = Job(secrets.token_hex(8), kind, name, Child(kind, files, options))
             self._jobs[job.identity] = job
-            for old in [each for each in self._jobs.values() if each.state in ENDED][
+            for old in [job for job in self._jobs.values() if job.state in ENDED][
                 : max(len(self._jobs) - MOST_KEPT_JOBS, 0)
             ]:
                 del self._jobs[old.identity]
@@ -236,6 +236,6 @@ def _design_files(job: dict[str, Any], joint_text: bytes) -> dict[str, bytes]:
     name = file_name(name, otherwise="design.toml")
     parse_toml(text, source=name)
     document = tomlkit.parse(text)
-    own = "page-joint.toml" if name != "page-joint.toml" else "joint.toml"
-    document["joint"] = own
-    return {name: tomlkit.dumps(document).encode(), own: joint_text}
+    joint_file = "page-joint.toml" if name != "page-joint.toml" else "joint.toml"
+    document["joint"] = joint_file
+    return {name: tomlkit.dumps(document).encode(), joint_file: joint_text}

@@ -152,7 +152,7 @@ class JointRequest:
         return dict(self.tables) if self.tables else parse_toml(self.text, source=self.name)
 
     def _once(self, name: str, make: Callable[[], Any]) -> Any:
-        """What is made of this request once."""
+        """The result of ``make``, computed once for this request and name."""
         # not by functools.cached_property: in Python 3.11 its lock lets one request wait for the file of another
         if name not in self._made:
             self._made[name] = make()
@@ -182,13 +182,13 @@ def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
         numbers = {path: value for path, value in changes.items() if path not in choices}
         empty = [path for path, value in numbers.items() if value == "" and _may_be_absent(path, model, kind)]
         for path in empty:
-            for each in (path, *_of_each_surface(tables, path)):
-                leave_out(tables, each)
+            for absent in (path, *_surface_paths(tables, path)):
+                leave_out(tables, absent)
             del numbers[path]
         set_texts(tables, numbers)
         words = {path: str(value) for path, value in changes.items() if path in choices}
-        if FINISH in words and _of_each_surface(tables, FINISH):
-            _set_each_finish(tables, words.pop(FINISH))
+        if FINISH in words and _surface_paths(tables, FINISH):
+            _set_finishes(tables, words.pop(FINISH))
         set_words(tables, words)
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         if isinstance(error, InputError):
@@ -196,7 +196,7 @@ def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
         raise InputError("the changes do not fit the sections of this joint file") from None
 
 
-def _of_each_surface(tables: Any, path: str) -> list[str]:
+def _surface_paths(tables: Any, path: str) -> list[str]:
     """A path of the surface of all contacts in the surfaces of a file that states one for each; else none."""
     section, *rest = path.split(".")
     surface = tables.get("surface", {})
@@ -204,8 +204,8 @@ def _of_each_surface(tables: Any, path: str) -> list[str]:
     return [f"surface.{name}.{rest[0]}" for name in named] if section == "surface" and len(rest) == 1 else []
 
 
-def _set_each_finish(tables: Any, word: str) -> None:
-    for path in _of_each_surface(tables, FINISH):
+def _set_finishes(tables: Any, word: str) -> None:
+    for path in _surface_paths(tables, FINISH):
         if word:
             tables["surface"][path.split(".")[1]]["finish"] = word
         else:

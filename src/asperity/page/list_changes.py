@@ -50,7 +50,7 @@ def places_of_lists(
     tables: Mapping[str, Any], changes: Mapping[str, Any], model: type[WedgeCase] | type[Case]
 ) -> dict[str, list[int]]:
     """The wanted arrangement of each list that changes."""
-    found = {}
+    places = {}
     for name, count_path in lists_of(model).items():
         if name not in changes:
             continue
@@ -59,19 +59,19 @@ def places_of_lists(
         wanted, have = str(changes[name]).strip(), len(tables.get(name, []))
         if wanted == EACH and count_path is not None:
             count = _count(tables, changes, count_path, otherwise=have)
-            found[name] = [place if place <= have else 0 for place in range(1, count + 1)]
+            places[name] = [place if place <= have else 0 for place in range(1, count + 1)]
         elif wanted == "" or _PLACES.fullmatch(wanted):
-            found[name] = [int(each) for each in wanted.split()]
+            places[name] = [int(place) for place in wanted.split()]
         else:
             raise InputError(
                 f"{name}: the sections of [[{name}]] are wanted as their places in the file, e.g. '1 3 0' with 0 for a "
                 f"new one{f', or {EACH!r}' if count_path else ''}; got {quoted(wanted)}"
             )
-    return found
+    return places
 
 
 def _count(tables: Mapping[str, Any], changes: Mapping[str, Any], path: str, *, otherwise: int) -> int:
-    """How many branches the drive has; what is wrong with that number is said where it is read."""
+    """Number of branches of the drive; ``otherwise`` where it cannot be read."""
     section, name = path.split(".")
     try:
         key = key_at(path, type_of(tables))
@@ -86,7 +86,7 @@ def arrange(tables: dict[str, Any], places: Mapping[str, list[int]]) -> None:
         sections = rearranged(tables.get(name, []), wanted, name=name)
         tables.pop(name, None)
         if sections:
-            tables[name] = [copy.deepcopy(each) for each in sections]
+            tables[name] = [copy.deepcopy(section) for section in sections]
 
 
 def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -> dict[str, Any]:
@@ -102,7 +102,7 @@ def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -
 
 def stated_lists(case: Case, tables: Mapping[str, Any]) -> dict[str, Any]:
     """What the page has to know about the lists of a joint file to make their fields."""
-    found = {}
+    lists = {}
     for name, count_path in lists_of(type(case)).items():
         keys = [
             path.split(".", 2)[2]
@@ -112,29 +112,29 @@ def stated_lists(case: Case, tables: Mapping[str, Any]) -> dict[str, Any]:
         if any("*" in key for key in keys):  # names of the rollers of this drive
             rollers = list(sized_tracks(si_values(case)))
             keys = [
-                each
+                roller_key
                 for key in keys
-                for each in ([key.replace("*", r) for r in rollers] if "*" in key else [key])
+                for roller_key in ([key.replace("*", r) for r in rollers] if "*" in key else [key])
             ]
-        found[name] = {
+        lists[name] = {
             "meaning": meaning(type(case), name),
             "keys": keys,
             "one_for_each": count_path,
             "most": MOST_LOADS if count_path is None else round(key_at(count_path, case.type).upper),
-            "of_file": [_texts(each) for each in tables.get(name, []) if isinstance(each, Mapping)],
+            "of_file": [_texts(section) for section in tables.get(name, []) if isinstance(section, Mapping)],
         }
-    return found
+    return lists
 
 
 def _texts(section: Mapping[str, Any]) -> dict[str, str]:
-    """What a section states, by key; ``deviation.left`` for a key in a table of it."""
-    found = {}
+    """Key → text of a section; ``deviation.left`` for a key in a table of it."""
+    texts = {}
     for key, value in section.items():
         if isinstance(value, Mapping):
-            found.update({f"{key}.{below}": text for below, text in _texts(value).items()})
+            texts.update({f"{key}.{below}": text for below, text in _texts(value).items()})
         else:
-            found[key] = str(value)
-    return found
+            texts[key] = str(value)
+    return texts
 
 
 def rearranged(sections: Sequence[Any], places: Sequence[int], *, name: str) -> list[Any]:
@@ -156,10 +156,10 @@ def rearranged_text(text: str, places: Sequence[int], *, name: str) -> str:
     )
     edited = _edited(text, places, name)
     try:
-        found = parse_toml(edited, source="the joint file")
+        parsed = parse_toml(edited, source="the joint file")
     except InputError:
-        found = {}
-    return edited if found == expected else tomlkit.dumps(expected)
+        parsed = {}
+    return edited if parsed == expected else tomlkit.dumps(expected)
 
 
 def _edited(text: str, places: Sequence[int], name: str) -> str:

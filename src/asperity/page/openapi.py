@@ -19,7 +19,7 @@ Schema = dict[str, Any]
 
 _TEXT: Schema = {"type": "string"}
 _TEXT_OR_NULL: Schema = {"type": ["string", "null"]}
-_WHOLE: Schema = {"type": "integer"}
+_INTEGER: Schema = {"type": "integer"}
 _FLAG: Schema = {"type": "boolean"}
 _NUMBER: Schema = {"type": ["number", "null"]}
 _OBJECT: Schema = {"type": "object"}
@@ -69,7 +69,7 @@ def _get(summary: str, responses: Schema | None = None, parameters: Sequence[Sch
 def _post(
     summary: str,
     body: Schema,
-    found: Schema,
+    response: Schema,
     *,
     kind: str = "application/json",
     status: str = "200",
@@ -78,7 +78,7 @@ def _post(
     answer = {
         "summary": summary,
         "requestBody": {"required": True, **_content(kind, body)},
-        "responses": {status: found, **_PROBLEMS},
+        "responses": {status: response, **_PROBLEMS},
     }
     return {"post": {**answer, "parameters": list(parameters)} if parameters else answer}
 
@@ -104,7 +104,7 @@ _SECTIONS = {
         _TEXT_OR_NULL,
         "Dotted path of the number of sections that the list has to have; null for any number.",
     ),
-    "most": _said(_WHOLE, "Largest number of sections."),
+    "most": _said(_INTEGER, "Largest number of sections."),
     "of_file": _list(_by_name(_TEXT), description="What each section of the file says, without the changes."),
 }
 _STATED = {
@@ -185,14 +185,14 @@ def _joint_paths() -> Schema:
 def _work_paths() -> Schema:
     """Addresses for files and jobs."""
 
-    def upload(summary: str, found: Schema) -> Schema:
+    def upload(summary: str, fields: Schema) -> Schema:
         file = {"type": "string", "format": "binary", "maxLength": LARGEST_SURFACE}
         units = ("position_unit", "height_unit", "spacing")
         parameters = [_parameter(name, "Where the file does not say it.") for name in units]
         return _post(
             summary,
             file,
-            _json(_fields(found), summary),
+            _json(_fields(fields), summary),
             kind="application/octet-stream",
             parameters=[_parameter("name", "For messages."), *parameters],
         )
@@ -234,8 +234,8 @@ def _asked_job_schema() -> Schema:
     return _fields(
         {
             "kind": {"enum": list(KINDS)},
-            "samples": {**_WHOLE, "minimum": FEWEST_SAMPLES, "maximum": MOST_SAMPLES},
-            "seed": _WHOLE,
+            "samples": {**_INTEGER, "minimum": FEWEST_SAMPLES, "maximum": MOST_SAMPLES},
+            "seed": _INTEGER,
             "distribution": {**_TEXT, "examples": ["uniform", "normal 2 sigma"]},
             "design": _said(_TEXT, "Text of a design file; its joint is that of the request."),
             "file": _said(_TEXT, "Name of the design file, for messages."),
@@ -251,8 +251,8 @@ def _job_schema() -> Schema:
             "kind": {"enum": list(KINDS)},
             "name": _said(_TEXT, "Name of the joint."),
             "state": {"enum": ["waiting", "running", "done", "failed", "stopped"]},
-            "done": _WHOLE,
-            "total": _said(_WHOLE, "0 as long as it is not known."),
+            "done": _INTEGER,
+            "total": _said(_INTEGER, "0 as long as it is not known."),
             "seconds": _said({"type": "number"}, "Since it began to run."),
             "message": _said(_TEXT, "Why it failed."),
             "result": _said({"type": ["object", "null"]}, "As the command of the same name prints it."),
@@ -266,7 +266,7 @@ def _chart_schema() -> Schema:
             "over": _said(_TEXT, "Dotted path of a number that the joint file states."),
             "from": _said(_TEXT, "With its unit."),
             "to": _TEXT,
-            "points": {**_WHOLE, "minimum": 2, "maximum": MOST_POINTS},
+            "points": {**_INTEGER, "minimum": 2, "maximum": MOST_POINTS},
             "scale": {"enum": ["linear", "log"]},
             "result": _said(_TEXT, "A name of /api/results."),
             "family": _fields(
@@ -283,7 +283,7 @@ def _chart_schema() -> Schema:
 
 
 def _chart_answer_schema() -> Schema:
-    status = _said(_WHOLE, "0 is solved; 'reasons' says what the others mean.")
+    status = _said(_INTEGER, "0 is solved; 'reasons' says what the others mean.")
     curve = {
         "value": _NUMBER,
         "value_shown": _TEXT,

@@ -67,12 +67,12 @@ def _no_constant(name: str) -> None:
 
 def errors_by_key(message: str, *, source: str) -> dict[str, str]:
     """The errors of a message by the key of the joint file that they are about."""
-    found = {}
+    messages = {}
     for line in message.removeprefix(f"{source}: ").split("\n  "):
         keyed = _KEYED.match(line)
         if keyed:
-            found.update(dict.fromkeys(keyed.group(1).split(", "), keyed.group(2)))
-    return found
+            messages.update(dict.fromkeys(keyed.group(1).split(", "), keyed.group(2)))
+    return messages
 
 
 def problem(error: AsperityError, *, source: str) -> JSONResponse:

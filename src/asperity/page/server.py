@@ -53,25 +53,25 @@ def listening_socket(host: str, port: int) -> socket.socket:
         raise InputError(
             f"{host} stands for all addresses of this computer; give the one that other computers use, e.g. 192.168.1.5"
         )
-    found = socket.socket(family, kind, protocol)
-    found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    listener = socket.socket(family, kind, protocol)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
-        found.bind(address)
+        listener.bind(address)
     except OSError as error:
-        found.close()
+        listener.close()
         raise InputError(
             f"cannot listen at {host}, port {port}: {error.strerror or error}; choose another port, or 0 for a "
             "free one",
             options=("port",),
         ) from None
-    return found
+    return listener
 
 
 def host_names(host: str, port: int) -> tuple[str, ...]:
     """Values of the ``Host`` header under which the page may be asked for."""
     names = dict.fromkeys(["127.0.0.1", "localhost", "[::1]", f"[{host}]" if ":" in host else host])
-    found = [f"{name}:{port}" for name in names]
-    return tuple(found + list(names) if port == 80 else found)
+    hosts = [f"{name}:{port}" for name in names]
+    return tuple(hosts + list(names) if port == 80 else hosts)
 
 
 def serve(
@@ -139,9 +139,9 @@ def impatient_protocol() -> type[asyncio.Protocol]:
         def connection_made(self, transport: Any) -> None:
             super().connection_made(transport)
             self._look(LONGEST_HEADER)
-            silent = [each for each in self.connections if each._header is not None]
+            silent = [connection for connection in self.connections if connection._header is not None]
             if len(silent) > MOST_SILENT:
-                min(silent, key=lambda each: each._header.when())._leave()
+                min(silent, key=lambda connection: connection._header.when())._leave()
 
         def data_received(self, data: bytes) -> None:
             super().data_received(data)

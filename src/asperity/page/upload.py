@@ -158,7 +158,7 @@ def measured_upload(
 
 
 def _changes(document: Mapping[str, Any]) -> dict[str, float | str]:
-    """What puts a measurement into the joint file; nothing if there is no power law."""
+    """Changes of the joint file that state a measured surface; empty without a power law."""
     if document.get("schema") != SCHEMA or "refused" in document:
         return {}
     return {

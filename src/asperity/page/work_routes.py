@@ -30,8 +30,8 @@ def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -
         units = {
             key: request.query_params.get(key, "")[:40] for key in ("position_unit", "height_unit", "spacing")
         }
-        found = await measurements.run(content, name, units)
-        return JSONResponse({"kind": "measurement", **found})
+        measurement = await measurements.run(content, name, units)
+        return JSONResponse({"kind": "measurement", **measurement})
 
     async def open_file(request: Request) -> Response:
         require_type(request, "application/octet-stream", "application/toml")

@@ -39,30 +39,30 @@ def report_pictures(
     from matplotlib.figure import Figure
 
     nominal = joint if solved.branches is None else solved.branches.equal
-    whole = drive_sheet(nominal, name=name, interference=interference)
-    found = {"drive": figure_svg(sheet_figure(whole))}
-    found["forces"] = figure_svg(sheet_figure(forces_sheet(joint, solved.result)))
+    drawing = drive_sheet(nominal, name=name, interference=interference)
+    pictures = {"drive": figure_svg(sheet_figure(drawing))}
+    pictures["forces"] = figure_svg(sheet_figure(forces_sheet(joint, solved.result)))
     budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
     shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
     draw_budget(shares, solved)
     draw_levels(levels, solved)
-    found["budget"] = figure_svg(budget)
+    pictures["budget"] = figure_svg(budget)
     judged = margins(solved)
     bars = Figure(figsize=(_WIDTH, margins_height(judged)), layout="constrained")
     draw_margins(bars.subplots(), judged)
-    found["margins"] = figure_svg(bars)
+    pictures["margins"] = figure_svg(bars)
     if windup is not None:
-        found["windup"] = figure_svg(
+        pictures["windup"] = figure_svg(
             windup_figure(windup, onset, title="", stacked=True, capacities=windup_capacities)
         )
     if math.isfinite(float(solved.result.rolling.residual)):
         curves = rolling_curves(
             joint=joint, result=solved.result, laws=solved.solution.laws, torque_capacity=rolling_capacity
         )
-        found["rolling"] = figure_svg(
+        pictures["rolling"] = figure_svg(
             rolling_figure(curves, solved.result.rolling, joint=joint, title="", width=_WIDTH)
         )
-    return found
+    return pictures
 
 
 def figure_svg(figure: Figure) -> str:

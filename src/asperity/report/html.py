@@ -105,8 +105,8 @@ def _table(table: Table) -> str:
         words = [" class=w" if place in table.words else "" for place in range(len(cells))]
         if table.verdicts and cells[-1] in _VERDICTS:
             words[-1] = f" class={_VERDICTS[cells[-1]]}"
-        found = zip(words, map(text, cells), strict=True)
-        return f"<tr>{''.join(f'<{kind}{scope}{word}>{cell}</{kind}>' for word, cell in found)}</tr>"
+        pairs = zip(words, map(text, cells), strict=True)
+        return f"<tr>{''.join(f'<{kind}{scope}{word}>{cell}</{kind}>' for word, cell in pairs)}</tr>"
 
     body = "\n".join(row(cells, "td", _text) for cells in table.rows)
     head = row(table.head, "th", _lines)

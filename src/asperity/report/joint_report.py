@@ -96,16 +96,15 @@ def joint_report(source: ReportSource) -> Report:
     """
     parts = _parts(source)
     document, solved = parts.document, parts.solved
-    found = _examined(solved, document, source.case)
+    examined = _examined(solved, document, source.case)
+    figures = examined.windup_figures
     pictures = report_pictures(
         solved.joint,
         solved,
-        found.windup,
-        found.onset,
-        math.copysign(found.rolling_capacity, float(solved.joint.output_torque)),
-        windup_capacities=(
-            (math.inf, math.inf) if found.windup_figures is None else windup_capacities(found.windup_figures)
-        ),
+        examined.windup,
+        examined.onset,
+        math.copysign(examined.rolling_capacity, float(solved.joint.output_torque)),
+        windup_capacities=(math.inf, math.inf) if figures is None else windup_capacities(figures),
         name=source.name,
         interference=made_interference(source.case, solved.result).size,
     )
@@ -139,9 +138,9 @@ def joint_report(source: ReportSource) -> Report:
         Heading("Warnings"),
         *limit_tables.warnings(document),
         Heading("Wind-up"),
-        *_windup(document, found, pictures),
+        *_windup(document, examined, pictures),
         Heading("The joint in rolling"),
-        *_rolling(document, found, pictures),
+        *_rolling(document, examined, pictures),
         *study_sections(source.studies),
         Heading("Versions"),
         _versions(),
@@ -219,16 +218,16 @@ def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield Paragraph(f"{verdict['title']}: {verdict['words']}", strong=True)
 
 
-def _windup(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
-    if found.windup_figures is None:
-        yield Paragraph(f"No wind-up: {found.no_windup}.")
+def _windup(document: dict[str, Any], examined: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
+    if examined.windup_figures is None:
+        yield Paragraph(f"No wind-up: {examined.no_windup}.")
         return
-    yield from result_tables.windup(found.windup_figures)
-    turning = "" if found.onset is None else "; the joint that turns under the largest torque"
+    yield from result_tables.windup(examined.windup_figures)
+    turning = "" if examined.onset is None else "; the joint that turns under the largest torque"
     yield Picture(f"Torque and angle, deviation from a straight line, stiffness{turning}", pictures["windup"])
 
 
-def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
+def _rolling(document: dict[str, Any], examined: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
     yield from rolling_tables.rolling(document)
     if "rolling" in pictures:
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
@@ -250,7 +249,7 @@ def _measured(joint: Joint, source: ReportSource, case: Case) -> Iterator[Block]
 def _appendix(source: ReportSource) -> Iterator[Block]:
     """The files from which the report can be made again."""
     option = "".join(
-        f" {each}" for each in (*source.studies.options, *["--surface"] * len(source.measurement_texts))
+        f" {word}" for word in (*source.studies.options, *["--surface"] * len(source.measurement_texts))
     )
     yield Heading("Joint file")
     yield Paragraph(
@@ -300,6 +299,6 @@ def choices_table(case: Case) -> Table:
 def _words(node: Any, path: str) -> list[tuple[str, str]]:
     if isinstance(node, dict):
         return [
-            each for name, below in node.items() for each in _words(below, f"{path}.{name}" if path else name)
+            pair for name, below in node.items() for pair in _words(below, f"{path}.{name}" if path else name)
         ]
     return [(path, node)] if isinstance(node, str) else []

@@ -21,7 +21,7 @@ _WARNINGS_ABOUT = {
 }
 
 
-def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
+def margins_table(margins: Sequence[Margin]) -> Iterator[Block]:
     """Required and actual values."""
     yield Paragraph(
         "Each requirement at the contact or clearance where it is met worst. First stand those that are not met, the "
@@ -30,20 +30,21 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
         "published contact law is outside its range, not that the joint fails."
     )
     rows = []
-    for each in sorted(found, key=_rank):
-        unit = each.result.display_unit
-        bounds = [f"> {quantity(each.lowest, unit)}"] if math.isfinite(each.lowest) else []
-        bounds += [f"< {quantity(each.highest, unit)}"] if math.isfinite(each.highest) else []
-        if each.result.limit is not None and each.result.limit.inclusive:
+    for margin in sorted(margins, key=_rank):
+        unit = margin.result.display_unit
+        bounds = [f"> {quantity(margin.lowest, unit)}"] if math.isfinite(margin.lowest) else []
+        bounds += [f"< {quantity(margin.highest, unit)}"] if math.isfinite(margin.highest) else []
+        if margin.result.limit is not None and margin.result.limit.inclusive:
             bounds = [bound.replace("<", "≤").replace(">", "≥") for bound in bounds]
         rows.append(
             (
-                each.result.label,
-                each.severity,
-                each.place.replace("_", " "),
-                "–" if each.state else " and ".join(bounds),
-                quantity(each.actual, unit),
-                each.state or ("pass" if each.passes else "unknown" if math.isnan(each.actual) else "FAIL"),
+                margin.result.label,
+                margin.severity,
+                margin.place.replace("_", " "),
+                "–" if margin.state else " and ".join(bounds),
+                quantity(margin.actual, unit),
+                margin.state
+                or ("pass" if margin.passes else "unknown" if math.isnan(margin.actual) else "FAIL"),
             )
         )
     head = ("requirement", "concerns", "where", "required", "actual", "result")
@@ -51,7 +52,7 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
 
 
 def _rank(margin: Margin) -> tuple[int, float]:
-    """What is not met, then what is not known, then states; then the others by the share of their limit."""
+    """Key to sort margins: not met, not known, states, then by the share of their limit."""
     if margin.state:
         return 2, 0.0
     if not margin.passes:
@@ -72,9 +73,9 @@ def warnings(document: Document) -> Iterator[Block]:
     for entries in crossed.values():
         first = entries[0]
         values = ", ".join(
-            f"{each['shown']} {(each['contact'] or '').replace('_', ' ')}".strip() for each in entries
+            f"{entry['shown']} {(entry['contact'] or '').replace('_', ' ')}".strip() for entry in entries
         )
-        meanings = "; ".join(dict.fromkeys(each["meaning"] for each in entries))
+        meanings = "; ".join(dict.fromkeys(entry["meaning"] for entry in entries))
         items.append(
             f"{first['label']}: {values} ({first.get('state') or 'limit ' + first['limit_shown']}; "
             f"{_WARNINGS_ABOUT[first['severity']]}). "

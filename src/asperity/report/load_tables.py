@@ -33,9 +33,9 @@ def loads(document: Document) -> Iterator[Block]:
     if document["bearings"]:
         yield _bearings(document["bearings"])
     absent = [
-        f"{each['bearing'].replace('_', ' ')} bearing: {reason}."
-        for each in document["bearings"]
-        for reason in each["absent_because"]
+        f"{bearing['bearing'].replace('_', ' ')} bearing: {reason}."
+        for bearing in document["bearings"]
+        for reason in bearing["absent_because"]
     ]
     yield Bullets([*unknown, *absent, *document["notes"]])
 
@@ -65,11 +65,11 @@ def _bearings(entries: list[Document]) -> Table:
         ),
         [
             (
-                each["bearing"].replace("_", " "),
-                each["type"],
-                *(number(each[column]) for column in (*columns, *lives)),
+                bearing["bearing"].replace("_", " "),
+                bearing["type"],
+                *(number(bearing[column]) for column in (*columns, *lives)),
             )
-            for each in entries
+            for bearing in entries
         ],
         words=(0, 1),
     )
@@ -82,13 +82,13 @@ def rims(document: Document) -> Iterator[Block]:
             body.replace("_", " "),
             rim,
             *(
-                number(each[f"{name}_Pa"][rim], 1e-6)
+                number(stresses[f"{name}_Pa"][rim], 1e-6)
                 for name in ("stress_at_rest", "stress", "mean", "amplitude")
             ),
-            number(each["yield_safety"]),
-            number(each["fatigue_safety"]),
+            number(stresses["yield_safety"]),
+            number(stresses["fatigue_safety"]),
         )
-        for body, each in document["rims"].items()
+        for body, stresses in document["rims"].items()
         for rim in ("inner", "outer")
     ]
     if rows:

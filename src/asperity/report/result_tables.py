@@ -51,7 +51,7 @@ def summary(document: Document) -> Table:
 
 
 def _branches(document: Document) -> tuple[str, str]:
-    """How many branches there are, by their name in this drive."""
+    """Name of the branches in this drive, and their number."""
     stated = document["input"]["drive"]
     for name in ("planets", "sectors"):
         if name in stated:
@@ -97,17 +97,17 @@ def stiffness(document: Document) -> Iterator[Block]:
     yield Table(
         "Torsional stiffness",
         ("level of the model", f"{input_member(document)}\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"),
-        [(words, *(number(found[key]) for key in keys)) for words, found in stiffness_rows(document)],
+        [(words, *(number(level[key]) for key in keys)) for words, level in stiffness_rows(document)],
     )
     if document["stiffness_unknown_because"]:
         yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")
     shares = []
     for name, share in document["stiffness_budget"].items():
         words = name.removesuffix("_share").replace("_", " ")
-        each = share if isinstance(share, dict) else {"": share}
+        parts = share if isinstance(share, dict) else {"": share}
         shares += [
             (f"{place} {words}".strip(), value)
-            for place, value in each.items()
+            for place, value in parts.items()
             if value and abs(value) > NO_SHARE
         ]
     shares.sort(key=lambda entry: -entry[1])
@@ -126,9 +126,7 @@ def stiffness(document: Document) -> Iterator[Block]:
 def contacts(document: Document) -> Iterator[Block]:
     """Forces, pressures and stiffness of the contacts."""
     forces = document["standing"]["forces"]
-    slip = {
-        each["contact"]: each["value"] for each in document["diagnostics"] if each["name"] == "slip_ratio"
-    }
+    slip = {row["contact"]: row["value"] for row in document["diagnostics"] if row["name"] == "slip_ratio"}
     yield Table(
         "Contact forces, standing under the torque",
         (
@@ -146,14 +144,14 @@ def contacts(document: Document) -> Iterator[Block]:
                 number(forces["normal_N"][name]),
                 number(forces["tangential_N"][name]),
                 number(slip.get(name)),
-                number(each["hertz_half_width_m"], 2e3),
-                number(each["hertz_pressure_Pa"], 1e-6),
-                number(each["real_contact_area_m2"], 1e6),
+                number(contact["hertz_half_width_m"], 2e3),
+                number(contact["hertz_pressure_Pa"], 1e-6),
+                number(contact["real_contact_area_m2"], 1e6),
             )
-            for name, each in document["standing"]["contacts"].items()
+            for name, contact in document["standing"]["contacts"].items()
         ],
     )
-    if any(each.get("loaded_length_share") is not None for each in document["standing"]["contacts"].values()):
+    if any(row.get("loaded_length_share") is not None for row in document["standing"]["contacts"].values()):
         yield _crowns(document["standing"]["contacts"])
     kinds = ("asperity_tangential", "bulk_tangential", "asperity_normal", "bulk_normal")
     yield Table(
@@ -166,13 +164,13 @@ def contacts(document: Document) -> Iterator[Block]:
             "normal,\nbodies",
         ),
         [
-            (name, *(number(each[f"{kind}_stiffness_N_per_m"], 1e-6) for kind in kinds))
-            for name, each in document["standing"]["contacts"].items()
+            (name, *(number(contact[f"{kind}_stiffness_N_per_m"], 1e-6) for kind in kinds))
+            for name, contact in document["standing"]["contacts"].items()
         ],
     )
 
 
-def _crowns(found: Document) -> Table:
+def _crowns(crowned: Document) -> Table:
     """How the load of crowned contacts spreads along their lines."""
     return Table(
         "Crowned contacts",
@@ -180,11 +178,11 @@ def _crowns(found: Document) -> Table:
         [
             (
                 name,
-                number(each["loaded_length_share"], 100.0),
-                number(each["peak_line_load_ratio"]),
-                number(each["end_line_load_ratio"]),
+                number(contact["loaded_length_share"], 100.0),
+                number(contact["peak_line_load_ratio"]),
+                number(contact["end_line_load_ratio"]),
             )
-            for name, each in found.items()
+            for name, contact in crowned.items()
         ],
     )
 
@@ -230,9 +228,9 @@ def drive(document: Document) -> Iterator[Block]:
         *_wedge(geometry),
         *((f"mass of {words(name)}", quantity(mass, "g")) for name, mass in forces["body_mass_kg"].items()),
         *(
-            (f"clearance, {words(each['name'])}", quantity(each["gap_m"], "mm"))
-            for each in geometry["clearances"]
-            if each["gap_m"] is not None
+            (f"clearance, {words(gap['name'])}", quantity(gap["gap_m"], "mm"))
+            for gap in geometry["clearances"]
+            if gap["gap_m"] is not None
         ),
     ]
     yield Table("Drive", ("quantity", "value"), rows)
@@ -278,13 +276,13 @@ def windup(curves: Document) -> Iterator[Block]:
         ("stage", "from\nN·m", "to\nN·m", "N·m/rad", "negative torques\nN·m/rad"),
         [
             (
-                each["name"],
-                number(each["from_Nm"]),
-                number(each["to_Nm"]),
-                number(each["stiffness_Nm_per_rad"]),
-                number(each["reverse_stiffness_Nm_per_rad"]),
+                stage["name"],
+                number(stage["from_Nm"]),
+                number(stage["to_Nm"]),
+                number(stage["stiffness_Nm_per_rad"]),
+                number(stage["reverse_stiffness_Nm_per_rad"]),
             )
-            for each in curves["stages"]
+            for stage in curves["stages"]
         ],
     )
 

@@ -26,14 +26,14 @@ def rolling(document: Document) -> Iterator[Block]:
     Block
         Tables, and why numbers are absent.
     """
-    found = document["rolling"]
-    if found["unknown_because"]:
-        yield Bullets([f"{reason}." for reason in found["unknown_because"]])
+    in_rolling = document["rolling"]
+    if in_rolling["unknown_because"]:
+        yield Bullets([f"{reason}." for reason in in_rolling["unknown_because"]])
     yield _position(document)
-    yield _losses(found)
+    yield _losses(in_rolling)
     yield _contacts(document)
-    if any(each["axial_force_N"] for each in found["contacts"].values()):
-        thrust = found["axial_thrust_N"]
+    if any(contact["axial_force_N"] for contact in in_rolling["contacts"].values()):
+        thrust = in_rolling["axial_thrust_N"]
         yield Table(
             "Axial thrust on each body, N",
             tuple(name.replace("_", " ") for name in thrust),
@@ -54,21 +54,21 @@ def _position(document: Document) -> Table:
     )
 
 
-def _losses(found: Document) -> Table:
+def _losses(in_rolling: Document) -> Table:
     rows = [
         (
             name,
-            *(number(each["losses_W"][cause]) for cause in _CAUSES),
-            number(each["losses_W"]["total"]),
+            *(number(contact["losses_W"][cause]) for cause in _CAUSES),
+            number(contact["losses_W"]["total"]),
         )
-        for name, each in found["contacts"].items()
+        for name, contact in in_rolling["contacts"].items()
     ]
-    sums = found["losses_W"]
+    sums = in_rolling["losses_W"]
     rows.append(("bearings and pins", "", "", "", "", number(sums["bearings"])))
     rows.append(("all", *(number(sums[cause]) for cause in _CAUSES), number(sums["total"])))
     title = (
-        f"Losses, W; efficiency {percent(found['efficiency'])}, power in "
-        f"{quantity(found['input_power_W'], 'W')}, out {quantity(found['output_power_W'], 'W')}"
+        f"Losses, W; efficiency {percent(in_rolling['efficiency'])}, power in "
+        f"{quantity(in_rolling['input_power_W'], 'W')}, out {quantity(in_rolling['output_power_W'], 'W')}"
     )
     return Table(title, ("contact", *_CAUSES, "sum"), rows)
 
@@ -77,12 +77,12 @@ def _contacts(document: Document) -> Table:
     rows = [
         (
             name,
-            number(each["creepage"], 1e3),
-            number(each["traction_coefficient"]),
-            number(each["shakedown_ratio"]),
-            number(each["life_output_turns"]),
+            number(contact["creepage"], 1e3),
+            number(contact["traction_coefficient"]),
+            number(contact["shakedown_ratio"]),
+            number(contact["life_output_turns"]),
         )
-        for name, each in document["rolling"]["contacts"].items()
+        for name, contact in document["rolling"]["contacts"].items()
     ]
     head = (
         "contact",
@@ -95,24 +95,24 @@ def _contacts(document: Document) -> Table:
 
 
 def _life(document: Document) -> Iterator[Block]:
-    found = document["rolling"]
-    rows = [("the drive", number(found["life_hours"]), number(found["life_output_turns"]))]
+    in_rolling = document["rolling"]
+    rows = [("the drive", number(in_rolling["life_hours"]), number(in_rolling["life_output_turns"]))]
     rows += [
-        (name.replace("_", " "), number(hours), number(found["body_life_output_turns"][name]))
-        for name, hours in found["body_life_hours"].items()
+        (name.replace("_", " "), number(hours), number(in_rolling["body_life_output_turns"][name]))
+        for name, hours in in_rolling["body_life_hours"].items()
     ]
     if document["input"].get("duty"):
         rows.append(
             (
                 "the drive under its duty",
-                number(found["duty_life_hours"]),
-                number(found["duty_life_output_turns"]),
+                number(in_rolling["duty_life_hours"]),
+                number(in_rolling["duty_life_output_turns"]),
             )
         )
-    share = number(float(found["reliability"]), 100.0)
+    share = number(float(in_rolling["reliability"]), 100.0)
     yield Table(
         f"Fatigue life that {share} % of the drives reach", ("life of", "hours", "output turns"), rows
     )
-    if found["no_life_because"]:
-        reason = found["no_life_because"]
+    if in_rolling["no_life_because"]:
+        reason = in_rolling["no_life_because"]
         yield Paragraph(f"{reason[0].upper()}{reason[1:]}.")

@@ -67,13 +67,13 @@ def study_sections(studies: ReportStudies) -> Iterator[Block]:
         yield from design_section(studies.design, name=studies.design_name)
 
 
-def sensitivity_section(found: xarray.Dataset) -> Iterator[Block]:
+def sensitivity_section(dataset: xarray.Dataset) -> Iterator[Block]:
     """Elasticities of the results, largest influence on the stiffness first."""
     from asperity.study.tolerances.influence_plot import tornado_figure
     from asperity.study.tolerances.sensitivity import ranking
 
     yield Heading("Sensitivities")
-    ranked = ranking(found, STUDIED[0])["input"].values.tolist()
+    ranked = ranking(dataset, STUDIED[0])["input"].values.tolist()
     shown, rest = ranked[:_ROWS], len(ranked) - _ROWS
     left_out = f" Of the file's {len(ranked)} numbers, the {_ROWS} of most influence." if rest > 0 else ""
     yield Paragraph(
@@ -82,15 +82,15 @@ def sensitivity_section(found: xarray.Dataset) -> Iterator[Block]:
     )
     rows = []
     for path in shown:
-        one = found.sel(input=path)
+        one = dataset.sel(input=path)
         cells = (_elasticity(float(one["elasticity"].sel(result=name))) for name in STUDIED)
         rows.append((path, quantity(float(one["value"]), key_at(path).unit), *cells))
     yield Table(
-        f"Elasticities, ordered by those of the {_words(found, STUDIED[0])}",
+        f"Elasticities, ordered by those of the {_words(dataset, STUDIED[0])}",
         ("number of the file", "value", *(_short(name) for name in STUDIED)),
         rows,
     )
-    figure = tornado_figure(found, result=DRAWN[0], panels=DRAWN[1:], width=_WIDTH)
+    figure = tornado_figure(dataset, result=DRAWN[0], panels=DRAWN[1:], width=_WIDTH)
     yield Picture("Elasticities of stiffness and drift", figure_svg(figure))
 
 
@@ -104,7 +104,7 @@ def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
     from asperity.study.tolerances.influence_plot import uncertainty_figure
 
     yield Heading("Tolerances")
-    lost = [f"{each}. " for each in failures(spread, {name: _words(spread, name) for name in STUDIED})]
+    lost = [f"{line}. " for line in failures(spread, {name: _words(spread, name) for name in STUDIED})]
     yield Paragraph(
         f"{spread.sizes['sample']} joints drawn from the tolerances of the joint file, seed {spread.attrs['seed']}. "
         f"{''.join(lost)}The shares of the variance are Sobol indices: first order for a tolerance alone, total with "
@@ -114,8 +114,8 @@ def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
     for name in STUDIED:
         one, unit = spread.sel(result=name), RESULTS[name].display_unit
         low, _, high = one["quantiles"].values
-        numbers = [from_si(float(one[each]), unit) for each in ("nominal", "mean", "standard_deviation")]
-        ends = ["fails" if math.isinf(each) else number(from_si(float(each), unit)) for each in (low, high)]
+        numbers = [from_si(float(one[column]), unit) for column in ("nominal", "mean", "standard_deviation")]
+        ends = ["fails" if math.isinf(end) else number(from_si(float(end), unit)) for end in (low, high)]
         rows.append((_titled(spread, name), *map(number, numbers), *ends))
     yield Table(
         "95 % of the drawn joints",
@@ -155,7 +155,7 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
     problem = result.problem
     goal = problem.objectives[0]
     unit = RESULTS[goal.name].display_unit
-    before, after = (quantity(each, unit) for each in (result.objective_before, result.objective_after))
+    before, after = (quantity(value, unit) for value in (result.objective_before, result.objective_after))
     torques = len(problem.worst_case.torques)
     over = f" over {torques} torques, each result at its worst" if torques > 1 else ""
     yield Heading("Design")
@@ -165,11 +165,11 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
     )
     stated = numeric_keys(result.problem.case)
     rows = []
-    for each in result.problem.variables:
-        shown = key_at(each.path).unit
-        old = quantity(stated[each.path].value, shown) if each.path in stated else "–"
-        numbers = (quantity(value, shown) for value in (result.point[each.path], each.lower, each.upper))
-        rows.append((each.path, old, *numbers, result.at_bound.get(each.path, "")))
+    for free in result.problem.variables:
+        shown = key_at(free.path).unit
+        old = quantity(stated[free.path].value, shown) if free.path in stated else "–"
+        numbers = (quantity(value, shown) for value in (result.point[free.path], free.lower, free.upper))
+        rows.append((free.path, old, *numbers, result.at_bound.get(free.path, "")))
     yield Table(
         "Free numbers",
         ("number of the file", "before", "design", "from", "to", "at bound"),
@@ -231,13 +231,13 @@ def _short(name: str) -> str:
     return heads.get(name, name)
 
 
-def _words(found: xarray.Dataset, name: str) -> str:
+def _words(dataset: xarray.Dataset, name: str) -> str:
     """What a result is called for the drive at hand."""
-    return str(found["result_name"].sel(result=name).item())
+    return str(dataset["result_name"].sel(result=name).item())
 
 
-def _titled(found: xarray.Dataset, name: str) -> str:
-    unit, words = RESULTS[name].display_unit, _words(found, name)
+def _titled(dataset: xarray.Dataset, name: str) -> str:
+    unit, words = RESULTS[name].display_unit, _words(dataset, name)
     return words if unit == "1" else f"{words}, {unit.replace('*', '·')}"
 
 

@@ -10,7 +10,7 @@ from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph,
 _LONGEST_LINE = 128  # letters of a listing
 _COLOURS = {"pass": 'rgb("#05603a")', "FAIL": 'rgb("#a4001d")'}
 _SHORT = 12  # letters of words that a column does not break
-_LONGEST_WHOLE = 25  # rows of a table that is kept on one page
+_LONGEST_UNBROKEN = 25  # rows of a table that is kept on one page
 _HEAD = """\
 #set page(paper: "a4", margin: (x: 20mm, top: 18mm, bottom: 20mm), numbering: "1 / 1")
 #set text(font: "DejaVu Sans", size: 9pt, lang: "en", hyphenate: false)
@@ -45,13 +45,13 @@ def _parts(blocks: Sequence[Block], names: Iterator[str]) -> Iterator[str]:
         if isinstance(block, Picture) and block.sheet:
             yield _sheet(block, opening, next(names))
         elif isinstance(block, Heading):
-            yield from (_block(each) for each in opening)
+            yield from (_block(part) for part in opening)
             if above:
                 yield "#place.flush()"
             opening, floating, above = [block], False, floating
             continue
         else:
-            yield from (f"#block(sticky: true)[{_block(each)}]" for each in opening)
+            yield from (f"#block(sticky: true)[{_block(part)}]" for part in opening)
             if isinstance(block, Picture):
                 floats = not opening
                 floating = floating or floats
@@ -59,7 +59,7 @@ def _parts(blocks: Sequence[Block], names: Iterator[str]) -> Iterator[str]:
             else:
                 yield _block(block)
         opening = []
-    yield from (_block(each) for each in opening)
+    yield from (_block(part) for part in opening)
 
 
 def literal(text: str) -> str:
@@ -100,7 +100,7 @@ def _picture(picture: Picture, name: str, *, floats: bool) -> str:
 
 def _sheet(picture: Picture, opening: Sequence[Heading | Paragraph], name: str) -> str:
     """A sheet of paper of its own; the heading above it stands in the margin outside its frame."""
-    words = "".join(f"[{_block(each)}]," for each in opening)
+    words = "".join(f"[{_block(part)}]," for part in opening)
     columns = ", ".join(["auto"] * len(opening))
     above = (
         f"#place(top + left, dx: 10mm, dy: 2.5mm, grid(columns: ({columns},), column-gutter: 8mm, "
@@ -132,12 +132,12 @@ def _table(table: Table) -> str:
         f"  table.header({head}), table.hline(stroke: 0.6pt),\n{rows}\n  table.hline(stroke: 0.3pt)))"
     )
     title = f'block(below: 0.5em, sticky: true, text(weight: "bold", {literal(table.title)}))'
-    whole = "false" if len(table.rows) <= _LONGEST_WHOLE else "true"
-    return f"#block(above: 1.1em, breakable: {whole}, {title} + {made})"
+    breakable = "false" if len(table.rows) <= _LONGEST_UNBROKEN else "true"
+    return f"#block(above: 1.1em, breakable: {breakable}, {title} + {made})"
 
 
 def _widths(table: Table) -> list[str]:
-    """Numbers and short words take what they need; long words share the rest by their lengths."""
+    """Width of each column: ``auto`` for numbers and short words; long words share the rest by length."""
     widths = ["auto"] * len(table.head)
     if len(table.words) > 1:
         longest = {place: max(len(row[place]) for row in (table.head, *table.rows)) for place in table.words}

@@ -37,21 +37,21 @@ def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
         return ()
     pressure = np.asarray(solved.result.rolling.duty_shakedown_ratios)
     ratios = np.asarray(solved.result.rolling.duty_slip_ratios)
-    stuck = [_does_not_carry(solved, *each) for each in zip(joint.rolling.duty, ratios, strict=True)]
+    stuck = [_does_not_carry(solved, *point) for point in zip(joint.rolling.duty, ratios, strict=True)]
     loads = [
         f"load {number}, {format_quantity(float(point.output_torque), 'N*m')} with the {joint.ends[0]} at "
         f"{format_quantity(float(point.sun_speed), 'rpm')}"
         for number, point in enumerate(joint.rolling.duty, start=1)
     ]
     without = [load for load, sticks in zip(loads, stuck, strict=True) if sticks]
-    found = [LimitCheck(_not_carried(without), None, float(len(without)))]
+    checks = [LimitCheck(_not_carried(without), None, float(len(without)))]
     if not np.all(np.isnan(pressure)):
         known = RESULTS["shakedown_ratio"]
         row = dataclasses.replace(
             known, name="duty_shakedown_ratio", label=f"{known.label}, worst load of the duty"
         )
-        found.append(LimitCheck(row, f"load {1 + int(np.nanargmax(pressure))}", float(np.nanmax(pressure))))
-    return (*found, *_duty_rims(solved, stuck))
+        checks.append(LimitCheck(row, f"load {1 + int(np.nanargmax(pressure))}", float(np.nanmax(pressure))))
+    return (*checks, *_duty_rims(solved, stuck))
 
 
 def _duty_rims(solved: SolvedJoint, stuck: list[bool]) -> list[LimitCheck]:
@@ -88,7 +88,7 @@ def _does_not_carry(solved: SolvedJoint, point: DutyPoint, slip_ratio: float) ->
 
 
 def _not_carried(loads: list[str]) -> Result:
-    """How many loads of a duty the joint does not carry, with its limit."""
+    """Result with its limit for the number of loads of a duty that the joint does not carry."""
     return Result(
         "duty_loads_not_carried",
         "loads of the duty that the joint does not carry",
@@ -144,7 +144,7 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 
 def _without_film_factor(solved: SolvedJoint) -> str:
-    """What the life of the drive leaves out where the oil film does not carry the load, to stand beside the verdict."""
+    """Words beside the verdict where the life has no factor for the film; empty where the film is full or unknown."""
     ratios = np.asarray(solved.result.rolling.film_ratio, dtype=float)
     known = ratios[np.isfinite(ratios)]
     if not known.size or film_band(float(known.min())) == "full":

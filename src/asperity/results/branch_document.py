@@ -40,8 +40,8 @@ def force_size(branches: Document, components: Sequence[float]) -> float:
 
 def branch_document(branches: AssembledBranches, solution: Solution) -> Document:
     """What unequal branches do to a joint, in SI units."""
-    found, result = unequal_branches(branches, solution.states), solution.result
-    reverse, sizes = float(branches.joint.output_torque) < 0.0, found.sizes
+    unequal, result = unequal_branches(branches, solution.states), solution.result
+    reverse, sizes = float(branches.joint.output_torque) < 0.0, unequal.sizes
     support = sizes.sun_support_stiffness
     first, last, rolling = (
         (solution.reverse_first_slip, solution.reverse_capacity, solution.reverse_rolling_capacity)
@@ -49,32 +49,32 @@ def branch_document(branches: AssembledBranches, solution: Solution) -> Document
         else (solution.first_slip, solution.capacity, solution.rolling_capacity)
     )
     return {
-        "branch_is": found.noun,
-        "note": _note(found),
+        "branch_is": unequal.noun,
+        "note": _note(unequal),
         "sun_support_stiffness_N_per_m": support if math.isfinite(support) else None,
         "branches": [
             {
-                **{f"{name}_deviation_m": float(each[index]) for name, each in sizes.deviations.items()},
-                "interference_m": float(found.interference[index]),
-                "preload_N": float(found.preload[index]),
-                "preload_over_equal_branches": float(found.preload[index]) / found.equal_preload,
+                **{f"{name}_deviation_m": float(values[index]) for name, values in sizes.deviations.items()},
+                "interference_m": float(unequal.interference[index]),
+                "preload_N": float(unequal.preload[index]),
+                "preload_over_equal_branches": float(unequal.preload[index]) / unequal.equal_preload,
             }
-            for index in range(found.preload.size)
+            for index in range(unequal.preload.size)
         ],
-        "without_torque": _sums(found.rest),
-        "standing": _state(found.standing, result.diagnostics.slip_ratio),
-        "rolling": _state(found.rolling, result.rolling.slip_ratio),
+        "without_torque": _sums(unequal.rest),
+        "standing": _state(unequal.standing, result.diagnostics.slip_ratio),
+        "rolling": _state(unequal.rolling, result.rolling.slip_ratio),
         "torque_capacity": _capacity(branches, first) | {"all_slip_Nm": _number(last.output_torque)},
         "rolling_torque_capacity": _capacity(branches, rolling),
     }
 
 
-def _note(found: UnequalBranches) -> str:
+def _note(unequal: UnequalBranches) -> str:
     """How much harder the most loaded branch is pressed than equal ones, in words."""
-    hardest = int(np.argmax(found.preload))
-    ratio, what = found.preload[hardest] / found.equal_preload, f"{found.noun} {hardest + 1}"
-    if np.ptp(found.preload) <= _EVEN * found.preload[hardest]:
-        what = f"every {found.noun}"
+    hardest = int(np.argmax(unequal.preload))
+    ratio, what = unequal.preload[hardest] / unequal.equal_preload, f"{unequal.noun} {hardest + 1}"
+    if np.ptp(unequal.preload) <= _EVEN * unequal.preload[hardest]:
+        what = f"every {unequal.noun}"
     return (
         f"All numbers are those of these branches, contact by contact: {what} is pressed {ratio:.3g} times as hard "
         "as equal ones."
@@ -133,7 +133,7 @@ def _number(value: Any) -> float | None:
 
 
 def _numbers(values: np.ndarray) -> list[float | None]:
-    return [_number(each) for each in values]
+    return [_number(value) for value in values]
 
 
 def _capacity(branches: AssembledBranches, first: TorqueCapacity) -> Document:

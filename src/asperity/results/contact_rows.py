@@ -38,9 +38,9 @@ def _crowned(name: str, label: str, path: str, note: str) -> Result:
     """A number of crowned contacts; nan for contacts between cylinders in a joint without any crown."""
 
     def value(solved: SolvedJoint) -> Any:
-        found = operator.attrgetter(path)(solved.result)
+        quantity = operator.attrgetter(path)(solved.result)
         normal = solved.result.forces.normal
-        return namespace(normal).full_like(normal, np.nan) if found is None else found
+        return namespace(normal).full_like(normal, np.nan) if quantity is None else quantity
 
     return _contact(
         name,

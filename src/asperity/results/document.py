@@ -49,7 +49,7 @@ LEVEL_WORDS = (
 )
 
 
-_WHOLE_BODIES = (
+_ELASTIC_BODIES = (
     "the springs of a contact include how its bodies deform as a whole: a free ring's bending, for example"
 )
 _BELOW_ZERO = (
@@ -74,7 +74,7 @@ def budget_words(shares: Iterable[float | None], *, elastic_bodies: bool) -> str
         One sentence or two.
     """
     below = any(share is not None and share < -NO_SHARE for share in shares)
-    return "; ".join([_WHOLE_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
+    return "; ".join([_ELASTIC_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
 
 
 def has_elastic_bodies(document: Document) -> bool:
@@ -342,7 +342,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
 
 
 def _at_assembly(solved: SolvedJoint) -> Solution | None:
-    """What the joint does at the temperature of its assembly; None where it has none."""
+    """Solution at the temperature of assembly; None without one."""
     fit = solved.joint.fit
     return None if fit is None else solved.at_temperature(float(fit.assembly_temperature))
 
@@ -370,9 +370,9 @@ def _rims(solved: SolvedJoint) -> Document:
     """Stresses and safeties of the rings and hollow rollers that bend, by the name of the body."""
     if not any(bends(solved.joint)):
         return {}
-    names, found = solved.row_names("body"), solved.rims
+    names, rims = solved.row_names("body"), solved.rims
     return {
-        names[number]: rim_entry(jax.tree.map(lambda leaf, number=number: leaf[..., number], found))
+        names[number]: rim_entry(jax.tree.map(lambda leaf, number=number: leaf[..., number], rims))
         for number, acts in enumerate(bends(solved.joint))
         if acts
     }
@@ -382,14 +382,14 @@ def surface_averages(joint: Joint, stated: dict[str, Any]) -> list[dict[str, Any
     """What an instrument would show on the fractal surfaces of a joint [m]."""
     contacts = joint.contact_names
     shared = [contacts] if len(joint.surfaces) == 1 else [(name,) for name in contacts]
-    found: dict[tuple[float, float, float | None], list[str]] = {}
+    by_surface: dict[tuple[float, float, float | None], list[str]] = {}
     for names, surface in zip(shared, joint.surfaces, strict=True):
         if not isinstance(surface, Surface):
             continue
         entry = stated.get(names[0], stated)
         values = (float(surface.fractal_dimension), float(surface.fractal_roughness), _cut_off(entry))
-        found.setdefault(values, []).extend(names)
-    return [_entry(names, *values) for values, names in found.items()]
+        by_surface.setdefault(values, []).extend(names)
+    return [_entry(names, *values) for values, names in by_surface.items()]
 
 
 def _cut_off(entry: dict[str, Any]) -> float | None:

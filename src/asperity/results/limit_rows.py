@@ -38,8 +38,8 @@ _TRUST_THE_ASSEMBLY = "use the assembled stiffness; the published one, without t
 def _fractal_dimensions(solved: SolvedJoint) -> list[object]:
     surfaces = solved.joint.surfaces
     count = len(solved.result.contact_names)
-    each = surfaces if len(surfaces) > 1 else surfaces * count
-    return [s.fractal_dimension if isinstance(s, Surface) else math.nan for s in each]
+    per_contact = surfaces if len(surfaces) > 1 else surfaces * count
+    return [s.fractal_dimension if isinstance(s, Surface) else math.nan for s in per_contact]
 
 
 ROWS = (

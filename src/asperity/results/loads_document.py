@@ -82,13 +82,13 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
         loaded.append((f"duty {index + 1}", float(numbers.rolling.duty[index].share), *state))
     drive = joint.drive
     speeds = [np.zeros(len(drive.members))]
-    for name, share, there, under in loaded:
-        loads.append(working_loads(there, under))
-        held.append(forces_on_axis(there, *working_forces(there, under), loads[-1].pin))
-        speeds.append(np.asarray(member_speeds(there, under)))
+    for name, share, at_load, under in loaded:
+        loads.append(working_loads(at_load, under))
+        held.append(forces_on_axis(at_load, *working_forces(at_load, under), loads[-1].pin))
+        speeds.append(np.asarray(member_speeds(at_load, under)))
         unknown = bool(np.any(np.isnan(np.asarray(loads[-1].moments))))
-        why = unknown_because(there, under)[0] if unknown else None
-        cases.append(case_entry(name, float(there.output_torque), float(there.input_speed), share, why))
+        why = unknown_because(at_load, under)[0] if unknown else None
+        cases.append(case_entry(name, float(at_load.output_torque), float(at_load.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
     notes = [_DIRECTIONS, _EQUAL if joint.unlike is None else UNEQUAL, _STATES]
     if len(drive.pinned) < len(drive.floating):
@@ -104,7 +104,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
         notes.append(_AXIAL)
         none = np.zeros(len(drive.bodies))
         turning = [
-            under.rolling.axial_thrust if there.input_speed > 0.0 else none for *_, there, under in loaded
+            under.rolling.axial_thrust if at_load.input_speed > 0.0 else none for *_, at_load, under in loaded
         ]
         thrust = np.stack([none, *turning], axis=-1)
     return document_of_rows(
@@ -125,7 +125,7 @@ def _rows(
     """Part, position, quantity, SI unit, and a value for each case."""
     drive, members = joint.drive, joint.drive.members
     turned = np.abs(np.stack(speeds, axis=-1))
-    relative = np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
+    relative = np.stack([np.asarray(pin_speeds(drive, jnp.asarray(speed))) for speed in speeds], axis=-1)
     pins = [pin_components(drive=drive, force=load.pin) for load in loads]
     radial, tangential = np.moveaxis(np.asarray(pins), 0, -1)
     moment, stress = map(np.asarray, pin_bending(joint, jnp.hypot(radial, tangential)))
@@ -200,16 +200,16 @@ def document_of_rows(
 ) -> Document:
     """The document of loads, whatever the drive."""
     unknown = np.array([case["unknown_because"] is not None for case in cases])
-    whole = [
+    table = [
         (*words, unit, np.where(unknown & (unit != "rad/s"), math.nan, np.asarray(values, dtype=float)))
         for *words, unit, values in rows
     ]
     largest = {
         unit: max(
-            (abs(x) for *_, other, each in whole if other == unit for x in each if np.isfinite(x)),
+            (abs(x) for *_, other, numbers in table if other == unit for x in numbers if np.isfinite(x)),
             default=0.0,
         )
-        for unit in {row[-2] for row in whole}
+        for unit in {row[-2] for row in table}
     }
     return {
         "asperity_version": asperity.__version__,
@@ -222,7 +222,7 @@ def document_of_rows(
                 "unit": unit,
                 "values": [_plain(value, _ROUNDING * largest[unit]) for value in values],
             }
-            for part, position, quantity, unit, values in whole
+            for part, position, quantity, unit, values in table
         ],
         "bearings": bearings,
         "notes": notes,
@@ -254,40 +254,40 @@ def bearing_entries(solved: SolvedJoint) -> list[Document]:
     for index, (name, rated) in enumerate(zip(joint.bearing_names, joint.rated_bearings, strict=True)):
         if rated is None:
             continue
-        found = {key: float(np.asarray(value)[index]) for key, value in vars(solved.bearings).items()}
+        bearing = {key: float(np.asarray(value)[index]) for key, value in vars(solved.bearings).items()}
         entries.append(
             {
                 "bearing": name,
                 "type": rated.kind,
                 "dynamic_rating_N": float(rated.dynamic_rating),
                 "static_rating_N": float(rated.static_rating),
-                "load_N": _plain(found["load"]),
-                "life_hours": _plain(found["life"] / 3600.0),
-                "duty_life_hours": _plain(found["duty_life"] / 3600.0) if joint.rolling.duty else None,
-                "static_safety": _plain(found["static_safety"]),
-                "load_over_dynamic_rating": _plain(found["load_ratio"]),
-                "absent_because": _absent_because(joint, found),
+                "load_N": _plain(bearing["load"]),
+                "life_hours": _plain(bearing["life"] / 3600.0),
+                "duty_life_hours": _plain(bearing["duty_life"] / 3600.0) if joint.rolling.duty else None,
+                "static_safety": _plain(bearing["static_safety"]),
+                "load_over_dynamic_rating": _plain(bearing["load_ratio"]),
+                "absent_because": _absent_because(joint, bearing),
             }
         )
     return entries
 
 
-def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
+def _absent_because(joint: Joint, bearing: dict[str, float]) -> list[str]:
     """Why lives of a bearing are absent."""
     why = []
-    duty = found["duty_life"] if joint.rolling.duty else 1.0
-    if math.isnan(found["load"]):
+    duty = bearing["duty_life"] if joint.rolling.duty else 1.0
+    if math.isnan(bearing["load"]):
         why.append("its load is not known: the joint slips or does not roll")
-    elif math.isnan(found["life"]):
+    elif math.isnan(bearing["life"]):
         why.append("it stands: no life in hours at this speed, only its static safety counts")
-    elif math.isinf(found["life"]):
+    elif math.isinf(bearing["life"]):
         why.append("it carries no load: its life is not limited by fatigue")
     if math.isnan(duty):
         why.append(
             "no life, largest P/C and static safety under the duty: the joint slips or does not roll under one of its "
             "loads"
         )
-    if math.isinf(duty) and not math.isinf(found["life"]):
+    if math.isinf(duty) and not math.isinf(bearing["life"]):
         why.append("no load of the duty turns it")
     return why
 

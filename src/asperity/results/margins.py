@@ -81,13 +81,13 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     """
     table = results_of_joint(solved).values()
     judged = [with_pins(row, solved) for row in table if row.limit or row.name in _MUST_EXCEED]
-    found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
-    found += map(_further, further_checks(solved))
+    requirements = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
+    requirements += map(_further, further_checks(solved))
     by_name: dict[str, list[Note]] = {}
     for note in solved.notes:
         by_name.setdefault(note.name, []).append(note)
-    found += map(_worst_note, by_name.values())
-    return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
+    requirements += map(_worst_note, by_name.values())
+    return tuple(sorted(requirements, key=lambda margin: SEVERITIES.index(margin.severity)))
 
 
 def _further(check: LimitCheck) -> Margin:
@@ -100,10 +100,10 @@ def _worst_note(notes: list[Note]) -> Margin:
     """The note that is farthest beyond its limit, or else nearest to it."""
     note = max(
         notes,
-        key=lambda each: (
-            not each.ok,
-            -SEVERITIES.index(each.severity),
-            each.value - each.limit if each.ok else abs(each.value - each.limit),
+        key=lambda note: (
+            not note.ok,
+            -SEVERITIES.index(note.severity),
+            note.value - note.limit if note.ok else abs(note.value - note.limit),
         ),
     )
     below = note.value < note.limit and not note.ok
@@ -139,12 +139,12 @@ def _worst(row: Result, rows: dict[str, float]) -> Margin:
     return Margin(row, list(rows)[index], actual, lowest, highest, bool(passes), severity)
 
 
-def verdict_document(found: Sequence[Margin], rims: dict[str, Any]) -> dict[str, Any]:
+def verdict_document(judged: Sequence[Margin], rims: dict[str, Any]) -> dict[str, Any]:
     """Whether a joint works, as a part of its document.
 
     Parameters
     ----------
-    found : sequence of Margin
+    judged : sequence of Margin
         Every requirement of the joint.
     rims : dict
         Stresses and safeties of its bodies that bend, as in the document of the joint.
@@ -156,17 +156,15 @@ def verdict_document(found: Sequence[Margin], rims: dict[str, Any]) -> dict[str,
         relied on; ``holds``: likewise those of strength; ``title``: both in a few words; ``words``: what is not met and
         what is not known; ``nearest``: of the requirements that are met, that which uses most of its limit, or None.
     """
-    doubtful = [each.result.label for each in found if each.severity == "accuracy" and not each.passes]
-    words = [_verdict(found, rims)]
+    doubtful = [m.result.label for m in judged if m.severity == "accuracy" and not m.passes]
+    words = [_verdict(judged, rims)]
     if doubtful:
         words.append(
             f"The numbers cannot be relied on before these warnings are settled: {', '.join(doubtful)}."
         )
-    used = [
-        each for each in found if each.severity in _JUDGED and each.passes and math.isfinite(each.utilisation)
-    ]
+    used = [m for m in judged if m.severity in _JUDGED and m.passes and math.isfinite(m.utilisation)]
     nearest = max(used, key=lambda margin: margin.utilisation, default=None)
-    works, holds = (None if doubtful else _is_met(found, severity) for severity in _JUDGED)
+    works, holds = (None if doubtful else _is_met(judged, severity) for severity in _JUDGED)
     if holds and _endurance_unknown(rims):
         holds = None
     return {
@@ -192,9 +190,9 @@ def _title(works: bool | None, holds: bool | None) -> str:
     return "Works" if works and holds else "Not known in full"
 
 
-def _is_met(found: Sequence[Margin], severity: Severity) -> bool | None:
+def _is_met(judged: Sequence[Margin], severity: Severity) -> bool | None:
     """Whether all requirements of one kind are met; None where none fails but one is not known."""
-    crossed = [margin for margin in found if margin.severity == severity and not margin.passes]
+    crossed = [margin for margin in judged if margin.severity == severity and not margin.passes]
     if any(not math.isnan(margin.actual) for margin in crossed):
         return False
     return None if crossed else True
@@ -209,9 +207,9 @@ def _endurance_unknown(rims: dict[str, Any]) -> list[str]:
     ]
 
 
-def _verdict(found: Sequence[Margin], rims: dict[str, Any]) -> str:
+def _verdict(judged: Sequence[Margin], rims: dict[str, Any]) -> str:
     """Whether the requirements of function and strength are met, and which are not known."""
-    crossed = [margin for margin in found if not margin.passes and margin.severity in _JUDGED]
+    crossed = [margin for margin in judged if not margin.passes and margin.severity in _JUDGED]
     failed, unknown = (
         [
             f"{margin.result.label} ({margin.place.replace('_', ' ') or 'drive'})"

@@ -157,8 +157,8 @@ def crown_notes(name: str, diagnostics: Diagnostics, index: int) -> list[Note]:
     if math.isnan(ratio):
         return []
     share, end, peak = (
-        float(np.asarray(getattr(diagnostics, each))[index])
-        for each in ("loaded_length_share", "end_line_load_ratio", "peak_line_load_ratio")
+        float(np.asarray(getattr(diagnostics, attribute))[index])
+        for attribute in ("loaded_length_share", "end_line_load_ratio", "peak_line_load_ratio")
     )
     return [
         _note(
@@ -301,8 +301,8 @@ def loss_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note,
     words, remedy = _CAUSES[cause]
     where = ""
     if cause != "bearings":
-        each = np.asarray(getattr(power, cause))
-        where = f", most at {contacts[int(np.argmax(each))]}"
+        by_contact = np.asarray(getattr(power, cause))
+        where = f", most at {contacts[int(np.argmax(by_contact))]}"
     of, all_of = format_quantity(by_cause[cause], "W"), format_quantity(entering, "W")
     return (
         Note(

@@ -86,7 +86,7 @@ def _comes_back(document: Document) -> PositionRow:
 
 
 def _beyond(document: Document) -> str:
-    """What ends the rolling, or what is computed of it, and the capacity of the joint that stands."""
+    """Words for what ends the rolling beyond its capacity, and the capacity at rest."""
     capacity, torque = document["torque_capacity"], _finite(document["rolling"]["torque_capacity_Nm"])
     if torque is None:
         ends = "not limited by friction"
@@ -94,8 +94,8 @@ def _beyond(document: Document) -> str:
         ends = "at least: what is computed ends there"
     else:
         ends = "beyond, a contact slips"
-    found = _finite(_in_its_direction(document)["output_torque_Nm"])
-    standing = "not limited by friction" if found is None else format_quantity(found, "N*m")
+    at_rest = _finite(_in_its_direction(document)["output_torque_Nm"])
+    standing = "not limited by friction" if at_rest is None else format_quantity(at_rest, "N*m")
     return f"{ends}; standing: {standing}"
 
 

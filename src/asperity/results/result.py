@@ -154,12 +154,12 @@ class Result:
         """Name → value [SI] of the rows that one joint has, without batch axes."""
         names = self.row_names if self.axis == "one" else solved.row_names(self.axis)
         present = (True,) * len(names) if self.present is None else self.present(solved)
-        found = self.of(solved) if any(present) else None
-        if found is None:
+        computed = self.of(solved) if any(present) else None
+        if computed is None:
             return {}
-        values = np.broadcast_to(np.asarray(found, dtype=float), (len(present),))
+        values = np.broadcast_to(np.asarray(computed, dtype=float), (len(present),))
         named = zip(names, values, present, strict=True)
-        return {name: float(value) for name, value, there in named if there}
+        return {name: float(value) for name, value, exists in named if exists}
 
     def of(self, solved: SolvedJoint) -> Any:
         """Its value [SI]: an array, with the axis of its rows first, or a sequence of its rows."""

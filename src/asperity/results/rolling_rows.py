@@ -12,7 +12,7 @@ from asperity.results.solved import SolvedJoint
 from asperity.unit_table import Dimension
 
 _roll = functools.partial(Result, group="rolling")
-_each = functools.partial(_roll, axis="contact")
+_per_contact = functools.partial(_roll, axis="contact")
 _loss = functools.partial(Result, group="losses", dimension=Dimension.POWER, display_unit="W")
 _life = functools.partial(Result, group="life", dimension=Dimension.DIMENSIONLESS, display_unit="1")
 _NUMBER, _TIME = Dimension.DIMENSIONLESS, Dimension.TIME
@@ -26,7 +26,7 @@ def _crown_factor(solved: SolvedJoint) -> Any:
 
 
 ROWS = (
-    _each(
+    _per_contact(
         "creepage",
         "creepage",
         _NUMBER,
@@ -35,7 +35,7 @@ ROWS = (
         positive=False,
         note="difference of the surface speeds over their mean, in steady rolling",
     ),
-    _each(
+    _per_contact(
         "traction_coefficient",
         "traction coefficient T/N in rolling",
         _NUMBER,
@@ -43,7 +43,7 @@ ROWS = (
         "result.rolling.traction_coefficient",
         positive=False,
     ),
-    _each(
+    _per_contact(
         "rolling_slip_ratio",
         "slip ratio T/(mu N) in rolling",
         _NUMBER,
@@ -51,21 +51,21 @@ ROWS = (
         "result.rolling.slip_ratio",
         note="the share of the friction that skew takes is counted as not available",
     ),
-    _each(
+    _per_contact(
         "stick_fraction",
         "share of the contact width that sticks in rolling",
         _NUMBER,
         "1",
         "result.rolling.stick_fraction",
     ),
-    _each(
+    _per_contact(
         "rolling_normal_force",
         "normal force of the contact in rolling",
         Dimension.FORCE,
         "N",
         "result.rolling.normal",
     ),
-    _each(
+    _per_contact(
         "rolling_tangential_force",
         "tangential force of the contact in rolling",
         Dimension.FORCE,
@@ -74,7 +74,7 @@ ROWS = (
         positive=False,
         note="the split that the creepages decide",
     ),
-    _each(
+    _per_contact(
         "layer_ratio",
         "yield of the asperities over that of the bodies",
         _NUMBER,
@@ -82,14 +82,14 @@ ROWS = (
         "result.rolling.layer_ratio",
         note="u_0 R/a^2 with u_0 = N/K_n of the contact law; in the middle of crowned contacts",
     ),
-    _each(
+    _per_contact(
         "layer_creepage_factor",
         "creepage with asperities over that of smooth bodies",
         _NUMBER,
         "1",
         "result.rolling.layer_creepage_factor",
     ),
-    _each(
+    _per_contact(
         "rough_half_width",
         "half-width of the contact with asperities in rolling",
         Dimension.LENGTH,
@@ -97,7 +97,7 @@ ROWS = (
         "result.rolling.rough_half_width",
         note="of the ellipse whose root mean square the load's places have",
     ),
-    _each(
+    _per_contact(
         "rolling_hertz_pressure",
         "peak pressure of smooth bodies in rolling",
         Dimension.PRESSURE,
@@ -105,7 +105,7 @@ ROWS = (
         "result.rolling.hertz_pressure",
         note="of Hertz under the rolling forces; shakedown and life are judged by it",
     ),
-    _each(
+    _per_contact(
         "rough_peak_pressure",
         "peak pressure of the contact with asperities in rolling",
         Dimension.PRESSURE,
@@ -113,7 +113,7 @@ ROWS = (
         "result.rolling.rough_peak_pressure",
         note="nominal; life and shakedown take the higher one of smooth bodies, as the standards do",
     ),
-    _each(
+    _per_contact(
         "crown_creepage_factor",
         "creepage of smooth crowned rollers over that of cylinders",
         _NUMBER,
@@ -121,14 +121,14 @@ ROWS = (
         _crown_factor,
         note="nan where no roller of the joint is crowned",
     ),
-    _each(
+    _per_contact(
         "skew_creepage_factor",
         "creepage with skew over that without",
         _NUMBER,
         "1",
         "result.rolling.skew_creepage_factor",
     ),
-    _each(
+    _per_contact(
         "capacity_loss",
         "share of the contact's tangential capacity that skew takes",
         _NUMBER,
@@ -136,7 +136,7 @@ ROWS = (
         "result.rolling.capacity_loss",
         positive=False,
     ),
-    _each(
+    _per_contact(
         "axial_force",
         "axial force of the skewed contact",
         Dimension.FORCE,
@@ -197,7 +197,7 @@ ROWS = (
         "result.rolling.residual",
         differentiable=False,
     ),
-    _each(
+    _per_contact(
         "shakedown_ratio",
         "Hertz pressure over shakedown limit",
         _NUMBER,
@@ -211,7 +211,7 @@ ROWS = (
             highest=1.0,
         ),
     ),
-    _each(
+    _per_contact(
         "flash_temperature",
         "flash temperature of the contact",
         Dimension.TEMPERATURE_RISE,
@@ -220,7 +220,7 @@ ROWS = (
         note=f"largest rise of the surfaces above the temperature of the bodies; nan without thermal_conductivity and "
         f"specific_heat_capacity of both materials; {_STANDING}",
     ),
-    _each(
+    _per_contact(
         "film_thickness",
         "smallest thickness of the oil film",
         Dimension.LENGTH,
@@ -228,7 +228,7 @@ ROWS = (
         "result.rolling.film_thickness",
         note=f"as if it carried the whole load; nan without lubrication.pressure_coefficient; {_STANDING}",
     ),
-    _each(
+    _per_contact(
         "film_ratio",
         "oil film over roughness lambda",
         _NUMBER,

@@ -132,7 +132,7 @@ class SolvedJoint:
     @functools.cached_property
     def duty_rims(self) -> tuple[Any, ...]:
         """As ``rims`` under each load of the duty; nan where the joint does not carry it. Of one joint alone."""
-        return tuple(self._rims(*each) for each in self.duty_states)
+        return tuple(self._rims(*state) for state in self.duty_states)
 
     @property
     def has_bearings(self) -> tuple[bool, ...]:
@@ -185,13 +185,13 @@ class SolvedJoint:
     def duty_states(self) -> tuple[tuple[Joint, JointResult], ...]:
         """The joint under each load of its duty, and its result."""
         numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), self.joint)
-        found = []
+        states = []
         for point in numbers.rolling.duty:
-            there = dataclasses.replace(
+            joint = dataclasses.replace(
                 numbers, output_torque=point.output_torque, input_speed=point.sun_speed
             )
-            found.append((there, joint_state(there)))
-        return tuple(found)
+            states.append((joint, joint_state(joint)))
+        return tuple(states)
 
     def _rims(self, joint: Joint, result: JointResult) -> Any:
         """The bodies along the last axis."""

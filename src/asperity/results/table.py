@@ -44,11 +44,11 @@ RESULTS: dict[str, Result] = {
 LEVELS: tuple[StiffnessLevel, ...] = ("assembly", "series_with_bulk", "published")
 
 #: Group that takes more time than all others together, and is therefore asked for by its own name.
-_APART = "stresses"
+_SLOW_GROUP = "stresses"
 
 #: Groups of results that can be asked for by one word; ``all`` is everything but the stresses of rims.
 GROUPS: dict[str, tuple[str, ...]] = {
-    "all": tuple(name for name, row in RESULTS.items() if row.group != _APART),
+    "all": tuple(name for name, row in RESULTS.items() if row.group != _SLOW_GROUP),
     "stiffness": tuple(name for name in RESULTS if name.endswith(("_stiffness_output", "_stiffness_input"))),
     **{
         group: tuple(name for name, row in RESULTS.items() if row.group == group)
@@ -111,7 +111,7 @@ def known_result(name: object, *, among: Sequence[str] = (), what: str = "result
 
 def _refuse_for_the_drive(name: str) -> None:
     """Raise if only another kind of drive has these results; called where a drive lacks them."""
-    rows = [RESULTS[each] for each in GROUPS.get(name, (name,)) if each in RESULTS]
+    rows = [RESULTS[member] for member in GROUPS.get(name, (name,)) if member in RESULTS]
     if rows and all(row.needs_wedges for row in rows):
         raise InputError(
             f"a drive of this type has no result '{name}': only one with wedges between planets and ring has it"
@@ -134,10 +134,10 @@ def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = RESULT
     """Names of single results from names of results and groups."""
     wanted: dict[str, None] = {}
     for name in names:
-        group = tuple(each for each in GROUPS.get(name, (name,)) if each in table)
+        group = tuple(member for member in GROUPS.get(name, (name,)) if member in table)
         if not group:
             _refuse_for_the_drive(name)
-            groups = [each for each, members in GROUPS.items() if any(member in table for member in members)]
+            groups = [word for word, members in GROUPS.items() if any(member in table for member in members)]
             hint = _hint(name, [*groups, *table])
             raise InputError(f"there is no result '{name}'{hint} (groups: {', '.join(groups)})")
         wanted.update(dict.fromkeys(group))
@@ -166,13 +166,13 @@ def display_unit(name: str) -> str:
 
 def result_values(names: Sequence[str], solved: SolvedJoint) -> dict[str, Array]:
     """The chosen results of a solved joint; the rest costs nothing, because the compiler drops it."""
-    found = {}
+    values = {}
     for name in names:
         value = RESULTS[name].of(solved)
         if isinstance(value, list | tuple):
             value = jnp.stack(jnp.broadcast_arrays(*value))
-        found[name] = jnp.asarray(value, dtype=float)
-    return found
+        values[name] = jnp.asarray(value, dtype=float)
+    return values
 
 
 @functools.lru_cache(maxsize=32)

@@ -167,12 +167,12 @@ def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
         Of positive and of negative torques, as positive torques [N·m]; infinite where there are none, or where the
         joint may carry more than what is computed.
     """
-    found = document["torque_capacity"]
+    capacity = document["torque_capacity"]
     forward, reverse = (
         math.inf
-        if each["output_torque_Nm"] is None or each["is_lower_bound"]
-        else float(each["output_torque_Nm"])
-        for each in (found, found["reverse"])
+        if direction["output_torque_Nm"] is None or direction["is_lower_bound"]
+        else float(direction["output_torque_Nm"])
+        for direction in (capacity, capacity["reverse"])
     )
     return forward, reverse
 

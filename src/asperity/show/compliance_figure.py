@@ -47,7 +47,7 @@ def compliance_shares(solved: SolvedJoint) -> dict[str, float]:
                 shares[f"{place} {words}".strip()] = share
     return {
         words: share
-        for words, share in sorted(shares.items(), key=lambda each: -each[1])
+        for words, share in sorted(shares.items(), key=lambda pair: -pair[1])
         if abs(share) > NO_SHARE
     }
 
@@ -183,15 +183,15 @@ def draw_temperatures(axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit)
 def drawn_margins(margins: Sequence[Margin]) -> list[Margin]:
     """Margins of function, damage and accuracy whose share of the limit has a meaning, the fullest first."""
     chosen = [
-        each
-        for each in margins
-        if each.severity in _SERIOUS
-        and each.result.group != "residuals"
-        and not each.state
-        and math.isfinite(each.utilisation)
-        and each.utilisation > 0.0
+        margin
+        for margin in margins
+        if margin.severity in _SERIOUS
+        and margin.result.group != "residuals"
+        and not margin.state
+        and math.isfinite(margin.utilisation)
+        and margin.utilisation > 0.0
     ]
-    return sorted(chosen, key=lambda each: -each.utilisation)
+    return sorted(chosen, key=lambda margin: -margin.utilisation)
 
 
 def margins_height(margins: Sequence[Margin]) -> float:
@@ -202,22 +202,22 @@ def margins_height(margins: Sequence[Margin]) -> float:
 def draw_margins(axes: Axes, margins: Sequence[Margin]) -> None:
     """Bars of the share of each limit that is used; the line at 100 % is the limit, and no words lie on it."""
     shown = drawn_margins(margins)
-    names = [_name(each) for each in shown]
-    used = [100.0 * each.utilisation for each in shown]
+    names = [_name(margin) for margin in shown]
+    used = [100.0 * margin.utilisation for margin in shown]
     bars = axes.barh(
         range(len(shown)),
         used,
         left=0.0,
-        color=[PASS_COLOUR if each.passes else FAIL_COLOUR for each in shown],
-        hatch=["" if each.passes else "///" for each in shown],
+        color=[PASS_COLOUR if margin.passes else FAIL_COLOUR for margin in shown],
+        hatch=["" if margin.passes else "///" for margin in shown],
         edgecolor="white",
     )
     right = 1.35 * max([110.0, *used])
-    for bar, each, share in zip(bars, shown, used, strict=True):
+    for bar, margin, share in zip(bars, shown, used, strict=True):
         meets_line = share <= 100.0 < share + _WORDS * right
         inside = meets_line and share > _WORDS * right
         axes.annotate(
-            f"{share:.3g} %, {'pass' if each.passes else 'FAIL'}",
+            f"{share:.3g} %, {'pass' if margin.passes else 'FAIL'}",
             (100.0 if meets_line and not inside else share, bar.get_y() + 0.5 * bar.get_height()),
             (-4 if inside else 4, 0),
             textcoords="offset points",

@@ -59,15 +59,15 @@ def widths_below(
     widths: Iterable[tuple[float, str]], low: float, *, scale: float
 ) -> list[tuple[tuple[Line, Line], tuple[Line, Text]]]:
     """Diameters of circles about the origin as dimension lines below each other."""
-    found = []
+    dimensions = []
     for row, (half, text) in enumerate(widths, start=1):
         y, end = low - row * _ROW / scale, low - (row * _ROW + _BEYOND) / scale
         extensions = Line(((-half, 0.0), (-half, end))), Line(((half, 0.0), (half, end)))
         across = Line(((-half, y), (half, y)), arrows="both")
         fits = _FROM_AXIS + text_width(text) + _FROM_LINE < half * scale
         x = _FROM_AXIS / scale if fits else half + _FROM_LINE / scale
-        found.append((extensions, (across, Text((x, y + 1.0 / scale), text))))
-    return found
+        dimensions.append((extensions, (across, Text((x, y + 1.0 / scale), text))))
+    return dimensions
 
 
 def distance_mark(ends: tuple[Point, Point], *, scale: float) -> tuple[Line, ...]:

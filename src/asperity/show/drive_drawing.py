@@ -59,16 +59,16 @@ def rollers(geometry: DriveGeometry) -> list[Roller]:
         )
     planet, loading_roller = float(geometry.planet_radius), float(geometry.loading_roller_radius)
     count = round(float(geometry.planet_count))
-    found = [Roller("sun", (0.0, 0.0), float(geometry.sun_radius))]
+    placed = [Roller("sun", (0.0, 0.0), float(geometry.sun_radius))]
     for branch in range(count):
         direction = math.pi / 2.0 + 2.0 * math.pi * branch / count
         orbit, roller_orbit = float(sides.planet_orbit), float(sides.roller_orbit)
-        found += [
+        placed += [
             Roller("planet", _polar(orbit, direction), planet),
             Roller("right loading roller", _polar(roller_orbit, direction - polar), loading_roller),
             Roller("left loading roller", _polar(roller_orbit, direction + polar), loading_roller),
         ]
-    return found
+    return placed
 
 
 def draw_drive(axes: Axes, geometry: DriveGeometry, *, ring_wall_thickness: Real) -> None:

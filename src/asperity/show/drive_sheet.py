@@ -186,7 +186,7 @@ def _lines(
     letters: dict[int, str],
     interference: float | None,
 ) -> list[str]:
-    """What the view itself does not say."""
+    """Lines of text beside the view: ratio, members, sizes without a leader, clearances and contacts."""
     drive = joint.drive
     lines = [
         f"ratio {format_quantity(float(speed_ratio(drive)), '1', 5)}",
@@ -197,8 +197,8 @@ def _lines(
         pinned = ", ".join(drive.bodies[body].name.replace("_", " ") for body in drive.pinned)
         lines.append(f"pins of the carrier: {pinned}")
     unsaid = [all_sizes[number] for number in sorted(listed)]
-    for of, each in groupby(unsaid, key=lambda size: size.of):
-        lines.append(f"{of}: {', '.join(size.listed for size in each)}")
+    for of, group in groupby(unsaid, key=lambda size: size.of):
+        lines.append(f"{of}: {', '.join(size.listed for size in group)}")
     if wedges(drive):
         angles = wedge_angles(drive)
         lines.append(
@@ -220,7 +220,7 @@ def _lines(
             f"{letters.get(number, '–')}  {gap.words} {gap.size:.4g}" for number, gap in enumerate(clearances)
         ]
     lengths = [
-        dimension(1e3 * float(each)) for each in np.asarray(contact_values(joint, joint.contact_lengths))
+        dimension(1e3 * float(length)) for length in np.asarray(contact_values(joint, joint.contact_lengths))
     ]
     alike = len(set(lengths)) == 1
     lines += ["", f"Contacts, length {lengths[0]}" if alike else "Contacts"]
@@ -235,7 +235,7 @@ def _lines(
 
 
 def _interference(joint: Joint, ring: str, less: float | None) -> str:
-    """By how much the ring of a contact is too small, and whether its diameter on the sheet says so."""
+    """Words for the interference of a contact with a ring; empty for none."""
     if less == 0.0:
         return ""
     if less is None:

@@ -67,7 +67,7 @@ class Clearance(NamedTuple):
 
 def sizes(joint: Joint, scale: float, interference: float | None = None) -> list[Size]:
     """Diameters of the tracks, bores and circles of axes, inner diameters and walls of the rings, each kind once."""
-    found: list[Size] = []
+    listed: list[Size] = []
     count, rings = round(float(joint.drive.sectors)), rings_of(joint)
     for kind in _kinds(joint):
         name = _together([_words(joint, number) for number in kind])
@@ -76,31 +76,31 @@ def sizes(joint: Joint, scale: float, interference: float | None = None) -> list
             wall = dimension(ring.outer - ring.inner)
             circle = around((0.0, 0.0), ring.inner, 0.0, _OF_WALL)
             text = _made_inside(joint, ring, interference)
-            found.append(Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner))
+            listed.append(Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner))
             marks = [] if ring.shown < ring.outer else _walls(circle, ring.inner, ring.outer, scale)
             broken = ", broken off at the wavy line" if ring.shown < ring.outer else ""
-            found.append(Size(name, f"wall {wall}{broken}", f"wall of {name} {wall}", tuple(marks)))
+            listed.append(Size(name, f"wall {wall}{broken}", f"wall of {name} {wall}", tuple(marks)))
         if mine:
             continue
         on_axis = joint.drive.bodies[kind[0]].on_axis
         counted = name if on_axis else f"{count} × {name}"
         for radius in radii_of(joint, kind[0]):
             text = f"⌀{dimension(2.0 * radius)}"
-            found.append(Size(counted, text, f"{counted} {text}", _on(joint, kind, radius)))
+            listed.append(Size(counted, text, f"{counted} {text}", _on(joint, kind, radius)))
         bore = joint.shapes[kind[0]].bore_diameter
         if bore is not None:
             text = f"bore ⌀{dimension(1e3 * float(bore))}"
-            found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5e3 * float(bore))))
+            listed.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5e3 * float(bore))))
         pin = pin_diameter_of(joint, kind[0])
         if pin:
             text = f"pin ⌀{dimension(pin)}"
-            found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5 * pin)))
+            listed.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5 * pin)))
         if not on_axis:
             x, y = copies_of(joint, kind[0])[0]
             orbit, text = math.hypot(x, y), f"⌀{dimension(2.0 * math.hypot(x, y))}"
             circle = around((0.0, 0.0), orbit, math.atan2(y, x), _OF_AXES)
-            found.append(Size(counted, f"axes on {text}", f"axes of {name} {text}", tuple(circle)))
-    return found
+            listed.append(Size(counted, f"axes on {text}", f"axes of {name} {text}", tuple(circle)))
+    return listed
 
 
 def contact_interferences(joint: Joint, interference: float | None = None) -> list[float | None]:
@@ -114,8 +114,8 @@ def _made_inside(joint: Joint, ring: RingOfBody, interference: float | None) -> 
     """Inner diameter of a ring as it must be made."""
     _, second = places(joint.drive)
     less = next(
-        each
-        for number, each in enumerate(contact_interferences(joint, interference))
+        contact_interference
+        for number, contact_interference in enumerate(contact_interferences(joint, interference))
         if second[number] == ring.body
         and math.isclose(1e3 * float(joint.drive.second_radius[number]), ring.inner)
     )
@@ -132,12 +132,12 @@ def drive_clearances(joint: Joint) -> list[Clearance]:
         if number not in rings
         for centre in copies_of(joint, number)
     ]
-    found = []
+    gaps = []
     for one, other in neighbours(joint.drive):
         i, j = names.index(one), names.index(other)
         if j in rings:
             if all(len(radii_of(joint, number)) == 1 for number in (i, j)):
-                found.append(_to_ring(joint, i, j, discs))
+                gaps.append(_to_ring(joint, i, j, discs))
             continue
         if any(joint.drive.bodies[number].on_axis for number in (i, j)):
             continue
@@ -158,9 +158,9 @@ def drive_clearances(joint: Joint) -> list[Clearance]:
         open_ones = [ends for ends in between if size > 0.0 and not _blocked(ends, discs)]
         marks = tuple(Place(_middle(ends), None, (Line(ends, "break"),)) for ends in open_ones)
         words = f"{_words(joint, i)} to {_words(joint, j)}"
-        found.append(Clearance(words, size, marks, i == j))
-    found.sort(key=lambda each: each.size)
-    return [each for rank, each in enumerate(found) if rank < MOST_GAPS or each.alike]
+        gaps.append(Clearance(words, size, marks, i == j))
+    gaps.sort(key=lambda gap: gap.size)
+    return [gap for rank, gap in enumerate(gaps) if rank < MOST_GAPS or gap.alike]
 
 
 def _to_ring(joint: Joint, number: int, ring: int, discs: list[Circle]) -> Clearance:
@@ -185,16 +185,16 @@ def _together(names: list[str]) -> str:
     """Names of alike rollers as one, with the words in which they all end said once."""
     words = [name.split() for name in names]
     tail: list[str] = []
-    while len(names) > 1 and all(len(each) > 1 for each in words) and len({each[-1] for each in words}) == 1:
+    while len(names) > 1 and all(len(name) > 1 for name in words) and len({name[-1] for name in words}) == 1:
         tail.insert(0, words[0][-1])
-        words = [each[:-1] for each in words]
-    return " ".join([" and ".join(" ".join(each) for each in words), *tail])
+        words = [name[:-1] for name in words]
+    return " ".join([" and ".join(" ".join(name) for name in words), *tail])
 
 
 def _kinds(joint: Joint) -> list[tuple[int, ...]]:
     """Numbers of the bodies, those of one size and orbit together."""
     rings = {ring.body for ring in rings_of(joint)}
-    found: dict[tuple[object, ...], tuple[int, ...]] = {}
+    kinds: dict[tuple[object, ...], tuple[int, ...]] = {}
     for number, body in enumerate(joint.drive.bodies):
         bore = joint.shapes[number].bore_diameter
         orbit = math.hypot(*copies_of(joint, number)[0])
@@ -205,13 +205,13 @@ def _kinds(joint: Joint) -> list[tuple[int, ...]]:
         )
         if body.on_axis or number in rings:
             key = (number,)
-        found[key] = (*found.get(key, ()), number)
-    return list(found.values())
+        kinds[key] = (*kinds.get(key, ()), number)
+    return list(kinds.values())
 
 
 def _on(joint: Joint, kind: tuple[int, ...], radius: float) -> tuple[Place, ...]:
     """Places on a circle of some copies of a kind, those at the sides of the view."""
-    centres = sorted((centre for n in kind for centre in copies_of(joint, n)), key=lambda each: -abs(each[0]))
+    centres = sorted((centre for n in kind for centre in copies_of(joint, n)), key=lambda xy: -abs(xy[0]))
     return tuple(
         place
         for x, y in centres[:_MOST_COPIES]
@@ -221,11 +221,11 @@ def _on(joint: Joint, kind: tuple[int, ...], radius: float) -> tuple[Place, ...]
 
 def _walls(circle: list[Place], inner: float, outer: float, scale: float) -> list[Place]:
     """Dimension lines across a wall."""
-    found = []
+    marks = []
     for tip, _, _ in circle:
         end = (tip[0] * outer / inner, tip[1] * outer / inner)
-        found.append(Place(_middle((tip, end)), None, distance_mark((tip, end), scale=scale)))
-    return found
+        marks.append(Place(_middle((tip, end)), None, distance_mark((tip, end), scale=scale)))
+    return marks
 
 
 def _middle(ends: tuple[Point, Point]) -> Point:
@@ -233,7 +233,7 @@ def _middle(ends: tuple[Point, Point]) -> Point:
 
 
 def _gap(a: Point, b: Point, radii: tuple[float, float]) -> tuple[Point, Point]:
-    """Where two circles are closest."""
+    """Points of two circles on the line of their centres, where they are closest."""
     far = math.dist(a, b)
     e, f = (b[0] - a[0]) / far, (b[1] - a[1]) / far
     return (a[0] + radii[0] * e, a[1] + radii[0] * f), (b[0] - radii[1] * e, b[1] - radii[1] * f)
@@ -298,22 +298,22 @@ def place_dimensions(
             break
         letter = "ABC"[len(letters)]
         text = f"{letter} {gap.size:.4g}"
-        found = gap.places and best_leader(
+        leader = gap.places and best_leader(
             text, gap.places, (right._replace(handicap=_OTHER_SIDE), left), outlines, taken
         )
-        if found:
+        if leader:
             letters[number] = letter
-            taken.add(found)
-            items += found
+            taken.add(leader)
+            items += leader
     unplaced = set()
     for number in waiting:
         size = sizes[number]
-        found = size.places and best_leader(
+        leader = size.places and best_leader(
             size.label, size.places, (right, left._replace(handicap=_OTHER_SIDE)), outlines, taken
         )
-        if found:
-            taken.add(found)
-            items += found
+        if leader:
+            taken.add(leader)
+            items += leader
         else:
             unplaced.add(number)
     return Dimensions(items, frozenset(unplaced), letters)

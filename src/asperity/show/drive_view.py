@@ -64,14 +64,14 @@ class RingOfBody(NamedTuple):
 
 def rings_of(joint: Joint) -> list[RingOfBody]:
     """The rings of a drive, each with its track; a thick wall is broken off [mm]."""
-    found = []
+    rings = []
     for number, shape in enumerate(joint.shapes):
         if shape.kind == "ring" and shape.size is not None:
             wall = 1e3 * float(shape.size)
             for inner in radii_of(joint, number):
                 shown = wall if wall <= LONGEST_WALL * inner else SHOWN_OF_BROKEN * inner
-                found.append(RingOfBody(number, inner, inner + wall, inner + shown))
-    return found
+                rings.append(RingOfBody(number, inner, inner + wall, inner + shown))
+    return rings
 
 
 def radii_of(joint: Joint, number: int) -> list[float]:
@@ -88,7 +88,7 @@ def pin_diameter_of(joint: Joint, number: int) -> float:
 
 def copies_of(joint: Joint, number: int) -> list[Point]:
     """Centres of the copies of a body in all sectors [mm]."""
-    x, y = (1e3 * float(each) for each in np.asarray(joint.drive.centres)[number])
+    x, y = (1e3 * float(coordinate) for coordinate in np.asarray(joint.drive.centres)[number])
     count = 1 if joint.drive.bodies[number].on_axis else round(float(joint.drive.sectors))
     turns = (2.0 * math.pi * sector / float(joint.drive.sectors) for sector in range(count))
     return [

@@ -34,22 +34,22 @@ def dynamics_figure(dynamics: Dynamics, *, title: str) -> Figure:
     amplitude.set(ylabel="angle per torque at the input,\nboth at the output [rad/(N·m)]")
     phase.set(xlabel="frequency [Hz]", ylabel="phase [deg]")
     amplitude.legend(frameon=False, fontsize="small")
-    over, own = dynamics.over_torque, dynamics.at_torque
+    over, working = dynamics.over_torque, dynamics.at_torque
     torques = figure.add_subplot(grid[0, 1])
     corner = figure.add_subplot(grid[1, 1], sharex=torques)
     for values, at, color, label in (
-        (over.free_frequency, own.free_frequency, "tab:red", "both sides free (resonance)"),
-        (over.locked_frequency, own.locked_frequency, "black", "motor locked (antiresonance)"),
+        (over.free_frequency, working.free_frequency, "tab:red", "both sides free (resonance)"),
+        (over.locked_frequency, working.locked_frequency, "black", "motor locked (antiresonance)"),
     ):
         torques.plot(over.output_torque, values, color=color, label=label)
-        torques.plot(own.output_torque, at, "o", color=color)
+        torques.plot(working.output_torque, at, "o", color=color)
     torques.set(ylabel="natural frequency [Hz]")
     torques.set_ylim(bottom=0.0)
     torques.legend(frameon=False, fontsize="small")
     corner.set(xlabel="torque at the output [N·m]", ylabel="creep corner frequency [Hz]")
     if turns:
         corner.plot(over.output_torque, over.corner_frequency, color="tab:purple")
-        corner.plot(own.output_torque, own.corner_frequency, "o", color="tab:purple")
+        corner.plot(working.output_torque, working.corner_frequency, "o", color="tab:purple")
         corner.set_ylim(bottom=0.0)
     else:
         corner.text(0.5, 0.5, "the input stands: no creep", ha="center", transform=corner.transAxes)

@@ -25,7 +25,7 @@ _DISTANCES = (4.0, 8.0, 13.0, 18.0, 24.0, 32.0)
 _TURNS = (0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9)
 _ARROW = 10.0  # length of an arrow on paper [mm]
 #: Between two bodies on paper [mm].
-APART = 26.0
+BODY_DISTANCE = 26.0
 _LARGEST, _SMALLEST = 20.0, 5.0  # radii on paper [mm]
 
 
@@ -33,7 +33,7 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
     """Bodies off the axis of one sector drawn apart: arrows for directions, numbers for sizes."""
     drive = joint.drive
     names = [drive.bodies[number].name for number in drive.floating]
-    found = [each for each in body_forces(joint, result) if each.body in names]
+    forces = [force for force in body_forces(joint, result) if force.body in names]
     tracks = {
         name: [(float(radius), contacts) for radius, contacts in tracks_of(joint, number)]
         for name, number in zip(names, drive.floating, strict=True)
@@ -46,17 +46,17 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
     )
     of_contact = {
         (name, drive.contacts[k].name): shown
-        for name, each in tracks.items()
-        for (_, contacts), shown in zip(each, radii[name], strict=False)  # the bore is the last
+        for name, body_tracks in tracks.items()
+        for (_, contacts), shown in zip(body_tracks, radii[name], strict=False)  # the bore is the last
         for k in contacts
     }
-    centres = _apart(joint, names, found, {name: max(each) for name, each in radii.items()}, room)
+    centres = _centres(joint, names, forces, {name: max(sizes) for name, sizes in radii.items()}, room)
     arrows = [
-        force_arrow(each, centres[each.body], of_contact.get((each.body, each.name), max(radii[each.body])))
-        for each in found
-        if each.size != 0.0
+        force_arrow(f, centres[f.body], of_contact.get((f.body, f.name), max(radii[f.body])))
+        for f in forces
+        if f.size != 0.0
     ]
-    bodies = {name: (centres[name], max(each)) for name, each in radii.items()}
+    bodies = {name: (centres[name], max(sizes)) for name, sizes in radii.items()}
     labels = _Labels(list(bodies.values()), arrows)
     for name, (centre, radius) in bodies.items():
         words = name.replace("_", " ")
@@ -65,14 +65,14 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
         else:
             labels.find((words,), centre, radius, (0.0, 1.0))
     for contact in joint.drive.contacts:
-        here = [each for each in found if each.name == contact.name and each.size != 0.0]
+        here = [force for force in forces if force.name == contact.name and force.size != 0.0]
         if here:  # its partner, if it is drawn, has the same numbers
-            lines = tuple(force_label(each) for each in here if each.body == here[0].body)
+            lines = tuple(force_label(force) for force in here if force.body == here[0].body)
             labels.find(lines, *bodies[here[0].body], here[0].place)
-    for each in found:
-        if each.kind == "F" and each.size != 0.0:
-            towards = (-each.direction[0], -each.direction[1]) if each.size > 0.0 else each.direction
-            labels.find((force_label(each),), *bodies[each.body], towards)
+    for force in forces:
+        if force.kind == "F" and force.size != 0.0:
+            towards = (-force.direction[0], -force.direction[1]) if force.size > 0.0 else force.direction
+            labels.find((force_label(force),), *bodies[force.body], towards)
     left, right, low, high = labels.extent
     over = max(0.5 * (right - left - room), 0.0)
 
@@ -85,8 +85,8 @@ def free_bodies(joint: Joint, result: JointResult, *, middle: Point, room: float
     return [
         *(
             Circle(on_sheet(*centres[name]), radius / scale)
-            for name, each in radii.items()
-            for radius in each
+            for name, sizes in radii.items()
+            for radius in sizes
         ),
         *(Line((on_sheet(*tail), on_sheet(*tip)), "force", "end") for tail, tip in arrows),
         *(Text(on_sheet(*text.at), text.text, text.align) for text in labels.texts),
@@ -165,18 +165,18 @@ def _box(lines: tuple[str, ...], at: Point, align: Align) -> tuple[float, float,
     return left - 1.0, left + wide + 1.0, at[1] - _LINE_SPACING * (len(lines) - 1) - 1.2, at[1] + 3.5
 
 
-def _apart(
-    joint: Joint, names: list[str], found: list[BodyForce], radii: dict[str, float], room: float
+def _centres(
+    joint: Joint, names: list[str], forces: list[BodyForce], radii: dict[str, float], room: float
 ) -> dict[str, Point]:
     """Centres of the bodies on paper: each beside the body that it touches, in the direction of the contact."""
-    towards = {(each.body, each.name): each.place for each in found if each.kind == "N"}
+    towards = {(force.body, force.name): force.place for force in forces if force.kind == "N"}
     centres: dict[str, Point] = {names[0]: (0.0, 0.0)}
     waiting = [contact for contact in joint.drive.contacts if contact.sector == 0]
     for _ in names:
         for contact in waiting:
             for one, other in ((contact.first, contact.second), (contact.second, contact.first)):
                 if one in centres and other in names and other not in centres:
-                    far = radii[one] + APART + radii[other]
+                    far = radii[one] + BODY_DISTANCE + radii[other]
                     x, y = towards[one, contact.name]
                     centres[other] = (centres[one][0] + far * x, centres[one][1] + far * y)
     row, level = list(centres), 0.0
@@ -187,10 +187,10 @@ def _apart(
             continue
         left = min(x - radii[other] for other, (x, _) in centres.items())
         edge = max(centres[other][0] + radii[other] for other in row)
-        if edge + APART + 2.0 * radii[name] - left > room - _FOR_LABELS:
+        if edge + BODY_DISTANCE + 2.0 * radii[name] - left > room - _FOR_LABELS:
             low = min(y - radii[other] for other, (_, y) in centres.items())
-            row, edge, level = [], left - APART, low - APART - radii[name]
-        centres[name] = (edge + APART + radii[name], level)
+            row, edge, level = [], left - BODY_DISTANCE, low - BODY_DISTANCE - radii[name]
+        centres[name] = (edge + BODY_DISTANCE + radii[name], level)
         row.append(name)
     return centres
 
@@ -206,26 +206,26 @@ def body_forces(joint: Joint, result: JointResult) -> list[BodyForce]:
     names = [body.name for body in drive.bodies]
     angles = np.asarray(contact_angles(drive))
     tangential = np.asarray(driving_sense(drive)) * np.asarray(result.forces.tangential)
-    found = []
+    forces = []
     for k, contact in enumerate(drive.contacts):
         normal = float(result.forces.normal[k])
         for side, body in enumerate(places(drive)):
             x, y = math.cos(angles[side][k]), math.sin(angles[side][k])
             # the rim of a ring is pushed outwards, and the other way round
             sign = 1.0 if side == 1 and contact.internal else -1.0
-            found += [
+            forces += [
                 BodyForce(names[body[k]], contact.name, "N", (x, y), (sign * x, sign * y), normal),
                 BodyForce(
                     names[body[k]], contact.name, "T", (x, y), (sign * y, -sign * x), -float(tangential[k])
                 ),
             ]
     for pin, number in enumerate(drive.pinned):
-        x, y = (float(each) for each in np.asarray(drive.centres)[number])
+        x, y = (float(coordinate) for coordinate in np.asarray(drive.centres)[number])
         outward = (x / math.hypot(x, y), y / math.hypot(x, y))
         cosine, sine = math.cos(float(drive.push_angles[pin])), math.sin(float(drive.push_angles[pin]))
         push = (cosine * outward[1] + sine * outward[0], -cosine * outward[0] + sine * outward[1])
-        found.append(BodyForce(names[number], "pin", "F", (0.0, 0.0), push, -float(result.forces.pins[pin])))
-    return found
+        forces.append(BodyForce(names[number], "pin", "F", (0.0, 0.0), push, -float(result.forces.pins[pin])))
+    return forces
 
 
 class BodyForce(NamedTuple):
@@ -260,10 +260,10 @@ def body_outlines(radii: dict[str, list[float]], *, size: float = 1.0) -> dict[s
 
     [mm].
     """
-    largest = max(radius for each in radii.values() for radius in each)
+    largest = max(radius for sizes in radii.values() for radius in sizes)
     return {
-        name: [max(_SMALLEST, size * _LARGEST * radius / largest) for radius in each]
-        for name, each in radii.items()
+        name: [max(_SMALLEST, size * _LARGEST * radius / largest) for radius in sizes]
+        for name, sizes in radii.items()
     }
 
 

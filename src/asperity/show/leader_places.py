@@ -67,12 +67,12 @@ def levels(low: float, high: float, scale: float) -> tuple[float, ...]:
 
 def around(centre: Point, radius: float, start: float, count: int) -> list[Place]:
     """Places on a circle."""
-    found = []
+    places = []
     for index in range(count):
         angle = start + 2.0 * math.pi * (index + 0.5) / count
         e, f = math.cos(angle), math.sin(angle)
-        found.append(Place((centre[0] + radius * e, centre[1] + radius * f), (e, f)))
-    return found
+        places.append(Place((centre[0] + radius * e, centre[1] + radius * f), (e, f)))
+    return places
 
 
 def best_leader(
@@ -104,7 +104,7 @@ def _items(text: str, place: Place, side: Side, level: float, scale: float) -> l
 
 
 def _costs(places: Sequence[Place], side: Side, circles: Sequence[Circle], scale: float) -> np.ndarray:
-    """What every leader costs, shape (places, levels)."""
+    """Cost of every leader [mm on paper], shape (places, levels)."""
     x = side.x - (SHOULDER if side.align == "left" else -SHOULDER) / scale
     tips = np.array([place.tip for place in places])[:, None]
     ends = np.stack([np.full(len(side.levels), x), np.array(side.levels)], axis=-1)[None]
@@ -147,5 +147,5 @@ def crossings(starts: np.ndarray, ends: np.ndarray, centres: np.ndarray, radii: 
     first = np.hypot(*np.moveaxis(from_one, -1, 0)) > radii
     last = np.hypot(*np.moveaxis(centres - other[..., None, :], -1, 0)) > radii
     counted = np.where(first & last, 2 * (closest < radii), first.astype(int) ^ last.astype(int))
-    found: np.ndarray = counted.sum(axis=-1)
-    return found
+    counts: np.ndarray = counted.sum(axis=-1)
+    return counts

@@ -88,7 +88,7 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
             **point,
         )
         keys.append(Line2D([], [], linestyle=line, label=name, **point))
-    limits = sorted({float(each) for each in joint.friction_coefficients})
+    limits = sorted({float(coefficient) for coefficient in joint.friction_coefficients})
     for limit in limits:
         axes.axhline(limit, color="0.4", linestyle=":", linewidth=1.2)
         axes.annotate(

@@ -113,7 +113,7 @@ class Sheet:
     @property
     def window(self) -> tuple[float, float, float, float]:
         """Left, right, lower and upper edge of the paper in true size [mm]."""
-        left, low = (-each / self.scale for each in self.origin)
+        left, low = (-coordinate / self.scale for coordinate in self.origin)
         return left, left + self.width / self.scale, low, low + self.height / self.scale
 
     @property

@@ -13,7 +13,7 @@ _BELOW, _AROUND = (
     0.9,
     0.8,
 )  # of a text: letters below its base line, and the room that it keeps free [mm on paper]
-_APART = 1.0  # between two leaders [mm on paper]
+_LEADER_DISTANCE = 1.0  # between two leaders [mm on paper]
 #: Styles of lines that belong to the drive; texts and leaders may cross them.
 _DRIVE = ("outline", "axis", "frame")
 
@@ -122,8 +122,8 @@ class Taken:
                 if item.text.strip():
                     self._boxes.append(text_box(item, self.scale))
             elif isinstance(item, Line) and item.style not in _DRIVE:
-                found = self._crossable if crossable else self._lines
-                found += zip(item.points, item.points[1:], strict=False)
+                segments = self._crossable if crossable else self._lines
+                segments += zip(item.points, item.points[1:], strict=False)
 
     def add_areas(self, items: Iterable[Item]) -> None:
         """Take whole areas of circles, as of bodies that are drawn apart, besides texts and lines."""
@@ -153,7 +153,7 @@ class Taken:
             elif isinstance(item, Line):
                 for one, other in zip(item.points, item.points[1:], strict=False):
                     if any(box.is_crossed_by(one, other) for box in self._boxes) or any(
-                        distance((one, other), line) * self.scale < _APART for line in self._lines
+                        distance((one, other), line) * self.scale < _LEADER_DISTANCE for line in self._lines
                     ):
                         return False
         return True

@@ -70,8 +70,8 @@ def windup_figure(
         (curve.reloading_angle, "tab:orange", "-.", "reloading"),
     ):
         loop.plot(_ARCMINUTES * angle, curve.torque, color=color, linestyle=line, label=label)
-        apart = 60.0 * _ARCMINUTES * (angle - straight)
-        deviation.plot(curve.torque, apart, color=color, linestyle=line, label=label)
+        difference = 60.0 * _ARCMINUTES * (angle - straight)
+        deviation.plot(curve.torque, difference, color=color, linestyle=line, label=label)
     deviation.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     deviation.set(
         xlabel="torque at the output [N·m]",

@@ -32,8 +32,8 @@ from asperity.joint_file.table_numbers import Numbers, numbers, table_structure,
 from asperity.precision import require_double_precision
 from asperity.results import RESULTS
 
-Found = tuple[Array, dict[str, Array]]
-Kernel = Callable[..., Found]
+BatchResult = tuple[Array, dict[str, Array]]
+Kernel = Callable[..., BatchResult]
 
 #: Points that pass through the program at once: few enough for its intermediate arrays to stay in the cache.
 BATCH = 1_024
@@ -46,22 +46,22 @@ DERIVATIVE_BATCH = 64
 _ALONE = threading.Lock()
 
 
-def _masked(status: Array, found: dict[str, Array]) -> dict[str, Array]:
+def _masked(status: Array, result_values: dict[str, Array]) -> dict[str, Array]:
     """Results that are nan where they have no value."""
     return {
         name: jnp.where(has_value(status, RESULTS[name].needs), value, jnp.nan)
-        for name, value in found.items()
+        for name, value in result_values.items()
     }
 
 
 def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> Kernel:
     """The function that evaluates points: numbers of the file and arrays of the varied ones in, results out."""
 
-    def kernel(base: Numbers, *arrays: Array) -> Found:
+    def kernel(base: Numbers, *arrays: Array) -> BatchResult:
         tables = replace_values(with_numbers(values, base), dict(zip(paths, arrays, strict=True)))
         points = jnp.broadcast_shapes(*(jnp.shape(array) for array in arrays))
-        status, found = evaluated_points(tables, points, results)
-        return status, _masked(status, found)
+        status, result_values = evaluated_points(tables, points, results)
+        return status, _masked(status, result_values)
 
     return kernel
 
@@ -80,7 +80,7 @@ def _program(
 
 def _points(
     structure: str, paths: tuple[str, ...], results: tuple[str, ...], base: Any, *columns: Array
-) -> Found:
+) -> BatchResult:
     """The kernel as a function that is known by its name, so that its program is kept."""
     return point_kernel(json.loads(structure), paths, results)(base, *columns)
 
@@ -115,7 +115,7 @@ def evaluate_points(
     -------
     status : ndarray
         Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (n,).
-    found : dict of ndarray
+    result_values : dict of ndarray
         Name → values, shape (n,) or (rows, n); nan where they have no value.
 
     Raises
@@ -138,7 +138,7 @@ def evaluate_points(
 
     status = np.empty(count, dtype=np.int8)
     table = results_of(values)
-    found = {name: np.empty((*table[name].row_shape, count), dtype=float) for name in results}
+    result_values = {name: np.empty((*table[name].row_shape, count), dtype=float) for name in results}
     for start in range(0, count, size):
         part = slice(start, min(start + size, count))
         missing = size - (part.stop - start)
@@ -147,13 +147,13 @@ def evaluate_points(
             code, done = jax.tree.map(np.asarray, program(base, *padded))
         status[part] = code[: size - missing]
         for name, value in done.items():
-            found[name][..., part] = value[..., : size - missing]
+            result_values[name][..., part] = value[..., : size - missing]
         if report is not None:
             report(part.stop - start)
     status[outside] = OUT_OF_RANGE
     for name in results:
-        found[name][..., outside] = np.nan
-    return status, found
+        result_values[name][..., outside] = np.nan
+    return status, result_values
 
 
 def count_of_branches(values: Values) -> str | None:
@@ -183,11 +183,11 @@ def _directional(
     """Results, their derivatives along a direction and the status, for columns of numbers of files of one structure."""
     tables = json.loads(structure)
 
-    def found(rows: Array) -> tuple[dict[str, Array], Array]:
+    def results_and_status(rows: Array) -> tuple[dict[str, Array], Array]:
         status, values = evaluated_points(with_numbers(tables, rows), rows.shape[1:], results)
         return values, status
 
-    values, slopes, status = jax.jvp(found, (table,), (directions,), has_aux=True)
+    values, slopes, status = jax.jvp(results_and_status, (table,), (directions,), has_aux=True)
     return values, slopes, status
 
 
@@ -219,7 +219,7 @@ def derivatives_at(
     -------
     status : ndarray
         Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (points,).
-    found, slopes : dict of ndarray
+    result_values, slopes : dict of ndarray
         Name → shape (rows, points) and (rows, points, variables) [SI]; a single number has one row. Nothing is
         replaced by nan: a search may pass through joints that cannot exist.
 
@@ -230,19 +230,19 @@ def derivatives_at(
     _refuse_count(values, variables)
     points = max((np.size(value) for value in changes.values()), default=1)
     filled = replace_values(with_tracks(values), changes)
-    table = np.stack([np.broadcast_to(np.asarray(each, float), (points,)) for each in numbers(filled)])
+    table = np.stack([np.broadcast_to(np.asarray(number, float), (points,)) for number in numbers(filled)])
     nothing = with_numbers(filled, itertools.repeat(0.0))
     count = max(len(variables), 1)
     directions = np.zeros((len(table), count))
     for index, path in enumerate(variables):
         directions[:, index] = numbers(replace_values(nothing, {path: 1.0}))
-    found, slopes, status = _in_blocks(
+    result_values, slopes, status = _in_blocks(
         (table_structure(filled), results),
         block,
         np.tile(table, (1, count)),
         np.repeat(directions, points, axis=1),
     )
-    first = {name: value.reshape(-1, count, points)[:, 0] for name, value in found.items()}
+    first = {name: value.reshape(-1, count, points)[:, 0] for name, value in result_values.items()}
     by_variable = {
         name: np.moveaxis(value.reshape(-1, count, points), 1, 2)[..., : len(variables)]
         for name, value in slopes.items()

@@ -158,8 +158,8 @@ def row_coordinates(results: Iterable[Result]) -> dict[str, tuple[tuple[str], np
     """Coordinates of the contacts and clearances, where results have one number for each."""
     needed = {dimension: result.row_names for result in results for dimension in row_dimensions(result)}
     return {
-        each: ((each,), np.array(names, dtype="U"), {"long_name": _ROW_COORDINATES[each]})
-        for each, names in needed.items()
+        dimension: ((dimension,), np.array(names, dtype="U"), {"long_name": _ROW_COORDINATES[dimension]})
+        for dimension, names in needed.items()
     }
 
 
@@ -190,16 +190,16 @@ def dataset(
     dimensions: tuple[str, ...],
     coordinates: Mapping[str, Any],
     status: np.ndarray,
-    found: Mapping[str, np.ndarray],
+    result_values: Mapping[str, np.ndarray],
     table: Mapping[str, Result],
     attributes: Mapping[str, Any],
 ) -> xarray.Dataset:
     """A dataset of evaluated points."""
     xr = require("xarray")
     variables: dict[str, Any] = {"status": (dimensions, status, flag_attributes())}
-    for name, value in found.items():
+    for name, value in result_values.items():
         variables[name] = ((*row_dimensions(table[name]), *dimensions), value, result_attributes(table[name]))
-    coords = {**coordinates, **row_coordinates(table[name] for name in found)}
+    coords = {**coordinates, **row_coordinates(table[name] for name in result_values)}
     made: xarray.Dataset = xr.Dataset(variables, coords=coords, attrs=dict(attributes))
     return made
 

@@ -24,7 +24,7 @@ def _matrix(
     body: Disc | Annulus, angles: Sequence[float], half_width: float, *, copies: int, modes: int
 ) -> np.ndarray:
     widths: Array = jnp.full(len(angles), half_width)
-    found: np.ndarray = np.asarray(
+    compliance: np.ndarray = np.asarray(
         _compiled(
             body=body,
             contact_angles=jnp.asarray(angles, dtype=float),
@@ -34,7 +34,7 @@ def _matrix(
             mode_count=modes,
         )
     )
-    return found
+    return compliance
 
 
 def discs() -> Iterator[Check]:
@@ -66,36 +66,36 @@ def rings() -> Iterator[Check]:
         (0.0, "free", (2.21915e-7, 2.43827e-8, 4.93787e-9)),
         (math.inf, "held", (2.20987e-9, 2.71043e-9, 3.81412e-9)),
     ):
-        found = []
+        displacements = []
         for wall in walls:
             ring = Annulus(
                 40e-3, 40e-3 + wall, _LENGTH, _MODULUS, _POISSON, support, support, "inner", "plane_strain"
             )
             modes = modes_needed(inner_radius=40e-3, outer_radius=40e-3 + wall, copies=3)
-            found.append(_matrix(ring, [-polar, polar], 91.2e-6, copies=3, modes=modes)[0, :2].sum())
+            displacements.append(_matrix(ring, [-polar, polar], 91.2e-6, copies=3, modes=modes)[0, :2].sum())
         yield compared(
             model=_MODEL,
             reference="independent sum of 40 000 modes: ring of 40 mm under six loads, walls of 4, 10 and 60 mm",
             quantity=f"radial displacement per force, outer rim {name}",
             unit="µm/kN",
             expected=1e9 * np.array(expected),
-            found=1e9 * np.array(found),
+            found=1e9 * np.array(displacements),
             tolerance=1e-3,
         )
     counts, wall = (2, 3, 4), 2e-3
-    found = []
+    displacements = []
     for count in counts:
         ring = Annulus(
             1.0 - wall / 2, 1.0 + wall / 2, 1.0, _MODULUS, _POISSON, 0.0, 0.0, "inner", "plane_stress"
         )
         c = _matrix(ring, [0.0], wall / 50, copies=count, modes=math.ceil(6000 / count))
-        found.append(c[0, 0] * _MODULUS * wall**3 / 12.0)
+        displacements.append(c[0, 0] * _MODULUS * wall**3 / 12.0)
     yield compared(
         model=_MODEL,
         reference="bending of a thin ring under 2, 3 and 4 equal loads, closed form (Timoshenko)",
         quantity="displacement of a load times EI/(P R³)",
         unit="-",
         expected=[0.07438920, 0.01593859, 0.00607931],
-        found=found,
+        found=displacements,
         tolerance=2e-3,
     )

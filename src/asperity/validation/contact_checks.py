@@ -44,7 +44,7 @@ def contact_law() -> Iterator[Check]:
         "Kn_N_per_mm": ("normal stiffness", "N/mm", "normal_stiffness", 1e-3),
     }
     expected: dict[str, list[float]] = {name: [] for name in names}
-    found: dict[str, list[float]] = {name: [] for name in names}
+    computed: dict[str, list[float]] = {name: [] for name in names}
     for model in ("printed", "hertz_area", "unity"):
         rows = [row for row in table if row["lambda"] == model]
         x = {key: jnp.array([float(row[key]) for row in rows]) for key in table[0] if key != "lambda"}
@@ -76,7 +76,7 @@ def contact_law() -> Iterator[Check]:
         )
         for name, (_, _, attribute, scale) in names.items():
             expected[name] += list(x[name])
-            found[name] += list(scale * np.asarray(getattr(law, attribute)))
+            computed[name] += list(scale * np.asarray(getattr(law, attribute)))
     for name, (quantity, unit, _, _) in names.items():
         yield compared(
             model=_LAW,
@@ -84,7 +84,7 @@ def contact_law() -> Iterator[Check]:
             quantity=quantity,
             unit=unit,
             expected=expected[name],
-            found=found[name],
+            found=computed[name],
             tolerance=1e-10,
         )
 

@@ -60,14 +60,14 @@ def ratios() -> Iterator[Check]:
         ),
     }
     for name, (drive, formula, expected) in drives.items():
-        found = float(speed_ratio(drive))
+        ratio = float(speed_ratio(drive))
         yield compared(
             model="Kinematics of roller drives",
             reference=formula,
             quantity=f"speed ratio of the {name}",
             unit="-",
             expected=expected,
-            found=abs(found) if name == "two-row multiroller" else found,
+            found=abs(ratio) if name == "two-row multiroller" else ratio,
             tolerance=1e-12,
         )
 
@@ -113,14 +113,14 @@ def states() -> Iterator[Check]:
         ("speed loss by creep", "-", 1.633763e-3, rolling.speed_loss, 1e-4),
         ("displacement of the planet", "µm", 2.5515, 1e6 * np.abs(rolling.displacement[0, 0]), 5e-3),
     )
-    for quantity, unit, expected, found, tolerance in rows:
+    for quantity, unit, expected, computed, tolerance in rows:
         yield compared(
             model=_STATE,
             reference=_INDEPENDENT,
             quantity=quantity,
             unit=unit,
             expected=expected,
-            found=np.asarray(found),
+            found=np.asarray(computed),
             tolerance=tolerance,
         )
     planetary = planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=3)
@@ -154,7 +154,7 @@ def _opposed(support: Array) -> tuple[DriveStates, Array]:
     )
     inner = jnp.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
     added = jnp.array([_ERROR, _ERROR, -_ERROR, -_ERROR]) / _INTERFERENCE
-    found = drive_states(
+    states = drive_states(
         drive=drive,
         laws=laws,
         pattern=inner + added,
@@ -163,7 +163,7 @@ def _opposed(support: Array) -> tuple[DriveStates, Array]:
             output_torque=jnp.asarray(_TORQUE), support_stiffness=jnp.array([1.0, 0.0, 0.0]) * support
         ),
     )
-    rest = found.rest
+    rest = states.rest
     centre = forces_on_centre(
         drive=drive,
         bodies=("sun", "ring"),
@@ -171,7 +171,7 @@ def _opposed(support: Array) -> tuple[DriveStates, Array]:
         tangential=rest.tangential,
         pin_force=rest.pin_force,
     )
-    return found, centre
+    return states, centre
 
 
 def _half_width(force: float, radius: float) -> float:
@@ -183,7 +183,7 @@ _RADII = (_SUN * _PLANET / (_SUN + _PLANET), _PLANET * _RING / (_RING - _PLANET)
 
 
 def _compression(force: float) -> float:
-    """By how much sun, planet and ring give way together: Johnson 1985, (5.57), and Weber and Banaschek 1953."""
+    """Compression of sun, planet and ring under a force [m]: Johnson 1985, (5.57), and Weber and Banaschek 1953."""
     at_sun, at_ring = (_half_width(force, radius) for radius in _RADII)
     rollers = sum(
         2.0 * math.log(4.0 * radius / width) - 1.0
@@ -197,8 +197,8 @@ def _preloads(moved: float) -> np.ndarray:
     """Normal forces of both planets with the sun off centre, away from the larger one [N]."""
     return np.array(
         [
-            brentq(lambda force, own=own: _compression(force) - own, 1.0, 1e5, xtol=1e-9)
-            for own in (
+            brentq(lambda force, approach=approach: _compression(force) - approach, 1.0, 1e5, xtol=1e-9)
+            for approach in (
                 _INTERFERENCE + 2.0 * _ERROR - moved,
                 _INTERFERENCE - 2.0 * _ERROR + moved,
             )

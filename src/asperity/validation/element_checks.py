@@ -59,7 +59,7 @@ def sliding() -> Iterator[Check]:
         -(x[:, None] ** 2 + x**2) / (2.0 * radius),
         normal_force=force,
     )
-    found = partial_slip(
+    slip = partial_slip(
         ball.half_space,
         ball.pressure,
         friction_coefficient=friction,
@@ -73,7 +73,7 @@ def sliding() -> Iterator[Check]:
         quantity="displacement at 7/8 of sliding",
         unit="µm",
         expected=8.155,
-        found=1e6 * np.asarray(found.displacement[0]),
+        found=1e6 * np.asarray(slip.displacement[0]),
         tolerance=3e-3,
     )
     yield compared(
@@ -82,7 +82,7 @@ def sliding() -> Iterator[Check]:
         quantity="work of friction",
         unit="µJ",
         expected=2.750,
-        found=1e6 * np.asarray(found.friction_work[0]),
+        found=1e6 * np.asarray(slip.friction_work[0]),
         tolerance=1e-2,
     )
 
@@ -131,7 +131,7 @@ def rolling() -> Iterator[Check]:
         tolerance=5e-3,
     )
     strip, pressure = _line_contact(2)
-    found = transient_rolling(
+    onset = transient_rolling(
         strip,
         pressure,
         friction_coefficient=1.0,
@@ -140,8 +140,8 @@ def rolling() -> Iterator[Check]:
         rolled_pixels=np.array([0] + [1] * 310),
         tangential_force=np.full(311, 0.5 * load),
     )
-    middle = np.asarray(found.rolled_distance)[1:] - 0.005
-    ratio = np.asarray(found.creepage)[1:] / (1.0 - np.sqrt(0.5))
+    middle = np.asarray(onset.rolled_distance)[1:] - 0.005
+    ratio = np.asarray(onset.creepage)[1:] / (1.0 - np.sqrt(0.5))
     yield compared(
         model="Boundary elements: onset of rolling",
         reference="two independent two-dimensional solvers",

@@ -76,14 +76,14 @@ def roughness() -> Iterator[Check]:
     """Height parameters of a sine."""
     x = 0.1e-6 * np.arange(20_000)
     heights = 1e-6 * np.sin(2.0 * np.pi * (x + 0.5e-7) / 40e-6)
-    found = height_parameters(topography=Topography(heights, 0.1e-6))
+    profile = height_parameters(topography=Topography(heights, 0.1e-6))
     yield compared(
         model="Height parameters (ISO 21920)",
         reference="a sine of amplitude A: Ra = 2A/π, Rq = A/√2, Rt = 2A",
         quantity="Ra, Rq and Rt for A = 1 µm",
         unit="µm",
         expected=[2.0 / np.pi, np.sqrt(0.5), 2.0],
-        found=1e6 * np.array([found.arithmetic_mean, found.root_mean_square, found.total_height]),
+        found=1e6 * np.array([profile.arithmetic_mean, profile.root_mean_square, profile.total_height]),
         tolerance=1e-4,
     )
     yield compared(
@@ -92,7 +92,7 @@ def roughness() -> Iterator[Check]:
         quantity="skewness and kurtosis",
         unit="-",
         expected=[0.0, 1.5],
-        found=[found.skewness, found.kurtosis],
+        found=[profile.skewness, profile.kurtosis],
         tolerance=1e-6,
         absolute=True,
     )

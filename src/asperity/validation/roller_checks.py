@@ -35,14 +35,14 @@ def crowns() -> Iterator[Check]:
             "effective_radius": _RADIUS,
             "contact_modulus": _MODULUS,
         }
-        found = crowned_line.crowned_line(**pair)
+        contact = crowned_line.crowned_line(**pair)
         width = math.sqrt(4.0 * force * _RADIUS / (math.pi * _MODULUS * roller))
         # the middle of an evenly loaded line of this length on half-spaces, Lundberg 1939
         even = force / (math.pi * _MODULUS * roller) * (2.0 * math.log(2.0 * roller / width) + 1.0)
         more = float(crowned_line.crown_compression(**pair))
-        pressure.append(2.0 * float(found.line_load[0]) / (math.pi * float(found.half_width[0])) / peak)
+        pressure.append(2.0 * float(contact.line_load[0]) / (math.pi * float(contact.half_width[0])) / peak)
         approach.append((even + more) / (peak * short * first / _MODULUS))
-        length.append(float(found.loaded_share) * roller / (2.0 * axes * short))
+        length.append(float(contact.loaded_share) * roller / (2.0 * axes * short))
     source = "Hertz's ellipse 100 and 1000 times as long as wide; Johnson 1985, (4.25)-(4.29)"
     for quantity, values in (
         ("largest pressure over that of the ellipse", pressure),
@@ -168,7 +168,7 @@ def bearings() -> Iterator[Check]:
     duty = BearingState(
         jnp.array([[10e3, 700.0], [5e3, 1500.0]]), jnp.array([[3000.0, 1500.0], [1500.0, 3000.0]]) * turns
     )
-    found = lives_of_bearings(
+    lives = lives_of_bearings(
         (ball, roller),
         working=BearingState(jnp.array([10e3, 700.0]), speeds),
         rest=jnp.zeros(2),
@@ -182,7 +182,7 @@ def bearings() -> Iterator[Check]:
         quantity="basic rating life",
         unit="h",
         expected=940.0,
-        found=float(found.life[0]) / 3600.0,
+        found=float(lives.life[0]) / 3600.0,
         tolerance=1e-3,
     )
     million_turns = np.array([(8.0 / 0.8) ** (10.0 / 3.0), (8.0 / 1.6) ** (10.0 / 3.0)])
@@ -194,7 +194,7 @@ def bearings() -> Iterator[Check]:
         quantity="life under the first load, and under both for 60 and 40 % of the time",
         unit="h",
         expected=[hours[0], 1.0 / (0.6 / hours[0] + 0.4 / hours[1])],
-        found=np.array([float(found.life[1]), float(found.duty_life[1])]) / 3600.0,
+        found=np.array([float(lives.life[1]), float(lives.duty_life[1])]) / 3600.0,
         tolerance=1e-12,
     )
     yield compared(
@@ -203,6 +203,6 @@ def bearings() -> Iterator[Check]:
         quantity="static safety",
         unit="-",
         expected=[3.15, 5.625],
-        found=np.asarray(found.static_safety),
+        found=np.asarray(lives.static_safety),
         tolerance=1e-12,
     )

@@ -48,15 +48,15 @@ GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
 def run_checks(report: Callable[[int, int], Any] = lambda done, total: None) -> list[Check]:
     """Every check, one group after the other."""
     require_double_precision()
-    found: list[Check] = []
+    checks: list[Check] = []
     for done, (name, group) in enumerate(GROUPS.items()):
         report(done, len(GROUPS))
         try:
-            found += list(group())
+            checks += list(group())
         except Exception as error:  # whatever is broken in this installation is a finding, not an end
-            found.append(failed(name, error))
+            checks.append(failed(name, error))
     report(len(GROUPS), len(GROUPS))
-    return found
+    return checks
 
 
 def source_checksum() -> str:

@@ -229,12 +229,12 @@ def comparison_figure(samples: Sequence[Sample], comparisons: Sequence[Compariso
     colours = ("tab:blue", "tab:orange", "tab:green", "tab:red", "tab:purple", "tab:brown", "tab:pink", "0.4")
     for column, (name, label) in enumerate(QUANTITIES.items()):
         above, below = axes[:, column]
-        for index, (sample, found) in enumerate(zip(samples, comparisons, strict=True)):
+        for index, (sample, comparison) in enumerate(zip(samples, comparisons, strict=True)):
             colour = colours[index % len(colours)]
-            force = np.asarray(found.normal_force)
-            solved = np.asarray(getattr(found, name))
-            law = np.asarray(getattr(found, f"law_{name}"))
-            theory = np.asarray(getattr(found, f"persson_{name}")).mean(axis=0)
+            force = np.asarray(comparison.normal_force)
+            solved = np.asarray(getattr(comparison, name))
+            law = np.asarray(getattr(comparison, f"law_{name}"))
+            theory = np.asarray(getattr(comparison, f"persson_{name}")).mean(axis=0)
             mean = solved.mean(axis=0)
             title = f"D = {sample.fractal_dimension:g}"
             above.errorbar(force, mean, solved.std(axis=0), fmt="o", markersize=4, color=colour, label=title)

@@ -139,7 +139,7 @@ def fractal_roughness(curves: Curves) -> Claim:
 
 
 def _size(curves: Curves, *, name: str, title: str, case: str, symbol: str) -> Claim:
-    """C5 and C6, which differ in the size that is varied."""
+    """Claim C5 or C6: the influence of a varied size on the stiffness of a pair."""
     size, stiffness = curves.pairs[case].values, curves.pairs[case].tangential_stiffness
     change = float(relative_change(stiffness))
     low_change = float(relative_change(curves.pairs[f"{case}_low"].tangential_stiffness))

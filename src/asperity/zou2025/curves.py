@@ -168,7 +168,7 @@ def pair_curves() -> dict[str, PairCurve]:
 
 @eqx.filter_jit
 def _published(joint: PublishedJoint) -> tuple[dict[str, Real], Array]:
-    """What the figures show."""
+    """Results that the figures show, and whether each joint is solved."""
     result = published_joint(joint)
     shown = {
         "normal_force": result.forces.normal,

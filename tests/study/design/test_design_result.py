@@ -16,8 +16,8 @@ from asperity.study.design.design_result import (
     StartReport,
     conflict,
     design_document,
-    found_diagnostics,
     front_diagnostics,
+    joint_diagnostics,
 )
 
 
@@ -73,7 +73,7 @@ def judged(monkeypatch):
     """The designed joint is judged without solving it."""
     told = {"diagnostics": [{"name": "slip_ratio", "ok": True, "value": math.nan}], "no_result_because": None}
     monkeypatch.setattr(
-        "asperity.study.design.design_result.found_diagnostics", lambda text: told if text == "text" else {}
+        "asperity.study.design.design_result.joint_diagnostics", lambda text: told if text == "text" else {}
     )
 
 
@@ -151,12 +151,12 @@ def solved(monkeypatch):
 
 def test_all_limits_of_a_design_or_why_there_are_none(solved, case):
     text = joint_file_text(case, {"load.preload": 1200.0}, comment="designed")
-    assert found_diagnostics(text) == {
+    assert joint_diagnostics(text) == {
         "diagnostics": [{"name": "a", "ok": True}, {"name": "b", "ok": True}],
         "no_result_because": None,
     }
     text = joint_file_text(case, {"load.preload": 400.0}, comment="designed")
-    assert found_diagnostics(text) == {"diagnostics": None, "no_result_because": "slips"}
+    assert joint_diagnostics(text) == {"diagnostics": None, "no_result_because": "slips"}
     assert solved == [1200.0, 400.0]
 
 
@@ -173,6 +173,6 @@ def test_crossed_limits_of_a_front_design_by_design(solved, case):
 
 def test_a_planetary_is_read_as_one():
     text = "type = 'planetary'"
-    found = found_diagnostics(text)
+    found = joint_diagnostics(text)
     assert found["diagnostics"] is None
     assert "missing" in found["no_result_because"]

@@ -34,7 +34,7 @@ def swept(found, *specifications, failed=(), drive="zou2025"):
         dimensions=tuple(axis.path for axis in axes),
         coordinates={axis.path: coordinate(axis) for axis in axes},
         status=status,
-        found=found,
+        result_values=found,
         table=results_of_example(drive),
         attributes={},
     )

@@ -172,12 +172,12 @@ def calibrate(
 
     require_double_precision()
     refuse_impossible(joint_from_case(case).drive)
-    if all(each.drift is not None for each in measurements) and history != "virgin":
+    if all(measurement.drift is not None for measurement in measurements) and history != "virgin":
         raise InputError(
             "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"
         )
-    rows = sum(each.torque.size for each in measurements)
-    few = min(measurements, key=lambda each: each.torque.size)
+    rows = sum(measurement.torque.size for measurement in measurements)
+    few = min(measurements, key=lambda measurement: measurement.torque.size)
     if len(measurements) > 1 and few.torque.size <= len(unknowns):
         raise InputError(
             f"{few.source}: {few.torque.size} rows beside {len(unknowns)} unknowns: how much such a curve scatters "
@@ -194,7 +194,7 @@ def calibrate(
     size = len(unknowns)
 
     def fitted(begin: np.ndarray, scales: tuple[float, ...]) -> tuple[float, bool, np.ndarray]:
-        found = least_squares(
+        solution = least_squares(
             lambda x: curves.residual(x, scales),
             np.clip(begin, 1e-6, 1.0 - 1e-6),
             jac=lambda x: curves.slopes(x, scales),
@@ -205,7 +205,7 @@ def calibrate(
             gtol=1e-12,
             max_nfev=400,
         )
-        return float(found.cost), bool(found.status > 0), found.x
+        return float(solution.cost), bool(solution.status > 0), solution.x
 
     begins = [curves.first]
     if starts > 1:
@@ -216,7 +216,7 @@ def calibrate(
         ended.append(fitted(begin, curves.sizes))
         if progress is not None:
             progress(index + 1, len(begins))
-    ended.sort(key=lambda each: each[0])
+    ended.sort(key=lambda fit: fit[0])
     _, converged, best = ended[0]
     if not converged:
         raise NoSolutionError(
@@ -224,11 +224,11 @@ def calibrate(
             "narrow the bounds, or ask for fewer unknowns"
         )
     if len(measurements) > 1:
-        best = _with_their_own_errors(curves, best, fitted)
+        best = _weighted_by_errors(curves, best, fitted)
     return _conclude(curves, best, tuple(np.sqrt(2.0 * cost / rows) for cost, _, _ in ended))
 
 
-def _with_their_own_errors(
+def _weighted_by_errors(
     curves: JoinedCurves,
     scaled_values: np.ndarray,
     fitted: Callable[[np.ndarray, tuple[float, ...]], tuple[float, bool, np.ndarray]],
@@ -248,7 +248,7 @@ def _with_their_own_errors(
 
 def _usable(curves: JoinedCurves, scaled_values: np.ndarray) -> list[np.ndarray]:
     """Scaled values at which the joint has a stiffness at every torque: a search from elsewhere has no direction."""
-    return [each for each in scaled_values if curves.exists(each)]
+    return [point for point in scaled_values if curves.exists(point)]
 
 
 def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[float, ...]) -> Calibration:
@@ -258,8 +258,8 @@ def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[flo
     fitted = curves.fitted(scaled_values)
     # an exact fit of exact data has no spread: then rounding of the data is what remains
     spreads = tuple(
-        max(each.standard_deviation, 1e-14 * float(np.max(np.abs(each.measurement.measured))))
-        for each in fitted
+        max(curve.standard_deviation, 1e-14 * float(np.max(np.abs(curve.measurement.measured))))
+        for curve in fitted
     )
     _, singular, rows = np.linalg.svd(curves.slopes(scaled_values, spreads), full_matrices=False)
     with np.errstate(divide="ignore"):
@@ -267,7 +267,7 @@ def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[flo
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
     # along what is not determined the bounds are what is known
     spread = np.sqrt(np.sum((rows.T * np.minimum(along, UNINFORMED)) ** 2, axis=1))
-    points = sum(each.residual.size for each in fitted)
+    points = sum(curve.residual.size for curve in fitted)
     unknowns = curves.unknowns
     quantile = float(student.ppf(0.975, points - len(unknowns)))
     directions = tuple(

@@ -86,7 +86,7 @@ def posterior_figure(calibration: Calibration, posterior: Posterior) -> Figure:
     count = len(unknowns)
     factors = [from_si(1.0, unit_of(u.path)) for u in unknowns]
     values = [u.from_unit(posterior.scaled_values[:, i]) * factors[i] for i, u in enumerate(unknowns)]
-    correlations = np.atleast_2d(np.corrcoef([rankdata(each) for each in values]))
+    correlations = np.atleast_2d(np.corrcoef([rankdata(draws) for draws in values]))
     limits = [
         _limits(v, np.array([e.value, e.lower, e.upper]) * f)
         for v, e, f in zip(values, calibration.estimates, factors, strict=True)

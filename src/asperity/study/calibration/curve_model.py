@@ -68,11 +68,11 @@ class CurveModel:
     ) -> None:
         self.unknowns, self.level, self.measurement = unknowns, level, measurement
         self.values = si_values(case)
-        self.in_joint = [index for index, each in enumerate(unknowns) if not added_to_curve(each.path)]
+        self.in_joint = [index for index, unknown in enumerate(unknowns) if not added_to_curve(unknown.path)]
         self.in_curve = [index for index in range(len(unknowns)) if index not in self.in_joint]
         self.paths = tuple(unknowns[index].path for index in self.in_joint)
         stated = numeric_keys(case)
-        self.first = np.array([self._first(each, stated) for each in unknowns])
+        self.first = np.array([self._first(unknown, stated) for unknown in unknowns])
         self.rolls = measurement.drift is not None
         self._kept: tuple[np.ndarray, JointPoints] | None = None
         symmetric = self._symmetric()
@@ -129,8 +129,8 @@ class CurveModel:
             point = self.point(scaled_values)
             one = np.array([[point[path] for path in self.paths]])
             self._kept = scaled_values.copy(), self._points(one, self.torque, self.slips, slopes=True)
-        found = self._kept[1]
-        value, by_joint, slip = found.value[0], found.slopes[0], found.slip_ratio[0]
+        points = self._kept[1]
+        value, by_joint, slip = points.value[0], points.slopes[0], points.slip_ratio[0]
         if self.rolls:
             return self.torque / value, by_joint * (-self.torque / value**2)[:, None], slip
         return value, by_joint, slip
@@ -138,7 +138,7 @@ class CurveModel:
     def _points(
         self, sets: np.ndarray, torque: np.ndarray, slips: np.ndarray, *, slopes: bool
     ) -> JointPoints:
-        """What the joint shows with sets of its unknowns, shape (sets, unknowns of the joint) [SI]."""
+        """The joint's curve for each row of its unknowns, shape (sets, unknowns of the joint) [SI]."""
         return joint_points(
             self.values,
             self.paths,
@@ -217,18 +217,18 @@ class CurveModel:
             ends = [sign * largest for sign in (1.0, -1.0) if np.any(sign * torque > 0.0)]
             torque, slips = np.append(torque, ends), np.append(slips, [True] * len(ends))
         rows = max(1, _POINTS // torque.size)
-        found = [
+        parts = [
             self._compliances(part, torque, slips)
             for part in np.split(scaled_values, range(rows, len(scaled_values), rows))
         ]
-        return np.concatenate(found)[:, : self.torque.size]
+        return np.concatenate(parts)[:, : self.torque.size]
 
     def _compliances(self, scaled_values: np.ndarray, torque: np.ndarray, slips: np.ndarray) -> np.ndarray:
         sets = [self.unknowns[index].from_unit(scaled_values[:, index]) for index in self.in_joint]
         columns = np.stack(sets, axis=1) if sets else np.zeros((len(scaled_values), 0))
-        found = self._points(columns, torque, slips, slopes=False)
-        stiffness = torque / found.value if self.rolls else found.value
-        holds = np.isfinite(stiffness) & (stiffness > 0.0) & found.exists
+        points = self._points(columns, torque, slips, slopes=False)
+        stiffness = torque / points.value if self.rolls else points.value
+        holds = np.isfinite(stiffness) & (stiffness > 0.0) & points.exists
         exists = np.all(holds, axis=1)[:, None]
         return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
 
@@ -315,7 +315,7 @@ class CurveModel:
         return self._share(path)
 
     def _share(self, path: str) -> np.ndarray:
-        """What one unit of an offset or a drift adds to each angle."""
+        """Slope of each angle by an offset or a drift, shape (rows,)."""
         data = self.measurement
         if _kind(path) == "drift":
             assert data.time is not None

@@ -56,11 +56,11 @@ def exponents(unknowns: int) -> np.ndarray:
     4
     """
     degree = max(d for d in range(1, MOST_DEGREE + 1) if d == 1 or comb(unknowns + d, d) <= MOST_TERMS)
-    found = []
+    powers = []
     for total in range(degree + 1):
         for chosen in combinations_with_replacement(range(unknowns), total):
-            found.append([chosen.count(index) for index in range(unknowns)])
-    return np.array(found, int).reshape(len(found), unknowns)
+            powers.append([chosen.count(index) for index in range(unknowns)])
+    return np.array(powers, int).reshape(len(powers), unknowns)
 
 
 def fit_surrogate(
@@ -82,8 +82,8 @@ def fit_surrogate(
         if exists.sum() >= 2 * len(powers):
             basis = np.asarray(_basis(scaled[exists], powers))
             terms = _smooth_fit(basis, np.log(compliance[exists]), powers)
-            found = {"middle": middle, "axes": axes, "low": low, "high": high, "terms": terms}
-            return {name: jnp.asarray(value) for name, value in found.items()}
+            surrogate = {"middle": middle, "axes": axes, "low": low, "high": high, "terms": terms}
+            return {name: jnp.asarray(value) for name, value in surrogate.items()}
         reach = 0.5 * reach
     raise NoSolutionError(
         "most joints next to the best fit have no solution (a contact slips or lifts off within the measured torques), "
@@ -116,14 +116,14 @@ def _scaled_inside(
     count: int,
 ) -> np.ndarray:
     """Random scaled values in the box (−1 to 1 along each axis, denser at its ends) that lie between the bounds."""
-    found: list[np.ndarray] = []
+    points: list[np.ndarray] = []
     for _ in range(200):
         scaled = np.cos(np.pi * rng.random((4 * count, middle.size)))
         scaled_values = middle + (0.5 * (low + high) + 0.5 * (high - low) * scaled) @ axes.T
-        found.extend(scaled[np.all((scaled_values >= 0.0) & (scaled_values <= 1.0), axis=1)])
-        if len(found) >= count:
+        points.extend(scaled[np.all((scaled_values >= 0.0) & (scaled_values <= 1.0), axis=1)])
+        if len(points) >= count:
             break
-    return np.array(found[:count]).reshape(len(found[:count]), middle.size)
+    return np.array(points[:count]).reshape(len(points[:count]), middle.size)
 
 
 def _basis(scaled: np.ndarray | Array, powers: np.ndarray) -> Array:
@@ -132,11 +132,11 @@ def _basis(scaled: np.ndarray | Array, powers: np.ndarray) -> Array:
     ladder = [jnp.ones_like(scaled), scaled]
     for _ in range(2, int(powers.max(initial=1)) + 1):
         ladder.append(2.0 * scaled * ladder[-1] - ladder[-2])
-    each = jnp.stack(ladder)  # (degree, ..., unknowns)
-    found = jnp.ones((*scaled.shape[:-1], len(powers)))
+    chebyshev = jnp.stack(ladder)  # (degree, ..., unknowns)
+    products = jnp.ones((*scaled.shape[:-1], len(powers)))
     for index in range(powers.shape[1]):
-        found = found * jnp.moveaxis(each[powers[:, index], ..., index], 0, -1)
-    return found
+        products = products * jnp.moveaxis(chebyshev[powers[:, index], ..., index], 0, -1)
+    return products
 
 
 def surrogate_prediction(model: CurveModel) -> Callable[[Coefficients, Array], Array]:

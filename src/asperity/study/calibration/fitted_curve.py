@@ -119,8 +119,8 @@ class JoinedCurves:
         self._columns = [
             [
                 index
-                for index, each in enumerate(unknowns)
-                if of_measurement(each.path, measurement, measurements)
+                for index, unknown in enumerate(unknowns)
+                if of_measurement(unknown.path, measurement, measurements)
             ]
             for measurement in measurements
         ]
@@ -134,7 +134,7 @@ class JoinedCurves:
             )
             for measurement, columns in zip(measurements, self._columns, strict=True)
         ]
-        self._data = [each.measured for each in measurements]
+        self._data = [measurement.measured for measurement in measurements]
         #: Root mean square of each curve [rad] or [N·m/rad]; 1 for one of zeros.
         self.sizes = tuple(float(np.sqrt(np.mean(data**2))) or 1.0 for data in self._data)
         self.first = np.empty(len(unknowns))
@@ -165,7 +165,7 @@ class JoinedCurves:
         """Standard deviation of the residuals of each curve, at least a millionth of its size [rad] or [N·m/rad]."""
         fitted = self.fitted(scaled_values)
         return tuple(
-            max(each.standard_deviation, 1e-6 * size) for each, size in zip(fitted, self.sizes, strict=True)
+            max(curve.standard_deviation, 1e-6 * size) for curve, size in zip(fitted, self.sizes, strict=True)
         )
 
     def fitted(self, scaled_values: np.ndarray) -> tuple[FittedCurve, ...]:
@@ -182,15 +182,15 @@ class JoinedCurves:
             In the order of the measurements. Each curve bears the unknowns in proportion to its rows.
         """
         points = sum(data.size for data in self._data)
-        found = []
+        curves = []
         for model, columns, data in zip(self._models, self._columns, self._data, strict=True):
             prediction = model(scaled_values[columns])[0]
             residual = data - prediction
             squares = float(np.sum(residual**2))
             freedom = data.size * (1.0 - len(self.unknowns) / points)
             watson = float(np.sum(np.diff(residual) ** 2)) / squares if squares else 2.0
-            found.append(FittedCurve(model, prediction, residual, float(np.sqrt(squares / freedom)), watson))
-        return tuple(found)
+            curves.append(FittedCurve(model, prediction, residual, float(np.sqrt(squares / freedom)), watson))
+        return tuple(curves)
 
     def exists(self, scaled_values: np.ndarray) -> bool:
         """Whether the joint has a stiffness at every torque of every curve."""

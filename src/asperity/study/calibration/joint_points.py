@@ -56,8 +56,8 @@ def joint_points(
     slopes: bool,
 ) -> JointPoints:
     """What joints show at torques."""
-    found = [_of_one_set(values, paths, each, torque, slips, shown, slopes) for each in sets]
-    return JointPoints(*(np.stack(parts) for parts in zip(*found, strict=True)))
+    points = [_of_one_set(values, paths, row, torque, slips, shown, slopes) for row in sets]
+    return JointPoints(*(np.stack(parts) for parts in zip(*points, strict=True)))
 
 
 def _of_one_set(
@@ -78,11 +78,11 @@ def _of_one_set(
     different, place = np.unique(torque, return_inverse=True)
     chosen = place, np.where(torque < 0.0, 1, 0) if shown == "drift" else np.where(slips, 0, 1)
     structure, by = table_structure(filled), []
-    found: dict[str, np.ndarray] = {}
+    curve: dict[str, np.ndarray] = {}
     for direction in directions or [np.zeros(base.size)]:
-        found, along = _over(structure, base, direction, different)
+        curve, along = _over(structure, base, direction, different)
         by.append(along[shown][chosen])
-    value, ratio, holds = found[shown][chosen], found["slip_ratio"].max(axis=1)[place], found["solved"][place]
+    value, ratio, holds = curve[shown][chosen], curve["slip_ratio"].max(axis=1)[place], curve["solved"][place]
     if shown != "drift":
         value = np.where(holds, value, np.nan)  # else the equations are not solved
     return JointPoints(
@@ -111,13 +111,13 @@ def _over(
 def _directional(
     structure: str, base: Array, direction: Array, torques: Array
 ) -> tuple[dict[str, Array], dict[str, Array]]:
-    """What is compiled to fit a joint with another drive to a curve."""
+    """Curves of a joint over torques, and the slopes of stiffness and drift along a direction of its numbers."""
     tables = json.loads(structure)
 
-    def found(rows: Array) -> tuple[dict[str, Array], dict[str, Array]]:
+    def slopes_and_curves(rows: Array) -> tuple[dict[str, Array], dict[str, Array]]:
         joint = joint_with_branches(with_numbers(tables, rows))
         shown = curve_program(joint, torques, jnp.asarray(NO_SLIP_FRICTION))
         return {name: shown[name] for name in (*LEVELS, "drift")}, shown
 
-    _, slopes, values = jax.jvp(found, (base,), (direction,), has_aux=True)
+    _, slopes, values = jax.jvp(slopes_and_curves, (base,), (direction,), has_aux=True)
     return values, slopes

@@ -110,8 +110,8 @@ class Measurement:
     @property
     def measured(self) -> np.ndarray:
         """The angle, the stiffness or the drift, whichever is there."""
-        found = next(each for each in (self.angle, self.stiffness, self.drift) if each is not None)
-        return found
+        column = next(column for column in (self.angle, self.stiffness, self.drift) if column is not None)
+        return column
 
     @property
     def quantity(self) -> MeasuredQuantity:

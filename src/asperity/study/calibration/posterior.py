@@ -212,8 +212,8 @@ def sample(
     def log_likelihood(points: np.ndarray) -> np.ndarray:
         log_deviation = np.log(first_deviation) + span * (2.0 * points[:, -1] - 1.0)
         scaled = (predict(points[:, :-1]) - data) * np.exp(-log_deviation)[:, None]
-        found = -data.size * log_deviation - 0.5 * np.sum(scaled**2, axis=1)
-        return np.where(np.isfinite(found), found, -np.inf)
+        logarithm = -data.size * log_deviation - 0.5 * np.sum(scaled**2, axis=1)
+        return np.where(np.isfinite(logarithm), logarithm, -np.inf)
 
     # ln s has the standard deviation 1/sqrt(2 n) where the errors are normal
     centre, spread = np.append(first, 0.5), _capped(covariance, 1.0 / np.sqrt(2.0 * data.size) / (2.0 * span))
@@ -265,10 +265,10 @@ def _capped(covariance: np.ndarray, last: float) -> np.ndarray:
     """Covariance with no direction wider than the prior, and one more coordinate of given standard deviation."""
     squares, axes = np.linalg.eigh(covariance)
     size = len(covariance)
-    found = np.zeros((size + 1, size + 1))
-    found[:size, :size] = (axes * np.minimum(squares, UNINFORMED**2)) @ axes.T
-    found[size, size] = min(last, UNINFORMED) ** 2
-    return found
+    capped = np.zeros((size + 1, size + 1))
+    capped[:size, :size] = (axes * np.minimum(squares, UNINFORMED**2)) @ axes.T
+    capped[size, size] = min(last, UNINFORMED) ** 2
+    return capped
 
 
 def _begins(
@@ -279,13 +279,13 @@ def _begins(
     seed: int,
 ) -> np.ndarray:
     """Points around the fit at which the likelihood is not zero, shape (chains, size)."""
-    rng, found = np.random.default_rng(seed), []
+    rng, begins = np.random.default_rng(seed), []
     for attempt in range(20):  # 20 times, ever closer
         points = rng.multivariate_normal(centre, spread * 0.7**attempt, size=chains)
         points = np.clip(points, 0.01 * centre, 1.0 - 0.01 * (1.0 - centre))
-        found.extend(points[np.isfinite(log_likelihood(points))])
-        if len(found) >= chains:
-            return np.array(found[:chains])
+        begins.extend(points[np.isfinite(log_likelihood(points))])
+        if len(begins) >= chains:
+            return np.array(begins[:chains])
     raise NoSolutionError(
         "the joint has no solution around the best fit (a contact slips or lifts off within the measured torques), so "
         "no posterior can be drawn; leave out the rows of the largest torques, or fix an unknown"
@@ -296,8 +296,8 @@ def _where_likely(
     seen: list[tuple[np.ndarray, np.ndarray]], moving: Chains, centre: np.ndarray, spread: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Centre and covariance of the likelier half of what has been seen, and where to begin there."""
-    points = np.concatenate([*(each for each, _ in seen), moving.position])
-    logarithm = np.concatenate([*(each for _, each in seen), moving.log_exact])
+    points = np.concatenate([*(position for position, _ in seen), moving.position])
+    logarithm = np.concatenate([*(logarithms for _, logarithms in seen), moving.log_exact])
     order = np.argsort(-logarithm)[: max(len(points) // 2, len(moving.position))]
     order = order[np.isfinite(logarithm[order])]
     begin = np.where(np.isfinite(moving.log_exact)[:, None], moving.position, centre)

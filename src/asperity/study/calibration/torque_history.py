@@ -45,7 +45,7 @@ def slip_terms(torques: np.ndarray, history: History) -> list[_Terms]:
     reversals: list[tuple[float, _Terms]] = []
     last, direction = 0.0, 0.0
     last_terms: _Terms = []
-    found = []
+    all_terms = []
     for torque in [*before, *sequence]:
         step = np.sign(torque - last)
         if step != 0.0:
@@ -65,9 +65,9 @@ def slip_terms(torques: np.ndarray, history: History) -> list[_Terms]:
             terms = [*base, (2.0 * float(np.sign(torque - turned)), 0.5 * abs(torque - turned))]
         else:
             terms = [(float(np.sign(torque)), abs(torque))]
-        found.append(terms)
+        all_terms.append(terms)
         last, last_terms = torque, terms
-    return found[len(before) :]
+    return all_terms[len(before) :]
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ def curve_operator(torques: np.ndarray, history: History, *, symmetric: bool) ->
         raise InputError("all measured torques are zero; a curve needs torques that differ from zero")
     terms = slip_terms(torques, history)
     torques = np.asarray(torques, float)
-    arguments = np.unique([*np.abs(torques), *(torque for each in terms for _, torque in each)])
+    arguments = np.unique([*np.abs(torques), *(torque for combination in terms for _, torque in combination)])
     integral = _integrals(arguments, largest)
 
     def along(torque: np.ndarray | float) -> np.ndarray:
@@ -116,7 +116,7 @@ def curve_operator(torques: np.ndarray, history: History, *, symmetric: bool) ->
 
     sign = np.sign(torques)[:, None]
     loading = along(np.abs(torques))
-    slip = np.stack([sum((c * along(t) for c, t in each), 0.0 * integral[0]) for each in terms])
+    slip = np.stack([sum((c * along(t) for c, t in combination), 0.0 * integral[0]) for combination in terms])
     slip = slip - sign * loading  # what remains of it beside the loading curve
     visited = np.concatenate([torques, cycled_before(torques) if history == "cycled" else []])
     sides = np.array([np.any(visited > 0.0), np.any(visited < 0.0)], float)
@@ -150,7 +150,7 @@ def _integrals(arguments: np.ndarray, largest: float) -> np.ndarray:
     panel = np.minimum((arguments / width).astype(int), _PANELS - 1)
     inside = 2.0 * (arguments / width - panel) - 1.0
     integral = np.zeros((arguments.size, _PANELS, _NODES))
-    for row, (whole, partial) in enumerate(zip(panel, _partial_weights(inside), strict=True)):
-        integral[row, :whole] = gauss
-        integral[row, whole] = partial
+    for row, (panels, partial) in enumerate(zip(panel, _partial_weights(inside), strict=True)):
+        integral[row, :panels] = gauss
+        integral[row, panels] = partial
     return 0.5 * width * integral.reshape(arguments.size, -1)

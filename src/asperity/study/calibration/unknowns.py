@@ -65,7 +65,7 @@ def read_unknowns(
         If a text cannot be read, or an unknown or the measurements together make no sense.
     """
     _refuse_alike(measurements)
-    found: list[Variable] = []
+    unknowns: list[Variable] = []
     for text in texts:
         name, _, bounds = text.partition("=")
         name = name.strip()
@@ -73,16 +73,16 @@ def read_unknowns(
         if sides and len(sides) != 2:
             raise InputError(f"unknown '{text}': expected KEY=LOWER:UPPER, e.g. load.preload=500 N:2000 N")
         if added_to_curve(name):
-            found.extend(_of_curve(name, sides, _curve_of(name, measurements)))
+            unknowns.extend(_of_curve(name, sides, _curve_of(name, measurements)))
         else:
-            found.append(_of_joint(name, sides, case))
-            if _sets_the_ratio(name, case) and any(each.unloaded_ratio is not None for each in measurements):
+            unknowns.append(_of_joint(name, sides, case))
+            if _sets_the_ratio(name, case) and any(m.unloaded_ratio is not None for m in measurements):
                 raise InputError(
                     f"'{name}' sets the speed ratio without creep and cannot be an unknown of measured speed ratios; "
                     "use 'offset' for a ratio that is not known exactly, or a column 'speed loss' or 'drift'"
                 )
-    names = [unknown.path for unknown in found]
-    if not found:
+    names = [unknown.path for unknown in unknowns]
+    if not unknowns:
         raise InputError(
             "nothing to calibrate: name at least one unknown, such as load.preload", options=["unknown"]
         )
@@ -94,7 +94,7 @@ def read_unknowns(
             "play.take_up_torque is the torque that takes up the play; it needs the unknown 'play.angle' too, or a "
             "section [play] in the joint file"
         )
-    return tuple(found)
+    return tuple(unknowns)
 
 
 def _sets_the_ratio(path: str, case: AnyCase) -> bool:
@@ -116,8 +116,8 @@ def of_measurement(path: str, measurement: Measurement, measurements: tuple[Meas
 
 def _curve_of(name: str, measurements: tuple[Measurement, ...]) -> Measurement:
     """The measurement to which an unknown of a curve belongs."""
-    standing = [each for each in measurements if each.drift is None]
-    rolling = [each for each in measurements if each.drift is not None]
+    standing = [curve for curve in measurements if curve.drift is None]
+    rolling = [curve for curve in measurements if curve.drift is not None]
     if name != OFFSET_OF_DRIFT:
         return (standing or rolling)[0]
     if not (standing and rolling):
@@ -126,11 +126,11 @@ def _curve_of(name: str, measurements: tuple[Measurement, ...]) -> Measurement:
 
 
 def _refuse_alike(measurements: tuple[Measurement, ...]) -> None:
-    rolls = [each.drift is not None for each in measurements]
+    rolls = [curve.drift is not None for curve in measurements]
     if len(measurements) > 2 or len(set(rolls)) < len(rolls):
         kind = "turns" if all(rolls) else "is at rest"
         raise InputError(
-            f"{', '.join(each.source for each in measurements)}: "
+            f"{', '.join(curve.source for curve in measurements)}: "
             + (f"both are curves of a joint that {kind}; " if len(measurements) == 2 else "")
             + "at most one torque-angle or stiffness curve and one drift curve can be fitted together; put repetitions "
             "into one file, with a column 'repetition'"

@@ -82,9 +82,9 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
         end, converged = local_optimum(evaluator, start)
         ended.append((end, evaluator(end), converged))
         count.step()
-    feasible = [each for each in ended if each[1].violation <= FEASIBLE]
+    feasible = [search for search in ended if search[1].violation <= FEASIBLE]
     if feasible:
-        best = min(feasible, key=lambda each: float(each[1].objective.max()))[0]
+        best = min(feasible, key=lambda search: float(search[1].objective.max()))[0]
     else:
         best = _nearest(evaluator, ended, count)
     fixed, unrounded = np.zeros(best.size, dtype=bool), None
@@ -97,7 +97,7 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
 
 def _nearest(evaluator: DesignEvaluator, ended: _Ended, count: SearchProgress) -> np.ndarray:
     """The design of the smallest violation; a better one where the way to the limits is found only now."""
-    ends = sorted((each[0] for each in ended), key=lambda end: violation_rank(evaluator, end))
+    ends = sorted((search[0] for search in ended), key=lambda end: violation_rank(evaluator, end))
     ends = ends[: max(3, len(ends) // 2)]
     if evaluator(ends[0]).violation >= FARTHEST:  # a limit without a value has no slope that leads to one
         ends = [sampled_start(evaluator), *ends]
@@ -106,7 +106,7 @@ def _nearest(evaluator: DesignEvaluator, ended: _Ended, count: SearchProgress) -
     for end in ends:
         tries.append(smallest_violation(evaluator, end))
         count.step()
-    best = min(tries, key=lambda each: violation_rank(evaluator, each))
+    best = min(tries, key=lambda candidate: violation_rank(evaluator, candidate))
     _refuse_what_cannot_exist(evaluator, evaluator(best))
     if evaluator(best).violation <= FEASIBLE:
         again, _ = local_optimum(evaluator, best)
@@ -115,11 +115,11 @@ def _nearest(evaluator: DesignEvaluator, ended: _Ended, count: SearchProgress) -
     return best
 
 
-def _refuse_what_cannot_exist(evaluator: DesignEvaluator, found: EvaluatedDesign) -> None:
+def _refuse_what_cannot_exist(evaluator: DesignEvaluator, nearest: EvaluatedDesign) -> None:
     """Raise if the nearest design found cannot exist: then the stated limits cannot be assessed."""
-    if evaluator.nonexistence(found) <= FEASIBLE:
+    if evaluator.nonexistence(nearest) <= FEASIBLE:
         return
-    lack = found.margins + evaluator.existence_slack
+    lack = nearest.margins + evaluator.existence_slack
     worst: dict[str, int] = {}
     for index in np.argsort(lack):
         if lack[index] < 0.9 * lack.min():
@@ -127,7 +127,7 @@ def _refuse_what_cannot_exist(evaluator: DesignEvaluator, found: EvaluatedDesign
     parts = []
     for name, index in worst.items():
         row, result = evaluator.rows[index], evaluator.problem.table[name]
-        value = format_quantity(float(found.values[name][row.row, row.scenario]), result.display_unit)
+        value = format_quantity(float(nearest.values[name][row.row, row.scenario]), result.display_unit)
         torque = format_quantity(float(evaluator.scenarios.torques[row.scenario]), "N*m")
         allowed = "at most 1" if row.constraint.at_most else "at least 0"
         where = result.row_names[row.row].replace("_", " ")
@@ -148,18 +148,18 @@ def _result(
     problem, goal = evaluator.problem, evaluator.problem.objectives[0]
     residual, multipliers = optimality(evaluator, best, fixed=fixed)
     point, best = shortened_design(evaluator, best, fixed)
-    found = evaluator(best)
-    feasible = found.violation <= FEASIBLE
+    optimum = evaluator(best)
+    feasible = optimum.violation <= FEASIBLE
     starts = tuple(
-        StartReport(evaluator.point(end), _worst_objective(evaluator, each), each.violation, converged)
-        for end, each, converged in ended
+        StartReport(evaluator.point(end), _worst_objective(evaluator, reached), reached.violation, converged)
+        for end, reached, converged in ended
     )
     verdict = "All limits are met." if feasible else "NOT all limits are met: this is the smallest violation."
     if feasible and residual >= OPTIMAL and not any(start.converged for start in starts):
         verdict = "All limits are met, but no search converged: this is no optimum."
     head = f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}"
     text = joint_file_text(problem.case, point, comment=head)
-    _refuse_without_result(evaluator, found)
+    _refuse_without_result(evaluator, optimum)
     status, before, _ = derivatives_at(
         evaluator.values, evaluator.scenarios.changes({}), evaluator.results, block=evaluator.block
     )
@@ -174,11 +174,11 @@ def _result(
             if not 1e-7 < place < 1.0 - 1e-7
         },
         objective_before=float(goal.sign * worst_before.max()),
-        objective_after=_worst_objective(evaluator, found),
+        objective_after=_worst_objective(evaluator, optimum),
         objective_unrounded=unrounded,
         summary_before=_summary(evaluator, status, before),
-        summary_after=_summary(evaluator, found.status, found.values),
-        limits=tuple(_limits(evaluator, found, multipliers)),
+        summary_after=_summary(evaluator, optimum.status, optimum.values),
+        limits=tuple(_limits(evaluator, optimum, multipliers)),
         optimality_residual=residual,
         starts=starts,
         evaluations=evaluator.evaluations,
@@ -187,16 +187,16 @@ def _result(
     )
 
 
-def _refuse_without_result(evaluator: DesignEvaluator, found: EvaluatedDesign) -> None:
+def _refuse_without_result(evaluator: DesignEvaluator, optimum: EvaluatedDesign) -> None:
     """Refuse a design whose objective has no value in a scenario that counts, or whose contacts are all plastic."""
-    status = found.status[evaluator.counted]
+    status = optimum.status[evaluator.counted]
     if np.any(status == UNBALANCED):
         raise NoSolutionError(
             "the force balance of the design found did not close in every scenario; narrow the bounds"
         )
     problem = evaluator.problem
-    asked = [(each.name, each.of(found.values)) for each in problem.objectives]
-    asked += [(each.name, found.values[each.name][list(each.rows)]) for each in problem.constraints]
+    asked = [(goal.name, goal.of(optimum.values)) for goal in problem.objectives]
+    asked += [(limit.name, optimum.values[limit.name][list(limit.rows)]) for limit in problem.constraints]
     unknown = dict.fromkeys(name for name, value in asked if np.isnan(value[:, evaluator.counted]).any())
     if unknown and np.any(status == ALL_PLASTIC):
         raise NoSolutionError(
@@ -211,10 +211,10 @@ def _refuse_without_result(evaluator: DesignEvaluator, found: EvaluatedDesign) -
         )
 
 
-def _worst_objective(evaluator: DesignEvaluator, found: EvaluatedDesign) -> float:
+def _worst_objective(evaluator: DesignEvaluator, evaluated: EvaluatedDesign) -> float:
     """The objective at its worst scenario [SI]."""
     goal = evaluator.problem.objectives[0]
-    worst = goal.sign * float(found.objective[0].max())
+    worst = goal.sign * float(evaluated.objective[0].max())
     return float(np.exp(worst)) if RESULTS[goal.name].positive else worst
 
 
@@ -239,20 +239,20 @@ def nominal_results(
     """Results of a joint file as it stands, shape (rows,) [SI]."""
     values = si_values(parse_case(joint_text, source="the designed joint"))
     torque = np.array([values["load"]["output_torque"]])
-    _, found, _ = derivatives_at(values, {"load.output_torque": torque}, results, block=block)
-    return {name: value[:, 0] for name, value in found.items()}
+    _, result_values, _ = derivatives_at(values, {"load.output_torque": torque}, results, block=block)
+    return {name: value[:, 0] for name, value in result_values.items()}
 
 
-def _limits(evaluator: DesignEvaluator, found: EvaluatedDesign, multipliers: np.ndarray) -> list[LimitReport]:
+def _limits(evaluator: DesignEvaluator, best: EvaluatedDesign, multipliers: np.ndarray) -> list[LimitReport]:
     reports = []
-    tight = found.margins < ACTIVE - (found.violation if found.violation > FEASIBLE else 0.0)
-    tight |= found.margins + evaluator.existence_slack < ACTIVE
+    tight = best.margins < ACTIVE - (best.violation if best.violation > FEASIBLE else 0.0)
+    tight |= best.margins + evaluator.existence_slack < ACTIVE
     for constraint, (_, nearest) in zip(evaluator.problem.constraints, evaluator.nearest, strict=True):
         mine = [index for index, row in enumerate(evaluator.rows) if row.constraint is constraint]
-        worst = min(mine, key=lambda index: found.margins[index])
+        worst = min(mine, key=lambda index: best.margins[index])
         row = evaluator.rows[worst]
-        value = float(found.values[constraint.name][row.row, row.scenario])
-        missed = abs(value - constraint.limit) if found.margins[worst] < -FEASIBLE else 0.0
+        value = float(best.values[constraint.name][row.row, row.scenario])
+        missed = abs(value - constraint.limit) if best.margins[worst] < -FEASIBLE else 0.0
         reports.append(
             LimitReport(
                 name=constraint.name,

@@ -151,9 +151,9 @@ class DesignEvaluator:
         ndarray of bool
             Shape (designs,).
         """
-        slack = [self._existence_slack(each) for each in self.problem.constraints for _ in each.rows]
-        found: np.ndarray = (margins + np.array(slack)).min(axis=1) >= 0.0
-        return found
+        slack = [self._existence_slack(limit) for limit in self.problem.constraints for _ in limit.rows]
+        can_exist: np.ndarray = (margins + np.array(slack)).min(axis=1) >= 0.0
+        return can_exist
 
     def _existence_slack(self, constraint: Constraint) -> float:
         """No joint exists if rollers overlap, slip or lift off, whatever limit is stated for them."""
@@ -165,7 +165,7 @@ class DesignEvaluator:
         return abs(constraint.limit - bound) / self._size(constraint) - INSIDE
 
     def _size(self, constraint: Constraint) -> float:
-        """What differences from a limit are divided by: the limit itself, or where that is 0 a size of the joint."""
+        """Scale of the distance from a limit: its absolute value; of a limit of 0 the largest radius or 1 [SI]."""
         if constraint.limit != 0.0:
             return abs(constraint.limit)
         return self._largest_radius if RESULTS[constraint.name].axis == "clearance" else 1.0
@@ -175,8 +175,8 @@ class DesignEvaluator:
         sign = -1.0 if constraint.at_most else 1.0
         if RESULTS[constraint.name].positive:
             return np.where(np.isnan(value), -FARTHEST, sign * _log_ratio(value, constraint.limit))
-        apart = (value - constraint.limit) / self._size(constraint)
-        return np.where(np.isfinite(apart), sign * apart, -1.0)
+        distance = (value - constraint.limit) / self._size(constraint)
+        return np.where(np.isfinite(distance), sign * distance, -1.0)
 
     def _keep_nearest(self, constraint: Constraint, value: np.ndarray, margin: np.ndarray) -> None:
         index, worst = self.problem.constraints.index(constraint), int(np.argmin(margin))
@@ -210,14 +210,14 @@ class DesignEvaluator:
         self.evaluations += 1
         point = self.point(scaled)
         changes = self.scenarios.changes(dict(point))
-        status, found, slopes = derivatives_at(
+        status, results, slopes = derivatives_at(
             self.values, changes, self.results, self.paths, block=self.block
         )
         steps = np.array([v.slope(point[v.path]) for v in self.variables])
 
         objective, objective_slopes = [], []
         for goal in self.problem.objectives:
-            value, slope = (goal.of(each)[:, self.counted] for each in (found, slopes))
+            value, slope = (goal.of(arrays)[:, self.counted] for arrays in (results, slopes))
             row, scenario = (
                 np.argmax(goal.sign * value, axis=0),
                 np.arange(value.shape[1]),
@@ -234,7 +234,7 @@ class DesignEvaluator:
         margins, margin_slopes = [], []
         for constraint in self.problem.constraints:
             rows = np.ix_(np.array(constraint.rows), self.counted)
-            value, slope = found[constraint.name][rows], _finite(slopes[constraint.name][rows]) * steps
+            value, slope = results[constraint.name][rows], _finite(slopes[constraint.name][rows]) * steps
             margins.append(self._margins(constraint, value).reshape(-1))
             self._keep_nearest(constraint, value, margins[-1])
             weight = self._margin_weights(constraint, value)
@@ -245,7 +245,7 @@ class DesignEvaluator:
             margins=np.concatenate(margins),
             margin_slopes=np.concatenate(margin_slopes),
             status=status,
-            values=found,
+            values=results,
         )
         self._last = (mark, design)
         return design
@@ -270,16 +270,16 @@ class DesignEvaluator:
             path: np.broadcast_to(value, (designs, count)).reshape(-1)
             for path, value in self.scenarios.changes(point).items()
         }
-        _, found, _ = derivatives_at(self.values, changes, self.results, block=self.block)
-        found = {name: each.reshape(-1, designs, count)[..., self.counted] for name, each in found.items()}
+        _, results, _ = derivatives_at(self.values, changes, self.results, block=self.block)
+        results = {name: row.reshape(-1, designs, count)[..., self.counted] for name, row in results.items()}
         self.evaluations += designs
         objectives = []
         for goal in self.problem.objectives:
-            value = goal.sign * goal.of(found)
+            value = goal.sign * goal.of(results)
             worst = np.max(np.where(np.isnan(value), np.inf, value), axis=(0, 2))
             objectives.append(np.where(np.isfinite(worst), worst, _WORST))
         margins = [
-            self._margins(each, found[each.name][list(each.rows)]) for each in self.problem.constraints
+            self._margins(limit, results[limit.name][list(limit.rows)]) for limit in self.problem.constraints
         ]
         return np.stack(objectives, axis=1), np.min(np.concatenate(margins), axis=2).T
 
@@ -308,5 +308,5 @@ def _log_ratio(value: np.ndarray, limit: float) -> np.ndarray:
 
 
 def _finite(slope: np.ndarray) -> np.ndarray:
-    """Slopes that are not finite, where a state does not exist, are replaced by 0."""
+    """Slopes with 0 in place of those that are not finite."""
     return np.where(np.isfinite(slope), slope, 0.0)

@@ -70,7 +70,7 @@ class _Errors:
     """Errors of a file, collected so that one message lists all of them."""
 
     def __init__(self) -> None:
-        self.found: list[str] = []
+        self.messages: list[str] = []
 
     @contextmanager
     def gathered(self) -> Iterator[None]:
@@ -78,12 +78,12 @@ class _Errors:
         try:
             yield
         except InputError as error:
-            self.found.append(str(error))
+            self.messages.append(str(error))
 
     def refuse(self) -> None:
         """Raise if there were any."""
-        if self.found:
-            raise InputError(listed(self.found))
+        if self.messages:
+            raise InputError(listed(self.messages))
 
 
 def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProblem:
@@ -93,7 +93,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
         _only(tables, _SECTIONS, "")
     for name in ("joint", "variables", "objective"):
         if name not in tables:
-            errors.found.append(f"{name}: this key is missing")
+            errors.messages.append(f"{name}: this key is missing")
     errors.refuse()
     kind, known, values = WEDGE_TYPE, RESULTS, Values()
     with errors.gathered():
@@ -104,14 +104,14 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
         kind, known = type_of(values), results_of(values)
     level = tables.get("level", "assembly")
     if level not in LEVELS:
-        errors.found.append(f"level: {level!r} is not one of {', '.join(LEVELS)}")
+        errors.messages.append(f"level: {level!r} is not one of {', '.join(LEVELS)}")
         level = "assembly"
     variables: list[Variable] = []
     with errors.gathered():
         for path, entry in _flat(_table(tables["variables"], "variables"), ""):
             with errors.gathered():
                 variables.append(_variable(path, entry, kind))
-        _check_count(variables if not errors.found else [None])
+        _check_count(variables if not errors.messages else [None])
     objectives: tuple[Objective, ...] = ()
     with errors.gathered():
         objectives = _objectives(_table(tables["objective"], "objective"), level, values, known)
@@ -175,7 +175,7 @@ def _flat(table: Mapping[str, Any], path: str) -> Iterator[tuple[str, dict[str, 
     for name, value in table.items():
         below = f"{path}.{name}" if path else name
         entry = _table(value, f"variables.{below}")
-        if any(isinstance(each, dict) for each in entry.values()):
+        if any(isinstance(node, dict) for node in entry.values()):
             yield from _flat(entry, below)
         else:
             yield below, entry
@@ -186,7 +186,7 @@ def _check_count(variables: Sequence[object]) -> None:
         raise InputError("variables: at least one free variable is needed, e.g. load.preload")
     if len(variables) > 30:
         raise InputError(f"variables: at most 30 free variables, got {len(variables)}")
-    stepped = sum(isinstance(each, Variable) and each.step is not None for each in variables)
+    stepped = sum(isinstance(variable, Variable) and variable.step is not None for variable in variables)
     if stepped > MOST_STEPPED:
         raise InputError(f"variables: at most {MOST_STEPPED} variables may have a step, got {stepped}")
 
@@ -254,7 +254,7 @@ def _objectives(
     table: dict[str, Any], level: StiffnessLevel, values: Values, results: Mapping[str, Result]
 ) -> tuple[Objective, ...]:
     _only(table, ("maximise", "minimise"), "objective")
-    found = []
+    goals = []
     for word, sign in (("maximise", -1.0), ("minimise", 1.0)):
         listed = table.get(word, [])
         for name in listed if isinstance(listed, list) else [listed]:
@@ -263,20 +263,20 @@ def _objectives(
             if limit is not None and math.isinf(limit.lowest if sign < 0.0 else limit.highest):
                 other = "minimised (its largest value counts)" if sign < 0.0 else "maximised"
                 raise InputError(f"objective.{word}: {name} can only be {other}")
-            found.append(Objective(full, sign, _rows(results[full], values, f"objective.{word}")))
-    if not 1 <= len(found) <= 3:
-        raise InputError(f"objective: one objective, or two or three for a Pareto front, got {len(found)}")
-    if len({each.name for each in found}) < len(found):
+            goals.append(Objective(full, sign, _rows(results[full], values, f"objective.{word}")))
+    if not 1 <= len(goals) <= 3:
+        raise InputError(f"objective: one objective, or two or three for a Pareto front, got {len(goals)}")
+    if len({goal.name for goal in goals}) < len(goals):
         raise InputError("objective: the same result is named twice")
-    return tuple(found)
+    return tuple(goals)
 
 
 def _result(name: Any, level: StiffnessLevel, where: str, results: Mapping[str, Result]) -> str:
     """The full name of a result in a design file."""
     short = tuple(
-        each.removeprefix(f"{level}_") for each in results if each.startswith(f"{level}_stiffness_per")
+        full.removeprefix(f"{level}_") for full in results if full.startswith(f"{level}_stiffness_per")
     )
-    known = ("stiffness", *short, *(each for each, row in results.items() if row.differentiable))
+    known = ("stiffness", *short, *(full for full, row in results.items() if row.differentiable))
     try:
         return name_at_level(known_result(name, among=known), level)
     except InputError as error:
@@ -298,12 +298,12 @@ def _constraint(
         listed = entry[plural]
         if result.axis not in _PLURALS or not isinstance(listed, list):
             raise InputError(f"{where}.{plural}: expected a list of {plural} of a result that has them")
-        for each in listed:
-            if each not in result.row_names:
-                raise InputError(f"{where}.{plural}: {each!r} is not one of {', '.join(result.row_names)}")
-            if result.row_names.index(each) not in rows:
-                raise InputError(f"{where}.{plural}: {each!r} has none; {_absent(result)}")
-        rows = tuple(result.row_names.index(each) for each in listed)
+        for row in listed:
+            if row not in result.row_names:
+                raise InputError(f"{where}.{plural}: {row!r} is not one of {', '.join(result.row_names)}")
+            if result.row_names.index(row) not in rows:
+                raise InputError(f"{where}.{plural}: {row!r} has none; {_absent(result)}")
+        rows = tuple(result.row_names.index(row) for row in listed)
     for side in ("at_most", "at_least"):
         if side in entry:
             try:
@@ -343,12 +343,12 @@ def _check_limit(result: Result, limit: float, written: str) -> None:
 
 
 def _implied(stated: Sequence[Constraint], results: Mapping[str, Result]) -> Iterator[Constraint]:
-    """What holds for every joint that exists, unless the same limit is stated for all contacts."""
+    """Limits of existence, :data:`EXISTENCE`, without those that are stated for all contacts."""
     for (name, at_most), bound in EXISTENCE.items():
         if name not in results:
             continue
         rows = tuple(range(len(results[name].row_names)))
-        if not any(each.name == name and each.at_most == at_most and each.rows == rows for each in stated):
+        if not any(c.name == name and c.at_most == at_most and c.rows == rows for c in stated):
             yield Constraint(name, at_most, bound, rows, implied=True)
 
 

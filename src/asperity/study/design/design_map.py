@@ -77,7 +77,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
     values[shown] = [from_si(float(v), unit) for v in goal.sign * objectives[shown, 0]]
     least = np.where(joint, margins.min(axis=1).reshape(count, count), np.nan)
     splits = np.cumsum([len(constraint.rows) for constraint in problem.constraints])[:-1]
-    by_limit = [each.min(axis=1).reshape(count, count) for each in np.split(margins, splits, axis=1)]
+    by_limit = [columns.min(axis=1).reshape(count, count) for columns in np.split(margins, splits, axis=1)]
 
     figure = Figure(figsize=(8.0, 7.4), layout="constrained")
     axes = figure.subplots()
@@ -105,8 +105,8 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
             continue
         colour, line = _LINES[drawn % len(_LINES)]
         drawn += 1
-        found = axes.contour(x, y, field, levels=[0.0], colors=[colour], linestyles=[line], linewidths=2.0)
-        found.set_path_effects([withTickedStroke(angle=_FORBIDDEN_SIDE, spacing=9.0, length=0.6)])
+        contour = axes.contour(x, y, field, levels=[0.0], colors=[colour], linestyles=[line], linewidths=2.0)
+        contour.set_path_effects([withTickedStroke(angle=_FORBIDDEN_SIDE, spacing=9.0, length=0.6)])
         keys.append(
             Line2D(
                 [],

@@ -80,9 +80,9 @@ class Objective:
     sign: float
     rows: tuple[int, ...] | None = None
 
-    def of(self, found: Mapping[str, Any]) -> Any:
+    def of(self, results: Mapping[str, Any]) -> Any:
         """Its rows [SI], shape (rows, ...), from all results."""
-        return found[self.name] if self.rows is None else found[self.name][list(self.rows)]
+        return results[self.name] if self.rows is None else results[self.name][list(self.rows)]
 
 
 @dataclass(frozen=True)

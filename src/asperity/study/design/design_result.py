@@ -213,7 +213,7 @@ def conflict(result: DesignResult) -> str:
     )
 
 
-def found_diagnostics(joint_text: str) -> Diagnostics:
+def joint_diagnostics(joint_text: str) -> Diagnostics:
     """Every limit of a joint that a design has found, kept or crossed, under the torque of its file.
 
     Parameters
@@ -241,13 +241,13 @@ def front_diagnostics(
     count = int(front.sizes["design"])
     told: Diagnostics = {"diagnostics": [], "no_result_because": []}
     for index in range(count):
-        point = {each.path: float(front[each.path].values[index]) for each in problem.variables}
-        found = found_diagnostics(joint_file_text(problem.case, point, comment=""))
-        entries = found["diagnostics"]
+        point = {variable.path: float(front[variable.path].values[index]) for variable in problem.variables}
+        diagnostics = joint_diagnostics(joint_file_text(problem.case, point, comment=""))
+        entries = diagnostics["diagnostics"]
         told["diagnostics"].append(
             None if entries is None else [entry for entry in entries if not entry["ok"]]
         )
-        told["no_result_because"].append(found["no_result_because"])
+        told["no_result_because"].append(diagnostics["no_result_because"])
         if progress is not None:
             progress(index + 1, count)
     return told
@@ -272,7 +272,7 @@ def design_document(result: DesignResult) -> dict[str, Any]:
         if isinstance(node, dict):
             return {key: plain(value) for key, value in node.items()}
         if isinstance(node, list | tuple):
-            return [plain(each) for each in node]
+            return [plain(child) for child in node]
         return number_or_null(node) if isinstance(node, float) else node
 
     goal = result.problem.objectives[0]
@@ -298,7 +298,7 @@ def design_document(result: DesignResult) -> dict[str, Any]:
             "starts": [asdict(start) for start in result.starts],
             "nominal": {name: value.tolist() for name, value in result.nominal.items()},
             "evaluations": result.evaluations,
-            **found_diagnostics(result.joint_text),
+            **joint_diagnostics(result.joint_text),
         }
     )
     return document

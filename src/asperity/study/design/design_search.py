@@ -62,10 +62,10 @@ def starting_points(evaluator: DesignEvaluator) -> list[np.ndarray]:
         inside = isinstance(node, float) and variable.lower <= node <= variable.upper
         first.append(variable.to_unit(node) if inside and isinstance(node, float) else 0.5)
     sampler = qmc.LatinHypercube(d=len(first), rng=np.random.default_rng(problem.seed))
-    found = [np.clip(np.array(first), 0.0, 1.0)]
-    while len(found) < problem.starts:
-        found.extend(sampler.random(max(problem.starts - 1, 1)))
-    return found[: problem.starts]
+    starts = [np.clip(np.array(first), 0.0, 1.0)]
+    while len(starts) < problem.starts:
+        starts.extend(sampler.random(max(problem.starts - 1, 1)))
+    return starts[: problem.starts]
 
 
 def sampled_start(evaluator: DesignEvaluator) -> np.ndarray:
@@ -124,7 +124,7 @@ def local_optimum(
         return np.vstack([top, np.hstack([design.margin_slopes, np.zeros((design.margins.size, 1))])])
 
     begin = np.append(start, evaluator(start).objective.max())
-    found = minimize(
+    solution = minimize(
         lambda x: x[-1],
         begin,
         jac=lambda x: upward,
@@ -133,8 +133,8 @@ def local_optimum(
         method="SLSQP",
         options={"maxiter": 200, "ftol": 1e-12},
     )
-    end = np.clip(found.x[:-1], lower, upper) if np.all(np.isfinite(found.x)) else start
-    if found.success or (
+    end = np.clip(solution.x[:-1], lower, upper) if np.all(np.isfinite(solution.x)) else start
+    if solution.success or (
         evaluator(end).violation <= FEASIBLE and optimality(evaluator, end, fixed=fixed)[0] < OPTIMAL
     ):
         return end, True
@@ -197,9 +197,9 @@ def smallest_violation(evaluator: DesignEvaluator, start: np.ndarray) -> np.ndar
             end = min(
                 end,
                 _smallest_violation_from(evaluator, end, stated=True),
-                key=lambda each: violation_rank(evaluator, each),
+                key=lambda design: violation_rank(evaluator, design),
             )
-    return min(end, start, key=lambda each: violation_rank(evaluator, each))
+    return min(end, start, key=lambda design: violation_rank(evaluator, design))
 
 
 def _smallest_violation_from(evaluator: DesignEvaluator, start: np.ndarray, *, stated: bool) -> np.ndarray:
@@ -222,7 +222,7 @@ def _smallest_violation_from(evaluator: DesignEvaluator, start: np.ndarray, *, s
         return np.hstack([rows, moved[:, None]])
 
     begin = -float(inequalities(np.append(start, 0.0)).min())
-    found = minimize(
+    solution = minimize(
         lambda x: x[-1],
         np.append(start, max(0.0, begin)),
         jac=lambda x: upward,
@@ -231,7 +231,7 @@ def _smallest_violation_from(evaluator: DesignEvaluator, start: np.ndarray, *, s
         method="SLSQP",
         options={"maxiter": 200, "ftol": 1e-12},
     )
-    return np.clip(found.x[:-1], 0.0, 1.0) if np.all(np.isfinite(found.x)) else start
+    return np.clip(solution.x[:-1], 0.0, 1.0) if np.all(np.isfinite(solution.x)) else start
 
 
 def optimality(

@@ -107,7 +107,7 @@ def pareto_front(
             if progress is not None:
                 progress(int(algorithm.n_gen), generations)  # type: ignore[attr-defined]
 
-    found = minimize(
+    front = minimize(
         Vectorised(),
         NSGA2(pop_size=population),
         ("n_gen", generations),
@@ -115,11 +115,11 @@ def pareto_front(
         callback=Report(),
         verbose=False,
     )
-    if found.X is None:
+    if front.X is None:
         raise NoSolutionError(
             "no design meets all limits; use a single objective: the report then names the limits that conflict"
         )
-    scaled = np.atleast_2d(found.X)
+    scaled = np.atleast_2d(front.X)
     objectives, margins = evaluator.many(scaled)
     values = objectives * np.array([goal.sign for goal in problem.objectives])
     order = np.argsort(values[:, 0])

@@ -52,14 +52,14 @@ def neighbours(variable: Variable, value: float) -> tuple[float, ...]:
     """
     assert variable.step is not None
     steps = value / variable.step
-    whole = round(steps)
-    near = {whole} if math.isclose(steps, whole, rel_tol=1e-9) else {math.floor(steps), math.ceil(steps)}
+    nearest = round(steps)
+    near = {nearest} if math.isclose(steps, nearest, rel_tol=1e-9) else {math.floor(steps), math.ceil(steps)}
     low, high = (
         math.ceil(variable.lower / variable.step - 1e-9),
         math.floor(variable.upper / variable.step + 1e-9),
     )
     return tuple(
-        sorted(min(max(each, low), high) * variable.step for each in {min(max(n, low), high) for n in near})
+        sorted(min(max(count, low), high) * variable.step for count in {min(max(n, low), high) for n in near})
     )
 
 
@@ -85,13 +85,13 @@ def rounded_design(
     if not fixed.all():
         promising = tried[:_REFINED]
         count.expect(len(promising))
-        for each in promising:
-            tried.append(local_optimum(evaluator, each, fixed=fixed)[0])
+        for design in promising:
+            tried.append(local_optimum(evaluator, design, fixed=fixed)[0])
             count.step()
 
-    def rank(each: np.ndarray) -> tuple[float, float, float]:
-        lack, violation = violation_rank(evaluator, each)
-        return lack, max(violation, FEASIBLE), float(evaluator(each).objective[0].max())
+    def rank(design: np.ndarray) -> tuple[float, float, float]:
+        lack, violation = violation_rank(evaluator, design)
+        return lack, max(violation, FEASIBLE), float(evaluator(design).objective[0].max())
 
     return min(tried, key=rank), fixed
 
@@ -113,9 +113,9 @@ def shortened_design(
             for variable, key, keep in zip(evaluator.variables, keys, fixed, strict=True)
         }
         place = evaluator.scaled(shorter)
-        found = evaluator(place)
-        if found.violation <= max(FEASIBLE, exact.violation) and np.all(
-            np.abs(found.objective - exact.objective) <= _SAME * size
+        rounded = evaluator(place)
+        if rounded.violation <= max(FEASIBLE, exact.violation) and np.all(
+            np.abs(rounded.objective - exact.objective) <= _SAME * size
         ):
             return shorter, place
     return point, scaled

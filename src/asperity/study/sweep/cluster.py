@@ -36,8 +36,8 @@ _CONNECT_SECONDS = "10s"
 def compute_block(path: str, plan: Plan, index: int) -> int:
     """Compute one block and write it; what a worker runs."""
     use_double_precision()  # the flag does not travel to workers
-    status, found = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
-    write_block(path, plan, index, status, found)
+    status, result_values = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
+    write_block(path, plan, index, status, result_values)
     return index
 
 
@@ -130,7 +130,7 @@ def worker_environment() -> dict[str, str]:
     """Environment of a local worker: double precision, one thread, this process's compilation cache."""
     import jax
 
-    found = {
+    environment = {
         "JAX_ENABLE_X64": "1",
         "OMP_NUM_THREADS": "1",
         **_ALLOCATOR,
@@ -139,7 +139,7 @@ def worker_environment() -> dict[str, str]:
     }
     cache = getattr(jax.config, "jax_compilation_cache_dir", None)
     if cache:
-        found["JAX_COMPILATION_CACHE_DIR"] = str(cache)
-        found["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0"
-        found["JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES"] = "-1"
-    return found
+        environment["JAX_COMPILATION_CACHE_DIR"] = str(cache)
+        environment["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0"
+        environment["JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES"] = "-1"
+    return environment

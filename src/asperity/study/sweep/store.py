@@ -66,7 +66,7 @@ def prepare_store(path: str | Path, plan: Plan) -> list[int]:
 
 
 def write_block(
-    path: str | Path, plan: Plan, index: int, status: np.ndarray, found: dict[str, np.ndarray]
+    path: str | Path, plan: Plan, index: int, status: np.ndarray, result_values: dict[str, np.ndarray]
 ) -> None:
     """Write a computed block, then mark it as complete.
 
@@ -80,7 +80,7 @@ def write_block(
         Number of the block.
     status : ndarray
         Codes, in the shape of the block.
-    found : dict of ndarray
+    result_values : dict of ndarray
         Results, in the shape of the block.
 
     Raises
@@ -93,7 +93,7 @@ def write_block(
     arrays = _arrays(str(path), (made.st_ino, made.st_mtime_ns))
     try:
         arrays["status"][region] = status
-        for name, value in found.items():
+        for name, value in result_values.items():
             arrays[name][(..., *region)] = value
         arrays[MARKS][index] = 1
     except OSError as error:

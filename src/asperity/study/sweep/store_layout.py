@@ -120,10 +120,10 @@ def unfinished_blocks(path: str | Path) -> list[int]:
     """
     marks = store_group(path, "r")[MARKS]
     try:
-        found = np.asarray(marks[:])
+        complete = np.asarray(marks[:])
     except Exception:  # a damaged mark is no mark
-        found = np.array([_mark(marks, index) for index in range(marks.shape[0])])
-    return np.flatnonzero(found != 1).tolist()
+        complete = np.array([_mark(marks, index) for index in range(marks.shape[0])])
+    return np.flatnonzero(complete != 1).tolist()
 
 
 def _mark(marks: Any, index: int) -> int:

@@ -110,8 +110,8 @@ def sweep(
     todo = _Progress(plan, blocks, report)
     if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
         for index in blocks:
-            status, found = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
-            write_block(store, plan, index, status, found)
+            status, result_values = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
+            write_block(store, plan, index, status, result_values)
             todo.finished(index)
     else:
         try:
@@ -169,12 +169,12 @@ def _in_memory(
             report(done, plan.points)
 
     one = dataclasses.replace(plan, block_shape=plan.shape)
-    status, found = block_results(one, one.block(0), report=count)
+    status, result_values = block_results(one, one.block(0), report=count)
     return dataset(
         dimensions=tuple(axis.path for axis in plan.axes),
         coordinates={axis.path: coordinate(axis) for axis in plan.axes},
         status=status,
-        found=found,
+        result_values=result_values,
         table=results_of(plan.values),
         attributes={**common_attributes("sweep of a joint"), PLAN: json.dumps(plan.as_dict())},
     )

@@ -66,26 +66,26 @@ def parse_limit(text: str) -> MapLimit:
     >>> parse_limit("slip_ratio<=0.8")
     MapLimit(name='slip_ratio', at_most=True, limit=0.8)
     """
-    found = re.fullmatch(r"\s*([a-z_0-9]+)\s*(<=|>=|<|>)\s*([^=\s].*?)\s*", text)
-    if found is None:
+    match = re.fullmatch(r"\s*([a-z_0-9]+)\s*(<=|>=|<|>)\s*([^=\s].*?)\s*", text)
+    if match is None:
         raise InputError(f"a limit is NAME<=VALUE or NAME>=VALUE, e.g. 'slip_ratio<=0.8', got {quoted(text)}")
-    name = known_result(found[1], among=tuple(name for name, each in RESULTS.items() if not each.categories))
+    name = known_result(match[1], among=tuple(name for name, row in RESULTS.items() if not row.categories))
     try:
-        value = parse_quantity(found[3], RESULTS[name].dimension)
+        value = parse_quantity(match[3], RESULTS[name].dimension)
     except InputError as error:
         raise InputError(f"limit of {name}: {error}") from None
-    return MapLimit(name, found[2].startswith("<"), value)
+    return MapLimit(name, match[2].startswith("<"), value)
 
 
 def limits_of_the_model(data: xarray.Dataset) -> tuple[MapLimit, ...]:
     """The limits of function and damage by which the results of a sweep are judged."""
-    found = []
+    limits = []
     for name in map(str, data.data_vars):
         limit = RESULTS[name].limit if name in RESULTS else None
         if limit is not None and limit.severity in ("function", "damage"):
             bounds = ((True, limit.highest), (False, limit.lowest))
-            found += [MapLimit(name, upper, bound) for upper, bound in bounds if np.isfinite(bound)]
-    return tuple(found)
+            limits += [MapLimit(name, upper, bound) for upper, bound in bounds if np.isfinite(bound)]
+    return tuple(limits)
 
 
 def draw_map(
@@ -150,14 +150,14 @@ def _levels(known: np.ndarray) -> np.ndarray:
     if low > 0.0 and high > _LOG_RATIO * low:
         for steps in ((1.0, 2.0, 5.0), (1.0, 3.0), (1.0,)):
             # the locator leaves out what lies within the last decade but above all values
-            found = np.asarray(LogLocator(subs=steps, numticks=200).tick_values(0.1 * low, 10.0 * high))
-            inner = found[(found > low) & (found < high)]
+            levels = np.asarray(LogLocator(subs=steps, numticks=200).tick_values(0.1 * low, 10.0 * high))
+            inner = levels[(levels > low) & (levels < high)]
             if inner.size <= 2 * _LEVELS:
-                below, above = found[found <= low], found[found >= high]
+                below, above = levels[levels <= low], levels[levels >= high]
                 return np.concatenate([below[-1:], inner, above[:1]])
         return np.geomspace(low, high, _LEVELS)
-    found = np.asarray(MaxNLocator(_LEVELS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
-    return found[np.append(found[1:] > low, True) & np.append(True, found[:-1] < high)]
+    levels = np.asarray(MaxNLocator(_LEVELS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
+    return levels[np.append(levels[1:] > low, True) & np.append(True, levels[:-1] < high)]
 
 
 def _hatch_failures(panel: Axes, data: xarray.Dataset, x: np.ndarray, y: np.ndarray) -> Iterator[Any]:

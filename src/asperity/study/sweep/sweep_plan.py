@@ -162,16 +162,16 @@ def block_results(
     -------
     status : ndarray
         Codes, in the shape of the block.
-    found : dict of ndarray
+    result_values : dict of ndarray
         Name → values, in the shape of the block, with the contact axis first if there is one.
     """
     values = [axis.values[part] for axis, part in zip(plan.axes, block, strict=True)]
     grid = np.meshgrid(*values, indexing="ij")
     points = {axis.path: column.reshape(-1) for axis, column in zip(plan.axes, grid, strict=True)}
-    status, found = evaluate_points(
+    status, result_values = evaluate_points(
         plan.values, points, plan.results, batch=math.prod(plan.block_shape), **options
     )
     shape = grid[0].shape
     return status.reshape(shape), {
-        name: value.reshape(value.shape[:-1] + shape) for name, value in found.items()
+        name: value.reshape(value.shape[:-1] + shape) for name, value in result_values.items()
     }

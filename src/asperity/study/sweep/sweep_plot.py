@@ -203,7 +203,7 @@ def _map(
 
 
 def _working_point(data: xarray.Dataset, axes: list[str]) -> tuple[float, float] | None:
-    """What the joint file states on both axes, in the units of their labels; None where that lies outside."""
+    """Point of the joint file in the units of the labels; None outside of the axes or without a number on both."""
     joint = json.loads(data.attrs.get(PLAN, "{}")).get("joint")
     here = {}
     for path in axes:

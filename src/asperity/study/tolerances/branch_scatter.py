@@ -92,7 +92,7 @@ def branch_scatter(
     """Draw the sizes of every roller of every branch, and solve them together."""
     if draws < 1:
         raise InputError(f"the number of draws must be at least 1, got {draws}", options=["branches"])
-    found = toleranced_inputs(case, otherwise=distribution)
+    tolerances = toleranced_inputs(case, otherwise=distribution)
     if case.load.interference is None:
         raise InputError(
             "sizes of branches make no preload that a spring holds: give load.interference in place of load.preload"
@@ -100,13 +100,13 @@ def branch_scatter(
     values = si_values(case)
     joint = joint_from_case(case)
     count = round(float(joint.drive.sectors))
-    tracks = toleranced_tracks(values, tuple(found))
-    if not any(each.own for each in tracks):
+    tracks = toleranced_tracks(values, tuple(tolerances))
+    if not any(track.own for track in tracks):
         raise InputError("no roller off the axis has a tolerance of its radius: the branches are equal")
     base, random = deviations_of(values), np.random.default_rng(seed)
     added = np.tile(base.added, (draws, 1, 1))
     for track in tracks:
-        entry, scatter = found[track.path]
+        entry, scatter = tolerances[track.path]
         uniform = random.random((draws, count if track.own else 1))
         added += (quantiles(entry, scatter, uniform) - entry.value)[:, :, None] * track.per_size
     solution = solve_joint(joint)

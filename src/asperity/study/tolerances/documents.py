@@ -13,12 +13,12 @@ if TYPE_CHECKING:
     import xarray
 
 
-def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
+def sensitivity_document(dataset: xarray.Dataset) -> dict[str, Any]:
     """The sensitivities as plain data; what has no value is null.
 
     Parameters
     ----------
-    found : xarray.Dataset
+    dataset : xarray.Dataset
         What :func:`asperity.study.tolerances.sensitivity.sensitivity` returns.
 
     Returns
@@ -26,12 +26,12 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
     dict
         ``inputs`` and ``results``, each result with ``derivative`` and ``elasticity`` by input.
     """
-    inputs = found["input"].values.tolist()
+    inputs = dataset["input"].values.tolist()
     return {
         "inputs": {
             name: {"value": float(value), "unit": str(unit)}
             for name, value, unit in zip(
-                inputs, found["value"].values, found["input_unit"].values, strict=True
+                inputs, dataset["value"].values, dataset["input_unit"].values, strict=True
             )
         },
         "results": {
@@ -48,16 +48,16 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
                     for i, value in zip(inputs, one["elasticity"].values, strict=True)
                 },
             }
-            for name in found["result"].values.tolist()
-            for one in (found.sel(result=name),)
+            for name in dataset["result"].values.tolist()
+            for one in (dataset.sel(result=name),)
         },
     }
 
 
-def failures(found: xarray.Dataset, called: Mapping[str, str]) -> Iterator[str]:
+def failures(dataset: xarray.Dataset, called: Mapping[str, str]) -> Iterator[str]:
     """Sentences about the drives that fail: how many, and which of the results, by what they are called, they lack."""
-    shares = {name: float(found["failed"].sel(result=name)) for name in called}
-    for share in dict.fromkeys(each for each in shares.values() if each > 0.0):
+    shares = {name: float(dataset["failed"].sel(result=name)) for name in called}
+    for share in dict.fromkeys(share for share in shares.values() if share > 0.0):
         lost = ", ".join(word for name, word in called.items() if shares[name] == share)
         yield (
             f"{100.0 * share:.3g} % of the drives fail and have no {lost}: the quantiles count them as the worst, mean "
@@ -65,12 +65,12 @@ def failures(found: xarray.Dataset, called: Mapping[str, str]) -> Iterator[str]:
         )
 
 
-def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
+def uncertainty_document(dataset: xarray.Dataset) -> dict[str, Any]:
     """The intervals and indices as plain data, without the samples; what has no value is null.
 
     Parameters
     ----------
-    found : xarray.Dataset
+    dataset : xarray.Dataset
         What :func:`asperity.study.tolerances.uncertainty.uncertainty` returns.
 
     Returns
@@ -78,7 +78,7 @@ def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
     dict
         ``samples``, ``solved``, ``seed``, ``inputs``, ``results``.
     """
-    inputs = found["input"].values.tolist()
+    inputs = dataset["input"].values.tolist()
     indices = ("first_order", "first_order_half_width", "total_order", "total_order_half_width")
 
     def told(one: xarray.Dataset) -> dict[str, Any]:
@@ -103,16 +103,16 @@ def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
         }
 
     return {
-        "samples": int(found.sizes["sample"]),
-        "solved": int((found["status"] == 0).sum()),
-        "seed": int(found.attrs["seed"]),
+        "samples": int(dataset.sizes["sample"]),
+        "solved": int((dataset["status"] == 0).sum()),
+        "seed": int(dataset.attrs["seed"]),
         "inputs": {
             name: {
-                "tolerance": float(found["tolerance"].values[k]),
-                "unit": str(found["input_unit"].values[k]),
-                "distribution": str(found["distribution"].values[k]),
+                "tolerance": float(dataset["tolerance"].values[k]),
+                "unit": str(dataset["input_unit"].values[k]),
+                "distribution": str(dataset["distribution"].values[k]),
             }
             for k, name in enumerate(inputs)
         },
-        "results": {name: told(found.sel(result=name)) for name in found["result"].values.tolist()},
+        "results": {name: told(dataset.sel(result=name)) for name in dataset["result"].values.tolist()},
     }

@@ -62,16 +62,16 @@ def toleranced_inputs(
         If there is none, or the distribution of one is stated nowhere.
     """
     values = si_values(case)
-    found = {
+    toleranced = {
         path: entry
         for path, entry in numeric_keys(case).items()
         if entry.tolerance > 0.0 and path == paths_of_track(values, path)[0]
     }
-    if not found:
+    if not toleranced:
         raise InputError(
             'the joint file states no tolerances; write them as in sun_radius = "4 mm +- 5 um, uniform"'
         )
-    unstated = [path for path, entry in found.items() if entry.distribution is None]
+    unstated = [path for path, entry in toleranced.items() if entry.distribution is None]
     if unstated and otherwise is None:
         raise InputError(
             f"{', '.join(unstated)}: the file states a tolerance but not its distribution; state one for all of them, "
@@ -79,7 +79,7 @@ def toleranced_inputs(
             f"are {FORMS}",
             options=["distribution"],
         )
-    return {path: (entry, entry.distribution or otherwise) for path, entry in found.items()}  # type: ignore[misc]
+    return {path: (entry, entry.distribution or otherwise) for path, entry in toleranced.items()}  # type: ignore[misc]
 
 
 def quantiles(entry: NumericKey, distribution: Distribution, shares: np.ndarray) -> np.ndarray:
@@ -181,8 +181,8 @@ def uncertainty(
     points = {
         path: quantiles(entry, spread, cube[:, k]) for k, (path, (entry, spread)) in enumerate(inputs.items())
     }
-    codes, found = evaluate_points(tables, points, names, batch=block, report=count)
-    numbers = np.concatenate([np.atleast_2d(found[name]) for name in names])
+    codes, result_values = evaluate_points(tables, points, names, batch=block, report=count)
+    numbers = np.concatenate([np.atleast_2d(result_values[name]) for name in names])
     refuse_failed(case, int(codes[0]))
     mine = slice(1, 1 + samples)
     nominal, sampled, status = numbers[:, 0], numbers[:, mine], codes[mine]
@@ -199,7 +199,7 @@ def uncertainty(
     quantity = np.where(numbered[:, None], sampled, np.nan)
     ends = [worse_end(table[name]) for name in names for _ in table[name].row_names]
     moments = np.full((2, len(rows)), np.nan)
-    for index, known in enumerate(each[~np.isnan(each)] for each in quantity):
+    for index, known in enumerate(row[~np.isnan(row)] for row in quantity):
         if known.size > 1:
             moments[:, index] = known.mean(), known.std(ddof=1)
     failed = np.isnan(sampled).mean(axis=1)
@@ -219,10 +219,10 @@ def uncertainty(
                 ("result", "share"),
                 np.stack(
                     [
-                        quantiles_with_failed(each, shares, worse=end)
+                        quantiles_with_failed(row, shares, worse=end)
                         if named
                         else np.full(shares.size, np.nan)
-                        for each, end, named in zip(quantity, ends, numbered, strict=True)
+                        for row, end, named in zip(quantity, ends, numbered, strict=True)
                     ]
                 ),
                 {
@@ -279,10 +279,10 @@ def _sobol(analyser: Any, problem: dict[str, Any], row: np.ndarray, seed: int) -
     spread = np.ptp(row)
     if not np.isfinite(spread) or spread <= 1e-12 * np.max(np.abs(row)):
         return np.full((4, problem["num_vars"]), np.nan)
-    found = analyser.analyze(
+    indices = analyser.analyze(
         problem, row, calc_second_order=False, num_resamples=_RESAMPLES, conf_level=COVERAGE, seed=seed
     )
-    return np.stack([found[name] for name in ("S1", "S1_conf", "ST", "ST_conf")])
+    return np.stack([indices[name] for name in ("S1", "S1_conf", "ST", "ST_conf")])
 
 
 def worse_end(row: Result) -> Literal["low", "high", ""]:
