@@ -12,6 +12,7 @@ from asperity.cli.document_text import (
     scaled,
     show_branches,
     show_heading,
+    show_law_range,
     show_verdict,
     show_warnings,
 )
@@ -71,7 +72,7 @@ def test_the_heading_states_the_load_in_its_units():
 
 def test_kept_limits_give_no_warning():
     text = shown(show_warnings, {"diagnostics": [entry("slip_ratio", 0.5, "function", "sp", ok=True)]})
-    assert text.strip() == "No warnings: every limit of the model is kept"
+    assert text.strip() == "No warnings: every limit is kept"
 
 
 def test_an_infinite_value_is_no_dash():
@@ -83,10 +84,10 @@ def test_an_infinite_value_is_no_dash():
     ]
     text = shown(show_warnings, {"diagnostics": diagnostics}, width=200)
     assert "Slip ratio with skew infinite at sp (limit 1)" in text
-    assert "largest spot infinite" in text
+    assert "largest spot infinite" in shown(show_law_range, {"diagnostics": diagnostics}, width=200)
 
 
-def test_contacts_of_one_limit_share_a_warning_and_limits_of_the_model_a_line():
+def test_contacts_of_one_limit_share_a_warning_and_the_range_of_the_law_has_a_line():
     diagnostics = [
         entry("slip_ratio", 1.2, "function", "sp"),
         entry("slip_ratio", 1.1, "function", "right_pair"),
@@ -106,9 +107,13 @@ def test_contacts_of_one_limit_share_a_warning_and_limits_of_the_model_a_line():
         "Pressure 2 at every contact (limit 1)",
         "meaning of pressure",
         "What to do: remedy of pressure",
-        "Contact law outside its range: real area up to 6.54, largest spot up to 27.2",
-        "What to do: remedy of real_area",
     ]
+    text = shown(show_law_range, {"diagnostics": diagnostics}, width=200)
+    assert text.strip() == (
+        "published level: the contact law is outside its range, real area up to 6.54, largest spot up to 27.2; "
+        "remedy of real_area"
+    )
+    assert shown(show_law_range, {"diagnostics": diagnostics[:3]}) == ""
 
 
 def text(found):

@@ -219,7 +219,7 @@ def _show(result: DesignResult) -> None:
 
 def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
-    from asperity.cli.document_text import show_warnings
+    from asperity.cli.document_text import show_law_range, show_warnings
     from asperity.cli.terminal import console
     from asperity.study.design.design_result import joint_diagnostics
 
@@ -229,6 +229,7 @@ def _show_warnings(result: DesignResult) -> None:
         click.echo(f"Under the output torque of its file the designed joint has no result: {because}")
         return
     show_warnings(console(), diagnostics)
+    show_law_range(console(), diagnostics)
 
 
 def _show_front_warnings(target: Console, diagnostics: dict[str, Any]) -> None:

@@ -132,37 +132,48 @@ def show_assumptions(target: Console, document: Document) -> None:
 
 
 def show_warnings(target: Console, document: Document) -> None:
-    """Every crossed limit, the most serious first, with what to do; limits of the model alone make one line."""
+    """Every crossed limit, the most serious first, with what to do; the range of the published law is no limit."""
+    crossed, contacts = _crossed(document, model=False)
+    if not crossed:
+        target.print("\nNo warnings: every limit is kept", style="bold")
+        return
+    target.print("\nWarnings, the most serious first", style="bold")
+    for entries in crossed:
+        first = entries[0]
+        beside = first.get("state") or f"limit {first['limit_shown']}"
+        _print_warning(target, f"{first['label']} {_values(entries, contacts)} ({beside})", entries)
+
+
+def show_law_range(target: Console, document: Document) -> None:
+    """Where the published contact law is outside its range, which concerns the published level; or nothing."""
+    crossed, _ = _crossed(document, model=True)
+    if crossed:
+        parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
+        remedy = crossed[0][0]["remedy"]
+        words = f"  published level: the contact law is outside its range, {parts}; {remedy}"
+        print_wrapped(target, words, indent=2)
+        target.print()
+
+
+def _crossed(document: Document, *, model: bool) -> tuple[list[list[Document]], int]:
+    """Crossed limits, those of the published law alone or all others, by their names; and the number of contacts."""
     crossed: dict[tuple[str, str], list[Document]] = {}
     contacts = max(Counter(e["name"] for e in document["diagnostics"] if e["contact"]).values(), default=0)
     for entry in document["diagnostics"]:
-        if not entry["ok"]:
+        if not entry["ok"] and (entry["severity"] == "model") == model:
             crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
-    if not crossed:
-        target.print("\nNo warnings: every limit of the model is kept", style="bold")
-        return
-    target.print("\nWarnings, the most serious first", style="bold")
-    model = [entries for entries in crossed.values() if entries[0]["severity"] == "model"]
-    for entries in crossed.values():
-        if entries[0]["severity"] != "model":
-            first = entries[0]
-            beside = first.get("state") or f"limit {first['limit_shown']}"
-            _print_warning(target, f"{first['label']} {_values(entries, contacts)} ({beside})", entries)
-    if model:
-        parts = [f"{entries[0]['label']} {_largest(entries)}" for entries in model]
-        _print_warning(target, f"contact law outside its range: {', '.join(parts)}", model[0], meaning=False)
+    return list(crossed.values()), contacts
 
 
-def _print_warning(target: Console, heading: str, entries: list[Document], *, meaning: bool = True) -> None:
+def _print_warning(target: Console, heading: str, entries: list[Document]) -> None:
     target.print(
         textwrap.fill(f"  {heading[0].upper()}{heading[1:]}", target.width, subsequent_indent="  "),
         style="yellow",
         markup=False,
         soft_wrap=True,
     )
-    if meaning:
-        for text in dict.fromkeys(entry["meaning"] for entry in entries):
-            print_wrapped(target, f"    {text}", indent=4)
+    for text in dict.fromkeys(entry["meaning"] for entry in entries):
+        print_wrapped(target, f"    {text}", indent=4)
     print_wrapped(target, f"    What to do: {entries[0]['remedy']}", indent=4)
 
 

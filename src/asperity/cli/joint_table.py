@@ -13,6 +13,7 @@ from asperity.cli.document_text import (
     scaled,
     show_assumptions,
     show_heading,
+    show_law_range,
     show_verdict,
     show_warnings,
 )
@@ -67,6 +68,7 @@ def _show_stiffness(target: Console, document: Document) -> None:
     target.print(shown)
     if document["stiffness_unknown_because"]:
         print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
+    show_law_range(target, document)
     interval = document.get("stiffness_interval")
     if interval is None:
         return
