@@ -1,21 +1,25 @@
 """Numbers, sentences and warnings as the commands print them."""
 
+import functools
 import io
 import math
 
 from rich.console import Console
 
 from asperity.cli.document_text import (
+    OF_EVERY_JOINT,
     count,
     in_unit,
     number,
     scaled,
+    show_assumptions,
     show_branches,
     show_heading,
     show_law_range,
     show_verdict,
     show_warnings,
 )
+from asperity.joint_file.assumptions import assumptions
 
 
 def shown(print_it, *arguments, width=80):
@@ -68,6 +72,24 @@ def test_the_heading_states_the_load_in_its_units():
     assert shown(show_heading, document, "joint.toml", width=200).splitlines()[2] == (
         "at 40 degC; assembled at 20 degC with 1500 N (2 um), loose above 73.33 degC"
     )
+
+
+def test_what_is_assumed_in_short_and_in_full(planar_case):
+    """In short what a file leaves out has its name only, and what is so in every joint is left out."""
+    told = assumptions(planar_case("planetary"))
+    assert all(any(sentence.startswith(start) for sentence in told) for start in OF_EVERY_JOINT)
+    document = {"assumptions": [*told, "model.closure_springs = 'bulk': as in the paper's closure"]}
+    full = functools.partial(show_assumptions, in_full=True)
+    lines = [line.strip() for line in shown(full, document, width=2000).splitlines() if line]
+    assert lines == ["Assumed", *document["assumptions"]]
+    short = functools.partial(show_assumptions, in_full=False)
+    heading, names, *others = [
+        line.strip() for line in shown(short, document, width=2000).splitlines() if line
+    ]
+    assert heading == "Assumed (in full with --all)"
+    assert names.startswith("not in the file: section [bearings], bearings.pin_diameter, section [play], ")
+    assert "the bearings have no friction" not in names
+    assert others == [document["assumptions"][-1]]
 
 
 def test_kept_limits_give_no_warning():

@@ -122,7 +122,7 @@ def shown(monkeypatch):
     def show(document):
         stream = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
         monkeypatch.setattr("sys.stdout", stream)
-        show_joint(console(), document, source="joint.toml")
+        show_joint(console(), document, source="joint.toml", in_full=True)
         stream.flush()
         return stream.buffer.getvalue().decode("utf-8").splitlines()
 

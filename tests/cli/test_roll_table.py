@@ -111,7 +111,7 @@ def lines(document):
     from rich.console import Console
 
     target = Console(file=io.StringIO(), width=WIDEST)
-    show_rolling(target, document, source="mine.toml")
+    show_rolling(target, document, source="mine.toml", in_full=True)
     return [" ".join(line.split()) for line in target.file.getvalue().splitlines()]
 
 

@@ -114,7 +114,7 @@ def test_the_tables_name_contacts_members_and_bodies(planetary, tmp_path):
         ),
     ):
         stream = io.StringIO()
-        show(Console(file=stream, width=120), document, source="planetary.toml")
+        show(Console(file=stream, width=120), document, source="planetary.toml", in_full=True)
         assert all(word in stream.getvalue() for word in words)
 
 

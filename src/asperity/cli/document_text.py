@@ -124,11 +124,21 @@ def loading_cam(document: Document) -> str:
     )
 
 
-def show_assumptions(target: Console, document: Document) -> None:
-    """What the file leaves out and what is taken instead."""
-    target.print("\nAssumed", style="bold")
-    for sentence in document["assumptions"]:
-        print_wrapped(target, f"  {sentence}", indent=4)
+#: How the assumptions begin that are those of every joint.
+OF_EVERY_JOINT = ("standing: ", "torque capacity, standing: ", "every track ", "rolling: steady", "life: ")
+
+
+def show_assumptions(target: Console, document: Document, *, in_full: bool) -> None:
+    """What is assumed: in full, or by name what the file leaves out and in full what is not so in every joint."""
+    told = document["assumptions"]
+    target.print(f"\nAssumed{'' if in_full else ' (in full with --all)'}", style="bold")
+    left_out = [] if in_full else [sentence for sentence in told if sentence.startswith("no ")]
+    if left_out:
+        names = ", ".join(sentence.partition(":")[0].removeprefix("no ") for sentence in left_out)
+        print_wrapped(target, f"  not in the file: {names}", indent=4)
+    for sentence in told:
+        if in_full or not (sentence in left_out or sentence.startswith(OF_EVERY_JOINT)):
+            print_wrapped(target, f"  {sentence}", indent=4)
 
 
 def show_warnings(target: Console, document: Document) -> None:

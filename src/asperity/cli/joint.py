@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
 )
+@click.option("--all", "in_full", is_flag=True, help="Print everything that is assumed, in full.")
 @click.option(
     "--surface",
     "surfaces",
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
     type=click.Path(dir_okay=False),
     help="Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.",
 )
-def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
+def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured D and G take the
@@ -67,7 +68,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         errors = _size_errors(solved)
         write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
-    _show(document, file, as_json)
+    _show(document, file, as_json=as_json, in_full=in_full)
 
 
 def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:
@@ -95,14 +96,14 @@ def _interval(case: Case, described: Joint, measured: SurfaceMeasurement | None)
     }
 
 
-def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
+def _show(document: dict[str, Any], file: str, *, as_json: bool, in_full: bool) -> None:
     if as_json:
         print_json(document)
         return
     from asperity.cli.joint_table import show_joint
     from asperity.cli.terminal import console
 
-    show_joint(console(), document, source=file)
+    show_joint(console(), document, source=file, in_full=in_full)
     if "branches" in document:
         from asperity.cli.document_text import show_branches
 

@@ -35,7 +35,7 @@ Document = dict[str, Any]
 Rows = tuple[tuple[str, str], ...]
 
 
-def show_joint(target: Console, document: Document, *, source: str) -> None:
+def show_joint(target: Console, document: Document, *, source: str, in_full: bool) -> None:
     """Print what a joint document says."""
     show_heading(target, document, source)
     show_verdict(target, document)
@@ -45,7 +45,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
     _show_drive(target, document)
     _show_budget(target, document)
     show_warnings(target, document)
-    show_assumptions(target, document)
+    show_assumptions(target, document, in_full=in_full)
 
 
 def _show_stiffness(target: Console, document: Document) -> None:

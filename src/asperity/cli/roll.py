@@ -27,7 +27,8 @@ _WIDTH = 10.0  # of the picture [in]
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
 )
-def roll(file: str, plot_file: str | None, as_json: bool) -> None:
+@click.option("--all", "in_full", is_flag=True, help="Print everything that is assumed, in full.")
+def roll(file: str, plot_file: str | None, as_json: bool, in_full: bool) -> None:
     """Drift, losses, axial thrust and life of the joint described in FILE when it turns.
 
     Rollers that pass torque creep: the output falls behind with every turn, however stiff the joint is. The sections
@@ -48,7 +49,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
         refuse_no_rolling(solved.joint, solved.solution)
     if plot_file:
         _draw(solved, document, file, plot_file)
-    _show(document, file, as_json)
+    _show(document, file, as_json=as_json, in_full=in_full)
 
 
 def _capacity(document: dict[str, Any]) -> float:
@@ -73,14 +74,14 @@ def _draw(solved: SolvedJoint, document: dict[str, Any], file: str, plot_file: s
     say_written(plot_file)
 
 
-def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
+def _show(document: dict[str, Any], file: str, *, as_json: bool, in_full: bool) -> None:
     if as_json:
         print_json(document)
         return
     from asperity.cli.roll_table import show_rolling
     from asperity.cli.terminal import console
 
-    show_rolling(console(), document, source=file)
+    show_rolling(console(), document, source=file, in_full=in_full)
     if "branches" in document:
         from asperity.cli.document_text import show_branches
 

@@ -27,7 +27,7 @@ Document = dict[str, Any]
 _CAUSES = ("creep", "skew", "hysteresis", "oil")
 
 
-def show_rolling(target: Console, document: Document, *, source: str) -> None:
+def show_rolling(target: Console, document: Document, *, source: str, in_full: bool) -> None:
     """Print what a joint document says about the joint that turns."""
     show_heading(target, document, source)
     show_verdict(target, document)
@@ -38,7 +38,7 @@ def show_rolling(target: Console, document: Document, *, source: str) -> None:
     _show_thrust(target, document)
     _show_life(target, document)
     show_warnings(target, document)
-    show_assumptions(target, document)
+    show_assumptions(target, document, in_full=in_full)
 
 
 def _show_output(target: Console, document: Document) -> None:
