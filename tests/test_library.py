@@ -79,6 +79,7 @@ def test_own_file_adds_and_replaces(tmp_path):
         ("hardness_factor = 2.8", "", "exactly one of"),
         ("poisson_ratio = 0.34", "", "'poisson_ratio' is missing"),
         ("poisson_ratio", "poison_ratio", "unknown key 'poison_ratio'"),
+        ("poisson_ratio", "also = 'CuSn12'\npoisson_ratio", "also: expected a list of names, got 'CuSn12'"),
     ],
 )
 def test_bad_entries(tmp_path, old, new, message):
@@ -110,6 +111,26 @@ def test_joint_files_take_materials_by_name(tmp_path):
     assert same == missing
     assert list(refused) == ["materials.a", "materials.b"]
     assert refused["materials.a"].startswith("materials.a.library: there is no material 'x9'; known are ")
+
+
+def test_a_designation_of_another_standard_names_the_material(tmp_path):
+    tables = {"bodies": {"sun": "1.3505", "planet": "100cr6", "ring": "SUS 440C"}, "materials": {}}
+    filled, refused = fill_in_materials(tables, folder=tmp_path)
+    assert (filled["bodies"], refused) == ({"sun": "52100", "planet": "52100", "ring": "440C"}, {})
+    assert list(filled["materials"]) == ["52100", "440C"]
+    entry = {"library": "X105CrMo17", "yield_strength": "1500 MPa"}
+    filled, _ = fill_in_materials({"materials": {"hard": entry}, "bodies": {"sun": "hard"}}, folder=tmp_path)
+    assert filled["materials"]["hard"] == dict(read_materials()["440C"].numbers) | {
+        "yield_strength": "1500 MPa"
+    }
+    # the file's own 52100 is not that of the standards
+    own = {"materials": {"52100": {"youngs_modulus": "1 GPa"}}, "bodies": {"sun": "100Cr6"}}
+    assert fill_in_materials(own, folder=tmp_path)[0] == own
+
+
+def test_no_designation_names_two_materials():
+    names = [name for material in read_materials().values() for name in (material.name, *material.also)]
+    assert len(set(map(str.lower, names))) == len(names)
 
 
 @pytest.mark.parametrize(

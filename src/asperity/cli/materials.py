@@ -24,12 +24,13 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
     from dataclasses import asdict
 
     from asperity.errors import InputError, nearest
-    from asperity.library import Finish, read_finishes, read_materials
+    from asperity.library import Finish, library_name, read_finishes, read_materials
 
     materials, finishes = read_materials(file), read_finishes(finishes_file)
     if file is not None:
         _check_numbers(file, materials)
     if name is not None:
+        name = library_name(name, materials) or name
         if name not in materials and name not in finishes:
             known = [*materials, *finishes]
             hint = nearest(name, known) or f"; it contains {', '.join(known)}"
@@ -70,8 +71,10 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
         target.print(shown)
     entries: list[LibraryMaterial | Finish] = [*materials.values(), *finishes.values()]
     for entry in entries:
+        also = ", ".join(getattr(entry, "also", ()))
+        names = f"{entry.name} ({also})" if also else entry.name
         target.print(
-            f"{entry.name}: {entry.description}. Source: {entry.reference}. {entry.note}".rstrip(),
+            f"{names}: {entry.description}. Source: {entry.reference}. {entry.note}".rstrip(),
             markup=False,
         )
 

@@ -38,7 +38,12 @@ def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
 
 def _offer_library(schema: Schema) -> None:
     """Add what :func:`asperity.library.fill_in_materials` fills in before the model sees the file."""
-    names = {"enum": list(read_materials()), "description": "A material of the library: asperity materials."}
+    library = read_materials()
+    designations = [name for material in library.values() for name in material.also]
+    names = {
+        "enum": [*library, *designations],
+        "description": "A material of the library: asperity materials.",
+    }
     schema["required"].remove("materials")  # bodies may name the library's
     materials = schema["properties"]["materials"]
     del materials["minProperties"]

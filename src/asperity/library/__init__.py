@@ -24,6 +24,7 @@ __all__ = [
     "Finish",
     "LibraryMaterial",
     "fill_in_materials",
+    "library_name",
     "read_finishes",
     "read_materials",
 ]
@@ -46,6 +47,8 @@ _MATERIAL_NUMBERS = {
 }
 _MATERIAL_NEEDS = ("youngs_modulus", "poisson_ratio", "density", "yield_strength")
 _WORDS = ("description", "reference", "note")
+#: Other designations of a material.
+_ALSO = "also"
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,8 @@ class LibraryMaterial:
         Name, description, source and remark.
     numbers : dict
         Keys of a material section of a joint file → text with units.
+    also : tuple of str
+        Its designations in other standards.
     """
 
     name: str
@@ -65,6 +70,7 @@ class LibraryMaterial:
     reference: str
     note: str
     numbers: dict[str, Any]
+    also: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -176,12 +182,17 @@ def _materials(extension: str | Path | None) -> dict[str, LibraryMaterial]:
     with _naming(extension):
         for name, entry in tables.items():
             words = _words(name, entry)
-            numbers = {key: value for key, value in entry.items() if key not in _WORDS}
+            numbers = {key: value for key, value in entry.items() if key not in (*_WORDS, _ALSO)}
+            also = entry.get(_ALSO, [])
+            if not isinstance(also, list) or not all(isinstance(alias, str) for alias in also):
+                raise InputError(
+                    f"library entry {name}: {_ALSO}: expected a list of names, got {quoted(also)}"
+                )
             for key, value in numbers.items():
                 if key not in _MATERIAL_NUMBERS:
                     raise InputError(
                         f"library entry {name}: unknown key '{key}'; known are "
-                        f"{', '.join((*_MATERIAL_NUMBERS, *_WORDS))}"
+                        f"{', '.join((*_MATERIAL_NUMBERS, *_WORDS, _ALSO))}"
                     )
                 try:
                     parse_quantity(value, _MATERIAL_NUMBERS[key])
@@ -194,8 +205,34 @@ def _materials(extension: str | Path | None) -> dict[str, LibraryMaterial]:
                 raise InputError(
                     f"library entry {name}: exactly one of 'hardness' and 'hardness_factor' is needed"
                 )
-            materials[name] = LibraryMaterial(name=name, numbers=numbers, **words)
+            materials[name] = LibraryMaterial(name=name, numbers=numbers, also=tuple(also), **words)
     return materials
+
+
+def library_name(name: str, library: Mapping[str, LibraryMaterial]) -> str | None:
+    """The name under which a library has a material of this name or designation; None where it has none.
+
+    Parameters
+    ----------
+    name : str
+        Its name, or one of its designations in other standards, of which capitals, blanks and hyphens do not count.
+    library : mapping
+        Name → material, of :func:`read_materials`.
+
+    Returns
+    -------
+    str or None
+        A key of the library.
+    """
+    if name in library:
+        return name
+    names = {_plain(alias): material.name for material in library.values() for alias in material.also}
+    return names.get(_plain(name))
+
+
+def _plain(name: str) -> str:
+    """A name without capitals, blanks and hyphens."""
+    return name.lower().replace(" ", "").replace("-", "")
 
 
 def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float, float]:
@@ -290,8 +327,8 @@ def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[
 
     ``materials.NAME = {library = "52100"}`` refers to an entry, further keys replace single values, ``file =
     "my.toml"`` names a library file of the user, relative to the folder. If the file does not define the material of
-    a body, it is taken from the library. What was refused says by the dotted path of a material why its entry was not
-    found; its table is left unchanged.
+    a body, it is taken from the library, of whichever name or designation. What was refused says by the dotted path of
+    a material why its entry was not found; its table is left unchanged.
     """
     refused: dict[str, str] = {}
     materials = tables.get("materials", {})
@@ -306,10 +343,13 @@ def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[
             except InputError as error:
                 refused[f"materials.{name}"] = f"materials.{name}.{error}"
     wanted = [name for name in bodies.values() if isinstance(name, str) and name not in filled]
-    if wanted:
-        library = read_materials()
-        filled.update({name: dict(library[name].numbers) for name in wanted if name in library})
-    return ({**tables, "materials": filled} if filled else dict(tables)), refused
+    if not wanted:
+        return ({**tables, "materials": filled} if filled else dict(tables)), refused
+    library = read_materials()
+    known = {name: key for name in wanted if (key := library_name(name, library)) and key not in materials}
+    filled.update({key: dict(library[key].numbers) for key in known.values()})
+    named = {body: known.get(name, name) if isinstance(name, str) else name for body, name in bodies.items()}
+    return ({**tables, "materials": filled, "bodies": named} if filled else dict(tables)), refused
 
 
 def _from_library(entry: dict[str, Any], folder: Path) -> dict[str, Any]:
@@ -321,11 +361,12 @@ def _from_library(entry: dict[str, Any], folder: Path) -> dict[str, Any]:
         library = read_materials(folder / entry["file"] if "file" in entry else None)
     except InputError as error:
         raise InputError(f"file: {error}") from None
-    if entry["library"] not in library:
+    name = library_name(entry["library"], library)
+    if name is None:
         raise InputError(
             f"library: there is no material {quoted(entry['library'])}; known are {', '.join(library)}"
         )
-    numbers = dict(library[entry["library"]].numbers)
+    numbers = dict(library[name].numbers)
     if "hardness" in stated or "hardness_factor" in stated:
         numbers.pop("hardness", None)
         numbers.pop("hardness_factor", None)
