@@ -59,16 +59,18 @@ def test_the_table_has_the_units_of_the_result_and_of_the_file(capsys):
     arcminute = math.pi / 10800.0
     ranked = xarray.Dataset(
         {
-            "value": ("input", [0.02]),
-            "elasticity": ("input", [-4.0]),
-            "derivative": ("input", [-2.0 * arcminute / 1e-3]),
+            "value": ("input", [0.02, 7800.0]),
+            "elasticity": ("input", [-4.0, 0.0]),
+            "derivative": ("input", [-2.0 * arcminute / 1e-3, 0.0]),
             "result_value": 10.0 * arcminute,
             "result_name": "drift of the output",
         },
-        coords={"input": ["drive.planet_radius"], "result": "drift"},
+        coords={"input": ["drive.planet_radius", "materials.steel.density"], "result": "drift"},
     )
     _show(ranked)
     text = capsys.readouterr().out
     assert "drift of the output: 10 arcmin" in text
     assert "derivative [arcmin]" in text
-    assert text.rstrip().endswith("-2 per mm")
+    rows, _, others = text.rstrip().partition("no effect: ")
+    assert rows.rstrip().endswith("-2 per mm")
+    assert others == "materials.steel.density"

@@ -57,7 +57,7 @@ class DescribedJoint(Shown):
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The checked content of the joint file.
     source : str
         Where it comes from, for titles and messages.

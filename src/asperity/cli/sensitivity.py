@@ -69,6 +69,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
 
 def _show(ranked: xarray.Dataset) -> None:
+    from asperity.cli.document_text import print_wrapped
     from asperity.cli.terminal import console, table
     from asperity.joint_file.si_tables import key_at
     from asperity.results import display_unit
@@ -82,8 +83,12 @@ def _show(ranked: xarray.Dataset) -> None:
     rows = table(
         target, title, "number of the file", "value", "elasticity", f"derivative [{shown_unit or '-'}]"
     )
+    without_effect = []
     for path in ranked["input"].values.tolist():
         one = ranked.sel(input=path)
+        if float(one["derivative"]) == 0.0:
+            without_effect.append(path)
+            continue
         key = key_at(path)
         per = "" if key.unit == "1" else f" per {key.unit}".replace("*", "·")
         elasticity = float(one["elasticity"])
@@ -95,5 +100,7 @@ def _show(ranked: xarray.Dataset) -> None:
             "-" if np.isnan(derivative) else f"{format_quantity(derivative + 0.0, '1', 5)}{per}",
         )
     target.print(rows)
+    if without_effect:
+        print_wrapped(target, f"no effect: {', '.join(without_effect)}", indent=2)
     if not np.isfinite(value):
         click.echo("the result is infinite: no torque makes a contact slip, and it has no derivatives")

@@ -190,7 +190,7 @@ def check_axes(case: AnyCase, axes: Sequence[SweepAxis]) -> None:
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     axes : sequence of Axis
         The axes.

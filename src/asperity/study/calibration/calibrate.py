@@ -126,7 +126,7 @@ def calibrate(
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     measurements : tuple of Measurement
         The data: one curve, or one of the joint at rest and one of the joint that turns.

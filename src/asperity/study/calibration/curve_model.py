@@ -40,7 +40,7 @@ class CurveModel:
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     measurement : Measurement
         Torques, times and repetitions of the data, and what was measured.

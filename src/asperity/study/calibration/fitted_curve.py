@@ -94,7 +94,7 @@ class JoinedCurves:
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     measurements : tuple of Measurement
         The data.

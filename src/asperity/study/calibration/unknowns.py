@@ -45,7 +45,7 @@ def read_unknowns(
     texts : iterable of str
         ``KEY`` or ``KEY=LOWER:UPPER`` with units, for example ``load.preload=500 N:2000 N``; a key is a number of
         the joint file, or ``offset``, ``drift``.
-    case : PlanarCase
+    case : Case
         The joint file. Its value is the first guess; without bounds, five times it and a fifth of it are the bounds
         (1.05 to 1.95 for a fractal dimension).
     measurements : tuple of Measurement

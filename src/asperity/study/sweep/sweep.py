@@ -53,7 +53,7 @@ def sweep(
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     axes : sequence of Axis or ListedAxis
         What is varied, a dimension for each; :func:`asperity.study.parameters.parse_axis` reads them from text.

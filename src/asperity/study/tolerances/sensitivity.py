@@ -54,7 +54,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     results : sequence of str, optional
         Names of results of the drive, :func:`asperity.joint_file.any_joint.results_of`; by default

@@ -46,7 +46,7 @@ def toleranced_inputs(
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file.
     otherwise : Distribution or None
         Distribution of those whose distribution the file does not state.
@@ -109,7 +109,7 @@ def uncertainty(
 
     Parameters
     ----------
-    case : PlanarCase
+    case : Case
         The joint file, with tolerances.
     results : sequence of str, optional
         Results or groups of them; by default those of :data:`DEFAULT_RESULTS` that the drive has.
