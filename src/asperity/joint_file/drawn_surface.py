@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+import jax
 import numpy as np
 
 from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS
@@ -14,6 +15,7 @@ from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.section_build import rms_height_of_average
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH, replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.units import format_quantity
@@ -74,8 +76,8 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     dict or None
         As :func:`asperity.joint.measured_surface.stiffness_interval`, with the smallest and the largest value in place
         of percentiles; ``surfaces``: path → the ranges of D and Ra; and ``words``, the same in sentences.
-        None where no surface is stated by its Ra or by its rms_height; of the latter, the ends are those of the
-        contact law's own error.
+        None where no surface is stated by its Ra or by its rms_height. With the exponential contact law the ends hold
+        its own error: :data:`asperity.contact.exponential.OVER_BOUNDARY_ELEMENTS`.
 
     Notes
     -----
@@ -83,9 +85,9 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %; likewise
     that of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
     """
-    entries, heights = surfaces_by_average(case), _surfaces_by_height(case)
-    if heights:
-        return _interval_by_height(case, heights)
+    if case.contact_law() == "exponential":
+        return _interval_by_height(case)
+    entries = surfaces_by_average(case)
     if not entries:
         return None
     across, along = np.meshgrid(np.linspace(-1.0, 1.0, DIMENSIONS), np.linspace(-1.0, 1.0, AVERAGES))
@@ -125,27 +127,58 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     }
 
 
-def _surfaces_by_height(case: Case) -> dict[str, Quantity]:
-    """The surfaces of a joint file that are stated by the rms of their heights."""
-    return {path: entry.rms_height for path, entry in _entries(case) if entry.rms_height is not None}
+def _ends_of_heights(case: Case) -> dict[str, tuple[float, float, float]]:
+    """Lower end, middle and upper end of the rms of the heights of every surface [m]."""
+    ends = {}
+    for path, entry in _entries(case):
+        values = si_values(entry)
+        if entry.rms_height is not None:
+            middle, half = entry.rms_height.value, entry.rms_height.tolerance
+            ends[path] = (middle - half, middle, middle + half)
+        else:
+            stated = entry.fractal_dimension
+            assert stated is not None
+            dimension = stated.value + stated.tolerance * np.array([-1.0, 0.0, 1.0])
+            averages = {
+                key: each.value + float(np.max(_half_width(each, dimension))) * np.array([-1.0, 0.0, 1.0])
+                for key in (_AVERAGE, _PARTNER)
+                if (each := getattr(entry, key)) is not None
+            }
+            low, middle, high = (float(each) for each in rms_height_of_average(values | averages))
+            ends[path] = (low, middle, high)
+    return ends
 
 
-def _interval_by_height(case: Case, heights: dict[str, Quantity]) -> dict[str, Any]:
-    """Both ends of the contact law's error, with the tolerance of the heights."""
-    least, most = OVER_BOUNDARY_ELEMENTS
-    changes, told = {}, []
-    for path, height in heights.items():
-        ends = least * (height.value - height.tolerance), most * (height.value + height.tolerance)
-        changes[f"{path}.rms_height"] = np.array(ends)
-        told.append(f"{path}.rms_height {' to '.join(format_quantity(each, 'um', 3) for each in ends)}")
+def _interval_by_height(case: Case) -> dict[str, Any]:
+    """Both ends of the contact law's error, of what the file leaves open of the heights, and of both together."""
+    heights, (least, most) = _ends_of_heights(case), OVER_BOUNDARY_ELEMENTS
+    changes = {
+        f"{path}.rms_height": np.array([least * low, most * high, least * middle, most * middle, low, high])
+        for path, (low, middle, high) in heights.items()
+    }
     values = replace_values(si_values(case), changes)
-    result = over_surfaces(joint_from_case(case), joint_from_values(values).surfaces, shape=(2,))
+    result = over_surfaces(joint_from_case(case), joint_from_values(values).surfaces, shape=(6,))
+    both, law, roughness = (
+        result_ends(
+            jax.tree.map(lambda leaf, k=k: leaf[k : k + 2], result),
+            shape=(2,),
+            percentiles=(0.0, 100.0),
+            least_usable=1.0,
+        )
+        for k in (0, 2, 4)
+    )
+    told = [
+        f"{path} {middle} ({low} to {high})"
+        for path, ends in heights.items()
+        for low, middle, high in [[format_quantity(each, "um", 3) for each in ends]]
+    ]
     return {
         "states": 2,
-        **result_ends(result, shape=(2,), percentiles=(0.0, 100.0), least_usable=1.0),
-        "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"].tolist()} for path in heights},
+        **both,
+        "parts": {"contact_law": law, "rms_height": roughness},
+        "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"][:2].tolist()} for path in heights},
         "title": "Interval of the contact law, and of rms_height",
-        "words": f"The ends are those of {', '.join(told)}: the law is {least:g} to {most:g} times as stiff as "
+        "words": f"The rms of the heights: {', '.join(told)}. The law is {least:g} to {most:g} times as stiff as "
         "boundary elements on measured surfaces, elastic, in nine cases of ten; plastic spots make contacts stiffer, "
         "up to four times at a hardness of 1.26 GPa. All other values are those of the file.",
     }
