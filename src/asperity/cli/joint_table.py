@@ -101,11 +101,12 @@ def _show_stiffness(target: Console, document: Document) -> None:
 
 
 def _interval_title(document: Document) -> str:
-    measured = document.get("measured_surface")
-    if measured is None:
-        return str(document["stiffness_interval"]["title"])
+    interval = document["stiffness_interval"]
+    if "title" in interval:
+        return str(interval["title"])
+    measured = document["measured_surface"]
     return (
-        f"{document['stiffness_interval']['confidence']:.0%} interval from the measured surface "
+        f"{interval['confidence']:.0%} interval from the measured surface "
         f"(D = {measured['fractal_dimension']:.3f}, G = {in_unit(measured['fractal_roughness_m'], 'mm')})"
     )
 

@@ -23,6 +23,8 @@ from asperity.units import format_quantity
 if TYPE_CHECKING:
     from asperity.surface.measurement import SurfaceMeasurement
 
+#: Path of a surface → lower end, middle and upper end of the rms of its heights [m].
+Ends = dict[str, tuple[float, float, float]]
 #: Values of D between the ends of its range, and of Ra between the ends of its scatter.
 DIMENSIONS, AVERAGES = 15, 5
 _AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
@@ -86,7 +88,7 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     that of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
     """
     if case.contact_law() == "exponential":
-        return _interval_by_height(case)
+        return interval_of_heights(case, _ends_of_heights(case))
     entries = surfaces_by_average(case)
     if not entries:
         return None
@@ -127,9 +129,9 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     }
 
 
-def _ends_of_heights(case: Case) -> dict[str, tuple[float, float, float]]:
+def _ends_of_heights(case: Case) -> Ends:
     """Lower end, middle and upper end of the rms of the heights of every surface [m]."""
-    ends = {}
+    ends: Ends = {}
     for path, entry in _entries(case):
         values = si_values(entry)
         if entry.rms_height is not None:
@@ -149,9 +151,23 @@ def _ends_of_heights(case: Case) -> dict[str, tuple[float, float, float]]:
     return ends
 
 
-def _interval_by_height(case: Case) -> dict[str, Any]:
-    """Both ends of the contact law's error, of what the file leaves open of the heights, and of both together."""
-    heights, (least, most) = _ends_of_heights(case), OVER_BOUNDARY_ELEMENTS
+def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
+    """Intervals of stiffness and drift by the exponential contact law, from its error and that of the heights.
+
+    Parameters
+    ----------
+    case : Case
+        A joint file with this law.
+    heights : dict of str to tuple
+        Path of a surface → lower end, middle and upper end of the rms of its heights [m].
+
+    Returns
+    -------
+    dict
+        As :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law``
+        and ``rms_height``.
+    """
+    least, most = OVER_BOUNDARY_ELEMENTS
     changes = {
         f"{path}.rms_height": np.array([least * low, most * high, least * middle, most * middle, low, high])
         for path, (low, middle, high) in heights.items()
@@ -167,21 +183,31 @@ def _interval_by_height(case: Case) -> dict[str, Any]:
         )
         for k in (0, 2, 4)
     )
-    told = [
-        f"{path} {middle} ({low} to {high})"
+    contacts = [
+        f"{path.removeprefix('surface.')} {middle} ({low} to {high})"
         for path, ends in heights.items()
         for low, middle, high in [[format_quantity(each, "um", 3) for each in ends]]
     ]
+    ratios = [(least * low / middle, most * high / middle) for low, middle, high in heights.values()]
+    stiffest, softest = 1.0 / min(low for low, _ in ratios), 1.0 / max(high for _, high in ratios)
     return {
         "states": 2,
         **both,
         "parts": {"contact_law": law, "rms_height": roughness},
         "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"][:2].tolist()} for path in heights},
-        "title": "Interval of the contact law, and of rms_height",
-        "words": f"The rms of the heights: {', '.join(told)}. The law is {least:g} to {most:g} times as stiff as "
-        "boundary elements on measured surfaces, elastic, in nine cases of ten; plastic spots make contacts stiffer, "
-        "up to four times at a hardness of 1.26 GPa. All other values are those of the file.",
+        "title": "Interval of the contact law, and of the rms of the heights",
+        "words": f"Of the assembled stiffness {_ends_in_words(law)} by the error of the law alone, "
+        f"{_ends_in_words(roughness)} by that of the heights alone; K_n and K_t of the asperities from {softest:.2g} "
+        f"to {stiffest:.2g} times those below by both. The rms of the heights: {', '.join(contacts)}. The law is "
+        f"{least:g} to {most:g} times as stiff as boundary elements on measured surfaces, elastic, in nine cases of "
+        "ten; plastic spots make contacts stiffer, up to four times at a hardness of 1.26 GPa. All other values are "
+        "those of the file.",
     }
+
+
+def _ends_in_words(interval: dict[str, Any]) -> str:
+    low, high = (interval["assembly"][f"{end}_Nm_per_rad"] for end in ("low", "high"))
+    return "no value" if low is None else f"{low:.4g} to {high:.4g} N·m/rad"
 
 
 def _words(interval: dict[str, Any]) -> str:

@@ -64,8 +64,8 @@ export class Uploads {
   measured(found, file, units) {
     const measured = found.document;
     const notes = (measured.files || []).flatMap((each) => each.notes);
-    if (measured.refused !== undefined) {
-      this.show(found.name, [element("p", { class: "fail" }, `No D and G: ${measured.refused}`), ...notes.map((text) => element("p", { class: "note" }, text)), this.units(file, units)]);
+    if (measured.no_power_law !== undefined) {
+      this.show(found.name, [element("p", { class: "fail" }, `No D and G: ${measured.no_power_law}. 'asperity surface measure --json' and 'asperity joint --surface' make a joint of its spectrum.`), ...notes.map((text) => element("p", { class: "note" }, text)), this.units(file, units)]);
       this.take.say("The surface has no power law; see the message.");
       return;
     }
