@@ -54,7 +54,9 @@ def roughness_document(roughness: MeasuredRoughness) -> dict[str, Any]:
         }
     else:
         document = measurement_document(measurement=roughness.fractal)
-    return {**document, "spectra": [each.document() for each in roughness.spectra]}
+    if roughness.spectra:
+        document["spectra"] = [each.document() for each in roughness.spectra]
+    return document
 
 
 def roughness_from_document(document: Any) -> MeasuredRoughness:
