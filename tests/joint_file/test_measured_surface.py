@@ -146,6 +146,24 @@ def test_the_interval_has_the_part_of_the_law_and_that_of_the_measurement(exampl
 
 
 @pytest.mark.slow
+def test_stiffness_of_the_asperities_at_the_ends_by_hand(example_case):
+    """K_n = N/(0.48 h), of preloads that the surfaces do not move: h from 0.39 to 1.24 times its own ends."""
+    made = case_with_surface(example_case, roughness(profile_spectrum("rolling")))
+    result = solve_joint(joint_from_case(made.case)).result
+    ends = made.interval(None)["contacts"]["sp"]
+    low, middle, high = made.heights["surface.sp"]
+    force, stiffness = float(result.forces.normal[0]), np.asarray(result.contacts.normal_stiffness)[0]
+    assert stiffness == pytest.approx(force / (0.48 * middle), rel=1e-9)
+    for part, (least, most) in {
+        "both": (0.39 * low, 1.24 * high), "contact_law": (0.39 * middle, 1.24 * middle), "rms_height": (low, high),
+    }.items():  # fmt: skip
+        expected = [force / (0.48 * most), force / (0.48 * least)]
+        assert ends["asperity_normal_stiffness_N_per_m"][part] == pytest.approx(expected, rel=0.02)
+        ratio = np.divide(ends["asperity_tangential_stiffness_N_per_m"][part], expected)
+        assert ratio == pytest.approx(float(result.contacts.tangential_stiffness[0]) / stiffness, rel=0.02)
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["planetary", "planar", "multiroller"])
 def test_two_bodies_in_every_drive(planar_case, kind):
     """The mean squares of two bodies add: of heights in the ratio 3 to 4 the pair has 5."""

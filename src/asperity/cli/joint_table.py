@@ -19,11 +19,13 @@ from asperity.cli.document_text import (
 from asperity.cli.terminal import table
 from asperity.joint.torque_limits import first_slip_words, may_carry_more
 from asperity.results.document import (
+    INTERVAL_HEADS,
     LEVEL_WORDS,
     NO_SHARE,
     budget_words,
     has_elastic_bodies,
     input_member,
+    interval_rows,
     stiffness_rows,
 )
 
@@ -88,6 +90,12 @@ def _show_stiffness(target: Console, document: Document) -> None:
         f"  drift from {in_unit(low, 'arcmin')} to {in_unit(high, 'arcmin')} per output turn\n",
         indent=2,
     )
+    rows = interval_rows(interval)
+    if rows:
+        asperities = table(target, "Its contacts", *INTERVAL_HEADS)
+        for row in rows:
+            asperities.add_row(*row)
+        target.print(asperities)
     if "surfaces" in interval:
         print_wrapped(target, f"  {interval['words']}\n", indent=2)
     elif interval["outside"] or interval["unsolved"] or interval["all_plastic"]:

@@ -9,11 +9,13 @@ import jax
 import numpy as np
 
 from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS
+from asperity.joint.evaluation import JointResult
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.joint_file import limits
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section_build import rms_height_of_average
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH, replace_values, si_values
@@ -165,7 +167,7 @@ def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
     -------
     dict
         As :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law``
-        and ``rms_height``.
+        and ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
     """
     least, most = OVER_BOUNDARY_ELEMENTS
     changes = {
@@ -183,31 +185,49 @@ def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
         )
         for k in (0, 2, 4)
     )
-    contacts = [
+    told = [
         f"{path.removeprefix('surface.')} {middle} ({low} to {high})"
         for path, ends in heights.items()
         for low, middle, high in [[format_quantity(each, "um", 3) for each in ends]]
     ]
-    ratios = [(least * low / middle, most * high / middle) for low, middle, high in heights.values()]
-    stiffest, softest = 1.0 / min(low for low, _ in ratios), 1.0 / max(high for _, high in ratios)
     return {
         "states": 2,
         **both,
         "parts": {"contact_law": law, "rms_height": roughness},
+        "contacts": _asperity_ends(result, contacts_of(values)),
         "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"][:2].tolist()} for path in heights},
         "title": "Interval of the contact law, and of the rms of the heights",
         "words": f"Of the assembled stiffness {_ends_in_words(law)} by the error of the law alone, "
-        f"{_ends_in_words(roughness)} by that of the heights alone; K_n and K_t of the asperities from {softest:.2g} "
-        f"to {stiffest:.2g} times those below by both. The rms of the heights: {', '.join(contacts)}. The law is "
-        f"{least:g} to {most:g} times as stiff as boundary elements on measured surfaces, elastic, in nine cases of "
-        "ten; plastic spots make contacts stiffer, up to four times at a hardness of 1.26 GPa. All other values are "
-        "those of the file.",
+        f"{_ends_in_words(roughness)} by that of the heights alone. The rms of the heights: {', '.join(told)}. The "
+        f"law is {least:g} to {most:g} times as stiff as boundary elements on measured surfaces, elastic, in nine "
+        "cases of ten; plastic spots make contacts stiffer, up to four times at a hardness of 1.26 GPa. All other "
+        "values are those of the file.",
+    }
+
+
+def _asperity_ends(result: JointResult, names: tuple[str, ...]) -> dict[str, Any]:
+    """Ends of K_n and K_t of the asperities of each contact [N/m], by both errors and by each alone."""
+    stiffness = {
+        "normal": np.asarray(result.contacts.normal_stiffness),
+        "tangential": np.asarray(result.contacts.tangential_stiffness),
+    }
+    return {
+        name: {
+            f"asperity_{direction}_stiffness_N_per_m": {
+                part: sorted(float(each) for each in values[k : k + 2, number])
+                for part, k in (("both", 0), ("contact_law", 2), ("rms_height", 4))
+            }
+            for direction, values in stiffness.items()
+        }
+        for number, name in enumerate(names)
     }
 
 
 def _ends_in_words(interval: dict[str, Any]) -> str:
     low, high = (interval["assembly"][f"{end}_Nm_per_rad"] for end in ("low", "high"))
-    return "no value" if low is None else f"{low:.4g} to {high:.4g} N·m/rad"
+    if low is None:
+        return "no value"
+    return " to ".join(f"{each:.4g}" if each < 9999.5 else f"{each:.0f}" for each in (low, high)) + " N·m/rad"
 
 
 def _words(interval: dict[str, Any]) -> str:

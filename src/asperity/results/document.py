@@ -241,6 +241,45 @@ def _plain(node: Any) -> Any:
     return number if math.isfinite(number) else None
 
 
+#: Heads of the columns of :func:`interval_rows`.
+INTERVAL_HEADS = (
+    "contact",
+    "K_n asperities\nN/µm",
+    "by the law\nalone",
+    "by the heights\nalone",
+    "K_t asperities\nN/µm",
+)
+
+
+def interval_rows(interval: Document) -> list[tuple[str, ...]]:
+    """Ends of the stiffnesses of the asperities by the errors of contact law and heights, one row for each contact.
+
+    Parameters
+    ----------
+    interval : dict
+        The interval of stiffness and drift of a joint document.
+
+    Returns
+    -------
+    list of tuple of str
+        Cells below :data:`INTERVAL_HEADS`; none where the interval has no such parts.
+    """
+
+    def cell(ends: list[float]) -> str:
+        return " to ".join(
+            f"{1e-6 * each:.3g}" if 1e-6 * each < 999.5 else f"{1e-6 * each:.0f}" for each in ends
+        )
+
+    rows = []
+    for name, contact in interval.get("contacts", {}).items():
+        normal, tangential = (
+            contact[f"asperity_{direction}_stiffness_N_per_m"] for direction in ("normal", "tangential")
+        )
+        parts = [normal[part] for part in ("both", "contact_law", "rms_height")]
+        rows.append((name, *(cell(ends) for ends in (*parts, tangential["both"]))))
+    return rows
+
+
 def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`."""
     joint, solution, branches = solved.joint, solved.solution, solved.branches
