@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 import asperity
+from asperity.api.joint import DescribedJoint
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface.synthesis import self_affine_profile
 
@@ -38,16 +39,30 @@ def test_values_are_those_of_the_command(measured, file, printed):
 
 
 def test_the_known_dimension_is_recovered(measured):
-    low, high = measured.measurement.interval(confidence=0.999)["fractal_dimension"]
+    low, high = measured.measurement.fractal.interval(confidence=0.999)["fractal_dimension"]
     assert low < 1.5 < high
 
 
 def test_a_joint_takes_the_measured_surface(joint, measured):
-    rough = joint.with_surface(measured.measurement)
+    published = joint.case.model.model_copy(update={"contact_law": "zou_2025"})
+    rough = DescribedJoint(joint.case.model_copy(update={"model": published}), joint.source).with_surface(
+        measured.measurement
+    )
     assert rough["surface.fractal_dimension"].si == measured["fractal_dimension"].si
     assert rough["surface.fractal_roughness"].si == pytest.approx(measured["fractal_roughness"].si, rel=1e-15)
     again = rough.with_values({"load.preload": "900 N"})  # its file is written anew
     assert again["surface.fractal_dimension"].si == measured["fractal_dimension"].si
+
+
+@pytest.mark.slow
+def test_by_default_a_joint_takes_the_measured_spectrum(joint, file, measured):
+    with pytest.raises(InputError, match="measure it again with --lay"):
+        joint.with_surface(measured.measurement)
+    across = asperity.measure_surface(file, lay="rolling").measurement
+    rough = joint.with_surface(across)
+    (spectrum,) = across.spectra
+    square, _ = spectrum.felt(rolling=0.0, axial=1.0 / spectrum.cut_off())
+    assert rough["surface.sp.rms_height"].si == pytest.approx(square**0.5, rel=1e-12)
 
 
 def test_text_and_figure(measured):
@@ -65,10 +80,20 @@ def test_wrong_input_is_refused(file):
 
 
 @pytest.mark.slow
-def test_a_surface_without_a_power_law_is_one_message(tmp_path):
+def test_a_surface_without_a_power_law_has_a_spectrum(tmp_path):
+    """White noise of 1 µm: its mean square lies in all frequencies alike, here up to 5 per µm."""
     position = np.arange(2000) * 1e-7
     rows = np.stack([position, 1e-6 * np.random.default_rng(0).standard_normal(2000)], axis=1)
     path = tmp_path / "noise.csv"
     np.savetxt(path, rows, delimiter=",", header="x [m],z [m]", comments="", fmt="%.17g")
-    with pytest.raises(NoSolutionError, match=r"noise.csv: no power law"):
-        asperity.measure_surface(path)
+    found = asperity.measure_surface(path, lay="axis")
+    assert "no power law" in repr(found)
+    assert "the joint uses the measured spectrum" in repr(found)
+    assert found.keys() == ["Ra", "Rq"]
+    assert found.plot().axes
+    (spectrum,) = found.measurement.spectra
+    square, _ = spectrum.felt(rolling=1.0 / 0.4e-6, axial=0.0)
+    assert square == pytest.approx(0.5e-12, rel=0.1)
+    np.savetxt(path, rows[:12], delimiter=",", header="x [m],z [m]", comments="", fmt="%.17g")
+    with pytest.raises(NoSolutionError, match="64 or more are needed"):
+        asperity.measure_surface(path, any_size=True)

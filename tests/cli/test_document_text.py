@@ -89,7 +89,9 @@ def test_what_is_assumed_in_short_and_in_full(planar_case):
     assert heading == "Assumed (in full with --all)"
     assert names.startswith("not in the file: section [bearings], bearings.pin_diameter, section [play], ")
     assert "the bearings have no friction" not in names
-    assert others == [document["assumptions"][-1]]
+    law, closure = others
+    assert law.startswith("contact law zou_2025, without model.contact_law in the file: ")
+    assert closure == document["assumptions"][-1]
 
 
 def test_kept_limits_give_no_warning():
@@ -132,7 +134,7 @@ def test_contacts_of_one_limit_share_a_warning_and_the_range_of_the_law_has_a_li
     ]
     text = shown(show_law_range, {"diagnostics": diagnostics}, width=200)
     assert text.strip() == (
-        "published level: the contact law is outside its range, real area up to 6.54, largest spot up to 27.2; "
+        "asperities alone: outside the range of that level, real area up to 6.54, largest spot up to 27.2; "
         "remedy of real_area"
     )
     assert shown(show_law_range, {"diagnostics": diagnostics[:3]}) == ""

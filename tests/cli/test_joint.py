@@ -115,7 +115,7 @@ def test_the_tables_name_their_units_and_warn(call, joint_file):
         "alpha 13.9248 deg, theta 27.0831 deg, wedge beta 13.1582 deg",
         "ratio -9",
         "Hertz pressure over first yield 2.035 at sp",
-        "published level: the contact law is outside its range, real area over Hertz area",
+        "asperities alone: outside the range of that level, real area over Hertz area",
         "Assumed (in full with --all)",
         "not in the file: section [bearings], ",
     ):

@@ -229,9 +229,7 @@ def test_the_range_of_the_law_stands_beside_the_published_level(document, shown)
         "    What to do: mend the damage",
     ]
     assert not any("area" in line for line in lines[place:])
-    level = (
-        "  published level: the contact law is outside its range, area up to 8, spot up to 40; mend the model"
-    )
+    level = "  asperities alone: outside the range of that level, area up to 8, spot up to 40; mend the model"
     assert lines.index(level) < place
 
 
@@ -286,7 +284,13 @@ def test_the_interval_over_what_ra_leaves_open(document, shown):
         "title": "Interval over what the Ra of the surfaces leaves open",
         "words": "surface (ground): D from 1.15 to 1.5.",
     }
+    bare = " ".join(" ".join(shown(document)).split())
+    assert "by the law" not in bare
+    ends = {"both": [1.5e8, 6.25e8], "contact_law": [2e8, 5.5e8], "rms_height": [2.5e8, 3.5e9]}
+    directions = ("asperity_normal_stiffness_N_per_m", "asperity_tangential_stiffness_N_per_m")
+    document["stiffness_interval"]["contacts"] = {"sp": dict.fromkeys(directions, ends)}
     text = " ".join(" ".join(shown(document)).split())
     assert "Interval over what the Ra of the surfaces leaves open" in text
     assert "surface (ground): D from 1.15 to 1.5." in text
+    assert "sp 150 to 625 200 to 550 250 to 3500 150 to 625" in text
     assert "D 1.4, G 1e-8 mm correspond to Ra 0.1 um on each of two like bodies" in text

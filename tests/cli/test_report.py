@@ -4,7 +4,11 @@ import html
 import json
 import re
 
+import numpy as np
 import pytest
+
+from asperity.surface.height_spectrum import spectrum_of_profiles
+from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 
 
 @pytest.mark.slow
@@ -60,6 +64,22 @@ def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_repo
     assert "95 % interval from the measured surface, D = 1.45, G = 1e-8 mm" in text
     assert html.escape(file.read_text()) in text
     assert "asperity report --surface&#x27; on it" in text
+
+
+@pytest.mark.slow
+def test_a_surface_without_a_power_law_is_in_the_report_with_its_interval(call, joint_file, tmp_path):
+    noise = 1e-7 * np.random.default_rng(0).standard_normal((1, 1000))
+    spectrum = spectrum_of_profiles(profiles=noise, spacing=1e-6, lay="rolling", source="ring")
+    document = roughness_document(
+        MeasuredRoughness(None, "no power law of <white> noise", (spectrum,), "ring")
+    )
+    file = tmp_path / "measured.json"
+    file.write_text(json.dumps(document))
+    outcome = call("report", joint_file(), "--surface", file, "--out", tmp_path / "r.html")
+    assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'r.html'}")
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "Interval of the contact law, and of the rms of the heights" in text
+    assert "the joint uses the measured spectrum; no power law of &lt;white&gt; noise" in text
 
 
 DESIGN = """

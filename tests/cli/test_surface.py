@@ -18,8 +18,8 @@ def run(*arguments):
     return CliRunner().invoke(asperity, ["surface", *map(str, arguments)], catch_exceptions=True)
 
 
-def test_a_surface_without_a_power_law_gives_lines_for_a_joint_file(tmp_path):
-    """A sine of 0.2 µm amplitude and 20 µm length, of which a cut-off of 160 µm keeps all but 1 in 3000."""
+def test_a_surface_without_a_power_law_has_its_spectrum(tmp_path):
+    """A sine of 0.2 µm amplitude and 20 µm length."""
     x = np.arange(4000) * 0.5e-6
     file = tmp_path / "sine.csv"
     np.savetxt(
@@ -29,16 +29,33 @@ def test_a_surface_without_a_power_law_gives_lines_for_a_joint_file(tmp_path):
         header="x [m],z [m]",
     )
     common = ("measure", file, "--position-unit", "m", "--height-unit", "m")
-    whole = run(*common)
-    assert whole.exit_code == 3
-    assert "measure again with --lambda-c, the width of its contacts" in whole.output
-    got = run(*common, "--lambda-c", "160 um")
-    one, two = re.search(r'\[surface\]\nrms_height = "([\d.]+) um"  # or "([\d.]+) um"', got.output).groups()
-    assert float(one) == pytest.approx(0.2 / math.sqrt(2.0), rel=1e-3)
-    assert float(two) == pytest.approx(0.2, rel=1e-3)
+    got = run(*common)
+    assert got.exit_code == 0
+    assert "; the joint uses the measured spectrum" in got.output
+    assert "a joint needs the lay of a profile: --lay rolling, axis or isotropic" in got.output
+    felt = re.search(r"rms height of the waves shorter than: 0.08 mm ([\d.]+) um", got.output).group(1)
+    assert float(felt) == pytest.approx(0.2 / math.sqrt(2.0), rel=5e-3)
+    (spectrum,) = json.loads(run(*common, "--lay", "axis", "--json").stdout)["spectra"]
+    assert spectrum["lay"] == "axis"
+    assert sum(map(sum, spectrum["mean_square_height_m2"])) == pytest.approx(0.02e-12, rel=5e-3)
 
 
-@pytest.mark.slow
+def test_too_few_points_for_anything_are_refused(tmp_path):
+    file = tmp_path / "few.csv"
+    x = np.arange(12)
+    np.savetxt(file, np.column_stack([1e-6 * x, x % 3 * 1e-7]), delimiter=",", header="x [m],z [m]")
+    got = run("measure", file)
+    assert got.exit_code == 3
+    assert "64 or more are needed" in got.output
+
+
+def test_a_map_shows_its_lay(tmp_path):
+    file = tmp_path / "map.npy"
+    np.save(file, np.random.default_rng(0).standard_normal((70, 70)) * 1e-7)
+    got = run("measure", file, "--height-unit", "m", "--spacing", "1 um", "--lay", "axis")
+    assert "a map shows its lay" in str(got.exception)
+
+
 def test_from_synthetic_files_to_one_equivalent_surface(tmp_path):
     documents = []
     for seed in (1, 2):
@@ -68,6 +85,7 @@ def test_from_synthetic_files_to_one_equivalent_surface(tmp_path):
     equivalent = measurement_from_document(document=json.loads(both.stdout))
     low, high = equivalent.interval(confidence=0.999)["fractal_dimension"]
     assert low < 1.5 < high
+    assert [each["source"] for each in json.loads(both.stdout)["spectra"]] == ["1.csv", "2.csv"]
     assert "fractal roughness G" in run("combine", *documents).output
 
 
@@ -90,13 +108,13 @@ def test_text_output_names_units_and_directions(tmp_path):
         assert words in got.output
 
 
-def test_bearing_profiles_are_refused_with_the_reason(shared_data):
+def test_bearing_profiles_have_no_d_and_g_and_the_reason(shared_data):
     file = shared_data / "bearing_roller_profiles" / "81212-RE-1.txt"
     got = run("measure", file, "--position-unit", "mm", "--height-unit", "um", "--json")
-    assert got.exit_code == 3
+    assert got.exit_code == 0
     document = json.loads(got.stdout)
-    assert "no power law" in document["refused"]
-    assert "quantised in steps of 0.07" in document["refused"]
+    assert "no power law" in document["no_power_law"]
+    assert "quantised in steps of 0.07" in document["no_power_law"]
     assert "fractal_dimension" not in document
 
 

@@ -92,7 +92,7 @@ def test_a_narrow_interval_is_the_linear_propagation_of_the_covariance(zou_file)
 def test_two_bodies_of_equal_dimension_add_their_structure_functions(write):
     one = write("a.json", measurement(roughness=1e-11))
     other = write("b.json", measurement(roughness=3e-11))
-    both = measured_surface((one, other))
+    both = measured_surface((one, other)).fractal
     # S ~ G^(2(D-1)) at equal D
     expected = (1e-11**0.8 + 3e-11**0.8) ** (1.0 / 0.8)
     assert float(both.fractal_roughness) == pytest.approx(expected, rel=1e-6, abs=0.0)
@@ -112,6 +112,38 @@ def test_the_command_runs_a_joint_from_two_measured_files(zou_file, write):
     interval = document["stiffness_interval"]["assembly"]
     nominal = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     assert interval["low_Nm_per_rad"] < nominal < interval["high_Nm_per_rad"]
+
+
+@pytest.mark.slow
+def test_the_command_runs_a_joint_from_a_measured_spectrum(zou_file, tmp_path):
+    """White noise of 0.1 µm has no power law; its waves, all but a few, are shorter than any contact is wide."""
+    heights = 1e-7 * np.random.default_rng(0).standard_normal(4000)
+    rows = np.stack([1e-6 * np.arange(4000), heights], 1)
+    np.savetxt(tmp_path / "roller.csv", rows, delimiter=",", header="x [m],z [m]")
+    common = ("surface", "measure", str(tmp_path / "roller.csv"), "--json")
+    for lay in ([], ["--lay", "axis"]):
+        shown = CliRunner().invoke(command, [*common, *lay], catch_exceptions=False)
+        assert shown.exit_code == 0
+        (tmp_path / "m.json").write_text(shown.stdout)
+        asked = ["joint", str(zou_file), "--surface", str(tmp_path / "m.json")]
+        joint = CliRunner().invoke(command, [*asked, "--json"])
+        if not lay:
+            assert "measure it again with --lay" in str(joint.exception)
+    document = json.loads(joint.stdout)
+    for name, contact in document["standing"]["contacts"].items():
+        height = document["input"]["surface"][name]["rms_height"]
+        assert height == pytest.approx(1e-7, rel=0.02)
+        force = document["standing"]["forces"]["normal_N"][name]
+        assert contact["asperity_normal_stiffness_N_per_m"] == pytest.approx(
+            force / (0.48 * height), rel=1e-6
+        )
+    assert document["measured_surface"]["spectra"][0]["lay"] == "axis"
+    assert "no power law" in document["measured_surface"]["no_power_law"]
+    assert set(document["stiffness_interval"]["parts"]) == {"contact_law", "rms_height"}
+    text = " ".join(CliRunner().invoke(command, asked, catch_exceptions=False).output.split())
+    assert "Interval of the contact law, and of the rms of the heights" in text
+    assert "by the error of the law alone" in text
+    assert "roller.csv: a profile across its lay, which is stated as axis" in text
 
 
 def test_more_than_two_bodies_are_refused(write):

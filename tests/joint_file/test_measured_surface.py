@@ -1,14 +1,36 @@
 """A measured surface in the place of a joint file's."""
 
+import math
 import tomllib
 
 import jax.numpy as jnp
+import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import with_measured_surface
 from asperity.joint_file.edited_text import joint_file_text
+from asperity.joint_file.material_entries import SurfaceEntry
+from asperity.joint_file.measured_surface import case_with_surface
+from asperity.surface.height_spectrum import spectrum_of_map, spectrum_of_profiles
+from asperity.surface.measure_files import measured_files
+from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.surface.measurement import SurfaceMeasurement
+from asperity.surface.synthesis import spectral_profile, spectral_surface
+from asperity.surface.topography import Topography
+
+OPTIONS = {
+    **dict.fromkeys(("spacing", "start", "stop", "form", "degree", "outlier_threshold", "short_cutoff")),
+    **dict.fromkeys(("long_cutoff", "shortest_wavelength", "longest_wavelength")),
+    "decimal": "auto",
+    "any_size": False,
+    "missing": "refuse",
+    "direction": "x",
+    "estimator": "automatic",
+    "frequency_ratio": 1.5,
+}
 
 NUMBERS = {"fractal_dimension": 1.25, "fractal_roughness": 3e-13, "frequency_ratio": 1.5}
 
@@ -53,3 +75,148 @@ def test_it_takes_the_place_of_those_of_other_drives(planar_case):
         NUMBERS, rel=1e-15, abs=0.0
     )
     assert case.type == "planetary"
+
+
+def roughness(*spectra, fractal=None):
+    return MeasuredRoughness(fractal, "no power law" if fractal is None else "", spectra, "a surface")
+
+
+def profile_spectrum(lay, factor=1.0):
+    heights = spectral_profile(
+        points=8000,
+        spacing=1e-6,
+        fractal_dimension=1.5,
+        fractal_roughness=1e-12,
+        periodic=False,
+        random=np.random.default_rng(3),
+    )
+    return spectrum_of_profiles(profiles=factor * heights[None], spacing=1e-6, lay=lay, source="profile")
+
+
+@pytest.fixture(scope="module")
+def isotropic_map():
+    heights = spectral_surface(
+        rows=256,
+        columns=256,
+        spacing=2e-6,
+        fractal_dimension=1.5,
+        areal_fractal_roughness=4e-10,
+        periodic=True,
+        random=np.random.default_rng(3),
+    )
+    return spectrum_of_map(topography=Topography(heights, 2e-6, 2e-6, source="map"), rolling="x")
+
+
+@pytest.mark.slow
+def test_heights_and_stiffness_of_a_joint_by_hand(example_case, isotropic_map):
+    """h of the waves at the printed width of each contact; K_n = N/(0.48 h); nothing depends on the file's surface."""
+    made = case_with_surface(example_case, roughness(isotropic_map))
+    assert made.case.contact_law() == "exponential"
+    result = solve_joint(joint_from_case(made.case)).result
+    widths = 2.0 * np.asarray(result.diagnostics.hertz_half_width)
+    force, stiffness = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)
+    for name, width, n, k in zip(("sp", "pwr", "pwl", "wro", "wlo"), widths, force, stiffness, strict=True):
+        square, deviation = isotropic_map.felt(rolling=1.0 / width, axial=0.0)  # lines longer than the map
+        height = made.case.surface[name].rms_height.value
+        assert height == pytest.approx(math.sqrt(square), rel=1e-3)
+        assert k == pytest.approx(n / (0.48 * height), rel=1e-9)
+        low, middle, high = made.heights[f"surface.{name}"]
+        assert (
+            high / middle
+            == pytest.approx(middle / low)
+            == pytest.approx(math.exp(0.98 * deviation / square), rel=1e-3)
+        )
+    told = " ".join(made.assumed)
+    assert "the joint uses the measured spectrum; no power law" in told
+    assert "nothing is known of waves longer than 0.341 mm, its size" in told
+    other = example_case.model_copy(update={"surface": SurfaceEntry.model_validate({"rms_height": "1 um"})})
+    again = case_with_surface(other, roughness(isotropic_map)).case.surface["sp"].rms_height.value
+    assert again == made.case.surface["sp"].rms_height.value
+
+
+@pytest.mark.slow
+def test_the_interval_has_the_part_of_the_law_and_that_of_the_measurement(example_case):
+    made = case_with_surface(example_case, roughness(profile_spectrum("rolling")))
+    interval = made.document(None)["stiffness_interval"]
+    law, heights = (interval["parts"][name]["assembly"] for name in ("contact_law", "rms_height"))
+    here = float(solve_joint(joint_from_case(made.case)).result.assembly.stiffness.output)
+    for part in (law, heights, interval["assembly"]):
+        assert part["low_Nm_per_rad"] < here < part["high_Nm_per_rad"]
+    assert interval["assembly"]["low_Nm_per_rad"] < min(law["low_Nm_per_rad"], heights["low_Nm_per_rad"])
+
+
+@pytest.mark.slow
+def test_stiffness_of_the_asperities_at_the_ends_by_hand(example_case):
+    """K_n = N/(0.48 h), of preloads that the surfaces do not move: h from 0.39 to 1.24 times its own ends."""
+    made = case_with_surface(example_case, roughness(profile_spectrum("rolling")))
+    result = solve_joint(joint_from_case(made.case)).result
+    ends = made.interval(None)["contacts"]["sp"]
+    low, middle, high = made.heights["surface.sp"]
+    force, stiffness = float(result.forces.normal[0]), np.asarray(result.contacts.normal_stiffness)[0]
+    assert stiffness == pytest.approx(force / (0.48 * middle), rel=1e-9)
+    for part, (least, most) in {
+        "both": (0.39 * low, 1.24 * high), "contact_law": (0.39 * middle, 1.24 * middle), "rms_height": (low, high),
+    }.items():  # fmt: skip
+        expected = [force / (0.48 * most), force / (0.48 * least)]
+        assert ends["asperity_normal_stiffness_N_per_m"][part] == pytest.approx(expected, rel=0.02)
+        ratio = np.divide(ends["asperity_tangential_stiffness_N_per_m"][part], expected)
+        assert ratio == pytest.approx(float(result.contacts.tangential_stiffness[0]) / stiffness, rel=0.02)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["planetary", "planar", "multiroller"])
+def test_two_bodies_in_every_drive(planar_case, kind):
+    """The mean squares of two bodies add: of heights in the ratio 3 to 4 the pair has 5."""
+    one, other = (profile_spectrum("rolling", factor) for factor in (0.3, 0.4))
+    case = planar_case(kind)
+    pair = case_with_surface(case, roughness(one, other)).case.surface
+    alone = case_with_surface(case, roughness(one)).case.surface
+    for name, entry in pair.items():
+        assert entry.rms_height.value / alone[name].rms_height.value == pytest.approx(5.0 / 3.0, rel=1e-6)
+
+
+def test_a_profile_needs_a_stated_lay(example_case):
+    with pytest.raises(InputError, match=r"with --lay: rolling .*isotropic \(no grooves\)$"):
+        case_with_surface(example_case, roughness(profile_spectrum(None)))
+    with pytest.raises(InputError, match=r'or state model\.contact_law = "zou_2025"'):
+        case_with_surface(example_case, roughness(profile_spectrum(None), fractal=measured()))
+
+
+def test_the_published_law_takes_d_and_g(example_case):
+    def stated(law):
+        return example_case.model_copy(
+            update={"model": example_case.model.model_copy(update={"contact_law": law})}
+        )
+
+    made = case_with_surface(stated("zou_2025"), roughness(profile_spectrum(None), fractal=measured()))
+    assert made.case.surface.fractal_dimension.value == pytest.approx(1.25)
+    assert (made.heights, made.assumed) == (None, ())
+    with pytest.raises(InputError, match=r"needs D and G, which a surface does not have \(no power law\)"):
+        case_with_surface(stated("zou_2025"), roughness(profile_spectrum("rolling")))
+    earlier = case_with_surface(example_case, roughness(fractal=measured()))
+    assert earlier.case.contact_law() == "zou_2025"
+    assert "a document of an earlier release" in earlier.assumed[0]
+    with pytest.raises(InputError, match="measure the surface again with this release"):
+        case_with_surface(stated("exponential"), roughness(fractal=measured()))
+    with pytest.raises(InputError, match="neither a power law nor a spectrum"):
+        case_with_surface(example_case, roughness())
+
+
+def test_a_flat_surface_is_one_message(example_case):
+    flat = spectrum_of_profiles(profiles=np.zeros((1, 100)), spacing=1e-6, lay="axis", source="flat")
+    with pytest.raises(InputError, match="flat: all heights are equal"):
+        case_with_surface(example_case, roughness(flat))
+
+
+@pytest.mark.slow
+def test_a_roller_that_has_no_power_law_makes_a_joint(shared_data, example_case):
+    """NU206-RE-1: Rq 0.127 µm on its middle 40 % after a parabola, by another program; until now a refusal."""
+    found = measured_files(
+        [shared_data / "bearing_roller_profiles" / "NU206-RE-1.txt"],
+        **OPTIONS | {"position_unit": "mm", "height_unit": "um", "lay": "rolling"},
+    )
+    assert isinstance(found.fit, str)
+    made = case_with_surface(example_case, found.roughness)
+    for entry in made.case.surface.values():
+        assert entry.rms_height.value == pytest.approx(0.127e-6, rel=0.05)
+    assert "no power law over at least 1 decade" in made.assumed[0]

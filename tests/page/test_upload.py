@@ -138,7 +138,7 @@ def test_a_profile_of_a_known_dimension_is_measured(tmp_path, monkeypatch):
     text = io.BytesIO()
     np.savetxt(text, smooth, delimiter=",", header="x [m],z [m]", comments="")
     refused = measured_upload(text.getvalue(), "smooth.csv", {})
-    assert refused["document"]["refused"]
+    assert refused["document"]["no_power_law"]
     assert refused["changes"] == {}
     assert started == ["measure"] * 3
 

@@ -12,7 +12,7 @@ DEFAULTS = {
     "position_unit": None, "height_unit": None, "spacing": None, "decimal": "auto", "any_size": False,
     "start": None, "stop": None, "form": None, "degree": None, "missing": "refuse", "outlier_threshold": None,
     "short_cutoff": None, "long_cutoff": None, "direction": "x", "estimator": "likelihood", "frequency_ratio": 1.5,
-    "shortest_wavelength": None, "longest_wavelength": None,
+    "shortest_wavelength": None, "longest_wavelength": None, "lay": None,
 }  # fmt: skip
 
 
@@ -41,7 +41,7 @@ def test_height_parameters_of_a_section_with_whole_waves_of_a_sine(tmp_path):
     assert entry["Rku"] == pytest.approx(1.5, rel=1e-3)
     assert entry["Rt_m"] == pytest.approx(2 * amplitude, rel=1e-3)
     assert entry["RSm_m"] == pytest.approx(1e-4, rel=0.01)
-    assert document["refused"]  # one wave is no power law
+    assert document["no_power_law"]  # one wave is no power law
     assert "fractal_dimension" not in document
     assert document["source"] == "sine.csv"
 
@@ -69,7 +69,7 @@ def test_the_document_of_two_profiles_is_a_measurement_that_can_be_read_again(tm
 
 def test_the_direction_chooses_the_fit_and_a_profile_has_one_only(tmp_path, profile):
     fits = DirectionalFits("along x", "along y")
-    assert [MeasuredFiles((), fits, direction).fit for direction in "xy"] == ["along x", "along y"]
+    assert [MeasuredFiles((), fits, direction, None).fit for direction in "xy"] == ["along x", "along y"]
     file = written(tmp_path / "a.csv", profile(1).heights[:300], 1e-7)
     with pytest.raises(InputError, match="a profile has no direction y"):
         measured_files([file], **(DEFAULTS | {"direction": "y"}))

@@ -51,7 +51,7 @@ def test_intervals_are_those_of_the_normal_law():
     [
         ({"schema": "x"}, "not a surface measurement"),
         ({"schema_version": 9}, "version 9"),
-        ({"refused": "no power law"}, "was refused: no power law"),
+        ({"refused": "no power law"}, "refused by an earlier release: measure again; no power law"),
         ({"fractal_dimension": 2.4}, "between 1 and 2"),
         ({"fractal_roughness_m": "big"}, "finite number"),
         ({"covariance_of_dimension_and_log_roughness": [[1, 2], [2, 1]]}, "covariance"),

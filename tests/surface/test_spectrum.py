@@ -7,9 +7,9 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.surface.spectrum import (
-    _bin_edges,
     _correlation,
     _independent_ordinates,
+    bin_edges,
     binned_spectrum,
     power_spectral_densities,
     without_line,
@@ -175,7 +175,7 @@ def test_independent_ordinates_of_a_bin_count_its_own_powers():
 
 def test_correlation_of_neighbouring_ordinates_by_octets_of_frequency():
     """Square waves of 40 ordinates in the highest octet and of 4 below: one plus twice the sum over ten lags."""
-    edges = _bin_edges(8193, 10)
+    edges = bin_edges(8193, 10)
     place, log = np.arange(8192), np.log(np.arange(1.0, 8193.0))
     wave = np.where(place >= 1024, np.where(place % 40 < 20, 1.0, -1.0), np.where(place % 4 < 2, 1.0, -1.0))
     centre = np.array([log[first - 1 : end - 1].mean() for first, end in itertools.pairwise(edges)])
@@ -188,5 +188,5 @@ def test_correlation_of_neighbouring_ordinates_by_octets_of_frequency():
     falling = (place + 1.0) ** -1.8  # divided out
     found = _correlation(falling * (1.0 + 0.05 * wave), edges, log, centre)
     np.testing.assert_allclose(found, np.where(edges[:-1] > 1024, high, low), atol=0.15)
-    few = _bin_edges(60, 10)
+    few = bin_edges(60, 10)
     np.testing.assert_array_equal(_correlation(np.ones(59), few, log[:59], np.zeros(few.size - 1)), 1.0)

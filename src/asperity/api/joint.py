@@ -17,7 +17,7 @@ from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from asperity.api.solution import JointSolution
-    from asperity.surface.measurement import SurfaceMeasurement
+    from asperity.surface.measured_roughness import MeasuredRoughness
 
 #: Keys of the file that its one-line summary names.
 _COUNTS = ("drive.planets", "drive.rollers_per_row", "drive.sectors")
@@ -129,12 +129,12 @@ class DescribedJoint(Shown):
         check_values(numbers)
         return self.edited(joint_file_text(self.case, numbers, comment=""))
 
-    def with_surface(self, measurement: SurfaceMeasurement) -> DescribedJoint:
-        """The same joint with a measured surface at every contact.
+    def with_surface(self, measurement: MeasuredRoughness) -> DescribedJoint:
+        """The same joint with a measured surface at every contact, in terms of its contact law.
 
         Parameters
         ----------
-        measurement : SurfaceMeasurement
+        measurement : MeasuredRoughness
             The ``measurement`` of what :func:`asperity.api.surface.measure_surface` returns.
 
         Returns
@@ -145,11 +145,11 @@ class DescribedJoint(Shown):
         Raises
         ------
         InputError
-            If the measured values are outside what a joint file allows.
+            If the measurement lacks what the law needs, a profile its lay, or the joint cannot be solved.
         """
-        from asperity.joint_file.drawn_surface import with_measured_surface
+        from asperity.joint_file.measured_surface import case_with_surface
 
-        return DescribedJoint(with_measured_surface(self.case, measurement), self.source)
+        return DescribedJoint(case_with_surface(self.case, measurement).case, self.source)
 
     def edited(self, text: str) -> DescribedJoint:
         """The joint of another text of its file.

@@ -11,8 +11,10 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.results import known_result
 from asperity.surface.fractal_fit import FractalFit
+from asperity.surface.height_spectrum import Lay
 from asperity.surface.measure_files import MeasuredFiles, files_document, measured_files
-from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, surface_measurement
+from asperity.surface.measured_roughness import MeasuredRoughness
+from asperity.surface.measurement import CONFIDENCE
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
 
@@ -46,12 +48,13 @@ def measure_surface(
     short_cutoff: str | None = None,
     long_cutoff: str | None = None,
     direction: str = "x",
+    lay: Lay | None = None,
     estimator: str = "automatic",
     frequency_ratio: float = 1.5,
     shortest_wavelength: str | None = None,
     longest_wavelength: str | None = None,
 ) -> FractalSurface:
-    """Fractal dimension D and fractal roughness G of profile or map files, with 95 % intervals.
+    """Spectrum of profile or map files, and fractal dimension D and roughness G with 95 % intervals.
 
     Parameters
     ----------
@@ -71,7 +74,9 @@ def measure_surface(
         Treatment before the evaluation, as :class:`asperity.surface.measure.Conditioning` describes it; cutoffs carry
         their units. By default a line is removed from a profile and a plane from a map.
     direction : {"x", "y"}, optional
-        Direction in a map.
+        Direction in a map of D and G, and in which the contact rolls.
+    lay : {"rolling", "axis", "isotropic"}, optional
+        Of a profile: the direction of the grooves, which it crosses. A joint needs it.
     estimator : str, optional
         automatic, likelihood, lines, structure_function or power_spectrum.
     frequency_ratio : float, optional
@@ -89,7 +94,7 @@ def measure_surface(
     InputError
         If a file cannot be read, or an option has no unit or makes no sense.
     NoSolutionError
-        If the surface has no power law over at least one decade of wavelength.
+        If the surface has neither a power law over at least one decade of wavelength nor the points for a spectrum.
     """
     options: dict[str, Any] = {name: value for name, value in locals().items() if name != "files"}
     if not files:
@@ -102,7 +107,7 @@ def measure_surface(
         if options[name] is not None:
             options[name] = si_number(options[name], Dimension.LENGTH, name=name)
     measured = measured_files(files, **options)
-    if isinstance(measured.fit, str):
+    if isinstance(measured.fit, str) and measured.spectrum is None:
         raise NoSolutionError(f"{measured.source}: {measured.fit}")
     return FractalSurface(measured, measured.fit)
 
@@ -114,21 +119,38 @@ class FractalSurface(Shown):
     ----------
     measured : MeasuredFiles
         Conditioned surfaces and fits.
-    fit : FractalFit
-        The fit that counts.
+    fit : FractalFit or str
+        The fit that counts, or why there is no power law.
     """
 
-    def __init__(self, measured: MeasuredFiles, fit: FractalFit) -> None:
+    def __init__(self, measured: MeasuredFiles, fit: FractalFit | str) -> None:
         self.measured, self.fit = measured, fit
         heights, number, length = measured.surfaces[0].heights, Dimension.DIMENSIONLESS, Dimension.LENGTH
         letter = "S" if measured.topographies[0].is_map else "R"
-        rows = [
-            ("fractal_dimension", "fractal dimension D", fit.fractal_dimension, number, "1"),
-            ("fractal_roughness", "fractal roughness G", fit.fractal_roughness, length, "m"),
-            ("frequency_ratio", "frequency ratio gamma", fit.frequency_ratio, number, "1"),
-            ("shortest_wavelength", "shortest wavelength of the band", fit.shortest_wavelength, length, "um"),
-            ("longest_wavelength", "longest wavelength of the band", fit.longest_wavelength, length, "um"),
-        ]
+        fractal = (
+            ()
+            if isinstance(fit, str)
+            else (
+                ("fractal_dimension", "fractal dimension D", fit.fractal_dimension, number, "1"),
+                ("fractal_roughness", "fractal roughness G", fit.fractal_roughness, length, "m"),
+                ("frequency_ratio", "frequency ratio gamma", fit.frequency_ratio, number, "1"),
+                (
+                    "shortest_wavelength",
+                    "shortest wavelength of the band",
+                    fit.shortest_wavelength,
+                    length,
+                    "um",
+                ),
+                (
+                    "longest_wavelength",
+                    "longest wavelength of the band",
+                    fit.longest_wavelength,
+                    length,
+                    "um",
+                ),
+            )
+        )
+        rows = [*fractal]
         if len(measured.surfaces) == 1:
             rows += [
                 (f"{letter}a", f"arithmetic mean height {letter}a", heights.arithmetic_mean, length, "um"),
@@ -140,9 +162,9 @@ class FractalSurface(Shown):
         }
 
     @property
-    def measurement(self) -> SurfaceMeasurement:
-        """D and G with their covariance, as a joint takes them."""
-        return surface_measurement(fit=self.fit, source=self.measured.source)
+    def measurement(self) -> MeasuredRoughness:
+        """Spectrum, and D and G with their covariance, as a joint takes them."""
+        return self.measured.roughness
 
     @property
     def document(self) -> dict[str, Any]:
@@ -159,8 +181,9 @@ class FractalSurface(Shown):
 
     @property
     def intervals(self) -> dict[str, tuple[float, float]]:
-        """95 % intervals of fractal_dimension [-] and fractal_roughness [m]."""
-        return self.measurement.interval(confidence=CONFIDENCE)
+        """95 % intervals of fractal_dimension [-] and fractal_roughness [m]; none without a power law."""
+        fractal = self.measurement.fractal
+        return {} if fractal is None else fractal.interval(confidence=CONFIDENCE)
 
     def to_frame(self) -> Any:
         """The numbers as a pandas data frame: value, unit, ends of the 95 % interval in SI units, SI value and unit."""
@@ -200,5 +223,9 @@ class FractalSurface(Shown):
         for quantity in self._numbers.values():
             interval = [format_quantity(end, quantity.unit) for end in ends.get(quantity.name, ())]
             rows.append((quantity.label, str(quantity), *(interval or ("", ""))))
-        title = f"{self.measured.source}: estimator {self.fit.estimator}, {self.fit.profiles} profile(s)"
+        title = f"{self.measured.source}: " + (
+            f"{self.fit}; the joint uses the measured spectrum"
+            if isinstance(self.fit, str)
+            else f"estimator {self.fit.estimator}, {self.fit.profiles} profile(s)"
+        )
         return [title, Table(("number", "value", "95 % from", "to"), rows)]

@@ -160,7 +160,7 @@ def show_law_range(target: Console, document: Document) -> None:
     if crossed:
         parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
         remedy = crossed[0][0]["remedy"]
-        words = f"  published level: the contact law is outside its range, {parts}; {remedy}"
+        words = f"  asperities alone: outside the range of that level, {parts}; {remedy}"
         print_wrapped(target, words, indent=2)
         target.print()
 

@@ -11,10 +11,9 @@ from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
     from asperity.branches.size_errors import SizeErrorCurves
-    from asperity.joint.description import Joint
+    from asperity.joint_file.measured_surface import MeasuredCase
     from asperity.joint_file.model import Case
     from asperity.results.solved import SolvedJoint
-    from asperity.surface.measurement import SurfaceMeasurement
 
 
 @click.command()
@@ -40,27 +39,26 @@ if TYPE_CHECKING:
 def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
-    FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured D and G take the
-    place of the file's, and their uncertainty comes out as an interval of stiffness and drift. So does what Ra
-    leaves open where the file states surfaces by their Ra.
+    FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured surface takes the
+    place of the file's: the rms of the heights that each contact feels, or with model.contact_law = "zou_2025" D and
+    G. What is not certain about it, and the error of the contact law, come out as an interval of stiffness and drift.
+    So does what Ra leaves open where the file states surfaces by their Ra.
     """
     from asperity.joint_file.reader import read_case
 
     check_image(plot_file)
     case = read_case(file)
     prepare_computation()
-    measured = None
-    if surfaces:
-        from asperity.joint.measured_surface import measured_surface
-        from asperity.joint_file.drawn_surface import with_measured_surface
-
-        measured = measured_surface(surfaces)
-        case = with_measured_surface(case, measured)
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
-        solved, document = solve_case(case)
-        document |= _interval(case, solved.joint, measured)
+        measured = _with_surfaces(case, surfaces) if surfaces else None
+        solved, document = solve_case(case if measured is None else measured.case)
+        if measured is not None:
+            document["assumptions"] += measured.assumed
+            document |= measured.document(solved.joint)
+        else:
+            document |= _interval(case)
     if plot_file:
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
@@ -80,20 +78,20 @@ def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:
     return size_error_curves(solved.branches)
 
 
-def _interval(case: Case, described: Joint, measured: SurfaceMeasurement | None) -> dict[str, Any]:
-    """Intervals of stiffness and drift from a measured surface, or from what the Ra of a file leaves open."""
-    if measured is None:
-        from asperity.joint_file.drawn_surface import drawn_interval
+def _with_surfaces(case: Case, paths: tuple[str, ...]) -> MeasuredCase:
+    """The joint with measured surfaces."""
+    from asperity.joint.measured_surface import measured_surface
+    from asperity.joint_file.measured_surface import case_with_surface
 
-        interval = drawn_interval(case)
-        return {} if interval is None else {"stiffness_interval": interval}
-    from asperity.joint.measured_surface import stiffness_interval
-    from asperity.surface.measurement import measurement_document
+    return case_with_surface(case, measured_surface(paths))
 
-    return {
-        "measured_surface": measurement_document(measurement=measured),
-        "stiffness_interval": stiffness_interval(described, measured),
-    }
+
+def _interval(case: Case) -> dict[str, Any]:
+    """Intervals of stiffness and drift from what a file leaves open of its surfaces."""
+    from asperity.joint_file.drawn_surface import drawn_interval
+
+    interval = drawn_interval(case)
+    return {} if interval is None else {"stiffness_interval": interval}
 
 
 def _show(document: dict[str, Any], file: str, *, as_json: bool, in_full: bool) -> None:

@@ -20,11 +20,13 @@ from asperity.cli.document_text import (
 from asperity.cli.terminal import table
 from asperity.joint.torque_limits import first_slip_words, may_carry_more
 from asperity.results.document import (
+    INTERVAL_HEADS,
     LEVEL_WORDS,
     NO_SHARE,
     budget_words,
     has_elastic_bodies,
     input_member,
+    interval_rows,
     stiffness_rows,
 )
 
@@ -90,6 +92,12 @@ def _show_stiffness(target: Console, document: Document) -> None:
         f"  drift from {in_unit(low, 'arcmin')} to {in_unit(high, 'arcmin')} per output turn\n",
         indent=2,
     )
+    rows = interval_rows(interval)
+    if rows:
+        asperities = table(target, "Its contacts", *INTERVAL_HEADS)
+        for row in rows:
+            asperities.add_row(*row)
+        target.print(asperities)
     if "surfaces" in interval:
         print_wrapped(target, f"  {interval['words']}\n", indent=2)
     elif interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
@@ -103,11 +111,12 @@ def _show_stiffness(target: Console, document: Document) -> None:
 
 
 def _interval_title(document: Document) -> str:
-    measured = document.get("measured_surface")
-    if measured is None:
-        return str(document["stiffness_interval"]["title"])
+    interval = document["stiffness_interval"]
+    if "title" in interval:
+        return str(interval["title"])
+    measured = document["measured_surface"]
     return (
-        f"{document['stiffness_interval']['confidence']:.0%} interval from the measured surface "
+        f"{interval['confidence']:.0%} interval from the measured surface "
         f"(D = {measured['fractal_dimension']:.3f}, G = {in_unit(measured['fractal_roughness_m'], 'mm')})"
     )
 

@@ -95,11 +95,12 @@ def report(
     texts: tuple[str, ...] = ()
     if surfaces:
         from asperity.joint.measured_surface import measured_surface
-        from asperity.joint_file.drawn_surface import with_measured_surface
+        from asperity.joint_file.measured_surface import case_with_surface
 
-        measured = measured_surface(surfaces)
         texts = tuple(read_text(path) for path in surfaces)
-        case = with_measured_surface(case, measured)
+        with about(file):
+            measured = case_with_surface(case, measured_surface(surfaces))
+        case = measured.case
     source = ReportSource(
         name=Path(file).name,
         text=text,

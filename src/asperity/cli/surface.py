@@ -12,6 +12,7 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
+    from asperity.surface.height_spectrum import HeightSpectrum
     from asperity.surface.measure_files import MeasuredFiles
 
 _ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
@@ -98,7 +99,13 @@ def _length(context: click.Context, parameter: click.Parameter, value: str | Non
     type=click.Choice(["x", "y"]),
     default="x",
     show_default=True,
-    help="Direction in a map in which D and G are evaluated as the result.",
+    help="Direction in a map in which D and G are evaluated as the result, and in which the contact rolls.",
+)
+@click.option(
+    "--lay",
+    type=click.Choice(["rolling", "axis", "isotropic"]),
+    help="Direction of the grooves of a profile, which is measured across them: the rolling direction, the rollers' "
+    "axis, or none. A joint needs it of profiles.",
 )
 @click.option(
     "--estimator",
@@ -113,10 +120,10 @@ def _length(context: click.Context, parameter: click.Parameter, value: str | Non
     "--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of the model, above 1."
 )
 def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options: Any) -> int:
-    """Fractal dimension D and roughness G of profile or map files, with 95 % intervals.
+    """Spectrum of profile or map files, and fractal dimension D and roughness G with 95 % intervals.
 
-    Spectra of several profile files of one surface are averaged. Exit code 3: no power law over at least one
-    decade of wavelength.
+    Spectra of several profile files of one surface are averaged. Without a power law over at least one decade of
+    wavelength there are no D and G; 'asperity joint --surface' takes the spectrum. Exit code 3: not that either.
     """
     from asperity.precision import use_double_precision
     from asperity.surface.measure_files import files_document, measured_files
@@ -133,26 +140,25 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
         click.echo(json.dumps(files_document(measured), indent=2))
     else:
         _print(measured)
-    if isinstance(measured.fit, str):
+    if measured.spectrum is None and isinstance(measured.fit, str):
         if not as_json:
-            click.echo(f"refused: {measured.fit}\n{_way_on(measured, options['lambda_c'])}", err=True)
+            click.echo(f"refused: {measured.fit}", err=True)
         click.get_current_context().exit(3)
     return 0
 
 
-def _way_on(measured: MeasuredFiles, long_cutoff: float | None) -> str:
-    """Words on how to state a surface without D and G in a joint file."""
-    if long_cutoff is None:
-        return (
-            "A joint needs neither D nor G: measure again with --lambda-c, the width of its contacts (2b, as 'asperity "
-            "joint' prints it), and give the Rq or Sq of both bodies as surface.rms_height."
-        )
-    squares = [surface.heights.root_mean_square**2 for surface in measured.surfaces]
-    one = (sum(squares) / len(squares)) ** 0.5
-    return (
-        "A joint needs neither D nor G: for a joint file, against a smooth surface or one like this,\n"
-        f'[surface]\nrms_height = "{1e6 * one:.4g} um"  # or "{1e6 * 2.0**0.5 * one:.4g} um"'
-    )
+def _waves(spectrum: HeightSpectrum) -> str:
+    """The rms of the heights by the longest wave along the rollers' axis, or along a profile."""
+    from asperity.surface.roughness_average import STANDARD_CUT_OFFS
+
+    words = []
+    for _, cut_off in STANDARD_CUT_OFFS:
+        if cut_off > spectrum.longest_wave:
+            break
+        square, _ = spectrum.felt(rolling=1.0 / cut_off, axial=1.0 / cut_off)
+        words.append(f"{1e3 * cut_off:g} mm {1e6 * square**0.5:.3g} um")
+    square, _ = spectrum.felt(rolling=0.0, axial=0.0)
+    return ", ".join([*words, f"all {1e6 * square**0.5:.3g} um"])
 
 
 def _write_figure(plot: Path, measured: MeasuredFiles) -> None:
@@ -185,8 +191,8 @@ def _print(measured: MeasuredFiles) -> None:
             continue
         mark = "" if fits.along_y is None else f" along {name}{' (the result)' if name == direction else ''}"
         if isinstance(fit, str):
-            if name != direction:
-                click.echo(f"{mark.strip()}: {fit}")
+            end = "; the joint uses the measured spectrum" if name == direction and measured.spectrum else ""
+            click.echo(f"{mark.strip()}{': ' if mark else ''}{fit}{end}")
             continue
         d_low, d_high = fit.dimension_interval(confidence=0.95)
         g_low, g_high = fit.roughness_interval(confidence=0.95)
@@ -216,6 +222,10 @@ def _print(measured: MeasuredFiles) -> None:
             )
     if fits.anisotropy_ratio is not None:
         click.echo(f"amplitude along x over along y: {fits.anisotropy_ratio:.3f}")
+    if measured.spectrum is not None:
+        click.echo(f"rms height of the waves shorter than: {_waves(measured.spectrum)}")
+        if not measured.spectrum.is_map and measured.spectrum.lay is None:
+            click.echo("a joint needs the lay of a profile: --lay rolling, axis or isotropic")
 
 
 @surface.command("synthesize")
@@ -307,23 +317,25 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
     "--json", "as_json", is_flag=True, help="Print the measurement document (SI units) instead of text."
 )
 def combine(first: Path, second: Path, as_json: bool) -> None:
-    """One equivalent D and G of two measured bodies (two documents of ``measure --json``)."""
+    """One equivalent surface of two measured bodies (two documents of ``measure --json``)."""
     from asperity.precision import use_double_precision
 
     use_double_precision()
-    from asperity.surface.equivalent import equivalent_surface
-    from asperity.surface.measurement import measurement_document, read_measurement
+    from asperity.surface.measured_roughness import read_roughness, roughness_document, two_bodies
 
-    both = equivalent_surface(first=read_measurement(path=first), second=read_measurement(path=second))
+    both = two_bodies(read_roughness(path=first), read_roughness(path=second))
     if as_json:
-        click.echo(json.dumps(measurement_document(measurement=both), indent=2))
+        click.echo(json.dumps(roughness_document(both), indent=2))
         return
-    interval = both.interval(confidence=0.95)
-    (d_low, d_high), (g_low, g_high) = interval["fractal_dimension"], interval["fractal_roughness"]
     click.echo(f"{both.source}")
+    if both.fractal is None:
+        click.echo(f"{both.no_power_law}; the joint uses the measured spectra")
+        return
+    interval = both.fractal.interval(confidence=0.95)
+    (d_low, d_high), (g_low, g_high) = interval["fractal_dimension"], interval["fractal_roughness"]
     click.echo(
-        f"fractal dimension D: {float(both.fractal_dimension):.4f}  (95 %: {d_low:.4f} .. {d_high:.4f})"
+        f"fractal dimension D: {float(both.fractal.fractal_dimension):.4f}  (95 %: {d_low:.4f} .. {d_high:.4f})"
     )
     click.echo(
-        f"fractal roughness G: {float(both.fractal_roughness):.4g} m  (95 %: {g_low:.4g} .. {g_high:.4g} m)"
+        f"fractal roughness G: {float(both.fractal.fractal_roughness):.4g} m  (95 %: {g_low:.4g} .. {g_high:.4g} m)"
     )

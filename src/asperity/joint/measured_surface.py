@@ -13,41 +13,41 @@ from asperity.contact.fractal import Surface
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.surface_interval import over_surfaces, result_ends
-from asperity.surface.equivalent import equivalent_surface
-from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, read_measurement
+from asperity.surface.measured_roughness import MeasuredRoughness, read_roughness, two_bodies
+from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement
 
 #: Draws of (D, ln G); the ends of a 95 % interval then scatter by about 3 % of its width.
 DRAWS = 2000
 _SEED = 20250617
 
 
-def measured_surface(paths: tuple[str | Path, ...]) -> SurfaceMeasurement:
+def measured_surface(paths: tuple[str | Path, ...]) -> MeasuredRoughness:
     """The surface of the contacts from one measurement of it, or from measurements of both bodies.
 
     Parameters
     ----------
     paths : tuple of path
         One document of ``asperity surface measure --json`` for the equivalent surface, or two for the two bodies,
-        whose structure functions add.
+        of which spectra and structure functions add.
 
     Returns
     -------
-    SurfaceMeasurement
-        D and G with their covariance.
+    MeasuredRoughness
+        Spectra, and D and G with their covariance where there is a power law.
 
     Raises
     ------
     InputError
         If there are more than two files, or one is no measurement.
     NoSolutionError
-        If two surfaces cannot be combined into one power law.
+        If two surfaces without spectra cannot be combined into one power law.
     """
     if len(paths) > 2:
         raise InputError(
             f"{len(paths)} measured surfaces were given; allowed are one, or one for each of two bodies"
         )
-    measured = [read_measurement(path=path) for path in paths]
-    return measured[0] if len(measured) == 1 else equivalent_surface(first=measured[0], second=measured[1])
+    measured = [read_roughness(path=path) for path in paths]
+    return measured[0] if len(measured) == 1 else two_bodies(*measured)
 
 
 def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[str, Any]:

@@ -27,10 +27,19 @@ _EQUAL_COEFFICIENTS = (
     "of the contacts, and one of them may slip earlier, as windup and hysteresis show"
 )
 _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
+_LAWS = {
+    "zou_2025": "the published law, from the D and G of the surfaces",
+    "exponential": "the law of randomly rough elastic surfaces, from the rms of their heights",
+}
 RANDOM_ROUGHNESS = (
-    "surface.rms_height: the contact law of randomly rough elastic surfaces in place of the published one, K_n = "
-    "N/(0.48 rms_height) and K_t in proportion to 1 - T/(mu N); the heights are those of both bodies together and "
-    "of the waves shorter than the contacts are wide: longer ones make the joint look softer than it is"
+    "contact law exponential: of randomly rough elastic surfaces, K_n = N/(0.48 h) and K_t in proportion to "
+    "1 - T/(mu N), h the rms of the heights of both bodies together; across the contacts of waves shorter than they "
+    "are wide, along the axes of the rollers up to the roll-off: longer ones make the joint look softer than it is"
+)
+#: What the rms of the heights is where a file states Ra.
+HEIGHTS_OF_AVERAGE = (
+    "contact law exponential with roughness_average: normally distributed heights, h = 1.2533 Ra of both bodies "
+    "together; D does not count, and waves longer than the cut-off of Ra are not in it"
 )
 LOADING_CAM = (
     "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far as the "
@@ -132,7 +141,10 @@ def assumptions(case: Case) -> tuple[str, ...]:
         "torque capacity, standing: a contact that slips keeps the force of its friction while others carry the rest; "
         "it is the torque beyond which they cannot, or at which a contact lifts off. In rolling: the first gross slip"
     )
-    entries = case.surface.values() if isinstance(case.surface, dict) else [case.surface]
+    entries, law = (
+        case.surface.values() if isinstance(case.surface, dict) else [case.surface],
+        case.contact_law(),
+    )
     for ranged, which in (
         (True, "middle of its range"),
         (False, "value in the file, which Ra does not confirm"),
@@ -140,14 +152,18 @@ def assumptions(case: Case) -> tuple[str, ...]:
         if any(
             entry.roughness_average is not None and (entry.fractal_dimension.tolerance > 0.0) == ranged
             for entry in entries
-            if entry.fractal_dimension is not None
+            if entry.fractal_dimension is not None and law == "zou_2025"
         ):
             told.append(
                 f"roughness_average: Ra leaves D open, and all results are those of the {which}; 'asperity joint' "
                 "gives the interval of stiffness and drift"
             )
-    if any(entry.rms_height is not None for entry in entries):
+    if case.model.contact_law is None:
+        told.append(f"contact law {law}, without model.contact_law in the file: {_LAWS[law]}")
+    if law == "exponential":
         told.append(RANDOM_ROUGHNESS)
+        if surfaces_by_average(case):
+            told.append(HEIGHTS_OF_AVERAGE)
     told += _surfaces(case)
     sizes = [
         path
@@ -184,7 +200,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
     told += temperature_assumptions(case, housed=not case.without_housing())
     if joint.crown_curvatures is not None:
         told.append(CROWNED)
-    told += rolling_assumptions(case.rolling, fractal=all(entry.rms_height is None for entry in entries))
+    told += rolling_assumptions(case.rolling, fractal=law == "zou_2025")
     told += lubrication_assumptions(
         case.lubrication,
         materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},

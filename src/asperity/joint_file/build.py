@@ -92,7 +92,7 @@ def joint_from_values(values: Values) -> Joint:
             materials[values["bodies"][material_key(type_of(values), body.name)]] for body in drive.bodies
         ),
         surfaces=tuple(
-            surface_of(entry, asperity_base=model["asperity_base"])
+            surface_of(entry, asperity_base=model["asperity_base"], contact_law=model.get("contact_law"))
             for entry in entries(values["surface"], names)
         ),
         contact_lengths=entries(values["drive"]["contact_length"], names),

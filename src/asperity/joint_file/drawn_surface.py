@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+import jax
 import numpy as np
 
 from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS
+from asperity.joint.evaluation import JointResult
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.joint_file import limits
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.section_build import rms_height_of_average
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH, replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.units import format_quantity
@@ -21,6 +25,8 @@ from asperity.units import format_quantity
 if TYPE_CHECKING:
     from asperity.surface.measurement import SurfaceMeasurement
 
+#: Path of a surface → lower end, middle and upper end of the rms of its heights [m].
+Ends = dict[str, tuple[float, float, float]]
 #: Values of D between the ends of its range, and of Ra between the ends of its scatter.
 DIMENSIONS, AVERAGES = 15, 5
 _AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
@@ -74,8 +80,8 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     dict or None
         As :func:`asperity.joint.measured_surface.stiffness_interval`, with the smallest and the largest value in place
         of percentiles; ``surfaces``: path → the ranges of D and Ra; and ``words``, the same in sentences.
-        None where no surface is stated by its Ra or by its rms_height; of the latter, the ends are those of the
-        contact law's own error.
+        None where no surface is stated by its Ra or by its rms_height. With the exponential contact law the ends hold
+        its own error: :data:`asperity.contact.exponential.OVER_BOUNDARY_ELEMENTS`.
 
     Notes
     -----
@@ -83,9 +89,9 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %; likewise
     that of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
     """
-    entries, heights = surfaces_by_average(case), _surfaces_by_height(case)
-    if heights:
-        return _interval_by_height(case, heights)
+    if case.contact_law() == "exponential":
+        return interval_of_heights(case, _ends_of_heights(case))
+    entries = surfaces_by_average(case)
     if not entries:
         return None
     across, along = np.meshgrid(np.linspace(-1.0, 1.0, DIMENSIONS), np.linspace(-1.0, 1.0, AVERAGES))
@@ -125,30 +131,103 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     }
 
 
-def _surfaces_by_height(case: Case) -> dict[str, Quantity]:
-    """The surfaces of a joint file that are stated by the rms of their heights."""
-    return {path: entry.rms_height for path, entry in _entries(case) if entry.rms_height is not None}
+def _ends_of_heights(case: Case) -> Ends:
+    """Lower end, middle and upper end of the rms of the heights of every surface [m]."""
+    ends: Ends = {}
+    for path, entry in _entries(case):
+        values = si_values(entry)
+        if entry.rms_height is not None:
+            middle, half = entry.rms_height.value, entry.rms_height.tolerance
+            ends[path] = (middle - half, middle, middle + half)
+        else:
+            stated = entry.fractal_dimension
+            assert stated is not None
+            dimension = stated.value + stated.tolerance * np.array([-1.0, 0.0, 1.0])
+            averages = {
+                key: each.value + float(np.max(_half_width(each, dimension))) * np.array([-1.0, 0.0, 1.0])
+                for key in (_AVERAGE, _PARTNER)
+                if (each := getattr(entry, key)) is not None
+            }
+            low, middle, high = (float(each) for each in rms_height_of_average(values | averages))
+            ends[path] = (low, middle, high)
+    return ends
 
 
-def _interval_by_height(case: Case, heights: dict[str, Quantity]) -> dict[str, Any]:
-    """Both ends of the contact law's error, with the tolerance of the heights."""
+def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
+    """Intervals of stiffness and drift by the exponential contact law, from its error and that of the heights.
+
+    Parameters
+    ----------
+    case : Case
+        A joint file with this law.
+    heights : dict of str to tuple
+        Path of a surface → lower end, middle and upper end of the rms of its heights [m].
+
+    Returns
+    -------
+    dict
+        As :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law``
+        and ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
+    """
     least, most = OVER_BOUNDARY_ELEMENTS
-    changes, told = {}, []
-    for path, height in heights.items():
-        ends = least * (height.value - height.tolerance), most * (height.value + height.tolerance)
-        changes[f"{path}.rms_height"] = np.array(ends)
-        told.append(f"{path}.rms_height {' to '.join(format_quantity(each, 'um', 3) for each in ends)}")
+    changes = {
+        f"{path}.rms_height": np.array([least * low, most * high, least * middle, most * middle, low, high])
+        for path, (low, middle, high) in heights.items()
+    }
     values = replace_values(si_values(case), changes)
-    result = over_surfaces(joint_from_case(case), joint_from_values(values).surfaces, shape=(2,))
+    result = over_surfaces(joint_from_case(case), joint_from_values(values).surfaces, shape=(6,))
+    both, law, roughness = (
+        result_ends(
+            jax.tree.map(lambda leaf, k=k: leaf[k : k + 2], result),
+            shape=(2,),
+            percentiles=(0.0, 100.0),
+            least_usable=1.0,
+        )
+        for k in (0, 2, 4)
+    )
+    told = [
+        f"{path.removeprefix('surface.')} {middle} ({low} to {high})"
+        for path, ends in heights.items()
+        for low, middle, high in [[format_quantity(each, "um", 3) for each in ends]]
+    ]
     return {
         "states": 2,
-        **result_ends(result, shape=(2,), percentiles=(0.0, 100.0), least_usable=1.0),
-        "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"].tolist()} for path in heights},
-        "title": "Interval of the contact law, and of rms_height",
-        "words": f"The ends are those of {', '.join(told)}: the law is {least:g} to {most:g} times as stiff as "
-        "boundary elements on measured surfaces, elastic, in nine cases of ten; plastic spots make contacts stiffer, "
-        "up to four times at a hardness of 1.26 GPa. All other values are those of the file.",
+        **both,
+        "parts": {"contact_law": law, "rms_height": roughness},
+        "contacts": _asperity_ends(result, contacts_of(values)),
+        "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"][:2].tolist()} for path in heights},
+        "title": "Interval of the contact law, and of the rms of the heights",
+        "words": f"Of the assembled stiffness {_ends_in_words(law)} by the error of the law alone, "
+        f"{_ends_in_words(roughness)} by that of the heights alone. The rms of the heights: {', '.join(told)}. The "
+        f"law is {least:g} to {most:g} times as stiff as boundary elements on measured surfaces, elastic, in nine "
+        "cases of ten; plastic spots make contacts stiffer, up to four times at a hardness of 1.26 GPa. All other "
+        "values are those of the file.",
     }
+
+
+def _asperity_ends(result: JointResult, names: tuple[str, ...]) -> dict[str, Any]:
+    """Ends of K_n and K_t of the asperities of each contact [N/m], by both errors and by each alone."""
+    stiffness = {
+        "normal": np.asarray(result.contacts.normal_stiffness),
+        "tangential": np.asarray(result.contacts.tangential_stiffness),
+    }
+    return {
+        name: {
+            f"asperity_{direction}_stiffness_N_per_m": {
+                part: sorted(float(each) for each in values[k : k + 2, number])
+                for part, k in (("both", 0), ("contact_law", 2), ("rms_height", 4))
+            }
+            for direction, values in stiffness.items()
+        }
+        for number, name in enumerate(names)
+    }
+
+
+def _ends_in_words(interval: dict[str, Any]) -> str:
+    low, high = (interval["assembly"][f"{end}_Nm_per_rad"] for end in ("low", "high"))
+    if low is None:
+        return "no value"
+    return " to ".join(f"{each:.4g}" if each < 9999.5 else f"{each:.0f}" for each in (low, high)) + " N·m/rad"
 
 
 def _words(interval: dict[str, Any]) -> str:

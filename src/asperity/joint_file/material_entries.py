@@ -82,6 +82,10 @@ class SurfaceEntry(Section):
     """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5, as if a finish is
     given."""
 
+    def stated_keys(self) -> frozenset[str]:
+        """The keys that have a value, one of a finish or of an Rz among them."""
+        return frozenset(name for name, value in self if value is not None)
+
     @model_validator(mode="after")
     def _one_roughness(self) -> SurfaceEntry:
         if self.rms_height is not None:

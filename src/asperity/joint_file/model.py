@@ -10,6 +10,7 @@ from pydantic import AfterValidator, Field, model_validator
 from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
 from asperity.joint_file.branch_sections import refuse_branches
+from asperity.joint_file.contact_law import ContactLaw, contact_law_of
 from asperity.joint_file.drive_sections import BENT, PartFriction, PartName, PartSkews, PartSurfaces
 from asperity.joint_file.material_entries import (
     MaterialEntry,
@@ -141,6 +142,10 @@ class ModelChoice(Section):
     what their bores add."""
     plane_state: Literal["plane_strain", "plane_stress"] | None = None
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
+    contact_law: ContactLaw | None = None
+    """Law of the asperities: zou_2025, the published one of D and G, or exponential, that of randomly rough elastic
+    surfaces, from the rms of their heights: rms_height, or an Ra as its filter passes it. If absent, exponential for
+    rms_height and for a measured surface, zou_2025 for D and G, and for a D with an Ra."""
     closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
     """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
     with their asperities. Those of the assembly if absent."""
@@ -196,6 +201,19 @@ class Case(WholeFile):
         if unknown:
             raise InputError("\n  ".join(unknown))
         return self
+
+    @model_validator(mode="after")
+    def _law_of_every_surface(self) -> Self:
+        self.contact_law()
+        return self
+
+    def contact_law(self) -> ContactLaw:
+        """The law of the asperities of all contacts, stated or not; the reader refuses files that mix two."""
+        surface: Any = self.surface
+        entries = surface.values() if isinstance(surface, dict) else [surface]
+        laws = {contact_law_of(entry.stated_keys(), stated=self.model.contact_law) for entry in entries}
+        law, *_ = laws
+        return law
 
     @model_validator(mode="after")
     def _exact_where_needed(self) -> Self:

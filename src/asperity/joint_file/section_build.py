@@ -11,6 +11,7 @@ from asperity.contact.roller_pairs import Roughness
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
+from asperity.joint_file.contact_law import contact_law_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -102,14 +103,7 @@ def rolling_conditions(values: Values) -> RollingConditions:
 
 
 def film_roughness(values: Values) -> tuple[Any, ...] | None:
-    r"""Roughness of a contact [m] that the oil film is compared with, from the file or Ra; None without either.
-
-    .. math:: \sigma = \sqrt{\pi/2}\,\sqrt{R_{a1}^2 + R_{a2}^2}
-
-    References
-    ----------
-    Normally distributed heights: :data:`asperity.surface.roughness_average.RMS_OVER_RA`.
-    """
+    """Roughness of a contact [m] that the oil film is compared with, from the file or Ra; None without either."""
     oil = values.get("lubrication", {})
     if "roughness" in oil:
         return (oil["roughness"],)
@@ -118,11 +112,25 @@ def film_roughness(values: Values) -> tuple[Any, ...] | None:
     surfaces = entries(values["surface"], contacts_of(values))
     if not all("roughness_average" in entry for entry in surfaces):
         return None
-    averages = [(entry["roughness_average"], entry.get("partner_roughness_average")) for entry in surfaces]
-    return tuple(
-        RMS_OVER_RA * pair_average(first=first, second=first if second is None else second)
-        for first, second in averages
-    )
+    return tuple(rms_height_of_average(entry) for entry in surfaces)
+
+
+def rms_height_of_average(entry: Values) -> Any:
+    r"""The rms of the heights [m] of both bodies together, of normally distributed heights with the Ra of a surface.
+
+    .. math:: \sigma = \sqrt{\pi/2}\,\sqrt{R_{a1}^2 + R_{a2}^2}
+
+    References
+    ----------
+    Normally distributed heights: :data:`asperity.surface.roughness_average.RMS_OVER_RA`.
+    """
+    return RMS_OVER_RA * _average_of_both(entry)
+
+
+def _average_of_both(entry: Values) -> Any:
+    """Ra of both bodies together [m]; a partner that is not stated is alike."""
+    first = entry["roughness_average"]
+    return pair_average(first=first, second=entry.get("partner_roughness_average", first))
 
 
 def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
@@ -132,17 +140,15 @@ def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
     return (entry,)
 
 
-def surface_of(entry: Values, *, asperity_base: AsperityBase) -> Roughness:
-    """The equivalent surface of both bodies of a contact."""
-    if "rms_height" in entry:
-        return RandomRoughness(entry["rms_height"])
+def surface_of(entry: Values, *, asperity_base: AsperityBase, contact_law: str | None) -> Roughness:
+    """The equivalent surface of both bodies of a contact, as the law of its asperities takes it."""
+    if contact_law_of(entry, stated=contact_law) == "exponential":
+        return RandomRoughness(entry["rms_height"] if "rms_height" in entry else rms_height_of_average(entry))
     dimension, roughness = entry["fractal_dimension"], entry.get("fractal_roughness")
     if roughness is None:
         average = entry["roughness_average"]
         roughness = fractal_roughness_from_average(
-            roughness_average=pair_average(
-                first=average, second=entry.get("partner_roughness_average", average)
-            ),
+            roughness_average=_average_of_both(entry),
             cut_off=entry["cut_off"] if "cut_off" in entry else standard_cut_off(roughness_average=average),
             fractal_dimension=dimension,
         )

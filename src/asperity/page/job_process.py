@@ -159,10 +159,10 @@ def design_words(result: DesignResult) -> dict[str, Any]:
 
 def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
     from asperity.surface.measure_files import files_document, measured_files
-    from asperity.surface.measurement import measurement_document, read_measurement
+    from asperity.surface.measured_roughness import read_roughness, roughness_document
 
     if options.get("document"):
-        return measurement_document(measurement=read_measurement(path=file))
+        return roughness_document(read_roughness(path=file))
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource
 
@@ -176,6 +176,7 @@ def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, An
         any_size=False,
         missing="refuse",
         direction="x",
+        lay=None,
         estimator="automatic",
         frequency_ratio=1.5,
         start=None,

@@ -159,7 +159,7 @@ def measured_upload(
 
 def _changes(document: Mapping[str, Any]) -> dict[str, float | str]:
     """Changes of the joint file that state a measured surface; empty without a power law."""
-    if document.get("schema") != SCHEMA or "refused" in document:
+    if document.get("schema") != SCHEMA or "no_power_law" in document:
         return {}
     return {
         "surface.fractal_dimension": document["fractal_dimension"],

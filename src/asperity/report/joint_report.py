@@ -37,7 +37,7 @@ from asperity.standing.windup import Windup
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
-    from asperity.surface.measurement import SurfaceMeasurement
+    from asperity.joint_file.measured_surface import MeasuredCase
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
 _CREEP_SHARE = 0.05  # as in asperity windup
@@ -55,7 +55,7 @@ class ReportSource:
         Its text.
     case : Case
         Its content.
-    measurement : SurfaceMeasurement, optional
+    measurement : MeasuredCase, optional
         The measured surface that has replaced the surfaces of the file in ``case``.
     measurement_texts : tuple of str
         Texts of the files of the measurement.
@@ -68,7 +68,7 @@ class ReportSource:
     name: str
     text: str
     case: Case
-    measurement: SurfaceMeasurement | None = None
+    measurement: MeasuredCase | None = None
     measurement_texts: tuple[str, ...] = ()
     date: str = ""
     studies: ReportStudies = field(default_factory=ReportStudies)
@@ -115,7 +115,7 @@ def joint_report(source: ReportSource) -> Report:
         inputs_table(source.case),
         choices_table(source.case),
         Heading("Assumptions"),
-        Bullets(document["assumptions"]),
+        Bullets([*document["assumptions"], *(source.measurement.assumed if source.measurement else ())]),
         Heading("Drawing"),
         Paragraph(
             "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
@@ -238,12 +238,11 @@ def _measured(joint: Joint, source: ReportSource, case: Case) -> Iterator[Block]
     if source.measurement is None:
         yield from result_tables.drawn_stiffness(drawn_interval(case))
         return
-    # not above: a report without a measurement does without SciPy's signal processing
-    from asperity.joint.measured_surface import stiffness_interval
-    from asperity.surface.measurement import measurement_document
-
-    measured = measurement_document(measurement=source.measurement)
-    yield from result_tables.measured_stiffness(measured, stiffness_interval(joint, source.measurement))
+    document = source.measurement.document(joint)
+    if source.measurement.heights is not None:
+        yield from result_tables.drawn_stiffness(document["stiffness_interval"])
+        return
+    yield from result_tables.measured_stiffness(document["measured_surface"], document["stiffness_interval"])
 
 
 def _appendix(source: ReportSource) -> Iterator[Block]:

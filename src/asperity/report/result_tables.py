@@ -9,11 +9,13 @@ from asperity.joint.torque_limits import first_slip_words
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
 from asperity.results.document import (
+    INTERVAL_HEADS,
     LEVEL_WORDS,
     NO_SHARE,
     budget_words,
     has_elastic_bodies,
     input_member,
+    interval_rows,
     stiffness_rows,
 )
 
@@ -306,6 +308,9 @@ def drawn_stiffness(interval: Document | None) -> Iterator[Block]:
     """Interval of stiffness and drift over what a file leaves open of its surfaces."""
     if interval is not None:
         yield from _interval(interval["title"], interval)
+        rows = interval_rows(interval)
+        if rows:
+            yield Table("Asperities of the contacts in this interval", INTERVAL_HEADS, rows)
         yield Paragraph(interval["words"])
 
 

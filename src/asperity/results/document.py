@@ -45,7 +45,7 @@ NO_SHARE = 1e-12
 LEVEL_WORDS = (
     ("assembly", "assembled: asperities, bodies, rollers free to move, structure"),
     ("series_with_bulk", "asperities and bodies in series, roller centres held"),
-    ("published", "as in Zou et al. 2025: asperities alone, an upper bound"),
+    ("published", "asperities alone, the level of Zou et al. 2025: an upper bound"),
 )
 
 
@@ -239,6 +239,45 @@ def _plain(node: Any) -> Any:
         return node
     number = float(node)
     return number if math.isfinite(number) else None
+
+
+#: Heads of the columns of :func:`interval_rows`.
+INTERVAL_HEADS = (
+    "contact",
+    "K_n asperities\nN/µm",
+    "by the law\nalone",
+    "by the heights\nalone",
+    "K_t asperities\nN/µm",
+)
+
+
+def interval_rows(interval: Document) -> list[tuple[str, ...]]:
+    """Ends of the stiffnesses of the asperities by the errors of contact law and heights, one row for each contact.
+
+    Parameters
+    ----------
+    interval : dict
+        The interval of stiffness and drift of a joint document.
+
+    Returns
+    -------
+    list of tuple of str
+        Cells below :data:`INTERVAL_HEADS`; none where the interval has no such parts.
+    """
+
+    def cell(ends: list[float]) -> str:
+        return " to ".join(
+            f"{1e-6 * each:.3g}" if 1e-6 * each < 999.5 else f"{1e-6 * each:.0f}" for each in ends
+        )
+
+    rows = []
+    for name, contact in interval.get("contacts", {}).items():
+        normal, tangential = (
+            contact[f"asperity_{direction}_stiffness_N_per_m"] for direction in ("normal", "tangential")
+        )
+        parts = [normal[part] for part in ("both", "contact_law", "rms_height")]
+        rows.append((name, *(cell(ends) for ends in (*parts, tangential["both"]))))
+    return rows
 
 
 def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:

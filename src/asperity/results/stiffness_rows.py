@@ -28,7 +28,12 @@ _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
         "bodies in series",
         "asperities and bodies in series, roller centres held",
     ),
-    ("published", "published", "as published", "as in Zou et al. 2025: asperities alone, an upper bound"),
+    (
+        "published",
+        "published",
+        "as published",
+        "asperities alone, the level of Zou et al. 2025: an upper bound",
+    ),
 )
 _GROUPS = {"assembly": "assembly", "series_with_bulk": "series", "published": "published"}
 

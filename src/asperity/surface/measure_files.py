@@ -11,6 +11,13 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.surface.fractal_fit import FractalFit
+from asperity.surface.height_spectrum import (
+    FEWEST_POINTS,
+    HeightSpectrum,
+    Lay,
+    spectrum_of_map,
+    spectrum_of_profiles,
+)
 from asperity.surface.input_file import LARGEST_SPAN, MEBIBYTE, checked_file, file_bytes
 from asperity.surface.levelling import default_form
 from asperity.surface.measure import (
@@ -19,8 +26,10 @@ from asperity.surface.measure import (
     MeasuredSurface,
     conditioned,
     directional_fits,
+    pooled_profiles,
 )
-from asperity.surface.measurement import SCHEMA, SCHEMA_VERSION, measurement_document, surface_measurement
+from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
+from asperity.surface.measurement import surface_measurement
 from asperity.surface.read_instrument import instrument_topography, text_format
 from asperity.surface.read_text import looks_like_text, numpy_topography, text_topography
 from asperity.surface.topography import Topography
@@ -42,12 +51,15 @@ class MeasuredFiles:
     fits : DirectionalFits
         D and G along x and, of a map, along y.
     direction : {"x", "y"}
-        The direction that counts as the result.
+        The direction that counts as the result, in which the contact rolls.
+    spectrum : HeightSpectrum or None
+        Its waves; None of fewer than sixteen points.
     """
 
     surfaces: tuple[MeasuredSurface, ...]
     fits: DirectionalFits
     direction: str
+    spectrum: HeightSpectrum | None
 
     @property
     def fit(self) -> FractalFit | str:
@@ -60,6 +72,18 @@ class MeasuredFiles:
     def topographies(self) -> list[Topography]:
         """The conditioned surfaces without their height parameters."""
         return [surface.topography for surface in self.surfaces]
+
+    @property
+    def roughness(self) -> MeasuredRoughness:
+        """What a joint takes of the surface."""
+        fit = self.fit
+        found = None if isinstance(fit, str) else surface_measurement(fit=fit, source=self.source)
+        return MeasuredRoughness(
+            found,
+            fit if isinstance(fit, str) else "",
+            () if self.spectrum is None else (self.spectrum,),
+            self.source,
+        )
 
     @property
     def source(self) -> str:
@@ -84,6 +108,7 @@ def measured_files(
     short_cutoff: float | None,
     long_cutoff: float | None,
     direction: str,
+    lay: Lay | None,
     estimator: str,
     frequency_ratio: float,
     shortest_wavelength: float | None,
@@ -104,7 +129,9 @@ def measured_files(
     degree, missing, outlier_threshold, short_cutoff, long_cutoff
         As for :class:`asperity.surface.measure.Conditioning`.
     direction : {"x", "y"}
-        Direction in a map that counts as the result.
+        Direction in a map that counts as the result, and in which the contact rolls.
+    lay : {"rolling", "axis", "isotropic"} or None
+        Of profiles: the direction of the grooves, which they cross; None if it is not known.
     estimator, frequency_ratio, shortest_wavelength, longest_wavelength
         As for :func:`asperity.surface.measure.directional_fits`.
 
@@ -145,6 +172,10 @@ def measured_files(
         surfaces.append(conditioned(topography=topography, conditioning=conditioning))
     if direction == "y" and not surfaces[0].topography.is_map:
         raise InputError("a profile has no direction y; leave the direction out")
+    if lay is not None and surfaces[0].topography.is_map:
+        raise InputError(
+            "a map shows its lay; leave it out, and give the direction in which the contact rolls"
+        )
     fits = directional_fits(
         surfaces=surfaces,
         estimator=estimator,
@@ -152,7 +183,19 @@ def measured_files(
         shortest_wavelength=shortest_wavelength,
         longest_wavelength=longest_wavelength,
     )
-    return MeasuredFiles(tuple(surfaces), fits, direction)
+    return MeasuredFiles(tuple(surfaces), fits, direction, _spectrum(surfaces, direction, lay))
+
+
+def _spectrum(surfaces: list[MeasuredSurface], direction: str, lay: Lay | None) -> HeightSpectrum | None:
+    """The waves of the surfaces; None of surfaces of few points."""
+    topographies = [surface.topography for surface in surfaces]
+    if min(min(each.heights.shape) for each in topographies) < FEWEST_POINTS:
+        return None
+    if topographies[0].is_map:
+        return spectrum_of_map(topography=topographies[0], rolling=direction)
+    profiles, spacing, _ = pooled_profiles(surfaces=topographies, direction="x")
+    source = " + ".join(each.source for each in topographies)
+    return spectrum_of_profiles(profiles=profiles, spacing=spacing, lay=lay, source=source)
 
 
 def files_document(measured: MeasuredFiles) -> dict[str, Any]:
@@ -166,16 +209,10 @@ def files_document(measured: MeasuredFiles) -> dict[str, Any]:
     Returns
     -------
     dict
-        Plain numbers and words in SI units, ready for JSON; ``refused`` holds the reason where there is no power law.
+        Plain numbers and words in SI units, ready for JSON; ``no_power_law`` holds the reason where there is none.
     """
-    fit = measured.fit
-    document: dict[str, Any]
-    if isinstance(fit, str):
-        document = {
-            "schema": SCHEMA, "schema_version": SCHEMA_VERSION, "source": measured.source, "refused": fit,
-        }  # fmt: skip
-    else:
-        document = measurement_document(measurement=surface_measurement(fit=fit, source=measured.source))
+    fit, document = measured.fit, roughness_document(measured.roughness)
+    if not isinstance(fit, str):
         document["noise_density_m3"] = fit.noise_density
         document["height_step_m"] = fit.height_step
         document["misfit"] = fit.misfit

@@ -104,8 +104,8 @@ def measurement_document(*, measurement: SurfaceMeasurement) -> dict[str, Any]:
     }
 
 
-def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
-    """Measurement from a document of this kind and version that was not refused."""
+def refuse_other_documents(document: Any) -> None:
+    """Raise unless this is a measurement of this version, not one of an earlier release that was refused."""
     if not isinstance(document, dict) or document.get("schema") != SCHEMA:
         raise InputError(f"this is not a surface measurement: its key 'schema' must be '{SCHEMA}'")
     if document.get("schema_version") != SCHEMA_VERSION:
@@ -115,7 +115,17 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
         )
     if "refused" in document:
         raise InputError(
-            f"the measurement of {document.get('source', 'this surface')} was refused: {document['refused']}"
+            f"the measurement of {document.get('source', 'this surface')} was refused by an earlier release: measure "
+            f"again; {document['refused']}"
+        )
+
+
+def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
+    """D and G from a document of this kind and version that has them."""
+    refuse_other_documents(document)
+    if "no_power_law" in document:
+        raise InputError(
+            f"the measurement of {document.get('source', 'this surface')} has no D and G: {document['no_power_law']}"
         )
     D, G = _number(document, "fractal_dimension"), _number(document, "fractal_roughness_m")
     gamma = _number(document, "frequency_ratio")
@@ -190,20 +200,25 @@ def _brief(value: Any) -> str:
     return text if len(text) <= 40 else text[:37] + "..."
 
 
-def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
-    """Measurement from a JSON file written by ``asperity surface measure --json``.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read or is not such a document.
-    """
+def read_measurement_document(*, path: str | Path) -> Any:
+    """The JSON document of a file, which may be any."""
     try:
-        document = read_json(path)
+        return read_json(path)
     except InputError as error:
         raise InputError(
             f"{error}; expected is the JSON document of a measured surface, as 'asperity surface measure' prints it"
         ) from None
+
+
+def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
+    """D and G from a JSON file written by ``asperity surface measure --json``.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or is not such a document, or has no D and G.
+    """
+    document = read_measurement_document(path=path)
     try:
         return measurement_from_document(document=document)
     except InputError as error:

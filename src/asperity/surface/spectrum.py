@@ -122,7 +122,7 @@ def binned_spectrum(
     taper = scipy.signal.get_window(("tukey", 0.1) if differenced else "hann", used)
     frequency = scipy.fft.rfftfreq(used, spacing)
     last = used // 2 if used % 2 == 0 else frequency.size  # leave out the real ordinate at the sampling limit
-    edges = _bin_edges(last, bins_per_decade)
+    edges = bin_edges(last, bins_per_decade)
     counts = np.diff(edges)
     transfer = 4.0 * np.sin(np.pi * frequency[1:last] * spacing) ** 2 if differenced else np.ones(last - 1)
     norm = 2.0 * spacing / np.sum(taper**2)
@@ -216,7 +216,7 @@ def _independent_ordinates(spectra: NDArray[np.complex64], edges: NDArray[np.int
     return np.maximum(2.0 * first**2 / second, 1.0)
 
 
-def _bin_edges(last: int, per_decade: int) -> NDArray[np.int64]:
+def bin_edges(last: int, per_decade: int) -> NDArray[np.int64]:
     """First ordinate of each bin, and the end: ordinates 1 .. last - 1 without gaps."""
     ratio = 10.0 ** (1.0 / per_decade)
     edges = [1]

@@ -1,0 +1,309 @@
+r"""The waves of a measured surface in bins of frequency, and the mean square of those that a contact feels.
+
+A contact of the width 2b rolls across its lines and is long in the direction of the rollers' axis. Waves longer than
+the contact in both directions move it as a whole, or press its ends unevenly; the others are its roughness:
+
+.. math::
+    h_{rms}^2 = \sum_{ij} V_{ij} \bigl[1 - s_i(1/2b)\, s_j(1/\lambda)\bigr]
+
+with the mean square :math:`V_{ij}` of the waves of the bins i along the rolling direction and j along the axis, and the
+share :math:`s(f)` of a bin that lies below the frequency f.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any, Literal, get_args
+
+import numpy as np
+import scipy.fft
+import scipy.signal
+from numpy.typing import NDArray
+
+from asperity.errors import InputError
+from asperity.surface.roughness_average import RMS_OVER_RA, STANDARD_CUT_OFFS
+from asperity.surface.spectrum import bin_edges, power_spectral_densities
+from asperity.surface.topography import Topography
+
+#: Direction of the grooves of a profile, which is measured across them: those of the rolling direction, those of the
+#: rollers' axis, or none.
+Lay = Literal["rolling", "axis", "isotropic"]
+LAYS = get_args(Lay)
+#: Fewest points of a profile, or of a map in each direction, for a spectrum.
+FEWEST_POINTS = 16
+_BINS_PER_DECADE = {"profile": 20, "map": 10}
+#: A Hann window lets neighbouring ordinates vary together: fewer of them are independent, by this factor a direction.
+_HANN_LOSS = 35.0 / 18.0
+
+
+@dataclass(frozen=True)
+class HeightSpectrum:
+    """Mean square heights of one surface in bins of frequency.
+
+    Attributes
+    ----------
+    rolling_edges, axial_edges : array, shape (rolling + 1,) and (axial + 1,)
+        Limits of the bins along the rolling direction and along the rollers' axis, rising [1/m]; both 0 in the
+        direction in which a profile tells nothing.
+    mean_square : array, shape (rolling, axial)
+        Mean square of the heights of the waves of each bin [m^2].
+    independent : array, shape (rolling, axial)
+        Number of independent ordinates behind it.
+    lay : {"rolling", "axis", "isotropic"} or None
+        Of a profile, if stated; the bins of a profile whose lay is not stated lie along the axis.
+    is_map : bool
+        Whether the surface is a map.
+    source : str
+        Where the heights come from.
+    """
+
+    rolling_edges: NDArray[np.float64]
+    axial_edges: NDArray[np.float64]
+    mean_square: NDArray[np.float64]
+    independent: NDArray[np.float64]
+    lay: Lay | None
+    is_map: bool
+    source: str
+
+    @property
+    def needs_width(self) -> bool:
+        """Whether the part that a contact feels depends on the contact's width."""
+        return self.is_map or self.lay == "axis"
+
+    @property
+    def longest_wave(self) -> float:
+        """Longest wave along the rollers' axis, or along the profile, that counts: two thirds of the size [m]."""
+        edges = self.rolling_edges if self.axial_edges[-1] == 0.0 else self.axial_edges
+        return 1.0 / _lowest(edges)
+
+    def felt(self, *, rolling: float, axial: float) -> tuple[float, float]:
+        """Mean square of the heights of all waves but those below both frequencies, and its standard deviation.
+
+        Waves longer than two thirds of the surface are below in any case: the window does not tell them from the form.
+
+        Parameters
+        ----------
+        rolling, axial : float
+            Frequencies along the rolling direction and along the axis [1/m].
+
+        Returns
+        -------
+        tuple of float
+            Both [m^2]; the deviation is that of a normally distributed surface with this spectrum.
+        """
+        low = [
+            _below(edges, max(frequency, _lowest(edges)))
+            for edges, frequency in ((self.rolling_edges, rolling), (self.axial_edges, axial))
+        ]
+        kept = 1.0 - np.outer(*low)
+        part = kept * self.mean_square
+        return float(part.sum()), float(np.sqrt(np.sum(part**2 / self.independent)))
+
+    def cut_off(self) -> float:
+        """Cut-off [m] that ISO 4288 takes for the Ra of this surface along the axis; longer waves are no roughness.
+
+        Returns
+        -------
+        float
+            The smallest that agrees with the Ra behind it, of normally distributed heights.
+
+        References
+        ----------
+        :data:`asperity.surface.roughness_average.STANDARD_CUT_OFFS`.
+        """
+        for largest, cut_off in STANDARD_CUT_OFFS:
+            square, _ = self.felt(rolling=math.inf, axial=1.0 / cut_off)
+            if math.sqrt(square) / RMS_OVER_RA <= largest:
+                break
+        return cut_off
+
+    def document(self) -> dict[str, Any]:
+        """The spectrum as plain numbers for JSON."""
+        return {
+            "source": self.source,
+            "is_map": self.is_map,
+            "lay": self.lay,
+            "rolling_frequency_edges_per_m": _plain(self.rolling_edges),
+            "axial_frequency_edges_per_m": _plain(self.axial_edges),
+            "mean_square_height_m2": [_plain(row) for row in self.mean_square],
+            "independent_ordinates": [_plain(row) for row in self.independent],
+        }
+
+
+def _below(edges: NDArray[np.float64], frequency: float) -> NDArray[np.float64]:
+    """Share of each bin below a frequency; all of a bin without a width."""
+    width = np.diff(edges)
+    return np.where(
+        width > 0.0, np.clip((frequency - edges[:-1]) / np.where(width > 0.0, width, 1.0), 0.0, 1.0), 1.0
+    )
+
+
+def _lowest(edges: NDArray[np.float64]) -> float:
+    """Lowest frequency that the window tells from the form: that of one and a half periods; 0 without bins."""
+    positive = edges[edges > 0.0]
+    return 3.0 * float(positive[0]) if positive.size else 0.0
+
+
+def _plain(numbers: NDArray[np.float64]) -> list[float]:
+    return [float(f"{each:.7g}") for each in numbers]
+
+
+def spectrum_from_document(entry: Any) -> HeightSpectrum:
+    """The spectrum of :meth:`HeightSpectrum.document`.
+
+    Raises
+    ------
+    InputError
+        If it is not such a document.
+    """
+    try:
+        first, second, square, independent = (
+            np.asarray(entry[key], dtype=np.float64)
+            for key in (
+                "rolling_frequency_edges_per_m",
+                "axial_frequency_edges_per_m",
+                "mean_square_height_m2",
+                "independent_ordinates",
+            )
+        )
+        lay, is_map, source = entry["lay"], entry["is_map"], entry["source"]
+        valid = (
+            square.shape == independent.shape == (first.size - 1, second.size - 1)
+            and all(
+                np.isfinite(each).all() and (each >= 0.0).all()
+                for each in (first, second, square, independent)
+            )
+            and (np.diff(first) >= 0.0).all()
+            and (np.diff(second) >= 0.0).all()
+            and max(first[-1], second[-1]) > 0.0
+            and (independent > 0.0).all()
+            and (lay is None or lay in LAYS)
+            and isinstance(is_map, bool)
+            and isinstance(source, str)
+        )
+    except (KeyError, TypeError, ValueError, IndexError):
+        valid = False
+    if not valid:
+        raise InputError("the spectrum of the measurement is damaged: measure again")
+    return HeightSpectrum(first, second, square, independent, lay, is_map, source)
+
+
+def with_lay(spectrum: HeightSpectrum, lay: Lay | None) -> HeightSpectrum:
+    """The spectrum of a profile with a stated lay: its waves run along the axis, or in the rolling direction."""
+    if lay != "axis":
+        return replace(spectrum, lay=lay)
+    return replace(
+        spectrum,
+        lay=lay,
+        rolling_edges=spectrum.axial_edges,
+        axial_edges=spectrum.rolling_edges,
+        mean_square=spectrum.mean_square.T,
+        independent=spectrum.independent.T,
+    )
+
+
+def spectrum_of_profiles(
+    *, profiles: NDArray[np.float64], spacing: float, lay: Lay | None, source: str
+) -> HeightSpectrum:
+    """Spectrum of profiles of one surface, a straight line removed from each, Hann window.
+
+    Parameters
+    ----------
+    profiles : array, shape (profiles, points)
+        Heights [m], no missing points.
+    spacing : float
+        Distance of the points [m].
+    lay : {"rolling", "axis", "isotropic"} or None
+        Direction of the grooves, which the profiles cross; None if it is not known.
+    source : str
+        Where the heights come from.
+
+    Returns
+    -------
+    HeightSpectrum
+    """
+    _, density = power_spectral_densities(profiles=profiles, spacing=spacing, window="hann")
+    rows, points = profiles.shape
+    length = points * spacing
+    edges, sums = _bins(np.arange(1, density.shape[1] + 1), _BINS_PER_DECADE["profile"])
+    power = density / length
+    total, square = sums @ power.sum(axis=0), sums @ np.sum(power**2, axis=0)
+    along = HeightSpectrum(
+        rolling_edges=np.zeros(2),
+        axial_edges=edges / length,
+        mean_square=total[None, :] / rows,
+        independent=_independent(total, square, rows * sums.sum(axis=1))[None, :] / _HANN_LOSS,
+        lay=None,
+        is_map=False,
+        source=source,
+    )
+    return with_lay(along, lay)
+
+
+def spectrum_of_map(*, topography: Topography, rolling: str) -> HeightSpectrum:
+    """Spectrum of a levelled map, Hann window in both directions.
+
+    Parameters
+    ----------
+    topography : Topography
+        A map without missing points.
+    rolling : {"x", "y"}
+        Direction of the map in which the contact rolls; the rollers' axis is the other one.
+
+    Returns
+    -------
+    HeightSpectrum
+    """
+    assert topography.spacing_across is not None
+    along_x = rolling == "x"
+    heights = topography.heights.T if along_x else topography.heights
+    spacings = (topography.spacing, topography.spacing_across)
+    lengths = [
+        count * spacing
+        for count, spacing in zip(heights.shape, spacings[:: 1 if along_x else -1], strict=True)
+    ]
+    windows = [scipy.signal.get_window("hann", count) for count in heights.shape]
+    spectrum = scipy.fft.rfft2(heights * np.outer(*windows), workers=2)
+    power = (spectrum.real**2 + spectrum.imag**2) / (
+        heights.size * np.prod([np.sum(each**2) for each in windows])
+    )
+    first = np.abs(np.rint(scipy.fft.fftfreq(heights.shape[0], 1.0 / heights.shape[0]))).astype(int)
+    (rolling_edges, rows), (axial_edges, columns) = (
+        _bins(ordinates, _BINS_PER_DECADE["map"]) for ordinates in (first, np.arange(power.shape[1]))
+    )
+    twice = np.full(power.shape[1], 2.0)  # of a real map the other half of the plane is the same
+    twice[0] = 1.0
+    if heights.shape[1] % 2 == 0:
+        twice[-1] = 1.0
+    total, square = rows @ power @ columns.T, rows @ power**2 @ columns.T
+    count = np.outer(rows.sum(axis=1), columns @ (0.5 * twice))
+    return HeightSpectrum(
+        rolling_edges=rolling_edges / lengths[0],
+        axial_edges=axial_edges / lengths[1],
+        mean_square=rows @ (power * twice) @ columns.T,
+        independent=_independent(total, square, count) / _HANN_LOSS**2,
+        lay=None,
+        is_map=True,
+        source=topography.source,
+    )
+
+
+def _bins(ordinates: NDArray[np.int64], per_decade: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Edges of logarithmic bins of ordinates, in ordinates, and the matrix (bins, ordinates) that sums over each."""
+    starts = bin_edges(int(ordinates.max()) + 1, per_decade)
+    if ordinates.min() == 0:
+        starts = np.concatenate([[0], starts])
+    inside = (ordinates >= starts[:-1, None]) & (ordinates < starts[1:, None])
+    return np.maximum(starts - 0.5, 0.0), inside.astype(np.float64)
+
+
+def _independent(
+    total: NDArray[np.float64], square: NDArray[np.float64], count: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Number of ordinates with the scatter of bins, from the sums of the ordinates and of their squares; 1 to count.
+
+    Ordinates of a normally distributed surface scatter by their mean: alike on average, all of them count.
+    """
+    alike = 2.0 * total**2 / np.where(square > 0.0, square, 1.0)
+    return np.clip(alike, 1.0, np.maximum(count, 1.0))

@@ -1,0 +1,114 @@
+"""Which contact law a joint file has: stated or not, with every kind of surface; contradictions."""
+
+import math
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from asperity.contact.exponential import RandomRoughness
+from asperity.contact.fractal import Surface
+from asperity.errors import InputError
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case, joint_from_values
+from asperity.joint_file.contact_law import contact_law_of
+from asperity.joint_file.drawn_surface import drawn_interval
+from asperity.joint_file.reader import case_from_tables
+from asperity.joint_file.si_tables import replace_values, si_values
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+FRACTAL = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
+AVERAGE = {"finish": "ground", "roughness_average": "0.2 um"}
+HEIGHT = {"rms_height": "0.2 um"}
+
+
+def case_of(surface, law=None, name="zou2025"):
+    tables = tomllib.loads((EXAMPLES / f"{name}.toml").read_text(encoding="utf-8"))
+    model = tables["model"] | ({} if law is None else {"contact_law": law})
+    return case_from_tables(tables | {"surface": surface, "model": model}, source="a.toml")
+
+
+@pytest.mark.parametrize(
+    ("surface", "law", "chosen"),
+    [
+        (FRACTAL, None, "zou_2025"),
+        (FRACTAL, "zou_2025", "zou_2025"),
+        (AVERAGE, None, "zou_2025"),
+        (AVERAGE, "zou_2025", "zou_2025"),
+        (AVERAGE, "exponential", "exponential"),
+        (HEIGHT, None, "exponential"),
+        (HEIGHT, "exponential", "exponential"),
+    ],
+)
+def test_the_law_of_every_surface(surface, law, chosen):
+    case = case_of(surface, law)
+    assert case.contact_law() == chosen
+    (built,) = joint_from_case(case).surfaces
+    assert isinstance(built, {"zou_2025": Surface, "exponential": RandomRoughness}[chosen])
+    told = " ".join(assumptions(case))
+    assert (f"contact law {chosen}, without model.contact_law" in told) == (law is None)
+    assert ("contact law exponential: of randomly rough" in told) == (chosen == "exponential")
+    assert ("exponential with roughness_average" in told) == (surface is AVERAGE and chosen == "exponential")
+
+
+@pytest.mark.parametrize(
+    ("surface", "law", "remedy"),
+    [
+        (HEIGHT, "zou_2025", "leave contact_law out, or give fractal_dimension"),
+        (FRACTAL, "exponential", "give rms_height or roughness_average in place of fractal_roughness"),
+        (dict.fromkeys(("sp", "pwr", "pwl", "wro", "wlo"), HEIGHT), "zou_2025", "leave contact_law out"),
+    ],
+)
+def test_a_contradiction_is_one_message_with_the_remedy(surface, law, remedy):
+    with pytest.raises(InputError, match=remedy) as caught:
+        case_of(surface, law)
+    assert str(caught.value).count(remedy) == 1
+    with pytest.raises(InputError, match=remedy):
+        contact_law_of(surface.get("sp", surface), stated=law)
+
+
+def test_a_study_cannot_leave_the_stated_law():
+    values = si_values(case_of(FRACTAL, "zou_2025"))
+    with pytest.raises(InputError, match="needs D and G"):
+        joint_from_values(replace_values(values, {"surface.rms_height": 2e-7}))
+    values = si_values(case_of(HEIGHT))
+    (built,) = joint_from_values(
+        replace_values(values, {"surface.rms_height": np.array([2e-7, 3e-7])})
+    ).surfaces
+    assert built.rms_height.tolist() == [2e-7, 3e-7]
+
+
+def test_heights_of_an_average_by_hand():
+    """Normally distributed heights: Rq = sqrt(pi/2) Ra; two bodies of 0.2 and 0.15 um have 0.25 um together."""
+    case = case_of(AVERAGE | {"partner_roughness_average": "0.15 um"}, "exponential")
+    (built,) = joint_from_case(case).surfaces
+    assert float(built.rms_height) == pytest.approx(math.sqrt(math.pi / 2.0) * 0.25e-6, rel=1e-12)
+
+
+@pytest.mark.slow
+def test_stiffnesses_and_interval_of_an_average():
+    """K_n = N/u0 and K_t = kappa N/u0 (1 - T/mu N) of the joint's own forces; the law's ends in the interval."""
+    case = case_of(AVERAGE | {"roughness_average": "0.2 um +- 0.02 um"}, "exponential", name="planetary")
+    joint = joint_from_case(case)
+    solved = solve_joint(joint)
+    contacts, forces = solved.result.contacts, solved.result.forces
+    length = 0.48 * math.sqrt(math.pi) * 0.2e-6  # both bodies alike: sqrt(2) times one
+    normal, tangential = np.asarray(forces.normal), np.abs(np.asarray(forces.tangential))
+    np.testing.assert_allclose(contacts.normal_stiffness, normal / length, rtol=1e-9)
+    friction, ratio = case.load.friction_coefficient.value, float(joint.materials[0].poisson_ratio)
+    np.testing.assert_allclose(
+        contacts.tangential_stiffness,
+        2.0 * (1.0 - ratio) / (2.0 - ratio) * normal / length * (1.0 - tangential / (friction * normal)),
+        rtol=1e-9,
+    )
+    interval = drawn_interval(case)
+    for end, factor in (("low", 1.24 * 1.1), ("high", 0.39 * 0.9)):
+        there = case_of({"rms_height": f"{factor * length / 0.48 * 1e6:.10g} um"}, name="planetary")
+        stiffness = float(solve_joint(joint_from_case(there)).result.assembly.stiffness.output)
+        assert interval["assembly"][f"{end}_Nm_per_rad"] == pytest.approx(stiffness, rel=1e-5)
+    law, heights = (interval["parts"][name]["assembly"] for name in ("contact_law", "rms_height"))
+    for part in (law, heights):
+        assert interval["assembly"]["low_Nm_per_rad"] < part["low_Nm_per_rad"] < part["high_Nm_per_rad"]
+        assert part["high_Nm_per_rad"] < interval["assembly"]["high_Nm_per_rad"]
