@@ -98,7 +98,8 @@ def test_a_surface_may_be_stated_by_its_ra(planar_case):
         'fractal_dimension = 1.5\nfractal_roughness = "1.3e-7 mm"    # superfinished, towards the rough end\n'
     )
     average = 'finish = "superfinished"\nroughness_average = "0.1 um"\n'
-    case = planar_case("planetary", (given + "frequency_ratio = 1.5\n", average))
+    law = ("[model]\n", '[model]\ncontact_law = "zou_2025"\n')
+    case = planar_case("planetary", (given + "frequency_ratio = 1.5\n", average), law)
     assert case.surface.fractal_dimension.tolerance > 0.0
     (surface,) = joint_from_case(case).surfaces
     found = roughness_average(

@@ -21,6 +21,7 @@ from asperity.joint_file.si_tables import replace_values, si_values
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FRACTAL = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
 AVERAGE = {"finish": "ground", "roughness_average": "0.2 um"}
+BARE = {"fractal_dimension": 1.4, "frequency_ratio": 1.5, "roughness_average": "0.2 um"}
 HEIGHT = {"rms_height": "0.2 um"}
 
 
@@ -35,7 +36,9 @@ def case_of(surface, law=None, name="zou2025"):
     [
         (FRACTAL, None, "zou_2025"),
         (FRACTAL, "zou_2025", "zou_2025"),
-        (AVERAGE, None, "zou_2025"),
+        (AVERAGE, None, "exponential"),
+        (BARE, None, "zou_2025"),
+        (BARE, "exponential", "exponential"),
         (AVERAGE, "zou_2025", "zou_2025"),
         (AVERAGE, "exponential", "exponential"),
         (HEIGHT, None, "exponential"),
@@ -50,7 +53,8 @@ def test_the_law_of_every_surface(surface, law, chosen):
     told = " ".join(assumptions(case))
     assert (f"contact law {chosen}, without model.contact_law" in told) == (law is None)
     assert ("contact law exponential: of randomly rough" in told) == (chosen == "exponential")
-    assert ("exponential with roughness_average" in told) == (surface is AVERAGE and chosen == "exponential")
+    by_average = "roughness_average" in surface and chosen == "exponential"
+    assert ("exponential with roughness_average" in told) == by_average
 
 
 @pytest.mark.parametrize(
@@ -66,7 +70,7 @@ def test_a_contradiction_is_one_message_with_the_remedy(surface, law, remedy):
         case_of(surface, law)
     assert str(caught.value).count(remedy) == 1
     with pytest.raises(InputError, match=remedy):
-        contact_law_of(surface.get("sp", surface), stated=law)
+        contact_law_of([surface.get("sp", surface)], stated=law)
 
 
 def test_a_study_cannot_leave_the_stated_law():
@@ -78,6 +82,20 @@ def test_a_study_cannot_leave_the_stated_law():
         replace_values(values, {"surface.rms_height": np.array([2e-7, 3e-7])})
     ).surfaces
     assert built.rms_height.tolist() == [2e-7, 3e-7]
+
+
+def test_one_law_for_surfaces_of_both_kinds():
+    """A contact with D and G makes the others by their finish fractal; beside rms_height it is a mistake."""
+    others = dict.fromkeys(("pwr", "pwl", "wro", "wlo"), AVERAGE)
+    case = case_of({"sp": FRACTAL, **others})
+    assert case.contact_law() == "zou_2025"
+    assert all(isinstance(each, Surface) for each in joint_from_case(case).surfaces)
+    values = si_values(case_of(dict.fromkeys(("sp", *others), AVERAGE)))
+    changed = joint_from_values(replace_values(values, {"surface.sp.rms_height": 2e-7}))
+    assert float(changed.surfaces[0].rms_height) == 2e-7
+    assert all(isinstance(each, RandomRoughness) for each in changed.surfaces)
+    with pytest.raises(InputError, match="one contact law for all contacts"):
+        joint_from_values(replace_values(si_values(case), {"surface.pwr.rms_height": 2e-7}))
 
 
 def test_heights_of_an_average_by_hand():

@@ -25,7 +25,9 @@ SURFACE = '[surface]\nfinish = "ground"\nroughness_average = "0.2 um"\n'
 
 @pytest.fixture(scope="module")
 def head(example_text):
-    return example_text[: example_text.index("[surface]")]
+    """A file with the published law, whose interval D and Ra make."""
+    text = example_text[: example_text.index("[surface]")]
+    return text.replace("[model]\n", '[model]\ncontact_law = "zou_2025"\n')
 
 
 @pytest.fixture(scope="module")

@@ -32,7 +32,7 @@ def test_what_a_material_may_leave_out():
 
 def test_a_surface_by_its_g():
     entry = {"fractal_dimension": 1.4, "fractal_roughness": 1e-11, "frequency_ratio": 1.5}
-    surface = surface_of(entry, asperity_base="circular_spot", contact_law=None)
+    surface = surface_of(entry, asperity_base="circular_spot", contact_law="zou_2025")
     assert (surface.fractal_dimension, surface.fractal_roughness, surface.frequency_ratio) == (
         1.4,
         1e-11,
@@ -52,7 +52,7 @@ def test_a_surface_by_its_g():
 def test_a_surface_by_the_ra_of_its_bodies(given, average, cut_off):
     """The equivalent surface has the root of the sum of squares of both Ra."""
     entry = {"fractal_dimension": 1.4, "roughness_average": 0.4e-6, "frequency_ratio": 1.5} | given
-    surface = surface_of(entry, asperity_base="majumdar_bhushan_1991", contact_law=None)
+    surface = surface_of(entry, asperity_base="majumdar_bhushan_1991", contact_law="zou_2025")
     found = roughness_average(
         fractal_dimension=1.4, fractal_roughness=surface.fractal_roughness, cut_off=cut_off
     )

@@ -20,6 +20,7 @@ from asperity.drive.structure.pin_beam import PinBeam
 from asperity.joint.body_shape import BodyShape, on_pin
 from asperity.joint.description import Joint
 from asperity.joint.temperature import contact_fit
+from asperity.joint_file.contact_law import contact_law_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import (
     CONTACTS,
@@ -80,6 +81,8 @@ def joint_from_values(values: Values) -> Joint:
     shapes = _on_pins(values.get("bearings", {}), drive, shapes)
     load, model, springs = values["load"], values["model"], values.get("compliance", {})
     names, cam = contacts_of(values), load.get("cam_force_per_torque")
+    surfaces = entries(values["surface"], names)
+    law = contact_law_of(surfaces, stated=model.get("contact_law"))
     rings = pattern
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
         pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
@@ -92,8 +95,7 @@ def joint_from_values(values: Values) -> Joint:
             materials[values["bodies"][material_key(type_of(values), body.name)]] for body in drive.bodies
         ),
         surfaces=tuple(
-            surface_of(entry, asperity_base=model["asperity_base"], contact_law=model.get("contact_law"))
-            for entry in entries(values["surface"], names)
+            surface_of(entry, asperity_base=model["asperity_base"], contact_law=law) for entry in surfaces
         ),
         contact_lengths=entries(values["drive"]["contact_length"], names),
         friction_coefficients=entries(load["friction_coefficient"], names),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from typing import Literal
 
 from asperity.errors import InputError
@@ -10,13 +10,13 @@ from asperity.errors import InputError
 ContactLaw = Literal["zou_2025", "exponential"]
 
 
-def contact_law_of(keys: Collection[str], *, stated: str | None) -> ContactLaw:
-    """The law of the asperities of a contact.
+def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -> ContactLaw:
+    """The law of the asperities of all contacts.
 
     Parameters
     ----------
-    keys : collection of str
-        The keys that its surface states.
+    surfaces : iterable of collection of str
+        The keys that each surface states.
     stated : str or None
         ``model.contact_law``; None where the file leaves it out.
 
@@ -24,23 +24,30 @@ def contact_law_of(keys: Collection[str], *, stated: str | None) -> ContactLaw:
     -------
     str
         ``"zou_2025"``, the published law of D and G, or ``"exponential"``, that of the rms of the heights,
-        :func:`asperity.contact.exponential.random_contact`. Without a statement ``rms_height`` has the latter.
+        :func:`asperity.contact.exponential.random_contact`. Without a statement surfaces by their ``rms_height`` have
+        the latter, and so have finishes with their Ra, where no surface states G.
 
     Raises
     ------
     InputError
-        If the surface does not state what the law needs.
+        If a surface does not state what the law needs.
     """
-    if "rms_height" in keys:
-        if stated == "zou_2025":
-            raise InputError(
-                'model.contact_law = "zou_2025" needs D and G, of which rms_height says nothing: leave contact_law '
-                "out, or give fractal_dimension, fractal_roughness and frequency_ratio in place of rms_height"
-            )
-        return "exponential"
-    if stated == "exponential" and "fractal_roughness" in keys:
+    each = list(surfaces)
+    by_height = any("rms_height" in keys for keys in each)
+    fractal = any("fractal_roughness" in keys for keys in each)
+    if by_height and stated == "zou_2025":
+        raise InputError(
+            'model.contact_law = "zou_2025" needs D and G, of which rms_height says nothing: leave contact_law '
+            "out, or give fractal_dimension, fractal_roughness and frequency_ratio in place of rms_height"
+        )
+    if by_height and fractal:
+        raise InputError(
+            "one contact law for all contacts: some surfaces have rms_height, others D and G; give all in one way"
+        )
+    if stated == "exponential" and fractal:
         raise InputError(
             'model.contact_law = "exponential" needs the rms of the heights, which D and G alone do not fix: give '
             "rms_height or roughness_average in place of fractal_roughness, or leave contact_law out"
         )
-    return "exponential" if stated == "exponential" else "zou_2025"
+    of_finishes = stated is None and not fractal and all("finish" in keys for keys in each)
+    return "exponential" if by_height or of_finishes or stated == "exponential" else "zou_2025"

@@ -144,8 +144,8 @@ class ModelChoice(Section):
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
     contact_law: ContactLaw | None = None
     """Law of the asperities: zou_2025, the published one of D and G, or exponential, that of randomly rough elastic
-    surfaces, from the rms of their heights: rms_height, or an Ra as its filter passes it. If absent, exponential for
-    rms_height and for a measured surface, zou_2025 for D and G, and for a D with an Ra."""
+    surfaces, from the rms of their heights: rms_height, or that of normally distributed heights with the stated Ra. If
+    absent, exponential for rms_height, a finish with its Ra and a measured surface, zou_2025 for D with G or an Ra."""
     closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
     """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
     with their asperities. Those of the assembly if absent."""
@@ -208,12 +208,10 @@ class Case(WholeFile):
         return self
 
     def contact_law(self) -> ContactLaw:
-        """The law of the asperities of all contacts, stated or not; the reader refuses files that mix two."""
+        """The law of the asperities of all contacts, stated or not."""
         surface: Any = self.surface
         entries = surface.values() if isinstance(surface, dict) else [surface]
-        laws = {contact_law_of(entry.stated_keys(), stated=self.model.contact_law) for entry in entries}
-        law, *_ = laws
-        return law
+        return contact_law_of((entry.stated_keys() for entry in entries), stated=self.model.contact_law)
 
     @model_validator(mode="after")
     def _exact_where_needed(self) -> Self:

@@ -11,7 +11,7 @@ from asperity.contact.roller_pairs import Roughness
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint_file.contact_law import contact_law_of
+from asperity.joint_file.contact_law import ContactLaw
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -140,9 +140,9 @@ def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
     return (entry,)
 
 
-def surface_of(entry: Values, *, asperity_base: AsperityBase, contact_law: str | None) -> Roughness:
+def surface_of(entry: Values, *, asperity_base: AsperityBase, contact_law: ContactLaw) -> Roughness:
     """The equivalent surface of both bodies of a contact, as the law of its asperities takes it."""
-    if contact_law_of(entry, stated=contact_law) == "exponential":
+    if contact_law == "exponential":
         return RandomRoughness(entry["rms_height"] if "rms_height" in entry else rms_height_of_average(entry))
     dimension, roughness = entry["fractal_dimension"], entry.get("fractal_roughness")
     if roughness is None:
