@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from asperity.contact.cattaneo_mindlin import shear_traction, stick_half_width
+from asperity.contact.cattaneo_mindlin import stick_half_width
 from asperity.contact.hertz_line import peak_pressure
 
 LOAD, LENGTH, WIDTH, MU = 1000.0, 5e-3, 8e-5, 0.12
@@ -15,13 +15,13 @@ def traction(x, force):
     stick = stick_half_width(
         half_width=WIDTH, normal_force=LOAD, tangential_force=force, friction_coefficient=MU
     )
-    return shear_traction(
-        position=x,
-        half_width=WIDTH,
-        stick_half_width=stick,
-        peak_pressure=peak_pressure(normal_force=LOAD, contact_length=LENGTH, half_width=WIDTH),
-        friction_coefficient=MU,
-    )
+    limit = MU * peak_pressure(normal_force=LOAD, contact_length=LENGTH, half_width=WIDTH)
+
+    def ellipse(width):
+        return jnp.where(jnp.abs(x) < width, jnp.sqrt(jnp.maximum(1.0 - (x / width) ** 2, 0.0)), 0.0)
+
+    # Johnson 1985, equation (7.24)
+    return limit * (ellipse(WIDTH) - jnp.where(stick > 0.0, stick / WIDTH * ellipse(stick), 0.0))
 
 
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.9, 1.0])

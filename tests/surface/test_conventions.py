@@ -28,17 +28,12 @@ def test_structure_function_is_the_cosine_transform_of_the_spectrum(D, G):
 @pytest.mark.parametrize(("D", "G"), CASES)
 def test_round_trips(D, G):
     P = c.power_spectral_density(frequency=3e4, fractal_dimension=D, fractal_roughness=G)
-    np.testing.assert_allclose(c.roughness_from_spectrum(level=P, frequency=3e4, fractal_dimension=D), G)
     S = float(c.structure_function(lag=2e-6, fractal_dimension=D, fractal_roughness=G))
     np.testing.assert_allclose(c.roughness_from_structure_function(level=S, lag=2e-6, fractal_dimension=D), G)
     mt = c.majumdar_tien_roughness(fractal_dimension=D, fractal_roughness=G, frequency_ratio=1.5)
     np.testing.assert_allclose(
         P, mt ** (2 * (D - 1)) / (2 * np.log(1.5)) * 3e4 ** -(5 - 2 * D)
     )  # Majumdar & Tien's own spectrum
-    back = c.roughness_from_majumdar_tien(
-        fractal_dimension=D, majumdar_tien_fractal_roughness=mt, frequency_ratio=1.5
-    )
-    np.testing.assert_allclose(back, G)
     areal = c.areal_roughness_from_profile(fractal_dimension=D, fractal_roughness=G)
     np.testing.assert_allclose(
         c.profile_roughness_from_areal(fractal_dimension=D, areal_fractal_roughness=areal), G
@@ -70,7 +65,7 @@ def test_profile_spectrum_of_a_surface_is_the_integral_of_the_areal_one(D, G):
     )
 
 
-def test_topothesy_and_wavenumber_density_and_dimensions():
+def test_topothesy_and_wavenumber_density():
     D, G = 1.4, 1e-10
     lam = c.topothesy(fractal_dimension=D, fractal_roughness=G)
     np.testing.assert_allclose(
@@ -78,8 +73,6 @@ def test_topothesy_and_wavenumber_density_and_dimensions():
     )
     C = c.power_spectral_density_of_wavenumber(wavenumber=2 * np.pi, fractal_dimension=D, fractal_roughness=G)
     assert pytest.approx(0.25 * G ** (2 * (D - 1))) == C  # half of P(1/m) = G^(2(D-1)) / 2
-    assert c.hurst_exponent(fractal_dimension=D) == pytest.approx(0.6)
-    assert c.surface_dimension(fractal_dimension=D) == pytest.approx(2.4)
 
 
 @pytest.mark.parametrize(("D", "G"), [(2.3, 1e-9), (1.0, 1e-9), (1.5, 0.0), (1.5, float("inf"))])

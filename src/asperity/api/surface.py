@@ -128,29 +128,14 @@ class FractalSurface(Shown):
         heights, number, length = measured.surfaces[0].heights, Dimension.DIMENSIONLESS, Dimension.LENGTH
         letter = "S" if measured.topographies[0].is_map else "R"
         fractal = (
-            ()
-            if isinstance(fit, str)
-            else (
-                ("fractal_dimension", "fractal dimension D", fit.fractal_dimension, number, "1"),
-                ("fractal_roughness", "fractal roughness G", fit.fractal_roughness, length, "m"),
-                ("frequency_ratio", "frequency ratio gamma", fit.frequency_ratio, number, "1"),
-                (
-                    "shortest_wavelength",
-                    "shortest wavelength of the band",
-                    fit.shortest_wavelength,
-                    length,
-                    "um",
-                ),
-                (
-                    "longest_wavelength",
-                    "longest wavelength of the band",
-                    fit.longest_wavelength,
-                    length,
-                    "um",
-                ),
-            )
+            ("fractal_dimension", "fractal dimension D", number, "1"),
+            ("fractal_roughness", "fractal roughness G", length, "m"),
+            ("frequency_ratio", "frequency ratio gamma", number, "1"),
+            ("shortest_wavelength", "shortest wavelength of the band", length, "um"),
+            ("longest_wavelength", "longest wavelength of the band", length, "um"),
         )
-        rows = [*fractal]
+        known = () if isinstance(fit, str) else fractal
+        rows = [(name, label, getattr(fit, name), dimension, unit) for name, label, dimension, unit in known]
         if len(measured.surfaces) == 1:
             rows += [
                 (f"{letter}a", f"arithmetic mean height {letter}a", heights.arithmetic_mean, length, "um"),

@@ -104,7 +104,7 @@ def hoop_stress(
     angle : Array
         Polar angles of the points, shape (m,) [rad].
     mode_count : int
-        Modes to sum, :func:`modes_for_stress` [-].
+        Modes to sum, n^2 (R_i/R_o)^n of the last one is what the far rim misses [-].
 
     Returns
     -------
@@ -157,79 +157,3 @@ def hoop_stress(
         scale * (loaded_r @ radial_forces - loaded_t @ tangential_forces),
         scale * (other_r @ radial_forces - other_t @ tangential_forces),
     )
-
-
-def modes_for_stress(*, inner_radius: float, outer_radius: float) -> int:
-    r"""Number of modes for the stress at the far rim, from :math:`n^2 (R_i/R_o)^n < 10^{-10}`.
-
-    Parameters
-    ----------
-    inner_radius, outer_radius : float
-        Radii [m].
-
-    Returns
-    -------
-    int
-        Number of modes.
-
-    References
-    ----------
-    Equation (E2) of :doc:`/equations`.
-    """
-    rate, mode = math.log(outer_radius / inner_radius), 2.0
-    while mode * rate - 2.0 * math.log(mode) < 10.0 * math.log(10.0):
-        mode += 1.0
-    return math.ceil(mode)
-
-
-def largest_tensile_hoop_stress(
-    *,
-    body: Annulus,
-    contact_angles: Array,
-    radial_forces: Array,
-    tangential_forces: Array,
-    clearance: Real,
-    point_count: int,
-    mode_count: int,
-) -> HoopStress:
-    r"""Largest tension along each rim, for the fatigue of the body: the larger one of :func:`hoop_stress`.
-
-    Parameters
-    ----------
-    body : Annulus
-        The body.
-    contact_angles : Array
-        As for :func:`hoop_stress` [rad].
-    radial_forces, tangential_forces : Array
-        As for :func:`hoop_stress` [N].
-    clearance : Real
-        Distance from the contacts within which the loaded rim is excluded [m]; several half-widths.
-    point_count : int
-        Points around each rim, in addition to those at the contacts and midway between neighbours.
-    mode_count : int
-        As for :func:`hoop_stress` [-].
-
-    Returns
-    -------
-    HoopStress
-        Largest value on each rim [Pa]; negative where a rim is compressed all around.
-
-    References
-    ----------
-    Equation (E4) of :doc:`/equations`.
-    """
-    order = jnp.sort(jnp.mod(contact_angles, 2.0 * math.pi))
-    gap = jnp.mod(jnp.roll(order, -1) - order - 1e-12, 2.0 * math.pi) + 1e-12
-    grid = jnp.arange(point_count, dtype=float) * (2.0 * math.pi / point_count)
-    angle = jnp.concatenate([grid, order, order + 0.5 * gap])
-    stress = hoop_stress(
-        body=body,
-        contact_angles=contact_angles,
-        radial_forces=radial_forces,
-        tangential_forces=tangential_forces,
-        angle=angle,
-        mode_count=mode_count,
-    )
-    away = jnp.abs(jnp.mod(angle[:, None] - contact_angles[None] + math.pi, 2.0 * math.pi) - math.pi)
-    beside = jnp.all(away * loaded_radius(body) > clearance, axis=1)
-    return HoopStress(jnp.max(jnp.where(beside, stress.loaded_rim, -jnp.inf)), jnp.max(stress.other_rim))

@@ -169,30 +169,6 @@ def life_at_reliability(*, life: Real, reliability: Real) -> Real:
     return life * (jnp.log(reliability) / math.log(RATED_RELIABILITY)) ** (1.0 / WEIBULL_SLOPE)  # (B8)
 
 
-def reliability_at_life(*, life: Real, service: Real) -> Real:
-    r"""Share of all systems that survive a given service.
-
-    .. math:: S = 0.9^{\,(\text{service}/L_{90\%})^e}
-
-    Parameters
-    ----------
-    life : Real
-        Life at 90 % survival [any unit].
-    service : Real
-        Service in the unit of the life [unit of the life].
-
-    Returns
-    -------
-    Real
-        Survival [-].
-
-    References
-    ----------
-    W. Weibull 1939; equation (B8) of :doc:`/equations`.
-    """
-    return jnp.exp(math.log(RATED_RELIABILITY) * (service / life) ** WEIBULL_SLOPE)
-
-
 def spectrum_life(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
     r"""Life under a spectrum of loads and speeds.
 

@@ -244,31 +244,3 @@ def mises_stress(*, stress: PlaneStress, poisson_ratio: Real) -> Array:
     square = 3.0 * radius**2 + ((1.0 - 2.0 * poisson_ratio) * mean) ** 2
     some = square > 0.0
     return jnp.where(some, jnp.sqrt(jnp.where(some, square, 1.0)), 0.0)
-
-
-def largest_shear_stress(*, stress: PlaneStress, poisson_ratio: Real) -> Array:
-    r"""Largest shear stress at a point in plane strain, half of Tresca's stress.
-
-    .. math:: \tau_{max} = \max\left[\tau_1,\; \tfrac12\left(\tau_1 + (1-2\nu)\,|\bar\sigma|\right)\right]
-
-    with the largest shear stress in the plane :math:`\tau_1` and the mean in-plane stress :math:`\bar\sigma`; the
-    second is the larger where the axial stress is the smallest or the largest of the three.
-
-    Parameters
-    ----------
-    stress : PlaneStress
-        In-plane stresses.
-    poisson_ratio : Real
-        Poisson's ratio of the body [-].
-
-    Returns
-    -------
-    Array
-        Shear stress [Pa].
-
-    References
-    ----------
-    Half the difference of the largest and the smallest principal stress, :math:`\sigma_y = \nu(\sigma_x + \sigma_z)`.
-    """
-    mean, radius = _mean_and_radius(stress)
-    return jnp.maximum(radius, 0.5 * (radius + (1.0 - 2.0 * poisson_ratio) * jnp.abs(mean)))

@@ -43,16 +43,6 @@ def validated_fractal(*, fractal_dimension: float, fractal_roughness: float) -> 
     return float(fractal_dimension), float(fractal_roughness)
 
 
-def hurst_exponent(*, fractal_dimension: float) -> float:
-    r"""Hurst exponent of a profile, :math:`H = 2 - D` [-]."""
-    return 2.0 - fractal_dimension
-
-
-def surface_dimension(*, fractal_dimension: float) -> float:
-    """Dimension of an isotropic surface (2 to 3) whose profiles have the dimension D (1 to 2) [-]."""
-    return fractal_dimension + 1.0
-
-
 def power_spectral_density(
     *, frequency: ArrayLike, fractal_dimension: float, fractal_roughness: float
 ) -> NDArray[np.float64]:
@@ -158,15 +148,6 @@ def structure_function(
     )
 
 
-def roughness_from_spectrum(
-    *, level: ArrayLike, frequency: ArrayLike, fractal_dimension: ArrayLike
-) -> NDArray:
-    r"""G [m] from the value P [m^3] of the spectrum at the frequency f: the inverse of the density above."""
-    D = np.asarray(fractal_dimension, dtype=np.float64)
-    f = np.asarray(frequency, dtype=np.float64)
-    return np.exp((np.log(2.0 * np.asarray(level)) + (5.0 - 2.0 * D) * np.log(f)) / (2.0 * (D - 1.0)))
-
-
 def roughness_from_structure_function(*, level: float, lag: float, fractal_dimension: float) -> float:
     r"""G [m] from the value S [m^2] of the structure function at the lag tau [m]."""
     c = structure_function_constant(fractal_dimension=fractal_dimension)
@@ -187,15 +168,6 @@ def majumdar_tien_roughness(
     Majumdar & Tien, Wear 136 (1990) 313, equations (3) and (5); Majumdar & Bhushan, J. Tribol. 113 (1991) 1.
     """
     return fractal_roughness * math.log(frequency_ratio) ** (1.0 / (2.0 * (fractal_dimension - 1.0)))
-
-
-def roughness_from_majumdar_tien(
-    *, fractal_dimension: float, majumdar_tien_fractal_roughness: float, frequency_ratio: float
-) -> float:
-    r"""G of equation (6) from that of Majumdar & Tien; the inverse of :func:`majumdar_tien_roughness`."""
-    return majumdar_tien_fractal_roughness * math.log(frequency_ratio) ** (
-        -1.0 / (2.0 * (fractal_dimension - 1.0))
-    )
 
 
 def topothesy(*, fractal_dimension: float, fractal_roughness: float) -> float:
