@@ -90,7 +90,7 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
 
 
 def _expected_preload(joint: Joint, contacts: JointContacts, forces: Array) -> Array:
-    """Preload by the work of the interference, the contacts as springs at a small force [N]."""
+    """Preload by the work of the interference, the contacts as springs at a small force [N]; nan of a loose joint."""
     young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
     small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
     compliance = bulk_springs(
@@ -99,4 +99,4 @@ def _expected_preload(joint: Joint, contacts: JointContacts, forces: Array) -> A
     rings = ring_springs(joint)
     compliance = compliance if rings is None else compliance + rings
     share = jnp.sum(joint.working_pattern * forces) * jnp.asarray(joint.interference)
-    return jnp.asarray(share / jnp.sum(compliance * forces**2))
+    return jnp.where(share > 0.0, share / jnp.sum(compliance * forces**2), jnp.nan)
