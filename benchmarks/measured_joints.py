@@ -61,8 +61,8 @@ def line(file: Path, case: Any) -> str:
     power = "no D, G" if isinstance(measured.fit, str) else f"D {measured.fit.fractal_dimension:.2f}"
     contact = int(np.argmin(result.diagnostics.hertz_half_width))
     low, middle, high = list(made.heights.values())[contact]
-    validity = [each.split(": ", 1)[1].split(";")[0] for each in made.assumed if "nothing is known" in each]
-    validity += [each.split(": ", 1)[1].split(":")[0] for each in made.assumed if "octave" in each]
+    validity = [note.split(": ", 1)[1].split(";")[0] for note in made.assumed if "nothing is known" in note]
+    validity += [note.split(": ", 1)[1].split(":")[0] for note in made.assumed if "octave" in note]
     stiffness = float(result.assembly.stiffness.output)
     return (
         f"{file.name:16} {power:8} h {1e6 * middle:7.4f} ({1e6 * low:.4f} to {1e6 * high:.4f}) um  "

@@ -4,10 +4,9 @@
 
 FOLDER has the measured files of the tests (``ASPERITY_SHARED_DATA``). Presses a steel roller on each map, in both
 directions, a polynomial of second degree removed, with line loads whose Hertzian width the map holds two and a half
-times and more; with a hardness [GPa] no
-pressure exceeds it. The interface has the compliance of the rough contact less that of the smooth one on the same grid.
-Prints N/(0.48 h) over its stiffness, with the h that a joint takes of the map at this width, and how many lie in the
-interval of a joint: the error of the law with the scatter of the spectrum.
+times and more; with a hardness [GPa] no pressure exceeds it. The interface has the compliance of the rough contact less
+that of the smooth one on the same grid. Prints N/(0.48 h) over its stiffness, with the h that a joint takes of the map
+at this width, and how many lie in the interval of a joint: the error of the law with the scatter of the spectrum.
 """
 
 from __future__ import annotations
@@ -59,16 +58,16 @@ def main() -> None:
     inside: list[bool] = []
     for name, (radius, loads, coarser) in MAPS.items():
         unit = {"height_unit": "um"} if name.endswith("tmd") else {}
-        found = without_missing(read_surface(path=asked.folder / name, **unit), choice="interpolate")
-        rows, columns = (count // coarser for count in found.heights.shape)
-        mean = found.heights[: rows * coarser, : columns * coarser].reshape(rows, coarser, columns, coarser)
-        assert found.spacing_across is not None
+        surface = without_missing(read_surface(path=asked.folder / name, **unit), choice="interpolate")
+        rows, columns = (count // coarser for count in surface.heights.shape)
+        mean = surface.heights[: rows * coarser, : columns * coarser].reshape(rows, coarser, columns, coarser)
+        assert surface.spacing_across is not None
         flat = levelled(
             topography=Topography(
                 mean.mean(axis=(1, 3)),
-                found.spacing * coarser,
-                found.spacing_across * coarser,
-                source=found.source,
+                surface.spacing * coarser,
+                surface.spacing_across * coarser,
+                source=surface.source,
             ),
             form="polynomial",
             degree=2,

@@ -90,7 +90,7 @@ def test_what_is_assumed_in_short_and_in_full(planar_case):
     assert names.startswith("not in the file: section [bearings], bearings.pin_diameter, section [play], ")
     assert "the bearings have no friction" not in names
     law, closure = others
-    assert law.startswith("contact law zou_2025, without model.contact_law in the file: ")
+    assert law.startswith("contact law zou_2025, since the file does not state model.contact_law: ")
     assert closure == document["assumptions"][-1]
 
 

@@ -9,7 +9,7 @@ from jax import Array
 from asperity.contact.carter import slip_ratio_at_creepage
 from asperity.types import Real
 
-#: Steps of a slice's load.
+#: Householder steps to the root.
 _SLICE_STEPS = 2
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import functools
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -60,20 +61,14 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
     ----------
     Equations (A3) and (E3) of :doc:`/equations`.
     """
-    load = drive_load(joint, body_masses(joint), 0.0)
-
-    def around(reference_force: Array) -> Pressed:
-        laws = contact_laws(joint, contacts, reference_force)
-        rest = state_at_rest(
-            drive=joint.drive,
-            laws=laws,
-            pattern=joint.working_pattern,
-            preload=joint.preload,
-            interference=joint.interference,
-            load=load,
-        )
-        return Pressed(laws, rest)
-
+    around = functools.partial(
+        pressed_around,
+        joint,
+        contacts,
+        pattern=joint.working_pattern,
+        preload=joint.preload,
+        interference=joint.interference,
+    )
     if joint.unlike is not None:
         return around(joint.unlike.reference_force)
     forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
@@ -84,9 +79,37 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
         pressed = around(preload * forces)
         return pressed.rest.normal[0], pressed
 
-    _, each = jax.lax.scan(again, _expected_preload(joint, contacts, forces), None, length=_ASSEMBLIES)
-    last: Pressed = jax.tree.map(lambda leaf: leaf[-1], each)
+    _, passes = jax.lax.scan(again, _expected_preload(joint, contacts, forces), None, length=_ASSEMBLIES)
+    last: Pressed = jax.tree.map(lambda leaf: leaf[-1], passes)
     return last
+
+
+def pressed_around(joint: Joint, contacts: JointContacts, reference_force: Array, **given: Any) -> Pressed:
+    """A joint without torque, the laws of its contacts taken around given forces, shape (contacts,) [N].
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+    reference_force : Array
+        The forces.
+    **given
+        What presses it, as of :func:`asperity.drive.state.states.state_at_rest`.
+
+    Returns
+    -------
+    Pressed
+        Its state and its laws.
+
+    References
+    ----------
+    Equations (A3) and (M3) of :doc:`/equations`.
+    """
+    laws = contact_laws(joint, contacts, reference_force)
+    load = drive_load(joint, body_masses(joint), 0.0)
+    return Pressed(laws, state_at_rest(drive=joint.drive, laws=laws, load=load, **given))
 
 
 def _expected_preload(joint: Joint, contacts: JointContacts, forces: Array) -> Array:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from collections.abc import Callable
 from typing import Any
 
@@ -13,7 +14,7 @@ from jax import Array
 
 from asperity.drive.state.equal_springs import rest_forces
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState
-from asperity.drive.state.states import DriveStates, loaded_states, state_at_rest
+from asperity.drive.state.states import DriveStates, loaded_states
 from asperity.drive.stiffness.assembly import Assembly
 from asperity.drive.stiffness.loading_cam import (
     cam_angle,
@@ -22,10 +23,9 @@ from asperity.drive.stiffness.loading_cam import (
     with_cam,
 )
 from asperity.implicit import SETTLED, settled_root
-from asperity.joint.assembled import Pressed, assembled
+from asperity.joint.assembled import Pressed, assembled, pressed_around
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint, body_masses
-from asperity.joint.laws import contact_laws, drive_load
+from asperity.joint.description import Joint
 from asperity.types import Real
 
 
@@ -103,20 +103,16 @@ def _by_force(
     assert joint.cam is not None
     unlike, pattern = joint.unlike, jnp.asarray(joint.cam.pattern, dtype=float)
 
-    def around(reference_force: Array) -> Pressed:
-        laws = contact_laws(joint, contacts, reference_force)
-        rest = state_at_rest(
-            drive=joint.drive,
-            laws=laws,
-            pattern=pattern,
-            preload=preload,
-            load=drive_load(joint, body_masses(joint), 0.0),
-            added=least.interference,
-            known=known,
-            sectors=1 if unlike is None else unlike.sectors,
-        )
-        return Pressed(laws, rest)
-
+    around = functools.partial(
+        pressed_around,
+        joint,
+        contacts,
+        pattern=pattern,
+        preload=preload,
+        added=least.interference,
+        known=known,
+        sectors=1 if unlike is None else unlike.sectors,
+    )
     if unlike is None:
         return around(preload * rest_forces(drive=joint.drive, pattern=pattern))
     start = least.normal * preload / mean_preload(joint, least.normal) if known is None else known.normal

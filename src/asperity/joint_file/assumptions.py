@@ -159,7 +159,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
                 "gives the interval of stiffness and drift"
             )
     if case.model.contact_law is None:
-        told.append(f"contact law {law}, without model.contact_law in the file: {_LAWS[law]}")
+        told.append(f"contact law {law}, since the file does not state model.contact_law: {_LAWS[law]}")
     if law == "exponential":
         told.append(RANDOM_ROUGHNESS)
         if surfaces_by_average(case):

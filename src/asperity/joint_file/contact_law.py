@@ -32,9 +32,9 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -
     InputError
         If a surface does not state what the law needs.
     """
-    each = list(surfaces)
-    by_height = any("rms_height" in keys for keys in each)
-    fractal = any("fractal_roughness" in keys for keys in each)
+    stated_keys = list(surfaces)
+    by_height = any("rms_height" in keys for keys in stated_keys)
+    fractal = any("fractal_roughness" in keys for keys in stated_keys)
     if by_height and stated == "zou_2025":
         raise InputError(
             'model.contact_law = "zou_2025" needs D and G, of which rms_height says nothing: leave contact_law '
@@ -49,5 +49,5 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -
             'model.contact_law = "exponential" needs the rms of the heights, which D and G alone do not fix: give '
             "rms_height or roughness_average in place of fractal_roughness, or leave contact_law out"
         )
-    of_finishes = stated is None and not fractal and all("finish" in keys for keys in each)
+    of_finishes = stated is None and not fractal and all("finish" in keys for keys in stated_keys)
     return "exponential" if by_height or of_finishes or stated == "exponential" else "zou_2025"

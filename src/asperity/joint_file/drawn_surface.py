@@ -103,18 +103,18 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
         assert stated is not None
         dimension = stated.value + stated.tolerance * across.ravel()
         averages = {
-            key: each.value + _half_width(each, dimension) * along.ravel()
+            key: of_body.value + _half_width(of_body, dimension) * along.ravel()
             for key in (_AVERAGE, _PARTNER)
-            if (each := getattr(entry, key)) is not None
+            if (of_body := getattr(entry, key)) is not None
         }
         cut_off = entry.cut_off.value if entry.cut_off else standard_cut_off(roughness_average=average.value)
         changes[f"{path}.fractal_dimension"] = dimension
-        changes |= {f"{path}.{key}": each for key, each in averages.items()}
+        changes |= {f"{path}.{key}": values for key, values in averages.items()}
         changes[f"{path}.cut_off"] = cut_off
         surfaces[path] = {
             "finish": entry.finish,
             "fractal_dimension": [float(dimension.min()), float(dimension.max())],
-            **{f"{key}_m": [float(each.min()), float(each.max())] for key, each in averages.items()},
+            **{f"{key}_m": [float(values.min()), float(values.max())] for key, values in averages.items()},
             "cut_off_m": float(cut_off),
         }
     values, shape = replace_values(si_values(case), changes), across.ravel().shape
@@ -144,11 +144,12 @@ def _ends_of_heights(case: Case) -> Ends:
             assert stated is not None
             dimension = stated.value + stated.tolerance * np.array([-1.0, 0.0, 1.0])
             averages = {
-                key: each.value + float(np.max(_half_width(each, dimension))) * np.array([-1.0, 0.0, 1.0])
+                key: of_body.value
+                + float(np.max(_half_width(of_body, dimension))) * np.array([-1.0, 0.0, 1.0])
                 for key in (_AVERAGE, _PARTNER)
-                if (each := getattr(entry, key)) is not None
+                if (of_body := getattr(entry, key)) is not None
             }
-            low, middle, high = (float(each) for each in rms_height_of_average(values | averages))
+            low, middle, high = (float(height) for height in rms_height_of_average(values | averages))
             ends[path] = (low, middle, high)
     return ends
 
@@ -188,7 +189,7 @@ def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
     told = [
         f"{path.removeprefix('surface.')} {middle} ({low} to {high})"
         for path, ends in heights.items()
-        for low, middle, high in [[format_quantity(each, "um", 3) for each in ends]]
+        for low, middle, high in [[format_quantity(end, "um", 3) for end in ends]]
     ]
     return {
         "states": 2,
@@ -214,7 +215,7 @@ def _asperity_ends(result: JointResult, names: tuple[str, ...]) -> dict[str, Any
     return {
         name: {
             f"asperity_{direction}_stiffness_N_per_m": {
-                part: sorted(float(each) for each in values[k : k + 2, number])
+                part: sorted(float(end) for end in values[k : k + 2, number])
                 for part, k in (("both", 0), ("contact_law", 2), ("rms_height", 4))
             }
             for direction, values in stiffness.items()
@@ -227,7 +228,7 @@ def _ends_in_words(interval: dict[str, Any]) -> str:
     low, high = (interval["assembly"][f"{end}_Nm_per_rad"] for end in ("low", "high"))
     if low is None:
         return "no value"
-    return " to ".join(f"{each:.4g}" if each < 9999.5 else f"{each:.0f}" for each in (low, high)) + " N·m/rad"
+    return " to ".join(f"{end:.4g}" if end < 9999.5 else f"{end:.0f}" for end in (low, high)) + " N·m/rad"
 
 
 def _words(interval: dict[str, Any]) -> str:
@@ -236,7 +237,7 @@ def _words(interval: dict[str, Any]) -> str:
     for path, entry in interval["surfaces"].items():
         low, high = entry["fractal_dimension"]
         ranges = [
-            " to ".join(format_quantity(each, "µm", 3) for each in entry[f"{key}_m"])
+            " to ".join(format_quantity(end, "µm", 3) for end in entry[f"{key}_m"])
             for key in (_AVERAGE, _PARTNER)
             if f"{key}_m" in entry
         ]

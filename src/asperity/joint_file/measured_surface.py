@@ -110,11 +110,11 @@ def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
     felt = _settled(case, measured.spectra)
     heights = {
         f"surface.{name}": (
-            each.rms_height * math.exp(-_NORMAL_95 * each.deviation),
-            each.rms_height,
-            each.rms_height * math.exp(_NORMAL_95 * each.deviation),
+            contact.rms_height * math.exp(-_NORMAL_95 * contact.deviation),
+            contact.rms_height,
+            contact.rms_height * math.exp(_NORMAL_95 * contact.deviation),
         )
-        for name, each in felt.items()
+        for name, contact in felt.items()
     }
     told = tuple(_assumed(measured, felt))
     return MeasuredCase(_with_heights(case, felt), measured, told, heights)
@@ -183,8 +183,8 @@ def _widths(case: Case) -> Any:
 
 def _with_heights(case: Case, felt: dict[str, _Felt]) -> Case:
     surface = {
-        name: SurfaceEntry.model_validate({"rms_height": f"{each.rms_height!r} m"})
-        for name, each in felt.items()
+        name: SurfaceEntry.model_validate({"rms_height": f"{contact.rms_height!r} m"})
+        for name, contact in felt.items()
     }
     return case.model_copy(update={"surface": surface}).with_text("")
 
@@ -213,9 +213,9 @@ def _assumed(measured: MeasuredRoughness, felt: dict[str, _Felt]) -> list[str]:
     power = "" if measured.fractal is not None else f"; {measured.no_power_law}"
     told = [f"measured surface {measured.source}: the joint uses the measured spectrum{power}"]
     parts = []
-    for name, each in felt.items():
-        limits = " and ".join(format_quantity(limit, "mm", 3) for limit in each.axial)
-        height, width = format_quantity(each.rms_height, "um", 3), format_quantity(each.width, "mm", 3)
+    for name, contact in felt.items():
+        limits = " and ".join(format_quantity(limit, "mm", 3) for limit in contact.axial)
+        height, width = format_quantity(contact.rms_height, "um", 3), format_quantity(contact.width, "mm", 3)
         parts.append(f"{name} {height} (2b {width}, along the axis {limits})")
     told.append(
         "measured surface: the rms of the heights of all waves but those that are longer than the Hertzian width 2b of "
@@ -225,13 +225,13 @@ def _assumed(measured: MeasuredRoughness, felt: dict[str, _Felt]) -> list[str]:
     for number, spectrum in enumerate(measured.spectra):
         if spectrum.lay is not None:
             told.append(f"{spectrum.source}: a profile across its lay, which is stated as {spectrum.lay}")
-        if any(spectrum.longest_wave < each.axial[number] for each in felt.values()):
+        if any(spectrum.longest_wave < contact.axial[number] for contact in felt.values()):
             size = format_quantity(spectrum.longest_wave, "mm", 3)
             told.append(
                 f"{spectrum.source}: nothing is known of waves longer than {size}, its size; if there are any that "
                 "count, the contacts are softer"
             )
-    share = max(each.longest for each in felt.values())
+    share = max(contact.longest for contact in felt.values())
     if share > 0.5:
         told.append(
             f"measured surface: {100.0 * share:.0f} % of the mean square of the heights lie in the longest octave of "

@@ -146,7 +146,7 @@ def _lowest(edges: NDArray[np.float64]) -> float:
 
 
 def _plain(numbers: NDArray[np.float64]) -> list[float]:
-    return [float(f"{each:.7g}") for each in numbers]
+    return [float(f"{number:.7g}") for number in numbers]
 
 
 def spectrum_from_document(entry: Any) -> HeightSpectrum:
@@ -171,8 +171,8 @@ def spectrum_from_document(entry: Any) -> HeightSpectrum:
         valid = (
             square.shape == independent.shape == (first.size - 1, second.size - 1)
             and all(
-                np.isfinite(each).all() and (each >= 0.0).all()
-                for each in (first, second, square, independent)
+                np.isfinite(numbers).all() and (numbers >= 0.0).all()
+                for numbers in (first, second, square, independent)
             )
             and (np.diff(first) >= 0.0).all()
             and (np.diff(second) >= 0.0).all()
@@ -266,7 +266,7 @@ def spectrum_of_map(*, topography: Topography, rolling: str) -> HeightSpectrum:
     windows = [scipy.signal.get_window("hann", count) for count in heights.shape]
     spectrum = scipy.fft.rfft2(heights * np.outer(*windows), workers=2)
     power = (spectrum.real**2 + spectrum.imag**2) / (
-        heights.size * np.prod([np.sum(each**2) for each in windows])
+        heights.size * np.prod([np.sum(window**2) for window in windows])
     )
     first = np.abs(np.rint(scipy.fft.fftfreq(heights.shape[0], 1.0 / heights.shape[0]))).astype(int)
     (rolling_edges, rows), (axial_edges, columns) = (

@@ -55,7 +55,7 @@ def roughness_document(roughness: MeasuredRoughness) -> dict[str, Any]:
     else:
         document = measurement_document(measurement=roughness.fractal)
     if roughness.spectra:
-        document["spectra"] = [each.document() for each in roughness.spectra]
+        document["spectra"] = [spectrum.document() for spectrum in roughness.spectra]
     return document
 
 
@@ -71,7 +71,7 @@ def roughness_from_document(document: Any) -> MeasuredRoughness:
     spectra = document.get("spectra", [])
     if not isinstance(spectra, list) or len(spectra) > 2:
         raise InputError("the key 'spectra' of the measurement must be a list of at most two spectra")
-    read = tuple(spectrum_from_document(each) for each in spectra)
+    read = tuple(spectrum_from_document(spectrum) for spectrum in spectra)
     reason = document.get("no_power_law")
     if reason is None:
         fractal = measurement_from_document(document=document)
@@ -113,7 +113,7 @@ def two_bodies(first: MeasuredRoughness, second: MeasuredRoughness) -> MeasuredR
     complete = bool(first.spectra) and bool(second.spectra)
     spectra = (*first.spectra, *second.spectra) if complete else ()
     if first.fractal is None or second.fractal is None:
-        reasons = [f"{each.source}: {each.no_power_law}" for each in (first, second) if each.fractal is None]
+        reasons = [f"{body.source}: {body.no_power_law}" for body in (first, second) if body.fractal is None]
         return MeasuredRoughness(None, "; ".join(reasons), spectra, source)
     try:
         both = equivalent_surface(first=first.fractal, second=second.fractal)
