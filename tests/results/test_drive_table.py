@@ -39,7 +39,7 @@ def test_no_label_names_a_part_that_the_drive_may_not_have(table):
         r"\b(sun|planet|ring)\b(?! or hollow roller)"  # what bends is a ring or a hollow roller in any drive
     )
     assert {name: row.label for name, row in table.items() if re.search(parts, row.label)} == {}
-    assert table["published_stiffness_input"].label == "torsional stiffness at the input, as published"
+    assert table["published_stiffness_input"].label == "torsional stiffness at the input, asperities alone"
     assert "where the input stands" in table["efficiency"].note
 
 

@@ -57,7 +57,7 @@ def test_figure_of_a_refusal_says_why_and_draws_no_law(profile):
     axes = axes_by_title(figure)
     assert set(lines_by_label(axes["Spectrum"])) == {"measured"}
     assert figure.get_supxlabel() == "no power law at all"
-    assert figure.get_suptitle() == "no D and G; reason below"
+    assert figure.get_suptitle() == "no D and G, reason below; a joint uses the spectrum"
 
 
 def test_figure_of_a_map_is_an_image_with_its_size():

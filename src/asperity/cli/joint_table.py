@@ -87,19 +87,18 @@ def _show_stiffness(target: Console, document: Document) -> None:
         )
     target.print(spread)
     low, high = (interval["drift"][f"{end}_rad_per_output_turn"] for end in ("low", "high"))
-    print_wrapped(
-        target,
-        f"  drift from {in_unit(low, 'arcmin')} to {in_unit(high, 'arcmin')} per output turn\n",
-        indent=2,
-    )
+    drift = f"  drift from {in_unit(low, 'arcmin')} to {in_unit(high, 'arcmin')} per output turn"
+    print_wrapped(target, drift, indent=2)
+    target.print()
     rows = interval_rows(interval)
     if rows:
-        asperities = table(target, "Its contacts", *INTERVAL_HEADS)
+        asperities = table(target, "Asperities of the contacts in this interval", *INTERVAL_HEADS)
         for row in rows:
             asperities.add_row(*row)
         target.print(asperities)
     if "surfaces" in interval:
-        print_wrapped(target, f"  {interval['words']}\n", indent=2)
+        print_wrapped(target, f"  {interval['words']}", indent=2)
+        target.print()
     elif interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
         print_wrapped(
             target,

@@ -244,10 +244,10 @@ def _plain(node: Any) -> Any:
 #: Heads of the columns of :func:`interval_rows`.
 INTERVAL_HEADS = (
     "contact",
-    "K_n asperities\nN/µm",
-    "by the law\nalone",
-    "by the heights\nalone",
-    "K_t asperities\nN/µm",
+    "K_n, both\nN/µm",
+    "K_n, law alone\nN/µm",
+    "K_n, heights alone\nN/µm",
+    "K_t, both\nN/µm",
 )
 
 

@@ -31,8 +31,8 @@ _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
     (
         "published",
         "published",
-        "as published",
-        "asperities alone, the level of Zou et al. 2025: an upper bound",
+        "asperities alone",
+        "the level of Zou et al. 2025: an upper bound",
     ),
 )
 _GROUPS = {"assembly": "assembly", "series_with_bulk": "series", "published": "published"}

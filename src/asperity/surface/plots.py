@@ -55,7 +55,7 @@ def measurement_figure(*, surfaces: list[Topography], fit: FractalFit | str, dir
     axes["structure"].set(xlabel="lag τ [m]", ylabel="structure function S [m²]")
     axes["structure"].set_title("Structure function")
     if isinstance(fit, str):
-        figure.suptitle("no D and G; reason below", fontsize=10, color="tab:red")
+        figure.suptitle("no D and G, reason below; a joint uses the spectrum", fontsize=10, color="tab:red")
         import textwrap
 
         figure.supxlabel(textwrap.fill(fit, 120), fontsize=8, color="tab:red")

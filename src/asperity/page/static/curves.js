@@ -35,7 +35,7 @@ export function curves(answer, baseline) {
         ...ghosts("assembly_Nm_per_rad", perArcmin),
         over("assembly_Nm_per_rad", "assembled", "one", perArcmin),
         over("series_with_bulk_Nm_per_rad", "bodies in series", "two", perArcmin),
-        over("published_Nm_per_rad", "as published", "three", perArcmin),
+        over("published_Nm_per_rad", "asperities alone", "three", perArcmin),
       ],
       point: { x: torque, y: found.torsional_stiffness.assembly.output_Nm_per_arcmin, name: "this joint" },
       note: "Up to the torque capacity. The vertical axis is logarithmic.",

@@ -7,7 +7,7 @@ import { arcmin, element, number, orInfinite, scaled, table, unitText } from "/n
 const LEVELS = [
   ["assembly", "assembled", "asperities, bodies, rollers free to move, structure"],
   ["series_with_bulk", "bodies in series", "asperities and bodies; roller centres held"],
-  ["published", "as published", "asperities alone: an upper bound"],
+  ["published", "asperities alone", "the level of Zou et al. 2025: an upper bound"],
 ];
 const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", state: "State", model: "Outside the published model" };
 const SPRINGS = {
