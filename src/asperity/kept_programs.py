@@ -179,12 +179,8 @@ def kept(request: Request, choices: Choices) -> KeptProgram | None:
     file = _file(request, choices)
     if file is None:
         return None
-    try:
-        stored = read_own(file)
-    except OSError:
-        return None
-    digest, content = stored[:_DIGEST_SIZE], stored[_DIGEST_SIZE:]
-    if hashlib.sha256(content).digest() != digest:  # damaged: a result must never depend on the cache
+    content = _read(file)
+    if content is None:
         return None
     head, _, machine_code = content.partition(b"\n")
     try:
@@ -225,7 +221,11 @@ def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> Non
         "kinds": _kinds(leaves),
         "needs_lapack": "scipy.linalg" in sys.modules,  # which JAX imports when it lowers a program that does
     }
-    content = json.dumps(known).encode() + b"\n" + machine_code
+    _write(file, json.dumps(known).encode() + b"\n" + machine_code)
+
+
+def _write(file: Path, content: bytes) -> None:
+    """Write a file of the folder with its digest, at once; remove those that nobody has used for long."""
     part = file.with_name(f"{file.name}.{os.getpid()}.{threading.get_ident()}.part")
     try:
         write_own(part, hashlib.sha256(content).digest() + content)
@@ -233,6 +233,47 @@ def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> Non
         _remove_unused(file.parent)
     except OSError:  # a full or read-only disk only costs time at the next start
         part.unlink(missing_ok=True)
+
+
+def _read(file: Path) -> bytes | None:
+    """Content of a file of the folder; None without one, and if it is damaged."""
+    try:
+        stored = read_own(file)
+    except OSError:
+        return None
+    digest, content = stored[:_DIGEST_SIZE], stored[_DIGEST_SIZE:]
+    if hashlib.sha256(content).digest() != digest:  # a result must never depend on the cache
+        return None
+    return content
+
+
+def kept_numbers(asked: bytes) -> Any:
+    """The JSON document of numbers that an earlier process has kept; None if there is none.
+
+    Parameters
+    ----------
+    asked : bytes
+        All that the numbers depend on besides this package, the releases below it and the machine.
+    """
+    file = _numbers_file(asked)
+    content = None if file is None else _read(file)
+    try:
+        return None if content is None else json.loads(content)
+    except (ValueError, RecursionError):  # not written by this module
+        return None
+
+
+def keep_numbers(asked: bytes, document: Any) -> None:
+    """Keep a JSON document of numbers for :func:`kept_numbers`."""
+    file = _numbers_file(asked)
+    if file is not None:
+        _write(file, json.dumps(document).encode())
+
+
+def _numbers_file(asked: bytes) -> Path | None:
+    folder = jax.config.jax_compilation_cache_dir  # type: ignore[attr-defined]
+    digest = hashlib.sha256(_surroundings() + asked).hexdigest()[:40]
+    return Path(folder) / f"{_PREFIX}{digest}.numbers" if folder else None
 
 
 def _kinds(leaves: list[Any]) -> list[tuple[list[int], str]]:

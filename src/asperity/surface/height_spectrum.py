@@ -22,6 +22,7 @@ import scipy.signal
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
+from asperity.surface.pressed_map import PressedMap, pressed_map_from_document
 from asperity.surface.roughness_average import RMS_OVER_RA, STANDARD_CUT_OFFS
 from asperity.surface.spectrum import bin_edges, power_spectral_densities
 from asperity.surface.topography import Topography
@@ -56,6 +57,8 @@ class HeightSpectrum:
         Whether the surface is a map.
     source : str
         Where the heights come from.
+    pressed : PressedMap or None, optional
+        The map pressed by boundary elements.
     """
 
     rolling_edges: NDArray[np.float64]
@@ -65,6 +68,7 @@ class HeightSpectrum:
     lay: Lay | None
     is_map: bool
     source: str
+    pressed: PressedMap | None = None
 
     @property
     def needs_width(self) -> bool:
@@ -128,6 +132,7 @@ class HeightSpectrum:
             "axial_frequency_edges_per_m": _plain(self.axial_edges),
             "mean_square_height_m2": [_plain(row) for row in self.mean_square],
             "independent_ordinates": [_plain(row) for row in self.independent],
+            **({} if self.pressed is None else {"boundary_elements": self.pressed.document()}),
         }
 
 
@@ -186,7 +191,17 @@ def spectrum_from_document(entry: Any) -> HeightSpectrum:
         valid = False
     if not valid:
         raise InputError("the spectrum of the measurement is damaged: measure again")
-    return HeightSpectrum(first, second, square, independent, lay, is_map, source)
+    pressed = entry.get("boundary_elements")
+    return HeightSpectrum(
+        first,
+        second,
+        square,
+        independent,
+        lay,
+        is_map,
+        source,
+        None if pressed is None else pressed_map_from_document(pressed),
+    )
 
 
 def with_lay(spectrum: HeightSpectrum, lay: Lay | None) -> HeightSpectrum:

@@ -1,0 +1,261 @@
+"""Measured maps pressed by boundary elements: the quarters of a map, mirrored, under rising nominal pressures."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+from numpy.typing import NDArray
+
+from asperity.bem.elastic_pair import ElasticPair, elastic_pair
+from asperity.bem.half_space import HalfSpace, PeriodicHalfSpace
+from asperity.bem.normal_contact import NormalContact, normal_contact
+from asperity.bem.stick_stiffness import normal_stiffness, tangential_stiffness
+from asperity.errors import InputError
+from asperity.kept_programs import keep_numbers, kept_numbers
+from asperity.surface.levelling import levelled
+from asperity.surface.measure_files import MeasuredFiles
+from asperity.surface.pressed_map import PressedMap, pressed_map_from_document
+from asperity.surface.topography import Topography
+
+#: Nominal pressures on steel [Pa]; those on other bodies are as many times their contact modulus.
+PRESSURES_ON_STEEL = (10e6, 30e6, 100e6, 300e6, 1000e6, 3000e6)
+#: Fewest points of a patch along each side.
+FEWEST_POINTS = 32
+#: Largest share of the hardness that a nominal pressure may be, to be carried by the capped pressure of spots.
+_LARGEST_SHARE = 0.9
+#: A limit of the pressure over the contact modulus that no elastic contact reaches: one program for both.
+_ELASTIC = 1e3
+
+
+def steel_pair() -> ElasticPair:
+    """Two bodies of steel, E = 206 GPa and nu = 0.3."""
+    return elastic_pair(
+        youngs_modulus_1=206e9, youngs_modulus_2=206e9, poisson_ratio_1=0.3, poisson_ratio_2=0.3
+    )
+
+
+def loaded_state(
+    half_space: HalfSpace,
+    heights: NDArray[np.float64],
+    *,
+    normal_force: float,
+    hardness: float | None,
+    axes: tuple[int, ...],
+    start: NormalContact | None = None,
+) -> tuple[NormalContact, Array]:
+    """A rough surface under load, and its area and stiffness.
+
+    Parameters
+    ----------
+    half_space, heights, normal_force, hardness, start
+        As of :func:`asperity.bem.normal_contact.normal_contact`, periodic.
+    axes : tuple of int
+        Directions over which the tangential stiffness is averaged.
+
+    Returns
+    -------
+    NormalContact, Array of shape (3,)
+        Real area [m^2], normal and tangential stiffness [N/m]; both infinite in complete contact.
+
+    Raises
+    ------
+    InputError
+        If the load does not fit the hardness.
+    NoSolutionError
+        If an iteration does not converge.
+    """
+    contact = normal_contact(half_space, heights, normal_force=normal_force, hardness=hardness, start=start)
+    mask = contact.pressure > 0.0
+    stiffness = [jnp.asarray(jnp.inf)] * 2
+    if contact.contact_fraction < 1.0:
+        shear = jnp.stack([tangential_stiffness(half_space, mask, axis=axis).stiffness for axis in axes])
+        stiffness = [normal_stiffness(half_space, mask).stiffness, jnp.mean(shear)]
+    return contact, jnp.stack([contact.real_contact_area, *stiffness])
+
+
+def map_quarters(topography: Topography, *, points: int) -> tuple[list[NDArray[np.float64]], tuple[float, float]]:
+    """The four quarters of a map, in means over cells, a plane removed from each, and the size of a cell.
+
+    Parameters
+    ----------
+    topography : Topography
+        A map without missing points.
+    points : int
+        Most cells of a quarter along each side.
+
+    Returns
+    -------
+    list of array, tuple of float
+        Heights [m], and the distance of the rows and of the columns [m].
+
+    Raises
+    ------
+    InputError
+        For a profile, a map of fewer than 64 points along a side, or one without roughness.
+    """
+    if topography.spacing_across is None:
+        raise InputError(
+            f"{topography.source}: a profile; boundary elements need a map of the surface, such as that of a "
+            "white-light interferometer. For profiles there is the exponential law of their spectrum"
+        )
+    if not FEWEST_POINTS <= points <= 1024:
+        raise InputError(f"{points} points along a side; allowed are {FEWEST_POINTS} to 1024")
+    z = topography.heights
+    if np.isnan(z).any():
+        raise InputError(
+            f"{topography.source}: points are missing; keep a complete piece or interpolate",
+            options=["missing"],
+        )
+    rows, columns = (math.ceil(count / (2 * points)) for count in z.shape)
+    tall, wide = (count // (2 * cell) for count, cell in zip(z.shape, (rows, columns), strict=True))
+    if min(tall, wide) < FEWEST_POINTS:
+        raise InputError(
+            f"{topography.source}: {' x '.join(str(count) for count in z.shape)} points; boundary elements on its "
+            f"quarters need {2 * FEWEST_POINTS} or more along each side"
+        )
+    mean = z[: 2 * tall * rows, : 2 * wide * columns].reshape(2 * tall, rows, 2 * wide, columns).mean(axis=(1, 3))
+    cell = (topography.spacing_across * rows, topography.spacing * columns)
+    quarters = [mean[top : top + tall, left : left + wide] for top in (0, tall) for left in (0, wide)]
+    flat = [
+        levelled(topography=Topography(quarter, cell[1], cell[0], source=topography.source), form="plane").heights
+        for quarter in quarters
+    ]
+    if not all(quarter.std() > 0.0 for quarter in flat):
+        raise InputError(f"{topography.source}: a quarter of the map is a plane, without roughness")
+    return flat, cell
+
+
+def mirrored(heights: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A map with its images beyond two of its edges, which continues periodically without a step."""
+    both = np.concatenate([heights, heights[:, ::-1]], axis=1)
+    return np.concatenate([both, both[::-1]], axis=0)
+
+
+def pressed_map(
+    topography: Topography,
+    *,
+    rolling: str,
+    hardness: float,
+    points: int = 128,
+    solved: Callable[[], None] = lambda: None,
+) -> PressedMap:
+    """The quarters of a map of the roughness of both bodies on an elastic half-space, by boundary elements.
+
+    Parameters
+    ----------
+    topography : Topography
+        A levelled map without missing points.
+    rolling : {"x", "y"}
+        Direction in which the contact rolls.
+    hardness : float
+        Largest pressure of the capped states over the contact modulus [-].
+    points : int
+        Most points of a quarter along each side; more are averaged.
+    solved : callable
+        Called after each of 48 states.
+
+    Returns
+    -------
+    PressedMap
+        From the folder of kept programs if this map was pressed before.
+
+    Raises
+    ------
+    InputError
+        For what is no such map, a hardness outside 1e-3 to 1, or a map that is pressed flat at the smallest load.
+    NoSolutionError
+        If a state does not converge.
+
+    Notes
+    -----
+    Quarters are mirrored, which makes them periodic. Their longest waves are those of the quarter.
+    """
+    if not 1e-3 <= hardness <= 1.0:
+        raise InputError(
+            f"a hardness of {hardness:g} contact moduli; allowed are 0.001 to 1 (0.11 to 113 GPa on steel)"
+        )
+    quarters, cell = map_quarters(topography, points=points)
+    asked = json.dumps([list(cell), rolling, hardness, [quarter.shape for quarter in quarters]]).encode()
+    asked = hashlib.sha256(asked + b"".join(quarter.tobytes() for quarter in quarters)).digest()
+    kept = kept_numbers(asked)
+    if kept is not None:
+        try:
+            return pressed_map_from_document(kept)
+        except InputError:  # written by somebody else
+            pass
+    pair = steel_pair()
+    modulus = float(pair.contact_modulus)
+    half_space = PeriodicHalfSpace(pair, shape=tuple(2 * count for count in quarters[0].shape), pixel_size=cell)
+    nominal = float(half_space.nominal_area)
+    states = np.full((2, len(quarters), len(PRESSURES_ON_STEEL), 3), np.nan)
+    for k, limit in enumerate((_ELASTIC * modulus, hardness * modulus)):
+        for row, heights in zip(states[k], quarters, strict=True):
+            for n, pressure in enumerate(PRESSURES_ON_STEEL):
+                if pressure < _LARGEST_SHARE * limit:
+                    _, state = loaded_state(
+                        half_space,
+                        mirrored(heights),
+                        normal_force=pressure * nominal,
+                        hardness=limit,
+                        axes=(1 if rolling == "x" else 0,),
+                    )
+                    row[n] = state
+                solved()
+    area, normal, tangential = np.moveaxis(np.where(np.isinf(states), np.nan, states), -1, 0)
+    rms = np.array([heights.std() for heights in quarters])
+    pressures = np.array(PRESSURES_ON_STEEL)
+    ratio = pressures * nominal / normal / rms[:, None]
+    if not np.isfinite(ratio).all(axis=1).any(axis=-1).all():
+        raise InputError(
+            f"{topography.source}: pressed flat by {1e-6 * PRESSURES_ON_STEEL[0]:g} MPa on steel; so smooth a surface has "
+            "no interface whose stiffness counts: use the exponential law"
+        )
+    made = PressedMap(
+        pressure=pressures / modulus,
+        hardness=hardness,
+        rms_height=rms,
+        elastic_ratio=ratio[0],
+        capped_ratio=ratio[1],
+        elastic_area=area[0] / nominal,
+        capped_area=area[1] / nominal,
+        tangential_ratio=tangential[0] / normal[0],
+        size=np.array([quarters[0].shape[1] * cell[1], quarters[0].shape[0] * cell[0]]),
+    )
+    keep_numbers(asked, made.document())
+    return pressed_map_from_document(made.document())
+
+
+def with_pressed_map(measured: MeasuredFiles, *, hardness: float) -> MeasuredFiles:
+    """Measured files with their map pressed by boundary elements.
+
+    Parameters
+    ----------
+    measured : MeasuredFiles
+        One map.
+    hardness : float
+        Of the softer body, of steel [Pa].
+
+    Returns
+    -------
+    MeasuredFiles
+        With the same numbers.
+
+    Raises
+    ------
+    InputError, NoSolutionError
+        As :func:`pressed_map`.
+    """
+    pressed = pressed_map(
+        measured.topographies[0],
+        rolling=measured.direction,
+        hardness=hardness / float(steel_pair().contact_modulus),
+    )
+    assert measured.spectrum is not None
+    return replace(measured, spectrum=replace(measured.spectrum, pressed=pressed))

@@ -1,0 +1,130 @@
+"""What boundary elements tell of a measured map: decay lengths of the pressure on its quarters, as numbers."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+import scipy.special
+from numpy.typing import NDArray
+
+from asperity.errors import InputError
+
+_CONFIDENCE = 0.95
+
+
+@dataclass(frozen=True)
+class PressedMap:
+    """A map pressed on an elastic half-space, quarter by quarter, under rising nominal pressures.
+
+    Lengths over the rms of the heights and pressures over the contact modulus hold for bodies of any modulus.
+
+    Attributes
+    ----------
+    pressure : array, shape (loads,)
+        Load over nominal area and contact modulus, rising [-].
+    hardness : float
+        Largest pressure of the capped states over the contact modulus [-].
+    rms_height : array, shape (patches,)
+        Of each patch, a plane removed [m].
+    elastic_ratio, capped_ratio : array, shape (patches, loads)
+        Decay length p/k_n over the rms of the heights, elastic and with no pressure above the hardness [-]; nan where a
+        patch is pressed flat, or the capped pressure cannot carry the load.
+    elastic_area, capped_area : array, shape (patches, loads)
+        Real over nominal area of contact [-]; likewise.
+    tangential_ratio : array, shape (patches, loads)
+        Tangential stiffness in the rolling direction over the normal one, elastic [-].
+    size : array, shape (2,)
+        Of a patch along x and along y [m].
+    """
+
+    pressure: NDArray[np.float64]
+    hardness: float
+    rms_height: NDArray[np.float64]
+    elastic_ratio: NDArray[np.float64]
+    capped_ratio: NDArray[np.float64]
+    elastic_area: NDArray[np.float64]
+    capped_area: NDArray[np.float64]
+    tangential_ratio: NDArray[np.float64]
+    size: NDArray[np.float64]
+
+    def decay_ratio(self, *, pressure: float, capped: bool) -> tuple[float, float]:
+        """Decay length over the rms of the heights at a nominal pressure, and how well it is known.
+
+        Parameters
+        ----------
+        pressure : float
+            Over the contact modulus [-]; outside :meth:`range` the ratio of its end, as in the exponential law.
+        capped : bool
+            Whether no pressure is above the hardness.
+
+        Returns
+        -------
+        tuple of float
+            Geometric mean over the patches [-], between loads by a power of the pressure, and the half-width of its
+            95 % interval by Student's law, of the logarithm.
+        """
+        ratio = self.capped_ratio if capped else self.elastic_ratio
+        known = np.isfinite(ratio).all(axis=0)
+        loads = np.log(self.pressure[known])
+        logs = [np.interp(math.log(pressure), loads, row) for row in np.log(ratio[:, known])]
+        quantile = scipy.special.stdtrit(len(logs) - 1, 0.5 * (1.0 + _CONFIDENCE))
+        return math.exp(np.mean(logs)), float(quantile * np.std(logs, ddof=1) / math.sqrt(len(logs)))
+
+    def range(self, *, capped: bool) -> tuple[float, float]:
+        """Smallest and largest pressure with a stiffness of every patch, over the contact modulus [-]."""
+        known = self.pressure[np.isfinite(self.capped_ratio if capped else self.elastic_ratio).all(axis=0)]
+        return float(known[0]), float(known[-1])
+
+    def document(self) -> dict[str, Any]:
+        """The numbers for JSON, null for those that there are not."""
+        return {field.name: _plain(getattr(self, field.name)) for field in fields(self)}
+
+
+def _plain(number: Any) -> Any:
+    if np.ndim(number):
+        return [_plain(part) for part in number]
+    return float(f"{number:.7g}") if math.isfinite(number) else None
+
+
+def pressed_map_from_document(entry: Any) -> PressedMap:
+    """The numbers of :meth:`PressedMap.document`.
+
+    Raises
+    ------
+    InputError
+        If it is not such a document.
+    """
+    try:
+        numbers: dict[str, Any] = {
+            field.name: np.asarray(entry[field.name], dtype=np.float64) for field in fields(PressedMap)
+        }
+        made = PressedMap(**(numbers | {"hardness": float(entry["hardness"])}))
+        shape = (made.rms_height.size, made.pressure.size)
+        tables = (
+            made.elastic_ratio,
+            made.capped_ratio,
+            made.elastic_area,
+            made.capped_area,
+            made.tangential_ratio,
+        )
+        valid = (
+            all(table.shape == shape and not (table <= 0.0).any() for table in tables)
+            and made.pressure.ndim == made.rms_height.ndim == 1
+            and made.size.shape == (2,)
+            and shape[0] > 1
+            and bool((np.diff(made.pressure, prepend=0.0) > 0.0).all())
+            and made.hardness > 0.0
+            and all((positive > 0.0).all() for positive in (made.rms_height, made.size))
+            and all(
+                np.isfinite(ratio).all(axis=0).any() for ratio in (made.elastic_ratio, made.capped_ratio)
+            )
+            and not any(np.isinf(number).any() for number in numbers.values())
+        )
+    except (KeyError, TypeError, ValueError):
+        valid = False
+    if not valid:
+        raise InputError("the boundary elements of the measurement are damaged: measure again")
+    return made
