@@ -18,7 +18,7 @@ def test_small_loads_give_persson_slope_and_large_ones_complete_contact():
 
 def test_the_spectrum_of_one_wave():
     x = np.arange(32) / 32.0
-    spectrum = wave_spectrum(np.tile(0.1 * np.cos(2 * np.pi * 3 * x), (32, 1)), side=1.0)
+    spectrum = wave_spectrum(np.tile(0.1 * np.cos(2 * np.pi * 3 * x), (32, 1)), sides=(1.0, 1.0))
     assert float(spectrum.rms_height) == pytest.approx(0.1 / np.sqrt(2.0))
     assert float(spectrum.rms_slope) == pytest.approx(0.1 * 6 * np.pi / np.sqrt(2.0))
     np.testing.assert_allclose(spectrum.wavenumber, 6 * np.pi)
@@ -34,7 +34,7 @@ def test_stiffness_is_the_integral_over_a_power_law_spectrum():
     density = np.where(band, level * np.where(band, q, 1.0) ** (-2.0 - 2.0 * H), 0.0)
     phases = np.angle(np.fft.fft2(np.random.default_rng(0).standard_normal((n, n))))
     heights = np.fft.ifft2(n**2 * 2.0 * np.pi * np.sqrt(density) * np.exp(1j * phases)).real
-    spectrum = wave_spectrum(heights, side=1.0)
+    spectrum = wave_spectrum(heights, sides=(1.0, 1.0))
 
     def slope_square(upper):
         return 2.0 * np.pi * level * (upper ** (2.0 - 2.0 * H) - low ** (2.0 - 2.0 * H)) / (2.0 - 2.0 * H)
@@ -50,7 +50,7 @@ def test_stiffness_is_the_integral_over_a_power_law_spectrum():
 
 def test_stiffness_per_load_grows_towards_complete_contact():
     heights = np.random.default_rng(1).standard_normal((16, 16))
-    spectrum = wave_spectrum(heights - heights.mean(), side=1.0)
+    spectrum = wave_spectrum(heights - heights.mean(), sides=(1.0, 1.0))
     pressure = jnp.array([0.001, 0.1, 1.0]) * float(spectrum.rms_slope)
     per_load = (
         interfacial_stiffness(spectrum=spectrum, mean_pressure=pressure, contact_modulus=1.0) / pressure

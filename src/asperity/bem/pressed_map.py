@@ -1,4 +1,4 @@
-"""Measured maps pressed by boundary elements: the quarters of a map, mirrored, under rising nominal pressures."""
+"""Measured maps pressed by boundary elements: patches of a map, mirrored, under rising nominal pressures."""
 
 from __future__ import annotations
 
@@ -26,8 +26,9 @@ from asperity.surface.topography import Topography
 
 #: Nominal pressures on steel [Pa]; those on other bodies are as many times their contact modulus.
 PRESSURES_ON_STEEL = (10e6, 30e6, 100e6, 300e6, 1000e6, 3000e6)
-#: Fewest points of a patch along each side.
-FEWEST_POINTS = 32
+#: Number of patches, and fewest and most points of one along each side.
+PATCHES = 4
+FEWEST_POINTS, MOST_POINTS = 32, 512
 #: Largest share of the hardness that a nominal pressure may be, to be carried by the capped pressure of spots.
 _LARGEST_SHARE = 0.9
 #: A limit of the pressure over the contact modulus that no elastic contact reaches: one program for both.
@@ -80,20 +81,23 @@ def loaded_state(
     return contact, jnp.stack([contact.real_contact_area, *stiffness])
 
 
-def map_quarters(topography: Topography, *, points: int) -> tuple[list[NDArray[np.float64]], tuple[float, float]]:
-    """The four quarters of a map, in means over cells, a plane removed from each, and the size of a cell.
+def map_patches(
+    topography: Topography, *, points: int
+) -> tuple[list[NDArray[np.float64]], tuple[float, float]]:
+    """Four patches of a map, about square and half as wide as it, in means over cells, and the size of a cell.
 
     Parameters
     ----------
     topography : Topography
         A map without missing points.
     points : int
-        Most cells of a quarter along each side.
+        Most cells of a patch along each side.
 
     Returns
     -------
     list of array, tuple of float
-        Heights [m], and the distance of the rows and of the columns [m].
+        Heights less a plane [m], and the distance of the rows and of the columns [m]. Of a long map the patches are
+        spread over it.
 
     Raises
     ------
@@ -105,31 +109,35 @@ def map_quarters(topography: Topography, *, points: int) -> tuple[list[NDArray[n
             f"{topography.source}: a profile; boundary elements need a map of the surface, such as that of a "
             "white-light interferometer. For profiles there is the exponential law of their spectrum"
         )
-    if not FEWEST_POINTS <= points <= 1024:
-        raise InputError(f"{points} points along a side; allowed are {FEWEST_POINTS} to 1024")
-    z = topography.heights
+    if not FEWEST_POINTS <= points <= MOST_POINTS:
+        raise InputError(
+            f"{2 * points} points along a side; allowed are {2 * FEWEST_POINTS} to {2 * MOST_POINTS}"
+        )
+    z, (width, height) = topography.heights, topography.size
     if np.isnan(z).any():
         raise InputError(
             f"{topography.source}: points are missing; keep a complete piece or interpolate",
             options=["missing"],
         )
-    rows, columns = (math.ceil(count / (2 * points)) for count in z.shape)
-    tall, wide = (count // (2 * cell) for count, cell in zip(z.shape, (rows, columns), strict=True))
-    if min(tall, wide) < FEWEST_POINTS:
+    parts = [2 * max(1, round(side / min(width, height))) for side in (height, width)]
+    tall, wide = (count // part for count, part in zip(z.shape, parts, strict=True))
+    rows, columns = (math.ceil(count / points) for count in (tall, wide))
+    if min(tall // rows, wide // columns) < FEWEST_POINTS:
         raise InputError(
-            f"{topography.source}: {' x '.join(str(count) for count in z.shape)} points; boundary elements on its "
-            f"quarters need {2 * FEWEST_POINTS} or more along each side"
+            f"{topography.source}: {' x '.join(str(count) for count in z.shape)} points; boundary elements on patches "
+            f"of half its width need {2 * FEWEST_POINTS} or more along each side"
         )
-    mean = z[: 2 * tall * rows, : 2 * wide * columns].reshape(2 * tall, rows, 2 * wide, columns).mean(axis=(1, 3))
     cell = (topography.spacing_across * rows, topography.spacing * columns)
-    quarters = [mean[top : top + tall, left : left + wide] for top in (0, tall) for left in (0, wide)]
-    flat = [
-        levelled(topography=Topography(quarter, cell[1], cell[0], source=topography.source), form="plane").heights
-        for quarter in quarters
-    ]
-    if not all(quarter.std() > 0.0 for quarter in flat):
-        raise InputError(f"{topography.source}: a quarter of the map is a plane, without roughness")
-    return flat, cell
+    patches = []
+    for k in np.linspace(0, parts[0] * parts[1] - 1, PATCHES).round().astype(int):
+        top, left = tall * (k // parts[1]), wide * (k % parts[1])
+        patch = z[top : top + tall // rows * rows, left : left + wide // columns * columns]
+        mean = patch.reshape(tall // rows, rows, wide // columns, columns).mean(axis=(1, 3))
+        flat = levelled(topography=Topography(mean, cell[1], cell[0], source=topography.source), form="plane")
+        if not flat.heights.std() > 0.0:
+            raise InputError(f"{topography.source}: a patch of the map is a plane, without roughness")
+        patches.append(flat.heights)
+    return patches, cell
 
 
 def mirrored(heights: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -146,7 +154,7 @@ def pressed_map(
     points: int = 128,
     solved: Callable[[], None] = lambda: None,
 ) -> PressedMap:
-    """The quarters of a map of the roughness of both bodies on an elastic half-space, by boundary elements.
+    """Patches of a map of the roughness of both bodies on an elastic half-space, by boundary elements.
 
     Parameters
     ----------
@@ -157,7 +165,7 @@ def pressed_map(
     hardness : float
         Largest pressure of the capped states over the contact modulus [-].
     points : int
-        Most points of a quarter along each side; more are averaged.
+        Most points of a patch along each side; more are averaged.
     solved : callable
         Called after each of 48 states.
 
@@ -175,15 +183,15 @@ def pressed_map(
 
     Notes
     -----
-    Quarters are mirrored, which makes them periodic. Their longest waves are those of the quarter.
+    Patches are mirrored, which makes them periodic. Their longest waves are those of the patch.
     """
     if not 1e-3 <= hardness <= 1.0:
         raise InputError(
             f"a hardness of {hardness:g} contact moduli; allowed are 0.001 to 1 (0.11 to 113 GPa on steel)"
         )
-    quarters, cell = map_quarters(topography, points=points)
-    asked = json.dumps([list(cell), rolling, hardness, [quarter.shape for quarter in quarters]]).encode()
-    asked = hashlib.sha256(asked + b"".join(quarter.tobytes() for quarter in quarters)).digest()
+    patches, cell = map_patches(topography, points=points)
+    asked = json.dumps([list(cell), rolling, hardness, [patch.shape for patch in patches]]).encode()
+    asked = hashlib.sha256(asked + b"".join(patch.tobytes() for patch in patches)).digest()
     kept = kept_numbers(asked)
     if kept is not None:
         try:
@@ -192,11 +200,13 @@ def pressed_map(
             pass
     pair = steel_pair()
     modulus = float(pair.contact_modulus)
-    half_space = PeriodicHalfSpace(pair, shape=tuple(2 * count for count in quarters[0].shape), pixel_size=cell)
+    half_space = PeriodicHalfSpace(
+        pair, shape=tuple(2 * count for count in patches[0].shape), pixel_size=cell
+    )
     nominal = float(half_space.nominal_area)
-    states = np.full((2, len(quarters), len(PRESSURES_ON_STEEL), 3), np.nan)
+    states = np.full((2, len(patches), len(PRESSURES_ON_STEEL), 3), np.nan)
     for k, limit in enumerate((_ELASTIC * modulus, hardness * modulus)):
-        for row, heights in zip(states[k], quarters, strict=True):
+        for row, heights in zip(states[k], patches, strict=True):
             for n, pressure in enumerate(PRESSURES_ON_STEEL):
                 if pressure < _LARGEST_SHARE * limit:
                     _, state = loaded_state(
@@ -209,13 +219,13 @@ def pressed_map(
                     row[n] = state
                 solved()
     area, normal, tangential = np.moveaxis(np.where(np.isinf(states), np.nan, states), -1, 0)
-    rms = np.array([heights.std() for heights in quarters])
+    rms = np.array([heights.std() for heights in patches])
     pressures = np.array(PRESSURES_ON_STEEL)
     ratio = pressures * nominal / normal / rms[:, None]
     if not np.isfinite(ratio).all(axis=1).any(axis=-1).all():
         raise InputError(
-            f"{topography.source}: pressed flat by {1e-6 * PRESSURES_ON_STEEL[0]:g} MPa on steel; so smooth a surface has "
-            "no interface whose stiffness counts: use the exponential law"
+            f"{topography.source}: pressed flat by {1e-6 * PRESSURES_ON_STEEL[0]:g} MPa on steel; so smooth "
+            "a surface has no interface whose stiffness counts: use the exponential law"
         )
     made = PressedMap(
         pressure=pressures / modulus,
@@ -226,7 +236,7 @@ def pressed_map(
         elastic_area=area[0] / nominal,
         capped_area=area[1] / nominal,
         tangential_ratio=tangential[0] / normal[0],
-        size=np.array([quarters[0].shape[1] * cell[1], quarters[0].shape[0] * cell[0]]),
+        size=np.array([patches[0].shape[1] * cell[1], patches[0].shape[0] * cell[0]]),
     )
     keep_numbers(asked, made.document())
     return pressed_map_from_document(made.document())

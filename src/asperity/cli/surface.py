@@ -25,7 +25,19 @@ _ARGUMENTS = {
     "shortest": "shortest_wavelength",
     "longest": "longest_wavelength",
 }
-_FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
+#: What `asperity surface measure` does without options, of files that name their units.
+AS_MEASURED: dict[str, Any] = {
+    **dict.fromkeys(("position_unit", "height_unit", "spacing", "start", "stop", "form", "degree", "lay")),
+    **dict.fromkeys(("outlier_threshold", "short_cutoff", "long_cutoff")),
+    **dict.fromkeys(("shortest_wavelength", "longest_wavelength")),
+    "decimal": "auto",
+    "any_size": False,
+    "missing": "refuse",
+    "direction": "x",
+    "estimator": "automatic",
+    "frequency_ratio": 1.5,
+}
+FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
 
 
 @click.group("surface")
@@ -75,7 +87,7 @@ def _length(context: click.Context, parameter: click.Parameter, value: str | Non
 )
 @click.option(
     "--form",
-    type=click.Choice(_FORMS),
+    type=click.Choice(FORMS),
     help="Form removed before the evaluation.  [default: line; plane for maps]",
 )
 @click.option("--degree", type=int, help="Degree of a polynomial form, 0 to 12.")

@@ -1,4 +1,4 @@
-"""``asperity verify-contact``: the fractal law compared with boundary elements and Persson's theory."""
+"""``asperity verify-contact``: contact laws compared with boundary elements, on known surfaces or on a measured map."""
 
 from __future__ import annotations
 
@@ -7,12 +7,21 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from asperity.cli.surface import AS_MEASURED, FORMS
 from asperity.cli.terminal import prepare_computation, say_written
 from asperity.errors import InputError
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
     from asperity.verify.comparison import Comparison, Sample
+    from asperity.verify.measured_map import MapComparison
+
+_OF_KNOWN = (
+    *("dimensions", "roughness", "side", "pixels_per_wave", "seeds", "loads", "lowest", "highest"),
+    *("gamma", "elastic"),
+)
+_OF_MAPS = (*("rolling_direction", "position_unit", "height_unit", "spacing", "missing", "form", "degree"),)
+_OPTIONS = {"dimensions": "dimension", "lowest": "from", "highest": "to"}
 
 
 @click.command("verify-contact")
@@ -70,12 +79,40 @@ if TYPE_CHECKING:
     "--elastic", is_flag=True, help="Do not limit the pressure of the boundary elements to the hardness."
 )
 @click.option(
+    "--surface",
+    "surface_file",
+    type=click.Path(),
+    metavar="FILE",
+    help="Compare all laws on this measured map, of the roughness of both bodies, in place of known surfaces.",
+)
+@click.option(
+    "--rolling-direction",
+    type=click.Choice(["x", "y"]),
+    default="x",
+    show_default=True,
+    help="Direction in the map in which the contact rolls.",
+)
+@click.option("--position-unit", help="Unit of the positions, if a text file does not name it.")
+@click.option("--height-unit", help="Unit of the heights, if the file does not name it.")
+@click.option("--spacing", help="Distance of the points, such as '0.5 um', if the file has none.")
+@click.option(
+    "--missing",
+    type=click.Choice(["refuse", "longest", "interpolate"]),
+    default="refuse",
+    show_default=True,
+    help="Missing points of the map: refuse, keep the longest complete piece, or interpolate gaps along x.",
+)
+@click.option("--form", type=click.Choice(FORMS), help="Form removed from the map.  [default: plane]")
+@click.option("--degree", type=int, help="Degree of a polynomial form, 0 to 12.")
+@click.option(
     "--plot", "plot_file", type=click.Path(dir_okay=False), help="Draw the comparison: PNG, SVG or PDF."
 )
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
 )
+@click.pass_context
 def verify_contact(
+    context: click.Context,
     dimensions: tuple[float, ...],
     roughness: str,
     side: str,
@@ -90,18 +127,49 @@ def verify_contact(
     hardness: str,
     gamma: float,
     elastic: bool,
+    surface_file: str | None,
+    rolling_direction: str,
+    position_unit: str | None,
+    height_unit: str | None,
+    spacing: str | None,
+    missing: str,
+    form: str | None,
+    degree: int | None,
     plot_file: str | None,
     as_json: bool,
 ) -> None:
-    """Compare the fractal contact law with boundary elements and Persson's theory.
+    """Compare contact laws with boundary elements and Persson's theory.
 
-    Generates Weierstrass-Mandelbrot surfaces of given D and G and computes their contact by boundary elements at
-    a series of loads. Contact area, normal and tangential stiffness are compared with the closed-form law
+    With --surface: on four patches of half the width of a measured map, each with at most half of --points along its
+    sides, under 10 to 3000 MPa (on steel), elastic and with no pressure above the hardness. The exponential law,
+    Persson's theory and, where the map has D and G, the published law are compared with that. Options of known surfaces
+    do not go with it.
+
+    Without: generates Weierstrass-Mandelbrot surfaces of given D and G and computes their contact by boundary elements
+    at a series of loads. Contact area, normal and tangential stiffness are compared with the closed-form law
     (contact factor 1, as for a nominally flat contact) and with Persson's theory.
     """
     from asperity.units import Dimension
 
     check_image(plot_file)
+    _refuse_options(context, _OF_KNOWN if surface_file else _OF_MAPS, surface_file)
+    if surface_file:
+        _verify_map(
+            surface_file,
+            moduli=(_read("youngs-modulus", youngs_modulus, Dimension.PRESSURE), poisson_ratio),
+            hardness=_read("hardness", hardness, Dimension.PRESSURE),
+            points=points,
+            plot_file=plot_file,
+            as_json=as_json,
+            position_unit=position_unit,
+            height_unit=height_unit,
+            spacing=None if spacing is None else _read("spacing", spacing, Dimension.LENGTH),
+            missing=missing,
+            form=form,
+            degree=degree,
+            direction=rolling_direction,
+        )
+        return
     lengths = [
         _read(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
     ]
@@ -162,6 +230,102 @@ def verify_contact(
         click.echo(json.dumps(document, indent=2))
         return
     _show(samples, comparisons)
+
+
+def _refuse_options(context: click.Context, names: tuple[str, ...], surface_file: str | None) -> None:
+    """Refuse options that were given and have no effect."""
+    given = [
+        f"--{_OPTIONS.get(name, name).replace('_', '-')}"
+        for name in names
+        if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE
+    ]
+    if given:
+        role = "describe known surfaces; leave them out with" if surface_file else "need"
+        raise InputError(f"{', '.join(given)} {role} --surface")
+
+
+def _verify_map(
+    file: str,
+    *,
+    moduli: tuple[float, float],
+    hardness: float,
+    points: int,
+    plot_file: str | None,
+    as_json: bool,
+    **reading: Any,
+) -> None:
+    """Compare the laws on a measured map."""
+    from asperity.cli.terminal import print_json, progress_bar
+
+    prepare_computation()
+    from asperity.bem import elastic_pair
+    from asperity.surface.measure_files import measured_files
+    from asperity.verify.measured_map import compare_map, map_document, map_figure
+
+    pair = elastic_pair(
+        youngs_modulus_1=moduli[0],
+        youngs_modulus_2=moduli[0],
+        poisson_ratio_1=moduli[1],
+        poisson_ratio_2=moduli[1],
+    )
+    measured = measured_files([file], **(AS_MEASURED | reading))
+    with progress_bar("boundary elements") as done:
+        states = iter(range(1, 1000))
+        comparison = compare_map(
+            measured, pair=pair, hardness=hardness, points=points, solved=lambda: done(next(states), 48)
+        )
+    if plot_file:
+        write_image(map_figure(comparison, measured), plot_file)
+        say_written(plot_file)
+    if as_json:
+        print_json(map_document(comparison, source=measured.source))
+        return
+    _show_map(comparison, measured.source)
+
+
+def _show_map(comparison: MapComparison, source: str) -> None:
+    """Print the verdict and one row for each pressure."""
+    import numpy as np
+
+    from asperity.cli.terminal import prepare_output
+
+    prepare_output()
+    pressed = comparison.pressed
+    size = " x ".join(f"{1e6 * side:.3g} µm" for side in pressed.size)
+    heights = ", ".join(f"{1e6 * height:.3g}" for height in pressed.rms_height)
+    click.secho(comparison.verdict(), bold=True)
+    click.echo(f"{source}: four patches of {size}, a plane removed, rms heights {heights} µm")
+    if comparison.no_power_law:
+        click.echo(f"no published law: {comparison.no_power_law}")
+    click.echo(
+        f"\n{'p [MPa]':>8s} {'area %':>6s} {'k_n [MPa/µm]':>13s} {'±%':>4s} {'capped':>8s} {'k_t/k_n':>7s}  "
+        + " ".join(f"{law:>11s}" for law in comparison.laws)
+    )
+    scatter = 100.0 * np.std(np.log(comparison.elastic), axis=0, ddof=1)
+    for n, pressure in enumerate(comparison.pressure):
+        columns = [
+            (100.0 * pressed.elastic_area[:, n].mean(), "6.1f"),
+            (1e-12 * np.exp(np.log(comparison.elastic[:, n]).mean()), "13.4g"),
+            (scatter[n], "4.0f"),
+            (1e-12 * np.exp(np.log(comparison.capped[:, n]).mean()), "8.4g"),
+            (pressed.tangential_ratio[:, n].mean(), "7.3f"),
+        ]
+        cells = [
+            f"{value:{kind}}" if np.isfinite(value) else f"{'-':>{kind.split('.')[0]}s}"
+            for value, kind in columns
+        ]
+        laws = []
+        for law in comparison.laws:
+            ratio = comparison.ratio(law)[n]
+            text = f"{ratio:.2f}" if ratio < 100.0 else ">100"
+            laws.append(f"{text if np.isfinite(ratio) else '-':>11s}")
+        click.echo(f"{1e-6 * pressure:8.4g} {' '.join(cells)}  {' '.join(laws)}")
+    click.echo(
+        "\nk_n: boundary elements, elastic, geometric mean over the patches, ± its standard deviation; capped:\n"
+        f"no pressure above {1e-9 * comparison.hardness:.3g} GPa; k_t/k_n: in the rolling direction, elastic,\n"
+        "Poisson's ratio 0.3; then each law over the elastic boundary elements. Elastic is the soft\n"
+        "bound. -: a patch is pressed flat, or cannot carry the load."
+    )
 
 
 def _read(option: str, text: str, dimension: Any) -> float:

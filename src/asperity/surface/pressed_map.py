@@ -1,4 +1,4 @@
-"""What boundary elements tell of a measured map: decay lengths of the pressure on its quarters, as numbers."""
+"""What boundary elements tell of a measured map: decay lengths of the pressure on patches of it, as numbers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _CONFIDENCE = 0.95
 
 @dataclass(frozen=True)
 class PressedMap:
-    """A map pressed on an elastic half-space, quarter by quarter, under rising nominal pressures.
+    """A map pressed on an elastic half-space, patch by patch, under rising nominal pressures.
 
     Lengths over the rms of the heights and pressures over the contact modulus hold for bodies of any modulus.
 
@@ -118,9 +118,7 @@ def pressed_map_from_document(entry: Any) -> PressedMap:
             and bool((np.diff(made.pressure, prepend=0.0) > 0.0).all())
             and made.hardness > 0.0
             and all((positive > 0.0).all() for positive in (made.rms_height, made.size))
-            and all(
-                np.isfinite(ratio).all(axis=0).any() for ratio in (made.elastic_ratio, made.capped_ratio)
-            )
+            and all(np.isfinite(ratio).all(axis=0).any() for ratio in (made.elastic_ratio, made.capped_ratio))
             and not any(np.isinf(number).any() for number in numbers.values())
         )
     except (KeyError, TypeError, ValueError):

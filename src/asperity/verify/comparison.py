@@ -10,13 +10,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.bem import (
-    ElasticPair,
-    PeriodicHalfSpace,
-    normal_contact,
-    normal_stiffness,
-    tangential_stiffness,
-)
+from asperity.bem import ElasticPair, PeriodicHalfSpace
+from asperity.bem.pressed_map import loaded_state
 from asperity.contact.fractal import Surface, fractal_contact
 from asperity.errors import InputError
 from asperity.verify.periodic_weierstrass import periodic_weierstrass_surface
@@ -149,7 +144,7 @@ def compare(
     pixel = sample.side / sample.points
     half_space = PeriodicHalfSpace(pair, shape=(sample.points, sample.points), pixel_size=(pixel, pixel))
     surfaces = [sample_heights(sample, seed) for seed in range(seeds)]
-    spectra = [wave_spectrum(heights, side=sample.side) for heights in surfaces]
+    spectra = [wave_spectrum(heights, sides=(sample.side, sample.side)) for heights in surfaces]
     E = pair.contact_modulus
     rms_slope = jnp.mean(jnp.stack([s.rms_slope for s in spectra]))
     scale = jnp.minimum(E * rms_slope, sample.hardness)
@@ -161,17 +156,18 @@ def compare(
     for heights in surfaces:
         row, contact = [], None
         for load in np.asarray(force):
-            contact = normal_contact(half_space, heights, normal_force=load, hardness=hardness, start=contact)
-            mask = contact.pressure > 0.0
-            if contact.contact_fraction < 1.0:
-                shear = [tangential_stiffness(half_space, mask, axis=axis).stiffness for axis in (0, 1)]
-                stiffness = [normal_stiffness(half_space, mask).stiffness, 0.5 * (shear[0] + shear[1])]
-            else:
-                stiffness = [jnp.asarray(jnp.inf)] * 2
+            contact, state = loaded_state(
+                half_space,
+                heights,
+                normal_force=load,
+                hardness=hardness,
+                axes=(0, 1),
+                start=contact,
+            )
             capped = (
                 jnp.mean(contact.pressure >= sample.hardness, dtype=jnp.float64) / contact.contact_fraction
             )
-            row.append(jnp.stack([contact.real_contact_area, *stiffness, capped]))
+            row.append(jnp.append(state, capped))
             solved()
         rows.append(jnp.stack(row, axis=1))
     area, normal, tangential, capped_fraction = jnp.stack(rows, axis=1)

@@ -42,12 +42,11 @@ class WaveSpectrum(eqx.Module):
     rms_slope: Array
 
 
-def wave_spectrum(heights: NDArray[np.float64], *, side: float) -> WaveSpectrum:
-    """Sort the waves of a periodic height map by length."""
-    n = heights.shape[0]
-    k = np.fft.fftfreq(n, 1.0 / n)
-    q = 2.0 * math.pi / side * np.hypot(*np.meshgrid(k, k, indexing="ij")).ravel()
-    variance = np.abs(np.fft.fft2(heights).ravel()) ** 2 / float(n) ** 4
+def wave_spectrum(heights: NDArray[np.float64], *, sides: tuple[float, float]) -> WaveSpectrum:
+    """Sort the waves of a periodic height map by length; its sides along both axes [m]."""
+    axes = [2.0 * math.pi * np.fft.fftfreq(n, side / n) for n, side in zip(heights.shape, sides, strict=True)]
+    q = np.hypot(*np.meshgrid(*axes, indexing="ij")).ravel()
+    variance = np.abs(np.fft.fft2(heights).ravel()) ** 2 / float(heights.size) ** 2
     used = np.flatnonzero((q > 0.0) & (variance > 1e-20 * variance.max()))
     used = used[np.argsort(q[used])]
     slope = variance[used] * q[used] ** 2

@@ -1,0 +1,267 @@
+"""The closed-form laws and boundary elements on a user's own measured map over the nominal pressure; their figure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import jax.numpy as jnp
+import numpy as np
+from numpy.typing import NDArray
+
+from asperity.bem import ElasticPair
+from asperity.bem.pressed_map import map_patches, mirrored, pressed_map
+from asperity.contact.exponential import decay_length
+from asperity.contact.fractal import Surface, fractal_contact
+from asperity.surface.measure_files import MeasuredFiles
+from asperity.surface.pressed_map import PressedMap
+from asperity.verify.persson import interfacial_stiffness, wave_spectrum
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.figure import Figure
+
+#: Nominal pressures that the verdict speaks of [Pa], and the largest share of the area in contact.
+JUDGED = (29e6, 1010e6)
+LARGEST_AREA = 0.5
+#: Law → its name.
+LAWS = {
+    "exponential": "the exponential law",
+    "persson": "Persson's theory",
+    "published": "the published law of D and G",
+}
+
+
+@dataclass(frozen=True)
+class MapComparison:
+    """Stiffness of the interface on patches of a map, per nominal area.
+
+    Attributes
+    ----------
+    pressed : PressedMap
+        The boundary elements.
+    pressure : array, shape (loads,)
+        Nominal pressure [Pa].
+    hardness : float
+        Of the capped states [Pa].
+    elastic, capped : array, shape (patches, loads)
+        By boundary elements [Pa/m]; nan where a patch is pressed flat or cannot carry the load.
+    laws : dict of str to array of shape (patches, loads)
+        By the closed-form laws [Pa/m], keys of :data:`LAWS`; the published one where the surface has D and G.
+    no_power_law : str
+        Why it has none, or empty.
+    """
+
+    pressed: PressedMap
+    pressure: NDArray[np.float64]
+    hardness: float
+    elastic: NDArray[np.float64]
+    capped: NDArray[np.float64]
+    laws: dict[str, NDArray[np.float64]]
+    no_power_law: str
+
+    def ratio(self, law: str) -> NDArray[np.float64]:
+        """A law over the boundary elements, elastic: geometric mean over the patches, shape (loads,) [-]."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(np.exp(np.mean(np.log(self.laws[law] / self.elastic), axis=0)))
+
+    @property
+    def judged(self) -> NDArray[np.bool_]:
+        """Which loads the verdict speaks of: with a stiffness, and less than half of the area in contact."""
+        inside = (self.pressure > JUDGED[0]) & (self.pressure < JUDGED[1])
+        return np.asarray(inside & (self.pressed.elastic_area.mean(axis=0) < LARGEST_AREA))
+
+    def verdict(self) -> str:
+        """What the comparison says, in one sentence."""
+        if not self.judged.any():
+            return (
+                "More than half of the area touches at every pressure from 30 to 1000 MPa: the laws of partial contact "
+                "do not apply to this surface, and its interface hardly counts."
+            )
+        low, high = (f"{1e-6 * p:.4g}" for p in self.pressure[self.judged][[0, -1]])
+        told = []
+        for law in self.laws:
+            ratio = self.ratio(law)[self.judged]
+            ends = (
+                f"{ratio.min():.2f} to {ratio.max():.2f}"
+                if ratio.max() > 0.0
+                else "0, as all spots are plastic"
+            )
+            told.append(f"{LAWS[law]} {ends}")
+        judged = self.capped[:, self.judged] / self.elastic[:, self.judged]
+        capped = judged[:, np.isfinite(judged).all(axis=0)].mean(axis=0)
+        stiffer = capped.size and (
+            f"; spots that yield at {1e-9 * self.hardness:.3g} GPa make it {capped.min():.2f} to "
+            f"{capped.max():.2f} times as stiff"
+        )
+        return (
+            f"On this surface, between {low} and {high} MPa, the laws over elastic boundary elements: "
+            f"{', '.join(told)}{stiffer or ''}."
+        )
+
+
+def compare_map(
+    measured: MeasuredFiles,
+    *,
+    pair: ElasticPair,
+    hardness: float,
+    points: int,
+    solved: Callable[[], None] = lambda: None,
+) -> MapComparison:
+    """Press patches of a measured map by boundary elements, and evaluate the laws on them.
+
+    Parameters
+    ----------
+    measured : MeasuredFiles
+        One map, of the roughness of both bodies.
+    pair : ElasticPair
+        The bodies.
+    hardness : float
+        Of the softer one [Pa].
+    points : int
+        Most points of the map along each side; more are averaged.
+    solved : callable
+        Called after each state.
+
+    Returns
+    -------
+    MapComparison
+        In SI units.
+
+    Raises
+    ------
+    InputError, NoSolutionError
+        As :func:`asperity.bem.pressed_map.pressed_map`.
+    """
+    modulus = float(pair.contact_modulus)
+    topography = measured.topographies[0]
+    pressed = pressed_map(
+        topography,
+        rolling=measured.direction,
+        hardness=hardness / modulus,
+        points=points // 2,
+        solved=solved,
+    )
+    patches, cell = map_patches(topography, points=points // 2)
+    pressure = pressed.pressure * modulus
+    height = pressed.rms_height[:, None]
+    spectra = [
+        wave_spectrum(full, sides=(full.shape[0] * cell[0], full.shape[1] * cell[1]))
+        for full in map(mirrored, patches)
+    ]
+    laws = {
+        "exponential": pressure / np.asarray(decay_length(rms_height=jnp.asarray(height))),
+        "persson": np.stack(
+            [
+                np.asarray(
+                    interfacial_stiffness(
+                        spectrum=each, mean_pressure=jnp.asarray(pressure), contact_modulus=modulus
+                    )
+                )
+                for each in spectra
+            ]
+        ),
+    }
+    fractal = measured.roughness.fractal
+    if fractal is not None:
+        area = float(np.prod(pressed.size))
+        law = fractal_contact(
+            surface=Surface(
+                fractal_dimension=fractal.fractal_dimension,
+                fractal_roughness=fractal.fractal_roughness,
+                frequency_ratio=fractal.frequency_ratio,
+                asperity_base="majumdar_bhushan_1991",
+            ),
+            normal_force=jnp.asarray(pressure * area),
+            tangential_force=0.0,
+            friction_coefficient=1.0,
+            contact_factor=1.0,
+            contact_modulus=modulus,
+            tangential_contact_modulus=pair.tangential_contact_modulus,
+            hardness=hardness,
+        )
+        laws["published"] = np.tile(np.asarray(law.normal_stiffness) / area, (len(patches), 1))
+    return MapComparison(
+        pressed=pressed,
+        pressure=pressure,
+        hardness=hardness,
+        elastic=pressure / (pressed.elastic_ratio * height),
+        capped=pressure / (pressed.capped_ratio * height),
+        laws=laws,
+        no_power_law=measured.roughness.no_power_law,
+    )
+
+
+def map_document(comparison: MapComparison, *, source: str) -> dict[str, Any]:
+    """All numbers of a comparison for JSON, SI units in the names; null where there is no stiffness."""
+    pressed = comparison.pressed.document()
+
+    def plain(values: NDArray[np.float64]) -> list[Any]:
+        return [
+            plain(part) if np.ndim(part) else float(part) if np.isfinite(part) else None for part in values
+        ]
+
+    return {
+        "source": source,
+        "verdict": comparison.verdict(),
+        "patch_size_m": pressed["size"],
+        "patch_rms_height_m": pressed["rms_height"],
+        "nominal_pressure_Pa": plain(comparison.pressure),
+        "hardness_Pa": comparison.hardness,
+        "no_power_law": comparison.no_power_law,
+        "boundary_elements": {
+            "normal_stiffness_Pa_per_m": plain(comparison.elastic),
+            "capped_normal_stiffness_Pa_per_m": plain(comparison.capped),
+            "tangential_over_normal_stiffness": pressed["tangential_ratio"],
+            "contact_fraction": pressed["elastic_area"],
+            "capped_contact_fraction": pressed["capped_area"],
+        },
+        "laws": {
+            law: {
+                "normal_stiffness_Pa_per_m": plain(values),
+                "over_boundary_elements": plain(comparison.ratio(law)),
+            }
+            for law, values in comparison.laws.items()
+        },
+    }
+
+
+def map_figure(comparison: MapComparison, measured: MeasuredFiles) -> Figure:
+    """The map, the stiffness by every method over the pressure, and the laws over the elements."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(11.0, 5.5), layout="constrained")
+    grid = figure.add_gridspec(2, 2, height_ratios=[1.6, 1.0])
+    left, above = figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[0, 1])
+    below = figure.add_subplot(grid[1, 1], sharex=above)
+    topography = measured.topographies[0]
+    width, height = (1e6 * size for size in topography.size)
+    limits = 1e6 * np.percentile(topography.heights, [0.5, 99.5])
+    image = left.imshow(
+        1e6 * topography.heights,
+        extent=(0.0, width, height, 0.0),
+        cmap="viridis",
+        vmin=limits[0],
+        vmax=limits[1],
+    )
+    left.set(xlabel="x [µm]", ylabel="y [µm]", title="levelled map")
+    figure.colorbar(image, ax=left, label="height [µm]", shrink=0.7)
+    pressure = 1e-6 * comparison.pressure
+    for values, marker, label in (
+        (comparison.elastic, "o", "boundary elements, elastic"),
+        (comparison.capped, "^", f"boundary elements, hardness {1e-9 * comparison.hardness:.3g} GPa"),
+    ):
+        shown = 1e-12 * np.exp(np.mean(np.log(values), axis=0))
+        spread = np.abs(1e-12 * np.array([values.min(axis=0), values.max(axis=0)]) - shown)
+        colour = "black" if marker == "o" else "tab:red"
+        above.errorbar(pressure, shown, spread, fmt=marker, markersize=4, color=colour, label=label)
+    for (law, values), style in zip(comparison.laws.items(), ("-", ":", "--"), strict=False):
+        shown = np.where(values > 0.0, values, np.nan).mean(axis=0)
+        above.plot(pressure, 1e-12 * shown, style, label=LAWS[law])
+        below.plot(pressure, comparison.ratio(law), style)
+    above.set(xscale="log", yscale="log", ylabel="normal stiffness [MPa/µm]")
+    above.legend(fontsize=8)
+    below.axhline(1.0, color="black", linewidth=0.8)
+    below.set(yscale="log", xlabel="nominal pressure [MPa]", ylabel="law over elastic\nboundary elements [-]")
+    return figure
