@@ -6,7 +6,9 @@ FOLDER has the measured files of the tests (``ASPERITY_SHARED_DATA``). Presses a
 directions, a polynomial of second degree removed, with line loads whose Hertzian width the map holds two and a half
 times and more; with a hardness [GPa] no pressure exceeds it. The interface has the compliance of the rough contact less
 that of the smooth one on the same grid. Prints N/(0.48 h) over its stiffness, with the h that a joint takes of the map
-at this width, and how many lie in the interval of a joint: the error of the law with the scatter of the spectrum.
+at this width, and how many lie in the interval of a joint: the error of the law with the scatter of the spectrum. Next to
+it the same with the decay length of flat patches of the map by boundary elements (model.contact_law = "measured"), whose
+interval reaches from elastic patches to those with a hardness (5.6 GPa, or the given one).
 """
 
 from __future__ import annotations
@@ -43,6 +45,7 @@ def main() -> None:
     asked = parser.parse_args()
     use_double_precision()
     from asperity.bem import FreeHalfSpace, elastic_pair, normal_contact, normal_stiffness
+    from asperity.bem.pressed_map import pressed_map
     from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS, decay_length
     from asperity.errors import AsperityError
     from asperity.surface.height_spectrum import spectrum_of_map
@@ -56,6 +59,7 @@ def main() -> None:
     modulus = 206e9 / (2.0 * 0.91)
     hardness = None if asked.hardness is None else 1e9 * asked.hardness
     inside: list[bool] = []
+    by_patches: list[bool] = []
     for name, (radius, loads, coarser) in MAPS.items():
         unit = {"height_unit": "um"} if name.endswith("tmd") else {}
         surface = without_missing(read_surface(path=asked.folder / name, **unit), choice="interpolate")
@@ -80,6 +84,11 @@ def main() -> None:
             axis = 1 if rolling == "x" else 0
             place = (np.arange(flat.heights.shape[axis]) - 0.5 * (flat.heights.shape[axis] - 1)) * pixel[axis]
             gap = place**2 if rolling == "x" else place[:, None] ** 2
+            try:
+                pressed = pressed_map(flat, rolling=rolling, hardness=(hardness or 5.6e9) / modulus)
+            except AsperityError as error:
+                print(f"{flat.source} {rolling}: {error}")
+                pressed = None
             half_space = FreeHalfSpace(pair, shape=flat.heights.shape, pixel_size=pixel)
             for load in loads:
                 width = 2.0 * math.sqrt(4.0 * load * radius / (math.pi * modulus))
@@ -117,7 +126,22 @@ def main() -> None:
                 print(
                     f"{told}  law over elements {ratio:5.2f}{'' if inside[-1] else '  outside'}", flush=True
                 )
+                if pressed is None:
+                    continue
+                pressure = load / width / modulus
+                (elastic, wide), (capped, deep) = (
+                    pressed.decay_ratio(pressure=pressure, capped=each) for each in (False, True)
+                )
+                ratio *= float(decay_length(rms_height=1.0)) / elastic
+                low, high = math.exp(-wide) / scatter, elastic / capped * math.exp(deep) * scatter
+                by_patches.append(low <= 1.0 / ratio <= high)
+                print(
+                    f"{'':16} patches {elastic:.3f} to {capped:.3f} of h (times {math.exp(wide):.2f})  "
+                    f"over elements {ratio:5.2f}{'' if by_patches[-1] else '  outside'}",
+                    flush=True,
+                )
     print(f"{sum(inside)} of {len(inside)} in the interval")
+    print(f"{sum(by_patches)} of {len(by_patches)} in that of the patches")
 
 
 if __name__ == "__main__":

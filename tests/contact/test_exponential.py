@@ -23,7 +23,7 @@ KAPPA = 2.0 * 0.7 / 1.7  # Mindlin, like bodies with a Poisson's ratio of 0.3
 
 def law(normal, tangential=0.0):
     return random_contact(
-        roughness=RandomRoughness(RMS),
+        roughness=RandomRoughness(decay_length(rms_height=RMS)),
         normal_force=normal,
         tangential_force=tangential,
         friction_coefficient=FRICTION,

@@ -81,7 +81,7 @@ def test_a_study_cannot_leave_the_stated_law():
     (built,) = joint_from_values(
         replace_values(values, {"surface.rms_height": np.array([2e-7, 3e-7])})
     ).surfaces
-    assert built.rms_height.tolist() == [2e-7, 3e-7]
+    assert built.decay_length.tolist() == [0.48 * 2e-7, 0.48 * 3e-7]
 
 
 def test_one_law_for_surfaces_of_both_kinds():
@@ -92,7 +92,7 @@ def test_one_law_for_surfaces_of_both_kinds():
     assert all(isinstance(each, Surface) for each in joint_from_case(case).surfaces)
     values = si_values(case_of(dict.fromkeys(("sp", *others), AVERAGE)))
     changed = joint_from_values(replace_values(values, {"surface.sp.rms_height": 2e-7}))
-    assert float(changed.surfaces[0].rms_height) == 2e-7
+    assert float(changed.surfaces[0].decay_length) == 0.48 * 2e-7
     assert all(isinstance(each, RandomRoughness) for each in changed.surfaces)
     with pytest.raises(InputError, match="one contact law for all contacts"):
         joint_from_values(replace_values(si_values(case), {"surface.pwr.rms_height": 2e-7}))
@@ -102,7 +102,7 @@ def test_heights_of_an_average_by_hand():
     """Normally distributed heights: Rq = sqrt(pi/2) Ra; two bodies of 0.2 and 0.15 um have 0.25 um together."""
     case = case_of(AVERAGE | {"partner_roughness_average": "0.15 um"}, "exponential")
     (built,) = joint_from_case(case).surfaces
-    assert float(built.rms_height) == pytest.approx(math.sqrt(math.pi / 2.0) * 0.25e-6, rel=1e-12)
+    assert float(built.decay_length) == pytest.approx(0.48 * math.sqrt(math.pi / 2.0) * 0.25e-6, rel=1e-12)
 
 
 @pytest.mark.slow

@@ -25,10 +25,11 @@ from asperity.surface.pressed_map import PressedMap, pressed_map_from_document
 from asperity.surface.topography import Topography
 
 #: Nominal pressures on steel [Pa]; those on other bodies are as many times their contact modulus.
-PRESSURES_ON_STEEL = (10e6, 30e6, 100e6, 300e6, 1000e6, 3000e6)
+PRESSURES_ON_STEEL = (10e6, 30e6, 100e6, 300e6, 600e6, 1000e6, 1700e6, 3000e6)
 #: Number of patches, and fewest and most points of one along each side.
 PATCHES = 4
 FEWEST_POINTS, MOST_POINTS = 32, 512
+STATES = 2 * PATCHES * len(PRESSURES_ON_STEEL)
 #: Largest share of the hardness that a nominal pressure may be, to be carried by the capped pressure of spots.
 _LARGEST_SHARE = 0.9
 #: A limit of the pressure over the contact modulus that no elastic contact reaches: one program for both.
@@ -167,7 +168,7 @@ def pressed_map(
     points : int
         Most points of a patch along each side; more are averaged.
     solved : callable
-        Called after each of 48 states.
+        Called after each of :data:`STATES` states.
 
     Returns
     -------

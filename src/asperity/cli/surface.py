@@ -53,6 +53,14 @@ def _length(context: click.Context, parameter: click.Parameter, value: str | Non
     return parse_quantity(value, Dimension.LENGTH)
 
 
+def _stress(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
+    if value is None:
+        return None
+    from asperity.units import Dimension, parse_quantity
+
+    return parse_quantity(value, Dimension.PRESSURE)
+
+
 @surface.command("measure")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="FILE...")
 @click.option(
@@ -131,7 +139,15 @@ def _length(context: click.Context, parameter: click.Parameter, value: str | Non
 @click.option(
     "--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of the model, above 1."
 )
-def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options: Any) -> int:
+@click.option(
+    "--hardness",
+    callback=_stress,
+    help='Press a map by boundary elements, elastic and with no pressure above this hardness, such as "7 GPa", of the '
+    'softer body on steel: what a joint with model.contact_law = "measured" takes.',
+)
+def measure(
+    files: tuple[Path, ...], as_json: bool, plot: Path | None, hardness: float | None, **options: Any
+) -> int:
     """Spectrum of profile or map files, and fractal dimension D and roughness G with 95 % intervals.
 
     Spectra of several profile files of one surface are averaged. Without a power law over at least one decade of
@@ -146,6 +162,12 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
         files,
         **{_ARGUMENTS.get(name, name): value for name, value in options.items()},
     )
+    if hardness is not None:
+        from asperity.bem.pressed_map import with_pressed_map
+        from asperity.precision import use_compilation_cache
+
+        use_compilation_cache()
+        measured = with_pressed_map(measured, hardness=hardness)
     if plot is not None:
         _write_figure(plot, measured)
     if as_json:
@@ -236,6 +258,18 @@ def _print(measured: MeasuredFiles) -> None:
         click.echo(f"amplitude along x over along y: {fits.anisotropy_ratio:.3f}")
     if measured.spectrum is not None:
         click.echo(f"rms height of the waves shorter than: {_waves(measured.spectrum)}")
+        pressed = measured.spectrum.pressed
+        if pressed is not None:
+            from asperity.bem.pressed_map import PRESSURES_ON_STEEL
+
+            ratios = [pressed.decay_ratio(pressure=load, capped=False)[0] for load in pressed.pressure]
+            click.echo(
+                "boundary elements, decay length over rms height at "
+                + ", ".join(
+                    f"{1e-6 * load:g} MPa {ratio:.3g}"
+                    for load, ratio in zip(PRESSURES_ON_STEEL, ratios, strict=True)
+                )
+            )
         if not measured.spectrum.is_map and measured.spectrum.lay is None:
             click.echo("a joint needs the lay of a profile: --lay rolling, axis or isotropic")
 

@@ -259,6 +259,7 @@ def _verify_map(
 
     prepare_computation()
     from asperity.bem import elastic_pair
+    from asperity.bem.pressed_map import STATES
     from asperity.surface.measure_files import measured_files
     from asperity.verify.measured_map import compare_map, map_document, map_figure
 
@@ -272,7 +273,7 @@ def _verify_map(
     with progress_bar("boundary elements") as done:
         states = iter(range(1, 1000))
         comparison = compare_map(
-            measured, pair=pair, hardness=hardness, points=points, solved=lambda: done(next(states), 48)
+            measured, pair=pair, hardness=hardness, points=points, solved=lambda: done(next(states), STATES)
         )
     if plot_file:
         write_image(map_figure(comparison, measured), plot_file)

@@ -25,16 +25,16 @@ OVER_BOUNDARY_ELEMENTS = (0.39, 1.24)
 
 
 class RandomRoughness(eqx.Module):
-    """Roughness of a contact by its heights: one equivalent surface with the roughness of both bodies.
+    """Roughness of a contact by its decay length: one equivalent surface with the roughness of both bodies.
 
     Parameters
     ----------
-    rms_height : Real
-        Root mean square of the heights, of both bodies together, of the waves that are shorter than the contact is wide
-        across it, and up to the roll-off of the spectrum along it [m].
+    decay_length : Real
+        Distance in which the pressure falls by the factor e, u_0 [m]: :func:`decay_length` of the rms of the
+        heights, or that of a measured map by boundary elements, :mod:`asperity.bem.pressed_map`.
     """
 
-    rms_height: Real
+    decay_length: Real
 
 
 def decay_length(*, rms_height: Real) -> Real:
@@ -43,7 +43,8 @@ def decay_length(*, rms_height: Real) -> Real:
     Parameters
     ----------
     rms_height : Real
-        As of :class:`RandomRoughness` [m].
+        Root mean square of the heights, of both bodies together, of the waves that are shorter than the contact is wide
+        across it, and up to the roll-off of the spectrum along it [m].
 
     Returns
     -------
@@ -81,7 +82,7 @@ def random_contact(
     Parameters
     ----------
     roughness : RandomRoughness
-        Heights of the equivalent surface.
+        Decay length of the equivalent surface.
     normal_force, tangential_force : Real
         N, and T >= 0 [N].
     friction_coefficient : Real
@@ -105,12 +106,11 @@ def random_contact(
     M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349 and J. Jäger, J. Tribol. 120 (1998) 677: tangential from
     normal contact. Equation (A10) of :doc:`/equations`.
     """
-    length = decay_length(rms_height=roughness.rms_height)
     touching = jnp.asarray(normal_force) > 0.0
     load = jnp.where(touching, normal_force, 0.0)
     limit = friction_coefficient * jnp.where(touching, normal_force, 1.0)
     held = jnp.where(touching, jnp.maximum(1.0 - tangential_force / limit, 0.0), 0.0)
-    normal = load / length
+    normal = load / roughness.decay_length
     unknown = jnp.full_like(normal, jnp.nan)
     ratio = 4.0 * tangential_contact_modulus / contact_modulus
     values = jnp.broadcast_arrays(

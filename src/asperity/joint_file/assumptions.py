@@ -30,11 +30,16 @@ _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the pl
 _LAWS = {
     "zou_2025": "the published law, from the D and G of the surfaces",
     "exponential": "the law of randomly rough elastic surfaces, from the rms of their heights",
+    "measured": "that of randomly rough elastic surfaces, from their decay_length",
 }
 RANDOM_ROUGHNESS = (
     "contact law exponential: of randomly rough elastic surfaces, K_n = N/(0.48 h) and K_t in proportion to "
     "1 - T/(mu N), h the rms of the heights of both bodies together; across the contacts of waves shorter than they "
     "are wide, along the axes of the rollers up to the roll-off: longer ones make the joint look softer than it is"
+)
+DECAY_LENGTH = (
+    "contact law measured: K_n = N/u with the decay_length u of each contact, whatever its force, and K_t in "
+    "proportion to 1 - T/(mu N)"
 )
 #: What the rms of the heights is where a file states Ra.
 HEIGHTS_OF_AVERAGE = (
@@ -160,6 +165,8 @@ def assumptions(case: Case) -> tuple[str, ...]:
             )
     if case.model.contact_law is None:
         told.append(f"contact law {law}, since the file does not state model.contact_law: {_LAWS[law]}")
+    if law == "measured":
+        told.append(DECAY_LENGTH)
     if law == "exponential":
         told.append(RANDOM_ROUGHNESS)
         if surfaces_by_average(case):

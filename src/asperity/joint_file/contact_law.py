@@ -7,7 +7,7 @@ from typing import Literal
 
 from asperity.errors import InputError
 
-ContactLaw = Literal["zou_2025", "exponential"]
+ContactLaw = Literal["zou_2025", "exponential", "measured"]
 
 
 def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -> ContactLaw:
@@ -25,7 +25,8 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -
     str
         ``"zou_2025"``, the published law of D and G, or ``"exponential"``, that of the rms of the heights,
         :func:`asperity.contact.exponential.random_contact`. Without a statement surfaces by their ``rms_height`` have
-        the latter, and so have finishes with their Ra, where no surface states G.
+        the latter, and so have finishes with their Ra, where no surface states G. ``"measured"``, the same with the
+        decay length by boundary elements on a measured map, for surfaces by their ``decay_length``.
 
     Raises
     ------
@@ -35,6 +36,19 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -
     stated_keys = list(surfaces)
     by_height = any("rms_height" in keys for keys in stated_keys)
     fractal = any("fractal_roughness" in keys for keys in stated_keys)
+    measured = ["decay_length" in keys for keys in stated_keys]
+    if all(measured) and stated in (None, "measured"):
+        return "measured"
+    if any(measured):
+        raise InputError(
+            'decay_length belongs to model.contact_law = "measured": leave contact_law out, and give the '
+            "decay_length of all contacts or of none"
+        )
+    if stated == "measured":
+        raise InputError(
+            'model.contact_law = "measured" needs a measured map: asperity surface measure MAP --hardness "7 GPa" '
+            "--json > map.json, and then --surface map.json; or surface.decay_length in the file"
+        )
     if by_height and stated == "zou_2025":
         raise InputError(
             'model.contact_law = "zou_2025" needs D and G, of which rms_height says nothing: leave contact_law '

@@ -29,6 +29,14 @@ if TYPE_CHECKING:
 Ends = dict[str, tuple[float, float, float]]
 #: Values of D between the ends of its range, and of Ra between the ends of its scatter.
 DIMENSIONS, AVERAGES = 15, 5
+_OF_LAW = (
+    "The law is {:g} to {:g} times as stiff as boundary elements on measured surfaces, elastic, in nine cases of ten; "
+    "plastic spots make contacts stiffer, up to four times at a hardness of 1.26 GPa."
+).format(*OVER_BOUNDARY_ELEMENTS)
+_OF_ELEMENTS = (
+    "The law is that of boundary elements on the map: its soft end elastic, its stiff end capped at the hardness, each "
+    "with the scatter between patches of the map."
+)
 _AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
 _NORMAL_95 = 1.959963984540054
 
@@ -154,7 +162,7 @@ def _ends_of_heights(case: Case) -> Ends:
     return ends
 
 
-def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
+def interval_of_heights(case: Case, heights: Ends, ratios: Ends | None = None) -> dict[str, Any]:
     """Intervals of stiffness and drift by the exponential contact law, from its error and that of the heights.
 
     Parameters
@@ -163,6 +171,9 @@ def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
         A joint file with this law.
     heights : dict of str to tuple
         Path of a surface → lower end, middle and upper end of the rms of its heights [m].
+    ratios : dict of str to tuple, optional
+        Path of a surface → the same of its decay length over these heights [-], of a measured map by boundary elements;
+        without it those of the exponential law are taken.
 
     Returns
     -------
@@ -170,11 +181,15 @@ def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
         As :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law``
         and ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
     """
-    least, most = OVER_BOUNDARY_ELEMENTS
-    changes = {
-        f"{path}.rms_height": np.array([least * low, most * high, least * middle, most * middle, low, high])
-        for path, (low, middle, high) in heights.items()
-    }
+    key = "rms_height" if ratios is None else "decay_length"
+    changes = {}
+    for path, (low, middle, high) in heights.items():
+        least, here, most = (
+            (OVER_BOUNDARY_ELEMENTS[0], 1.0, OVER_BOUNDARY_ELEMENTS[1]) if ratios is None else ratios[path]
+        )
+        changes[f"{path}.{key}"] = np.array(
+            [least * low, most * high, least * middle, most * middle, here * low, here * high]
+        )
     values = replace_values(si_values(case), changes)
     result = over_surfaces(joint_from_case(case), joint_from_values(values).surfaces, shape=(6,))
     both, law, roughness = (
@@ -196,13 +211,11 @@ def interval_of_heights(case: Case, heights: Ends) -> dict[str, Any]:
         **both,
         "parts": {"contact_law": law, "rms_height": roughness},
         "contacts": _asperity_ends(result, contacts_of(values)),
-        "surfaces": {path: {"rms_height_m": changes[f"{path}.rms_height"][:2].tolist()} for path in heights},
+        "surfaces": {path: {f"{key}_m": changes[f"{path}.{key}"][:2].tolist()} for path in heights},
         "title": "Interval of the contact law, and of the rms of the heights",
         "words": f"Of the assembled stiffness {_ends_in_words(law)} by the error of the law alone, "
-        f"{_ends_in_words(roughness)} by that of the heights alone. The rms of the heights: {', '.join(told)}. The "
-        f"law is {least:g} to {most:g} times as stiff as boundary elements on measured surfaces, elastic, in nine "
-        "cases of ten; plastic spots make contacts stiffer, up to four times at a hardness of 1.26 GPa. All other "
-        "values are those of the file.",
+        f"{_ends_in_words(roughness)} by that of the heights alone. The rms of the heights: {', '.join(told)}. "
+        f"{_OF_LAW if ratios is None else _OF_ELEMENTS} All other values are those of the file.",
     }
 
 

@@ -80,6 +80,8 @@ FRACTAL_ROUGHNESS = Key(Dimension.LENGTH, 1e-60, 1.0, "mm", open_lower=True, exa
 ROUGHNESS_AVERAGE = Key(Dimension.LENGTH, 1e-4, 100.0, "um", example="0.2 um")
 # 4.4 to 8 times Ra
 RMS_HEIGHT = Key(Dimension.LENGTH, 1e-4, 100.0, "um", example="0.15 um")
+# 0.1 to 0.5 times the rms of the heights
+DECAY_LENGTH = Key(Dimension.LENGTH, 1e-5, 100.0, "um", example="0.07 um")
 MEAN_ROUGHNESS_DEPTH = Key(Dimension.LENGTH, 1e-3, 100.0, "um", example="1.6 um")
 PARTNER_AVERAGE = Key(Dimension.LENGTH, 0.0, 100.0, "um", example="0.1 um")
 CUT_OFF = Key(Dimension.LENGTH, 0.01, 100.0, "mm", example="0.8 mm")

@@ -55,13 +55,16 @@ class MaterialEntry(Section):
 
 
 class SurfaceEntry(Section):
-    """Roughness of a contact: D and G of both bodies together, the Ra of each, or the rms of the heights of both."""
+    """Roughness of a contact: D and G of both bodies together, the Ra of each, their rms_height, or decay_length."""
 
     finish: Annotated[str, StringConstraints(max_length=60)] | None = None
     """Finish of the library, e.g. "ground": gives fractal_dimension with its published range, and frequency_ratio."""
     rms_height: Annotated[Quantity, limits.RMS_HEIGHT] | None = None
     """Root mean square of the heights of both bodies together, of the waves shorter than the contact is wide; in place
     of all other keys of this section, for the contact law of randomly rough surfaces."""
+    decay_length: Annotated[Quantity, limits.DECAY_LENGTH] | None = None
+    """Distance of both bodies in which their pressure falls by the factor e: normal force over normal stiffness of the
+    asperities, from a measured map or a measured stiffness; in place of all other keys of this section."""
     fractal_dimension: Annotated[Quantity, limits.FRACTAL_DIMENSION] | None = None
     """Fractal dimension D of a profile; that of the finish if absent."""
     fractal_roughness: Annotated[Quantity, limits.FRACTAL_ROUGHNESS] | None = None
@@ -88,16 +91,19 @@ class SurfaceEntry(Section):
 
     @model_validator(mode="after")
     def _one_roughness(self) -> SurfaceEntry:
-        if self.rms_height is not None:
-            beside = [name for name in self.model_fields_set if name != "rms_height"]
+        for alone in ("rms_height", "decay_length"):
+            length = getattr(self, alone)
+            if length is None:
+                continue
+            beside = [name for name in self.model_fields_set if name != alone]
             if beside:
                 raise InputError(
-                    f"rms_height is all that its law knows of a surface; leave {', '.join(sorted(beside))} out, "
-                    "or rms_height itself"
+                    f"{alone} is all that its law knows of a surface; leave {', '.join(sorted(beside))} out, "
+                    f"or {alone} itself"
                 )
-            if self.rms_height.tolerance >= self.rms_height.value:
+            if length.tolerance >= length.value:
                 raise InputError(
-                    f"rms_height: {quoted(self.rms_height.text)} reaches down to zero; its tolerance has to be smaller"
+                    f"{alone}: {quoted(length.text)} reaches down to zero; its tolerance has to be smaller"
                 )
             return self
         for name in ("fractal_dimension", "frequency_ratio"):
@@ -127,15 +133,15 @@ class SurfaceEntry(Section):
 def one_kind_of_roughness(surface: Any) -> Any:
     """The surfaces of all contacts, which one law has to describe; or a refusal."""
     if isinstance(surface, Mapping):
-        kinds = {name: entry.rms_height is not None for name, entry in surface.items()}
-        if len(set(kinds.values())) > 1:
-            by_heights, fractal = (
-                ", ".join(name for name in kinds if kinds[name] is kind) for kind in (True, False)
+        kinds: dict[str, list[str]] = {}
+        for name, entry in surface.items():
+            kind = next(
+                (f"by {key}" for key in ("rms_height", "decay_length") if getattr(entry, key)), "fractal"
             )
-            raise InputError(
-                f"one contact law for all contacts: {by_heights} by rms_height, {fractal} fractal; give all of them in "
-                "one way"
-            )
+            kinds.setdefault(kind, []).append(name)
+        if len(kinds) > 1:
+            told = ", ".join(f"{', '.join(kinds[kind])} {kind}" for kind in sorted(kinds))
+            raise InputError(f"one contact law for all contacts: {told}; give all of them in one way")
     return surface
 
 

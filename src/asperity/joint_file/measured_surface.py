@@ -18,6 +18,7 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.section_build import entries
 from asperity.joint_file.si_tables import si_values
+from asperity.materials import pair
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 from asperity.units import format_quantity
@@ -42,12 +43,16 @@ class MeasuredCase(NamedTuple):
     heights : dict of str to tuple, or None
         Path of a surface → lower end, middle and upper end of the rms of its heights [m], 95 % of measurements; None
         where D and G went in.
+    ratios : dict of str to tuple, or None
+        Path of a surface → decay length over these heights by boundary elements [-]: lower end, capped at the hardness;
+        elastic; and upper end of the latter; None by another law.
     """
 
     case: Case
     measured: MeasuredRoughness
     assumed: tuple[str, ...]
     heights: Ends | None
+    ratios: Ends | None = None
 
     def document(self, joint: Joint) -> dict[str, Any]:
         """What the measurement adds to the document of the solved joint."""
@@ -59,7 +64,7 @@ class MeasuredCase(NamedTuple):
     def interval(self, joint: Joint) -> dict[str, Any]:
         """Intervals of stiffness and drift: from the law and the heights, or from the scatter of D and G."""
         if self.heights is not None:
-            return interval_of_heights(self.case, self.heights)
+            return interval_of_heights(self.case, self.heights, self.ratios)
         assert self.measured.fractal is not None
         return stiffness_interval(joint, self.measured.fractal)
 
@@ -72,6 +77,27 @@ class _Felt(NamedTuple):
     width: float
     axial: tuple[float, ...]  #: longest waves along the axis, for each body
     longest: float  #: share of the mean square in waves longer than half of the longest one
+    squares: tuple[float, ...]  #: mean square of the heights of each body
+
+
+class _Solved(NamedTuple):
+    """A joint and its contacts, shape (contacts,)."""
+
+    joint: Joint
+    widths: Any  #: [m]
+    peaks: Any  #: Hertzian pressures [Pa]
+
+
+class _Pressed(NamedTuple):
+    """What boundary elements tell of a contact."""
+
+    pressure: float  #: mean pressure [Pa]
+    ratios: tuple[
+        float, float, float
+    ]  #: decay length over the rms of the heights: capped, elastic, upper end
+    outside: bool  #: whether the boundary elements do not have the pressure
+    hardness: float  #: of the softer body [Pa]
+    taken: float  #: hardness of the capped boundary elements on these bodies [Pa]
 
 
 def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
@@ -89,7 +115,9 @@ def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
     MeasuredCase
         With ``model.contact_law = "zou_2025"`` the measured D, G and gamma. Otherwise, by the exponential law, the rms
         of the heights that each contact feels: of all waves but those longer than its Hertzian width in the rolling
-        direction and, along the rollers' axis, longer than its contact line or the cut-off of ISO 4288.
+        direction and, along the rollers' axis, longer than its contact line or the cut-off of ISO 4288. With
+        ``"measured"`` the decay length, which is not 0.48 of these heights but what boundary elements on the map
+        have at the mean pressure of the contact.
 
     Raises
     ------
@@ -97,6 +125,8 @@ def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
         If the measurement does not have what the law needs, a profile states no lay, or the joint cannot be solved.
     """
     law = case.model.contact_law
+    if law == "measured":
+        _refuse_without_elements(measured)
     if law == "zou_2025" or not measured.spectra:
         if measured.fractal is None or law == "exponential":
             raise InputError(_lacks(measured, law))
@@ -107,7 +137,8 @@ def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
     for spectrum in measured.spectra:
         if not spectrum.is_map and spectrum.lay is None:
             raise InputError(_without_lay(spectrum, measured))
-    felt = _settled(case, measured.spectra)
+    by_heights = case if law != "measured" else _by_law(case, "exponential")
+    felt, solved = _settled(by_heights, measured.spectra)
     heights = {
         f"surface.{name}": (
             contact.rms_height * math.exp(-_NORMAL_95 * contact.deviation),
@@ -117,7 +148,117 @@ def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
         for name, contact in felt.items()
     }
     told = tuple(_assumed(measured, felt))
-    return MeasuredCase(_with_heights(case, felt), measured, told, heights)
+    if law != "measured":
+        return MeasuredCase(_with_heights(case, felt), measured, told, heights)
+    pressed = _pressed(measured.spectra, felt, solved)
+    lengths = {
+        name: {"decay_length": f"{pressed[name].ratios[1] * contact.rms_height!r} m"}
+        for name, contact in felt.items()
+    }
+    return MeasuredCase(
+        _with_surfaces(case, lengths),
+        measured,
+        (*told, *_assumed_of_elements(felt, pressed)),
+        heights,
+        {f"surface.{name}": contact.ratios for name, contact in pressed.items()},
+    )
+
+
+def _refuse_without_elements(measured: MeasuredRoughness) -> None:
+    """Refuse surfaces that were not pressed by boundary elements."""
+    for spectrum in measured.spectra:
+        if not spectrum.is_map:
+            raise InputError(
+                f'{spectrum.source}: a profile; model.contact_law = "measured" needs a map of the surface. Leave '
+                "contact_law out: the exponential law takes the spectrum of the profile"
+            )
+    if not measured.spectra or any(spectrum.pressed is None for spectrum in measured.spectra):
+        raise InputError(
+            f'{measured.source}: a measurement without boundary elements, which model.contact_law = "measured" takes: '
+            'measure the map again with --hardness, such as "7 GPa", that of the softer body'
+        )
+
+
+def _by_law(case: Case, law: Any) -> Case:
+    return case.model_copy(update={"model": case.model.model_copy(update={"contact_law": law})})
+
+
+def _pressed(
+    spectra: tuple[HeightSpectrum, ...], felt: dict[str, _Felt], solved: _Solved
+) -> dict[str, _Pressed]:
+    """What boundary elements on the maps tell of every contact at its mean pressure, where it is widest."""
+    made, joint = {}, solved.joint
+    bodies = {body.name: material for body, material in zip(joint.drive.bodies, joint.materials, strict=True)}
+    for contact, (name, one), peak in zip(joint.drive.contacts, felt.items(), solved.peaks, strict=True):
+        for spectrum in spectra:
+            if one.width > spectrum.rolling_length:
+                raise InputError(
+                    f"{spectrum.source}: {format_quantity(spectrum.rolling_length, 'mm', 3)} in the rolling "
+                    f"direction, less than the contact {name} is wide, {format_quantity(one.width, 'mm', 3)}: "
+                    'measure a larger map, or leave model.contact_law = "measured" out'
+                )
+        moduli = pair(bodies[contact.first], bodies[contact.second])
+        modulus = float(moduli.contact_modulus)
+        pressure = 0.25 * math.pi * float(peak)
+        (elastic, wide), (capped, deep) = (
+            _decay_ratio(spectra, one.squares, pressure / modulus, capped=capped) for capped in (False, True)
+        )
+        ends = [
+            spectrum.pressed.range(capped=capped)
+            for spectrum in spectra
+            if spectrum.pressed is not None
+            for capped in (False, True)
+        ]
+        made[name] = _Pressed(
+            pressure,
+            (capped * math.exp(-deep), elastic, elastic * math.exp(wide)),
+            not all(low <= pressure / modulus <= high for low, high in ends),
+            float(moduli.hardness),
+            min(spectrum.pressed.hardness * modulus for spectrum in spectra if spectrum.pressed),
+        )
+    return made
+
+
+def _decay_ratio(
+    spectra: tuple[HeightSpectrum, ...], squares: tuple[float, ...], pressure: float, *, capped: bool
+) -> tuple[float, float]:
+    """Decay length over the rms of the heights, and the half-width of its logarithm; squares of bodies add."""
+    parts, errors = [], []
+    for spectrum, square in zip(spectra, squares, strict=True):
+        assert spectrum.pressed is not None
+        ratio, error = spectrum.pressed.decay_ratio(pressure=pressure, capped=capped)
+        parts.append(ratio**2 * square)
+        errors.append(parts[-1] * error)
+    return math.sqrt(sum(parts) / sum(squares)), math.hypot(*errors) / sum(parts)
+
+
+def _assumed_of_elements(felt: dict[str, _Felt], pressed: dict[str, _Pressed]) -> list[str]:
+    """What was taken of boundary elements."""
+    parts = [
+        f"{name} {format_quantity(one.ratios[1] * felt[name].rms_height, 'um', 3)} ({one.ratios[1]:.3f} of the "
+        f"heights, at {format_quantity(one.pressure, 'MPa', 3)})"
+        for name, one in pressed.items()
+    ]
+    told = [
+        "contact law measured: the decay length over the rms of the heights is that of elastic boundary elements on "
+        "patches of the map under the mean pressure of each contact, at the torque of the file; it stays at other "
+        f"torques: {'; '.join(parts)}"
+    ]
+    outside = [name for name, one in pressed.items() if one.outside]
+    if outside:
+        told.append(
+            f"contact law measured: the pressure of {', '.join(outside)} is outside of what boundary elements have "
+            "for this map; the decay length is that of the nearest pressure"
+        )
+    other = [name for name, one in pressed.items() if abs(one.taken - one.hardness) > 0.1 * one.hardness]
+    if other:
+        hardest = "; ".join(f"{name} {format_quantity(pressed[name].hardness, 'GPa', 3)}" for name in other)
+        told.append(
+            "contact law measured: the stiff end of the interval is that of boundary elements with the hardness "
+            f"{format_quantity(pressed[other[0]].taken, 'GPa', 3)} of the measurement, while the softer body has: "
+            f"{hardest}"
+        )
+    return told
 
 
 def _lacks(measured: MeasuredRoughness, law: str | None) -> str:
@@ -149,8 +290,8 @@ def _without_lay(spectrum: HeightSpectrum, measured: MeasuredRoughness) -> str:
     )
 
 
-def _settled(case: Case, spectra: tuple[HeightSpectrum, ...]) -> dict[str, _Felt]:
-    """What each contact feels at the width that it has in the joint with these surfaces."""
+def _settled(case: Case, spectra: tuple[HeightSpectrum, ...]) -> tuple[dict[str, _Felt], _Solved]:
+    """What each contact feels at the width that it has in the joint with these surfaces, and that joint."""
     names = contacts_of(si_values(case))
     lengths = entries(si_values(case)["drive"]["contact_length"], names)
     lengths = lengths * len(names) if len(lengths) == 1 else lengths
@@ -162,30 +303,37 @@ def _settled(case: Case, spectra: tuple[HeightSpectrum, ...]) -> dict[str, _Felt
         }
 
     felt = at([math.inf] * len(names))
-    if not any(spectrum.needs_width for spectrum in spectra):
-        return at(_widths(_with_heights(case, felt)))
+    settles = not any(spectrum.needs_width for spectrum in spectra)
     for _ in range(_MOST_PASSES):
-        before, felt = felt, at(_widths(_with_heights(case, felt)))
-        if all(
+        solved = _solved(_with_heights(case, felt))
+        before, felt = felt, at(solved.widths)
+        if settles or all(
             abs(felt[name].rms_height - before[name].rms_height) <= _SETTLED * felt[name].rms_height
             for name in names
         ):
-            return felt
+            return felt, solved
     raise InputError(
         "the heights that the contacts feel and the widths of the contacts do not settle: state surface.rms_height"
     )
 
 
-def _widths(case: Case) -> Any:
-    """Hertzian widths 2b of the contacts of a joint, crowned ones where they are widest, shape (contacts,) [m]."""
-    return 2.0 * np.asarray(solve_joint(joint_from_case(case)).result.diagnostics.hertz_half_width)
+def _solved(case: Case) -> _Solved:
+    """Hertzian widths and pressures of the contacts of a joint, crowned ones where they are widest."""
+    joint = joint_from_case(case)
+    diagnostics = solve_joint(joint).result.diagnostics
+    return _Solved(
+        joint, 2.0 * np.asarray(diagnostics.hertz_half_width), np.asarray(diagnostics.hertz_pressure)
+    )
 
 
 def _with_heights(case: Case, felt: dict[str, _Felt]) -> Case:
-    surface = {
-        name: SurfaceEntry.model_validate({"rms_height": f"{contact.rms_height!r} m"})
-        for name, contact in felt.items()
-    }
+    return _with_surfaces(
+        case, {name: {"rms_height": f"{contact.rms_height!r} m"} for name, contact in felt.items()}
+    )
+
+
+def _with_surfaces(case: Case, lengths: dict[str, dict[str, str]]) -> Case:
+    surface = {name: SurfaceEntry.model_validate(entry) for name, entry in lengths.items()}
     return case.model_copy(update={"surface": surface}).with_text("")
 
 
@@ -193,6 +341,7 @@ def _felt(spectra: tuple[HeightSpectrum, ...], *, width: float, length: float) -
     """The waves of all bodies that a contact of a width and a length feels [m]."""
     rolling, axial = 1.0 / width if width > 0.0 else math.inf, []
     square = variance = long = 0.0
+    squares = []
     for spectrum in spectra:
         limit = min(length, spectrum.cut_off())
         one, deviation = spectrum.felt(rolling=rolling, axial=1.0 / limit)
@@ -200,12 +349,20 @@ def _felt(spectra: tuple[HeightSpectrum, ...], *, width: float, length: float) -
         short, _ = spectrum.felt(rolling=max(rolling, 2.0 / longest), axial=2.0 / longest)
         square, variance, long = square + one, variance + deviation**2, long + one - short
         axial.append(limit)
+        squares.append(one)
     if not square > 0.0:
         sources = " + ".join(spectrum.source for spectrum in spectra)
         raise InputError(
             f"{sources}: all heights are equal, there is no roughness of which a contact law knows"
         )
-    return _Felt(math.sqrt(square), 0.5 * math.sqrt(variance) / square, width, tuple(axial), long / square)
+    return _Felt(
+        math.sqrt(square),
+        0.5 * math.sqrt(variance) / square,
+        width,
+        tuple(axial),
+        long / square,
+        tuple(squares),
+    )
 
 
 def _assumed(measured: MeasuredRoughness, felt: dict[str, _Felt]) -> list[str]:

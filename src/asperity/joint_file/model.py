@@ -144,8 +144,9 @@ class ModelChoice(Section):
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
     contact_law: ContactLaw | None = None
     """Law of the asperities: zou_2025, the published one of D and G, or exponential, that of randomly rough elastic
-    surfaces, from the rms of their heights: rms_height, or that of normally distributed heights with the stated Ra. If
-    absent, exponential for rms_height, a finish with its Ra and a measured surface, zou_2025 for D with G or an Ra."""
+    surfaces, from the rms of their heights: rms_height, or that of normally distributed heights with the stated Ra; or
+    measured, the same by boundary elements on a measured map. If absent, exponential for rms_height, a finish with its
+    Ra and a measured surface, measured for decay_length, zou_2025 for D with G or an Ra."""
     closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
     """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
     with their asperities. Those of the assembly if absent."""
@@ -204,7 +205,8 @@ class Case(WholeFile):
 
     @model_validator(mode="after")
     def _law_of_every_surface(self) -> Self:
-        self.contact_law()
+        if self.model.contact_law != "measured":  # a measured surface takes the place of those of the file
+            self.contact_law()
         return self
 
     def contact_law(self) -> ContactLaw:

@@ -96,9 +96,12 @@ def _offer_finishes(schema: Schema) -> None:
         "enum": list(read_finishes()),
     }
     heights = [{"required": ["roughness_average"]}, {"required": ["mean_roughness_depth"]}]
-    entry["oneOf"] = [{"required": [key]} for key in ("fractal_roughness", "rms_height")] + heights
+    entry["oneOf"] = [
+        {"required": [key]} for key in ("fractal_roughness", "rms_height", "decay_length")
+    ] + heights
     entry["anyOf"] = [
-        {"required": keys} for keys in (["finish"], ["fractal_dimension", "frequency_ratio"], ["rms_height"])
+        {"required": keys}
+        for keys in (["finish"], ["fractal_dimension", "frequency_ratio"], ["rms_height"], ["decay_length"])
     ]
     entry["dependentSchemas"] = {
         name: {"anyOf": heights}

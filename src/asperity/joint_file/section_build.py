@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from asperity.contact.asperity import AsperityBase
-from asperity.contact.exponential import RandomRoughness
+from asperity.contact.exponential import RandomRoughness, decay_length
 from asperity.contact.fractal import Surface
 from asperity.contact.roller_pairs import Roughness
 from asperity.drive.structure.bearing_life import RatedBearing
@@ -142,8 +142,11 @@ def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
 
 def surface_of(entry: Values, *, asperity_base: AsperityBase, contact_law: ContactLaw) -> Roughness:
     """The equivalent surface of both bodies of a contact, as the law of its asperities takes it."""
+    if contact_law == "measured":
+        return RandomRoughness(entry["decay_length"])
     if contact_law == "exponential":
-        return RandomRoughness(entry["rms_height"] if "rms_height" in entry else rms_height_of_average(entry))
+        height = entry["rms_height"] if "rms_height" in entry else rms_height_of_average(entry)
+        return RandomRoughness(decay_length(rms_height=height))
     dimension, roughness = entry["fractal_dimension"], entry.get("fractal_roughness")
     if roughness is None:
         average = entry["roughness_average"]

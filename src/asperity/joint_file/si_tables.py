@@ -31,6 +31,12 @@ _PAIRS = (
     ("preload", "interference"),
     ("fractal_roughness", "roughness_average"),
 )
+#: Keys of a surface that stand alone, and all others.
+_ALONE = ("rms_height", "decay_length")
+_BESIDE = (
+    *("finish", "fractal_dimension", "fractal_roughness", "frequency_ratio", "roughness_average"),
+    *(DEPTH, "partner_roughness_average", PARTNER_DEPTH, "cut_off"),
+)
 _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     **{first: (second,) for first, second in _PAIRS},
     **{second: (first,) for first, second in _PAIRS},
@@ -40,21 +46,12 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
         "partner_roughness_average",
         PARTNER_DEPTH,
         "cut_off",
-        "rms_height",
+        *_ALONE,
     ),
-    "roughness_average": ("fractal_roughness", DEPTH, "rms_height"),
-    DEPTH: ("fractal_roughness", "roughness_average", "rms_height"),
-    "rms_height": (
-        "finish",
-        "fractal_dimension",
-        "fractal_roughness",
-        "frequency_ratio",
-        "roughness_average",
-        DEPTH,
-        "partner_roughness_average",
-        PARTNER_DEPTH,
-        "cut_off",
-    ),
+    "roughness_average": ("fractal_roughness", DEPTH, *_ALONE),
+    DEPTH: ("fractal_roughness", "roughness_average", *_ALONE),
+    "rms_height": (*_BESIDE, "decay_length"),
+    "decay_length": (*_BESIDE, "rms_height"),
     PARTNER_DEPTH: ("partner_roughness_average",),
     "partner_roughness_average": (PARTNER_DEPTH,),
 }

@@ -81,6 +81,11 @@ class HeightSpectrum:
         edges = self.rolling_edges if self.axial_edges[-1] == 0.0 else self.axial_edges
         return 1.0 / _lowest(edges)
 
+    @property
+    def rolling_length(self) -> float:
+        """Length of a map in the rolling direction [m]."""
+        return 1.5 / _lowest(self.rolling_edges)
+
     def felt(self, *, rolling: float, axial: float) -> tuple[float, float]:
         """Mean square of the heights of all waves but those below both frequencies, and its standard deviation.
 

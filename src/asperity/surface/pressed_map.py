@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
+import scipy.interpolate
 import scipy.special
 from numpy.typing import NDArray
 
@@ -63,13 +64,16 @@ class PressedMap:
         Returns
         -------
         tuple of float
-            Geometric mean over the patches [-], between loads by a power of the pressure, and the half-width of its
+            Geometric mean over the patches [-], between loads by monotone cubics, and the half-width of its
             95 % interval by Student's law, of the logarithm.
         """
         ratio = self.capped_ratio if capped else self.elastic_ratio
         known = np.isfinite(ratio).all(axis=0)
-        loads = np.log(self.pressure[known])
-        logs = [np.interp(math.log(pressure), loads, row) for row in np.log(ratio[:, known])]
+        loads, logs = self.pressure[known], np.log(ratio[:, known])
+        if loads.size > 1:
+            at = math.log(min(max(pressure, loads[0]), loads[-1]))
+            logs = scipy.interpolate.pchip_interpolate(np.log(loads), logs, at, axis=1)
+        logs = logs.ravel()
         quantile = scipy.special.stdtrit(len(logs) - 1, 0.5 * (1.0 + _CONFIDENCE))
         return math.exp(np.mean(logs)), float(quantile * np.std(logs, ddof=1) / math.sqrt(len(logs)))
 
