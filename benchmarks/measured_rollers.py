@@ -6,9 +6,9 @@ FOLDER has the measured files of the tests (``ASPERITY_SHARED_DATA``). Presses a
 directions, a polynomial of second degree removed, with line loads whose Hertzian width the map holds two and a half
 times and more; with a hardness [GPa] no pressure exceeds it. The interface has the compliance of the rough contact less
 that of the smooth one on the same grid. Prints N/(0.48 h) over its stiffness, with the h that a joint takes of the map
-at this width, and how many lie in the interval of a joint: the error of the law with the scatter of the spectrum. Next to
-it the same with the decay length of flat patches of the map by boundary elements (model.contact_law = "measured"), whose
-interval reaches from elastic patches to those with a hardness (5.6 GPa, or the given one).
+at this width, and how many lie in the interval of a joint: the error of the law with the scatter of the spectrum.
+Below, the same with the decay length of flat patches of the map by boundary elements, model.contact_law = "measured",
+whose interval reaches from elastic patches to those with a hardness (5.6 GPa, or the given one).
 """
 
 from __future__ import annotations

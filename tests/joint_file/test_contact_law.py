@@ -23,6 +23,7 @@ FRACTAL = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_
 AVERAGE = {"finish": "ground", "roughness_average": "0.2 um"}
 BARE = {"fractal_dimension": 1.4, "frequency_ratio": 1.5, "roughness_average": "0.2 um"}
 HEIGHT = {"rms_height": "0.2 um"}
+LENGTH = {"decay_length": "0.07 um"}
 
 
 def case_of(surface, law=None, name="zou2025"):
@@ -43,13 +44,15 @@ def case_of(surface, law=None, name="zou2025"):
         (AVERAGE, "exponential", "exponential"),
         (HEIGHT, None, "exponential"),
         (HEIGHT, "exponential", "exponential"),
+        (LENGTH, None, "measured"),
+        (LENGTH, "measured", "measured"),
     ],
 )
 def test_the_law_of_every_surface(surface, law, chosen):
     case = case_of(surface, law)
     assert case.contact_law() == chosen
     (built,) = joint_from_case(case).surfaces
-    assert isinstance(built, {"zou_2025": Surface, "exponential": RandomRoughness}[chosen])
+    assert isinstance(built, Surface if chosen == "zou_2025" else RandomRoughness)
     told = " ".join(assumptions(case))
     assert (f"contact law {chosen}, since the file does not state model.contact_law" in told) == (law is None)
     assert ("contact law exponential: of randomly rough" in told) == (chosen == "exponential")
@@ -61,6 +64,7 @@ def test_the_law_of_every_surface(surface, law, chosen):
     ("surface", "law", "remedy"),
     [
         (HEIGHT, "zou_2025", "leave contact_law out, or give fractal_dimension"),
+        (LENGTH, "exponential", "leave contact_law out, and give the decay_length of all contacts"),
         (FRACTAL, "exponential", "give rms_height or roughness_average in place of fractal_roughness"),
         (dict.fromkeys(("sp", "pwr", "pwl", "wro", "wlo"), HEIGHT), "zou_2025", "leave contact_law out"),
     ],

@@ -1,5 +1,6 @@
 """A measured surface in the place of a joint file's."""
 
+import dataclasses
 import math
 import tomllib
 
@@ -18,6 +19,7 @@ from asperity.surface.height_spectrum import spectrum_of_map, spectrum_of_profil
 from asperity.surface.measure_files import measured_files
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.surface.measurement import SurfaceMeasurement
+from asperity.surface.pressed_map import pressed_map_from_document
 from asperity.surface.synthesis import spectral_profile, spectral_surface
 from asperity.surface.topography import Topography
 
@@ -220,3 +222,99 @@ def test_a_roller_that_has_no_power_law_makes_a_joint(shared_data, example_case)
     for entry in made.case.surface.values():
         assert entry.rms_height.value == pytest.approx(0.127e-6, rel=0.05)
     assert "no power law over at least 1 decade" in made.assumed[0]
+
+
+def stated(case, law):
+    return case.model_copy(update={"model": case.model.model_copy(update={"contact_law": law})})
+
+
+def pressed(spectrum, *, scale=1.0, hardness=0.05, pressure=(1e-4, 2e-2)):
+    """A spectrum with a table: the decay length falls from 0.5 to 0.3 of the heights, capped a fifth shorter."""
+    elastic = scale * np.array([[0.55, 0.33], [0.5**2 / 0.55, 0.3**2 / 0.33]])
+    table = {
+        "pressure": list(pressure),
+        "hardness": hardness,
+        "rms_height": [1e-7, 1e-7],
+        "elastic_ratio": elastic.tolist(),
+        "capped_ratio": (0.8 * elastic).tolist(),
+        **dict.fromkeys(("elastic_area", "capped_area", "tangential_ratio"), [[0.1, 0.5]] * 2),
+        "size": [1e-4, 1e-4],
+    }
+    return dataclasses.replace(spectrum, pressed=pressed_map_from_document(table))
+
+
+@pytest.mark.slow
+def test_the_measured_law_by_hand(example_case, isotropic_map):
+    """K_n = N/u, u of the table at N/(2 b L E) times the heights of the exponential law; both ends of its interval."""
+    made = case_with_surface(stated(example_case, "measured"), roughness(pressed(isotropic_map)))
+    assert made.case.contact_law() == "measured"
+    by_heights = case_with_surface(example_case, roughness(isotropic_map)).case.surface
+    joint = joint_from_case(made.case)
+    result = solve_joint(joint).result
+    force, width = np.asarray(result.forces.normal), 2.0 * np.asarray(result.diagnostics.hertz_half_width)
+    length = case_lengths(example_case)
+    steel = joint.materials[0]
+    modulus = float(steel.youngs_modulus) / (2.0 * (1.0 - float(steel.poisson_ratio) ** 2))
+    share = np.log(force / (width * length * modulus) / 1e-4) / np.log(200.0)
+    ratio = np.exp(
+        (1.0 - share) * np.log(0.5) + share * np.log(0.3)
+    )  # of two loads monotone cubics are lines
+    heights = np.array([by_heights[name].rms_height.value for name in ("sp", "pwr", "pwl", "wro", "wlo")])
+    np.testing.assert_allclose(result.contacts.normal_stiffness, force / (ratio * heights), rtol=1e-3)
+    ends = made.interval(None)["contacts"]["sp"]["asperity_normal_stiffness_N_per_m"]
+    low, middle, high = made.heights["surface.sp"]
+    for part, lengths in {
+        "contact_law": (middle * made.ratios["surface.sp"][0], middle * made.ratios["surface.sp"][2]),
+        "rms_height": (low * ratio[0], high * ratio[0]),
+        "both": (low * made.ratios["surface.sp"][0], high * made.ratios["surface.sp"][2]),
+    }.items():
+        assert ends[part] == pytest.approx([force[0] / lengths[1], force[0] / lengths[0]], rel=0.03)
+    stiff, here, soft = made.ratios["surface.sp"]
+    scatter = 12.706 * math.log(0.55 / 0.5)  # Student's, one degree of freedom; both loads scatter alike
+    assert soft / here == pytest.approx(math.exp(scatter), rel=1e-3)
+    assert stiff / here == pytest.approx(0.8 * math.exp(-scatter), rel=1e-3)
+    told = " ".join(made.assumed)
+    assert "contact law measured: the decay length over the rms of the heights" in told
+    assert "outside of what boundary elements have" not in told
+    again = tomllib.loads(joint_file_text(made.case, {}, comment=""))
+    assert set(again["surface"]["sp"]) == {"decay_length"}
+
+
+def case_lengths(case):
+    length = case.drive.contact_length
+    return length.value if hasattr(length, "value") else np.array([entry.value for _, entry in length])
+
+
+@pytest.mark.slow
+def test_what_the_table_does_not_have_is_said(example_case, isotropic_map):
+    case = stated(example_case, "measured")
+    far = pressed(isotropic_map, pressure=(1e-6, 1e-5), hardness=0.5)
+    told = " ".join(case_with_surface(case, roughness(far)).assumed)
+    assert "the pressure of sp, pwr, pwl, wro, wlo is outside of what boundary elements have" in told
+    assert "of the measurement, while the softer body has: sp" in told
+    one, other = pressed(isotropic_map, scale=0.6), pressed(isotropic_map, scale=0.8)
+    both = case_with_surface(case, roughness(one, other)).ratios["surface.sp"][1]
+    alone = case_with_surface(case, roughness(pressed(isotropic_map))).ratios["surface.sp"][1]
+    assert both / alone == pytest.approx(math.sqrt((0.36 + 0.64) / 2.0), rel=0.01)  # squares of bodies add
+
+
+@pytest.mark.slow
+def test_a_map_narrower_than_the_contact_is_refused(example_case):
+    heights = np.random.default_rng(0).standard_normal((64, 64)) * 1e-7
+    small = spectrum_of_map(topography=Topography(heights, 1e-6, 1e-6, source="small"), rolling="x")
+    with pytest.raises(
+        InputError, match=r"small: 0\.064 mm in the rolling direction, less than the contact .* wide"
+    ):
+        case_with_surface(stated(example_case, "measured"), roughness(pressed(small)))
+
+
+def test_the_measured_law_needs_boundary_elements(example_case, isotropic_map):
+    case = stated(example_case, "measured")
+    with pytest.raises(InputError, match="measure the map again with --hardness"):
+        case_with_surface(case, roughness(isotropic_map))
+    with pytest.raises(InputError, match="measure the map again with --hardness"):
+        case_with_surface(case, roughness(fractal=measured()))
+    with pytest.raises(InputError, match=r"a profile; .* needs a map of the surface"):
+        case_with_surface(case, roughness(profile_spectrum("rolling")))
+    with pytest.raises(InputError, match="needs a measured map: asperity surface measure MAP"):
+        joint_from_case(case)
