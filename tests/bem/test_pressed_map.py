@@ -47,7 +47,7 @@ def test_decay_length_of_a_self_affine_surface(pressed):
     for load in (100e6, 300e6):
         ratio, half_width = pressed.decay_ratio(pressure=load / 113.2e9, capped=False)
         assert ratio == pytest.approx(0.48, rel=0.17)
-        assert half_width < 0.35
+        assert half_width < 0.8
     low, high = pressed.range(capped=False)
     assert low * 113.2e9 == pytest.approx(10e6, rel=1e-3)
     assert high * 113.2e9 > 900e6
@@ -173,8 +173,8 @@ def test_numbers_between_the_loads_and_beyond():
     assert made.document() == numbers()
     middle, half_width = made.decay_ratio(pressure=1e-3, capped=False)
     assert middle == pytest.approx(np.sqrt(0.3))
-    # Student's quantile of one degree of freedom, 12.706, and the standard deviation of two logarithms over sqrt(2)
-    assert half_width == pytest.approx(12.706 * np.log(0.6 / 0.5) / 2.0, rel=1e-4)
+    # Student's quantile of one degree of freedom, 12.706, and the standard deviation of two logarithms times sqrt(3/2)
+    assert half_width == pytest.approx(12.706 * np.log(0.6 / 0.5) * np.sqrt(0.75), rel=1e-4)
     assert made.decay_ratio(pressure=1.0, capped=False)[0] == pytest.approx(np.sqrt(0.18))
     assert made.decay_ratio(pressure=0.0, capped=False)[0] == pytest.approx(middle)
     between, _ = made.decay_ratio(pressure=10**-2.5, capped=False)

@@ -94,7 +94,7 @@ def test_laws_on_a_measured_map(map_file, tmp_path, saved_figures):
     asked += ["--hardness", "5.6 GPa"]
     picture = tmp_path / "map.png"
     text = CliRunner().invoke(asperity, [*asked, "--plot", str(picture)], catch_exceptions=False).stdout
-    assert text.startswith("On this surface, between 30 and ")
+    assert text.startswith("On this surface, at 30 to ")
     assert "four patches of 32 µm x 32 µm" in text
     (figure,) = saved_figures
     assert [panel.get_ylabel() for panel in figure.axes[:3]] == [

@@ -230,7 +230,7 @@ def stated(case, law):
 
 def pressed(spectrum, *, scale=1.0, hardness=0.05, pressure=(1e-4, 2e-2)):
     """A spectrum with a table: the decay length falls from 0.5 to 0.3 of the heights, capped a fifth shorter."""
-    elastic = scale * np.array([[0.55, 0.33], [0.5**2 / 0.55, 0.3**2 / 0.33]])
+    elastic = scale * np.array([[0.51, 0.306], [0.5**2 / 0.51, 0.3**2 / 0.306]])
     table = {
         "pressure": list(pressure),
         "hardness": hardness,
@@ -270,7 +270,9 @@ def test_the_measured_law_by_hand(example_case, isotropic_map):
     }.items():
         assert ends[part] == pytest.approx([force[0] / lengths[1], force[0] / lengths[0]], rel=0.03)
     stiff, here, soft = made.ratios["surface.sp"]
-    scatter = 12.706 * math.log(0.55 / 0.5)  # Student's, one degree of freedom; both loads scatter alike
+    scatter = (
+        12.706 * math.sqrt(3.0) * math.log(0.51 / 0.5)
+    )  # Student's, one degree of freedom; both loads scatter alike
     assert soft / here == pytest.approx(math.exp(scatter), rel=1e-3)
     assert stiff / here == pytest.approx(0.8 * math.exp(-scatter), rel=1e-3)
     told = " ".join(made.assumed)

@@ -64,8 +64,8 @@ class PressedMap:
         Returns
         -------
         tuple of float
-            Geometric mean over the patches [-], between loads by monotone cubics, and the half-width of its
-            95 % interval by Student's law, of the logarithm.
+            Geometric mean over the patches [-], between loads by monotone cubics, and the half-width, of the logarithm,
+            of the interval that holds one more patch with 95 %, by Student's law: a contact is such a place.
         """
         ratio = self.capped_ratio if capped else self.elastic_ratio
         known = np.isfinite(ratio).all(axis=0)
@@ -75,7 +75,9 @@ class PressedMap:
             logs = scipy.interpolate.pchip_interpolate(np.log(loads), logs, at, axis=1)
         logs = logs.ravel()
         quantile = scipy.special.stdtrit(len(logs) - 1, 0.5 * (1.0 + _CONFIDENCE))
-        return math.exp(np.mean(logs)), float(quantile * np.std(logs, ddof=1) / math.sqrt(len(logs)))
+        return math.exp(np.mean(logs)), float(
+            quantile * np.std(logs, ddof=1) * math.sqrt(1.0 + 1.0 / len(logs))
+        )
 
     def range(self, *, capped: bool) -> tuple[float, float]:
         """Smallest and largest pressure with a stiffness of every patch, over the contact modulus [-]."""

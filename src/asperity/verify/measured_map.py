@@ -79,26 +79,22 @@ class MapComparison:
                 "More than half of the area touches at every pressure from 30 to 1000 MPa: the laws of partial contact "
                 "do not apply to this surface, and its interface hardly counts."
             )
-        low, high = (f"{1e-6 * p:.4g}" for p in self.pressure[self.judged][[0, -1]])
-        told = []
-        for law in self.laws:
-            ratio = self.ratio(law)[self.judged]
-            ends = (
-                f"{ratio.min():.2f} to {ratio.max():.2f}"
-                if ratio.max() > 0.0
-                else "0, as all spots are plastic"
-            )
-            told.append(f"{LAWS[law]} {ends}")
+        loads = _range(1e-6 * self.pressure[self.judged], ".4g")
+        told = [f"{LAWS[law]} {_range(self.ratio(law)[self.judged], '.2f')}" for law in self.laws]
         judged = self.capped[:, self.judged] / self.elastic[:, self.judged]
         capped = judged[:, np.isfinite(judged).all(axis=0)].mean(axis=0)
-        stiffer = capped.size and (
-            f"; spots that yield at {1e-9 * self.hardness:.3g} GPa make it {capped.min():.2f} to "
-            f"{capped.max():.2f} times as stiff"
-        )
-        return (
-            f"On this surface, between {low} and {high} MPa, the laws over elastic boundary elements: "
-            f"{', '.join(told)}{stiffer or ''}."
-        )
+        stiffer = ""
+        if capped.size:
+            stiffer = f"; a hardness of {1e-9 * self.hardness:.3g} GPa makes it {_range(capped, '.2f')} times as stiff"
+        return f"On this surface, at {loads} MPa, the laws over elastic boundary elements: {', '.join(told)}{stiffer}."
+
+
+def _range(values: NDArray[np.float64], digits: str) -> str:
+    """Smallest and largest of some values in words."""
+    if not values.max() > 0.0:
+        return "0 (all spots are plastic)"
+    ends = [f"{values.min():{digits}}", f"{values.max():{digits}}"]
+    return " to ".join(dict.fromkeys(ends))
 
 
 def compare_map(
