@@ -52,15 +52,15 @@ def test_decay_length_of_a_self_affine_surface(pressed):
     assert low * 113.2e9 == pytest.approx(10e6, rel=1e-3)
     assert high * 113.2e9 > 900e6
     kappa = 2.0 * 0.7 / 1.7
-    np.testing.assert_allclose(pressed.tangential_ratio[:, 2:4].mean(axis=0), kappa, rtol=0.03)
+    np.testing.assert_allclose(pressed.tangential_ratios[:, 2:4].mean(axis=0), kappa, rtol=0.03)
 
 
 @pytest.mark.slow
 def test_plastic_spots_make_it_stiffer(pressed):
-    known = np.isfinite(pressed.capped_ratio)
+    known = np.isfinite(pressed.decay_ratios[1])
     assert known.any()
-    assert np.all(pressed.capped_ratio[known] <= 1.001 * pressed.elastic_ratio[known])
-    assert np.all(pressed.capped_area[known] >= 0.999 * pressed.elastic_area[known])
+    assert np.all(pressed.decay_ratios[1][known] <= 1.001 * pressed.decay_ratios[0][known])
+    assert np.all(pressed.contact_fractions[1][known] >= 0.999 * pressed.contact_fractions[0][known])
 
 
 @pytest.mark.slow
@@ -68,7 +68,7 @@ def test_ratios_do_not_depend_on_the_scale(pressed):
     """Twice as high and twice as large, at the same pressures: the same slopes, so the same ratios."""
     larger = Topography(2.0 * self_affine_map().heights, 2e-6, 2e-6, source="a map")
     again = pressed_map(larger, rolling="x", hardness=HARDNESS)
-    np.testing.assert_allclose(again.elastic_ratio, pressed.elastic_ratio, rtol=1e-4)
+    np.testing.assert_allclose(again.decay_ratios, pressed.decay_ratios, rtol=1e-4)
     np.testing.assert_allclose(again.rms_height, 2.0 * pressed.rms_height, rtol=1e-6)
 
 
@@ -159,11 +159,9 @@ def numbers(**changes):
         "pressure": [1e-3, 1e-2],
         "hardness": 0.05,
         "rms_height": [1e-7, 1.2e-7],
-        "elastic_ratio": table,
-        "capped_ratio": [[0.4, None], [0.42, None]],
-        "elastic_area": [[0.1, 0.3]] * 2,
-        "capped_area": [[0.1, None]] * 2,
-        "tangential_ratio": [[0.82, 0.83]] * 2,
+        "decay_ratios": [table, [[0.4, None], [0.42, None]]],
+        "contact_fractions": [[[0.1, 0.3]] * 2, [[0.1, None]] * 2],
+        "tangential_ratios": [[0.82, 0.83]] * 2,
         "size": [1e-4, 1e-4],
     } | changes
 
@@ -189,9 +187,9 @@ def test_numbers_between_the_loads_and_beyond():
         {"pressure": [1e-2, 1e-3]},
         {"hardness": -1.0},
         {"hardness": None},
-        {"elastic_ratio": [[0.5, 0.4]]},
-        {"elastic_ratio": [[None, None], [0.5, 0.4]]},
-        {"capped_ratio": [[0.0, None], [0.1, None]]},
+        {"tangential_ratios": [[0.5, 0.4]]},
+        {"decay_ratios": [[[0.5, 0.4], [0.5, 0.4]], [[None, None], [0.5, 0.4]]]},
+        {"decay_ratios": [[[0.5, 0.4], [0.5, 0.4]], [[0.0, None], [0.1, None]]]},
         {"rms_height": "much"},
         {"size": [1e-4]},
     ],

@@ -127,7 +127,7 @@ def test_laws_on_a_measured_map(map_file, tmp_path, saved_figures):
         catch_exceptions=False,
     )
     (spectrum,) = json.loads(made.stdout)["spectra"]
-    table = np.array(spectrum["boundary_elements"]["elastic_ratio"], dtype=float)
+    table = np.array(spectrum["boundary_elements"]["decay_ratios"][0], dtype=float)
     np.testing.assert_allclose(pressure / (table * heights[:, None]), elements, rtol=1e-4)
 
 

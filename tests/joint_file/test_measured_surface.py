@@ -235,9 +235,9 @@ def pressed(spectrum, *, scale=1.0, hardness=0.05, pressure=(1e-4, 2e-2)):
         "pressure": list(pressure),
         "hardness": hardness,
         "rms_height": [1e-7, 1e-7],
-        "elastic_ratio": elastic.tolist(),
-        "capped_ratio": (0.8 * elastic).tolist(),
-        **dict.fromkeys(("elastic_area", "capped_area", "tangential_ratio"), [[0.1, 0.5]] * 2),
+        "decay_ratios": [elastic.tolist(), (0.8 * elastic).tolist()],
+        "contact_fractions": [[[0.1, 0.5]] * 2] * 2,
+        "tangential_ratios": [[0.8, 0.8]] * 2,
         "size": [1e-4, 1e-4],
     }
     return dataclasses.replace(spectrum, pressed=pressed_map_from_document(table))

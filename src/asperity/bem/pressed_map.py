@@ -232,11 +232,9 @@ def pressed_map(
         pressure=pressures / modulus,
         hardness=hardness,
         rms_height=rms,
-        elastic_ratio=ratio[0],
-        capped_ratio=ratio[1],
-        elastic_area=area[0] / nominal,
-        capped_area=area[1] / nominal,
-        tangential_ratio=tangential[0] / normal[0],
+        decay_ratios=ratio,
+        contact_fractions=area / nominal,
+        tangential_ratios=tangential[0] / normal[0],
         size=np.array([patches[0].shape[1] * cell[1], patches[0].shape[0] * cell[0]]),
     )
     keep_numbers(asked, made.document())

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 _ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
 #: Options whose arguments are called otherwise.
-_ARGUMENTS = {
+ARGUMENTS = {
     "outliers": "outlier_threshold",
     "lambda_s": "short_cutoff",
     "lambda_c": "long_cutoff",
@@ -25,19 +25,7 @@ _ARGUMENTS = {
     "shortest": "shortest_wavelength",
     "longest": "longest_wavelength",
 }
-#: What `asperity surface measure` does without options, of files that name their units.
-AS_MEASURED: dict[str, Any] = {
-    **dict.fromkeys(("position_unit", "height_unit", "spacing", "start", "stop", "form", "degree", "lay")),
-    **dict.fromkeys(("outlier_threshold", "short_cutoff", "long_cutoff")),
-    **dict.fromkeys(("shortest_wavelength", "longest_wavelength")),
-    "decimal": "auto",
-    "any_size": False,
-    "missing": "refuse",
-    "direction": "x",
-    "estimator": "automatic",
-    "frequency_ratio": 1.5,
-}
-FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
+_FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
 
 
 @click.group("surface")
@@ -95,7 +83,7 @@ def _stress(context: click.Context, parameter: click.Parameter, value: str | Non
 )
 @click.option(
     "--form",
-    type=click.Choice(FORMS),
+    type=click.Choice(_FORMS),
     help="Form removed before the evaluation.  [default: line; plane for maps]",
 )
 @click.option("--degree", type=int, help="Degree of a polynomial form, 0 to 12.")
@@ -160,7 +148,7 @@ def measure(
     use_double_precision()
     measured = measured_files(
         files,
-        **{_ARGUMENTS.get(name, name): value for name, value in options.items()},
+        **{ARGUMENTS.get(name, name): value for name, value in options.items()},
     )
     if hardness is not None:
         from asperity.bem.pressed_map import with_pressed_map

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.surface import AS_MEASURED, FORMS
+from asperity.cli.surface import ARGUMENTS, measure
 from asperity.cli.terminal import prepare_computation, say_written
 from asperity.errors import InputError
 from asperity.writing import check_image, write_image
@@ -20,7 +20,12 @@ _OF_KNOWN = (
     *("dimensions", "roughness", "side", "pixels_per_wave", "seeds", "loads", "lowest", "highest"),
     *("gamma", "elastic"),
 )
-_OF_MAPS = (*("rolling_direction", "position_unit", "height_unit", "spacing", "missing", "form", "degree"),)
+#: Options of 'asperity surface measure' that say how a map is read.
+_OF_MAPS = (
+    *("position_unit", "height_unit", "spacing", "decimal", "any_size", "missing", "form", "degree"),
+    *("outliers", "direction"),
+)
+_NOT_READ = ("files", "as_json", "plot", "hardness")
 _OPTIONS = {"dimensions": "dimension", "lowest": "from", "highest": "to"}
 
 
@@ -86,25 +91,6 @@ _OPTIONS = {"dimensions": "dimension", "lowest": "from", "highest": "to"}
     help="Compare all laws on this measured map, of the roughness of both bodies, in place of known surfaces.",
 )
 @click.option(
-    "--rolling-direction",
-    type=click.Choice(["x", "y"]),
-    default="x",
-    show_default=True,
-    help="Direction in the map in which the contact rolls.",
-)
-@click.option("--position-unit", help="Unit of the positions, if a text file does not name it.")
-@click.option("--height-unit", help="Unit of the heights, if the file does not name it.")
-@click.option("--spacing", help="Distance of the points, such as '0.5 um', if the file has none.")
-@click.option(
-    "--missing",
-    type=click.Choice(["refuse", "longest", "interpolate"]),
-    default="refuse",
-    show_default=True,
-    help="Missing points of the map: refuse, keep the longest complete piece, or interpolate gaps along x.",
-)
-@click.option("--form", type=click.Choice(FORMS), help="Form removed from the map.  [default: plane]")
-@click.option("--degree", type=int, help="Degree of a polynomial form, 0 to 12.")
-@click.option(
     "--plot", "plot_file", type=click.Path(dir_okay=False), help="Draw the comparison: PNG, SVG or PDF."
 )
 @click.option(
@@ -128,15 +114,9 @@ def verify_contact(
     gamma: float,
     elastic: bool,
     surface_file: str | None,
-    rolling_direction: str,
-    position_unit: str | None,
-    height_unit: str | None,
-    spacing: str | None,
-    missing: str,
-    form: str | None,
-    degree: int | None,
     plot_file: str | None,
     as_json: bool,
+    **reading: Any,
 ) -> None:
     """Compare contact laws with boundary elements and Persson's theory.
 
@@ -161,13 +141,7 @@ def verify_contact(
             points=points,
             plot_file=plot_file,
             as_json=as_json,
-            position_unit=position_unit,
-            height_unit=height_unit,
-            spacing=None if spacing is None else _read("spacing", spacing, Dimension.LENGTH),
-            missing=missing,
-            form=form,
-            degree=degree,
-            direction=rolling_direction,
+            **reading,
         )
         return
     lengths = [
@@ -232,6 +206,9 @@ def verify_contact(
     _show(samples, comparisons)
 
 
+verify_contact.params += [option for option in measure.params if option.name in _OF_MAPS]
+
+
 def _refuse_options(context: click.Context, names: tuple[str, ...], surface_file: str | None) -> None:
     """Refuse options that were given and have no effect."""
     given = [
@@ -269,7 +246,9 @@ def _verify_map(
         poisson_ratio_1=moduli[1],
         poisson_ratio_2=moduli[1],
     )
-    measured = measured_files([file], **(AS_MEASURED | reading))
+    given = measure.make_context("measure", [file]).params | reading
+    options = {ARGUMENTS.get(name, name): value for name, value in given.items() if name not in _NOT_READ}
+    measured = measured_files([file], **options)
     with progress_bar("boundary elements") as done:
         states = iter(range(1, 1000))
         comparison = compare_map(
@@ -305,11 +284,11 @@ def _show_map(comparison: MapComparison, source: str) -> None:
     scatter = 100.0 * np.std(np.log(comparison.elastic), axis=0, ddof=1)
     for n, pressure in enumerate(comparison.pressure):
         columns = [
-            (100.0 * pressed.elastic_area[:, n].mean(), "6.1f"),
+            (100.0 * pressed.contact_fractions[0][:, n].mean(), "6.1f"),
             (1e-12 * np.exp(np.log(comparison.elastic[:, n]).mean()), "13.4g"),
             (scatter[n], "4.0f"),
             (1e-12 * np.exp(np.log(comparison.capped[:, n]).mean()), "8.4g"),
-            (pressed.tangential_ratio[:, n].mean(), "7.3f"),
+            (pressed.tangential_ratios[:, n].mean(), "7.3f"),
         ]
         cells = [
             f"{value:{kind}}" if np.isfinite(value) else f"{'-':>{kind.split('.')[0]}s}"

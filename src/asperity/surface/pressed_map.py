@@ -30,12 +30,12 @@ class PressedMap:
         Largest pressure of the capped states over the contact modulus [-].
     rms_height : array, shape (patches,)
         Of each patch, a plane removed [m].
-    elastic_ratio, capped_ratio : array, shape (patches, loads)
+    decay_ratios : array, shape (2, patches, loads)
         Decay length p/k_n over the rms of the heights, elastic and with no pressure above the hardness [-]; nan where a
         patch is pressed flat, or the capped pressure cannot carry the load.
-    elastic_area, capped_area : array, shape (patches, loads)
+    contact_fractions : array, shape (2, patches, loads)
         Real over nominal area of contact [-]; likewise.
-    tangential_ratio : array, shape (patches, loads)
+    tangential_ratios : array, shape (patches, loads)
         Tangential stiffness in the rolling direction over the normal one, elastic [-].
     size : array, shape (2,)
         Of a patch along x and along y [m].
@@ -44,11 +44,9 @@ class PressedMap:
     pressure: NDArray[np.float64]
     hardness: float
     rms_height: NDArray[np.float64]
-    elastic_ratio: NDArray[np.float64]
-    capped_ratio: NDArray[np.float64]
-    elastic_area: NDArray[np.float64]
-    capped_area: NDArray[np.float64]
-    tangential_ratio: NDArray[np.float64]
+    decay_ratios: NDArray[np.float64]
+    contact_fractions: NDArray[np.float64]
+    tangential_ratios: NDArray[np.float64]
     size: NDArray[np.float64]
 
     def decay_ratio(self, *, pressure: float, capped: bool) -> tuple[float, float]:
@@ -67,9 +65,8 @@ class PressedMap:
             Geometric mean over the patches [-], between loads by monotone cubics, and the half-width, of the logarithm,
             of the interval that holds one more patch with 95 %, by Student's law: a contact is such a place.
         """
-        ratio = self.capped_ratio if capped else self.elastic_ratio
-        known = np.isfinite(ratio).all(axis=0)
-        loads, logs = self.pressure[known], np.log(ratio[:, known])
+        known = self._known(capped)
+        loads, logs = self.pressure[known], np.log(self.decay_ratios[int(capped)][:, known])
         if loads.size > 1:
             at = math.log(min(max(pressure, loads[0]), loads[-1]))
             logs = scipy.interpolate.pchip_interpolate(np.log(loads), logs, at, axis=1)
@@ -81,17 +78,21 @@ class PressedMap:
 
     def range(self, *, capped: bool) -> tuple[float, float]:
         """Smallest and largest pressure with a stiffness of every patch, over the contact modulus [-]."""
-        known = self.pressure[np.isfinite(self.capped_ratio if capped else self.elastic_ratio).all(axis=0)]
+        known = self.pressure[self._known(capped)]
         return float(known[0]), float(known[-1])
+
+    def _known(self, capped: bool) -> NDArray[np.bool_]:
+        return np.asarray(np.isfinite(self.decay_ratios[int(capped)]).all(axis=0))
 
     def document(self) -> dict[str, Any]:
         """The numbers for JSON, null for those that there are not."""
-        return {field.name: _plain(getattr(self, field.name)) for field in fields(self)}
+        return {field.name: plain_numbers(getattr(self, field.name)) for field in fields(self)}
 
 
-def _plain(number: Any) -> Any:
+def plain_numbers(number: Any) -> Any:
+    """Numbers for JSON, to seven digits; None for those that there are not."""
     if np.ndim(number):
-        return [_plain(part) for part in number]
+        return [plain_numbers(part) for part in number]
     return float(f"{number:.7g}") if math.isfinite(number) else None
 
 
@@ -109,22 +110,17 @@ def pressed_map_from_document(entry: Any) -> PressedMap:
         }
         made = PressedMap(**(numbers | {"hardness": float(entry["hardness"])}))
         shape = (made.rms_height.size, made.pressure.size)
-        tables = (
-            made.elastic_ratio,
-            made.capped_ratio,
-            made.elastic_area,
-            made.capped_area,
-            made.tangential_ratio,
-        )
+        tables = (made.decay_ratios, made.contact_fractions, made.tangential_ratios)
         valid = (
-            all(table.shape == shape and not (table <= 0.0).any() for table in tables)
+            [table.shape for table in tables] == [(2, *shape), (2, *shape), shape]
+            and not any((table <= 0.0).any() for table in tables)
             and made.pressure.ndim == made.rms_height.ndim == 1
             and made.size.shape == (2,)
             and shape[0] > 1
             and bool((np.diff(made.pressure, prepend=0.0) > 0.0).all())
             and made.hardness > 0.0
             and all((positive > 0.0).all() for positive in (made.rms_height, made.size))
-            and all(np.isfinite(ratio).all(axis=0).any() for ratio in (made.elastic_ratio, made.capped_ratio))
+            and bool(np.isfinite(made.decay_ratios).all(axis=1).any(axis=-1).all())
             and not any(np.isinf(number).any() for number in numbers.values())
         )
     except (KeyError, TypeError, ValueError):

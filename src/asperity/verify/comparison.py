@@ -13,6 +13,7 @@ from jax import Array
 from asperity.bem import ElasticPair, PeriodicHalfSpace
 from asperity.bem.pressed_map import loaded_state
 from asperity.contact.fractal import Surface, fractal_contact
+from asperity.contact.rough_contact import RoughContact
 from asperity.errors import InputError
 from asperity.verify.periodic_weierstrass import periodic_weierstrass_surface
 from asperity.verify.persson import contact_fraction, interfacial_stiffness, wave_spectrum
@@ -124,6 +125,22 @@ def sample_heights(sample: Sample, seed: int) -> np.ndarray:
     )
 
 
+def flat_fractal_contact(
+    surface: Surface, *, pair: ElasticPair, normal_force: Array, hardness: float
+) -> RoughContact:
+    """The published law of a nominally flat contact without tangential force."""
+    return fractal_contact(
+        surface=surface,
+        normal_force=normal_force,
+        tangential_force=0.0,
+        friction_coefficient=1.0,
+        contact_factor=1.0,
+        contact_modulus=pair.contact_modulus,
+        tangential_contact_modulus=pair.tangential_contact_modulus,
+        hardness=hardness,
+    )
+
+
 def compare(
     sample: Sample,
     *,
@@ -172,19 +189,15 @@ def compare(
         rows.append(jnp.stack(row, axis=1))
     area, normal, tangential, capped_fraction = jnp.stack(rows, axis=1)
 
-    law = fractal_contact(
-        surface=Surface(
+    law = flat_fractal_contact(
+        Surface(
             fractal_dimension=sample.fractal_dimension,
             fractal_roughness=sample.fractal_roughness,
             frequency_ratio=sample.frequency_ratio,
             asperity_base="majumdar_bhushan_1991",
         ),
+        pair=pair,
         normal_force=force,
-        tangential_force=0.0,
-        friction_coefficient=1.0,
-        contact_factor=1.0,
-        contact_modulus=E,
-        tangential_contact_modulus=pair.tangential_contact_modulus,
         hardness=sample.hardness,
     )
     nominal = sample.side**2

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from asperity.bem import ElasticPair
 from asperity.bem.pressed_map import map_patches, mirrored, pressed_map
 from asperity.contact.exponential import decay_length
-from asperity.contact.fractal import Surface, fractal_contact
+from asperity.contact.fractal import Surface
 from asperity.surface.measure_files import MeasuredFiles
-from asperity.surface.pressed_map import PressedMap
+from asperity.surface.pressed_map import PressedMap, plain_numbers
+from asperity.verify.comparison import flat_fractal_contact
 from asperity.verify.persson import interfacial_stiffness, wave_spectrum
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ class MapComparison:
     def judged(self) -> NDArray[np.bool_]:
         """Which loads the verdict speaks of: with a stiffness, and less than half of the area in contact."""
         inside = (self.pressure > JUDGED[0]) & (self.pressure < JUDGED[1])
-        return np.asarray(inside & (self.pressed.elastic_area.mean(axis=0) < LARGEST_AREA))
+        return np.asarray(inside & (self.pressed.contact_fractions[0].mean(axis=0) < LARGEST_AREA))
 
     def verdict(self) -> str:
         """What the comparison says, in one sentence."""
@@ -142,39 +143,30 @@ def compare_map(
     patches, cell = map_patches(topography, points=points // 2)
     pressure = pressed.pressure * modulus
     height = pressed.rms_height[:, None]
-    spectra = [
-        wave_spectrum(full, sides=(full.shape[0] * cell[0], full.shape[1] * cell[1]))
+    theory = [
+        interfacial_stiffness(
+            spectrum=wave_spectrum(full, sides=(full.shape[0] * cell[0], full.shape[1] * cell[1])),
+            mean_pressure=jnp.asarray(pressure),
+            contact_modulus=modulus,
+        )
         for full in map(mirrored, patches)
     ]
     laws = {
         "exponential": pressure / np.asarray(decay_length(rms_height=jnp.asarray(height))),
-        "persson": np.stack(
-            [
-                np.asarray(
-                    interfacial_stiffness(
-                        spectrum=each, mean_pressure=jnp.asarray(pressure), contact_modulus=modulus
-                    )
-                )
-                for each in spectra
-            ]
-        ),
+        "persson": np.stack([np.asarray(stiffness) for stiffness in theory]),
     }
     fractal = measured.roughness.fractal
     if fractal is not None:
         area = float(np.prod(pressed.size))
-        law = fractal_contact(
-            surface=Surface(
+        law = flat_fractal_contact(
+            Surface(
                 fractal_dimension=fractal.fractal_dimension,
                 fractal_roughness=fractal.fractal_roughness,
                 frequency_ratio=fractal.frequency_ratio,
                 asperity_base="majumdar_bhushan_1991",
             ),
+            pair=pair,
             normal_force=jnp.asarray(pressure * area),
-            tangential_force=0.0,
-            friction_coefficient=1.0,
-            contact_factor=1.0,
-            contact_modulus=modulus,
-            tangential_contact_modulus=pair.tangential_contact_modulus,
             hardness=hardness,
         )
         laws["published"] = np.tile(np.asarray(law.normal_stiffness) / area, (len(patches), 1))
@@ -182,8 +174,8 @@ def compare_map(
         pressed=pressed,
         pressure=pressure,
         hardness=hardness,
-        elastic=pressure / (pressed.elastic_ratio * height),
-        capped=pressure / (pressed.capped_ratio * height),
+        elastic=pressure / (pressed.decay_ratios[0] * height),
+        capped=pressure / (pressed.decay_ratios[1] * height),
         laws=laws,
         no_power_law=measured.roughness.no_power_law,
     )
@@ -191,32 +183,27 @@ def compare_map(
 
 def map_document(comparison: MapComparison, *, source: str) -> dict[str, Any]:
     """All numbers of a comparison for JSON, SI units in the names; null where there is no stiffness."""
-    pressed = comparison.pressed.document()
-
-    def plain(values: NDArray[np.float64]) -> list[Any]:
-        return [
-            plain(part) if np.ndim(part) else float(part) if np.isfinite(part) else None for part in values
-        ]
-
+    pressed = comparison.pressed
+    elements = {
+        "normal_stiffness_Pa_per_m": comparison.elastic,
+        "capped_normal_stiffness_Pa_per_m": comparison.capped,
+        "tangential_over_normal_stiffness": pressed.tangential_ratios,
+        "contact_fraction": pressed.contact_fractions[0],
+        "capped_contact_fraction": pressed.contact_fractions[1],
+    }
     return {
         "source": source,
         "verdict": comparison.verdict(),
-        "patch_size_m": pressed["size"],
-        "patch_rms_height_m": pressed["rms_height"],
-        "nominal_pressure_Pa": plain(comparison.pressure),
+        "patch_size_m": plain_numbers(pressed.size),
+        "patch_rms_height_m": plain_numbers(pressed.rms_height),
+        "nominal_pressure_Pa": plain_numbers(comparison.pressure),
         "hardness_Pa": comparison.hardness,
         "no_power_law": comparison.no_power_law,
-        "boundary_elements": {
-            "normal_stiffness_Pa_per_m": plain(comparison.elastic),
-            "capped_normal_stiffness_Pa_per_m": plain(comparison.capped),
-            "tangential_over_normal_stiffness": pressed["tangential_ratio"],
-            "contact_fraction": pressed["elastic_area"],
-            "capped_contact_fraction": pressed["capped_area"],
-        },
+        "boundary_elements": {name: plain_numbers(values) for name, values in elements.items()},
         "laws": {
             law: {
-                "normal_stiffness_Pa_per_m": plain(values),
-                "over_boundary_elements": plain(comparison.ratio(law)),
+                "normal_stiffness_Pa_per_m": plain_numbers(values),
+                "over_boundary_elements": plain_numbers(comparison.ratio(law)),
             }
             for law, values in comparison.laws.items()
         },
