@@ -15,6 +15,7 @@ from asperity.drive.state.equations import (
     STANDING,
     Machine,
     Misfits,
+    Responses,
     Task,
     Unknowns,
     contact_forces,
@@ -155,21 +156,17 @@ def solved(
     def improve(state: _Search) -> _Search:
         longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
 
-        def step_at(x: Unknowns) -> tuple[Unknowns, Misfits]:
+        def step_at(x: Unknowns) -> Unknowns:
             responses = responses_and_slopes(fixed_machine, fixed_task, x)
             slopes = state_slopes(fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses)
-            misfits = state_misfits(
-                fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses.value
-            )
-            return newton_step(slopes, misfits.all, solve_in_turn), misfits
+            return newton_step(slopes, misfits_at(x, responses.value).all, solve_in_turn)
 
-        tried, last, misfits = newton(
-            step_at,
-            state.unknowns,
-            positive=first.normal.size,
-            residual=Misfits(first, begin),
-            longest=longest,
-        )
+        def misfits_at(x: Unknowns, responses: Responses) -> Misfits:
+            return state_misfits(fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses)
+
+        tried, last = newton(step_at, state.unknowns, positive=first.normal.size, longest=longest)
+        responses = contact_responses(fixed_machine, fixed_task, *contact_forces(fixed_machine, tried))
+        misfits = misfits_at(tried, responses)
         balanced = (_worst(misfits.all) < _BALANCED) & (last < _DETERMINED)
         kept = balanced | (state.steps == 0)
         unknowns, slides, held = jax.tree.map(
