@@ -35,22 +35,9 @@ def push_angles(drive: Drive) -> Array:
 
 
 def pins_in_bores(joint: Joint) -> Bores | None:
-    """What the pins of a joint and the contacts of their rollers do to each other.
+    """What pins and contacts of rollers do to each other, equation (E5); None where no pin is known to press in a bore.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    Bores or None
-        None where no pin is known to press in a bore. Rollers that are springs have the compliance of their bores
-        alone, each track by itself beside the others.
-
-    References
-    ----------
-    Equation (E5) of :doc:`/equations`.
+    Rollers that are springs have the compliance of their bores alone, each track by itself beside the others.
     """
     drive, count = joint.drive, len(joint.drive.contacts)
     if all(joint.shapes[body].pin_diameter is None for body in drive.pinned):
@@ -125,19 +112,9 @@ def bore_stiffness(joint: Joint) -> Array:
 
 
 def pin_forces(drive: Drive, normal: Array, tangential: Array) -> Array:
-    """Forces of the rollers on their pins that balance those of their contacts.
+    """Forces of the rollers on their pins, along the push, that balance those of their contacts, shape (pins,) [N].
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    normal, tangential : Array
-        As of :class:`asperity.drive.state.state.DriveState`, shape (contacts,) [N].
-
-    Returns
-    -------
-    Array
-        Along the push, shape (pins,) [N].
+    Contact forces as of :class:`asperity.drive.state.state.DriveState`, shape (contacts,) [N].
     """
     matrices = incidence(drive)
     return -product(
