@@ -192,17 +192,9 @@ def _pin(entry: Values) -> PinBeam | None:
 
 
 def thermal_change_of(values: Values) -> float:
-    """Interference that the temperatures of a file add to that of its drive, whatever makes its preload.
+    """Interference [m] that the temperatures of a file add to that of its drive, whatever makes its preload.
 
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units with temperatures; the expansions of all materials are known.
-
-    Returns
-    -------
-    float
-        Interference [m].
+    ``values`` are tables in SI units with temperatures; the expansions of all materials are known.
     """
     load = {name: value for name, value in values["load"].items() if name != "preload"}
     fit = joint_from_values(values | {"load": load | {"interference": 1e-5}}).fit
@@ -270,16 +262,10 @@ def _per_size(drive: Drive, sides: Collection[tuple[str, str]]) -> Array:
 
 
 class TolerancedTrack(NamedTuple):
-    """What a number of a joint file does to the interference of the contacts.
+    """What a number of a joint file, at a dotted path, does to the interference of the contacts.
 
-    Parameters
-    ----------
-    path : str
-        Dotted path of the number.
-    own : bool
-        Whether every branch has a part of its own with this size.
-    per_size : ndarray
-        Interference of each contact over it, shape (contacts,) [-].
+    ``own`` tells whether every branch has a part of its own with this size; ``per_size`` is the interference of each
+    contact over it, shape (contacts,) [-].
     """
 
     path: str

@@ -53,20 +53,12 @@ def standing_at(joint: Joint, torques: np.ndarray) -> Standing:
 
 
 class BothSenses(eqx.Module):
-    """One joint over torques of either sign. SI units; shape (n,).
+    """One joint over output torques of either sign [N·m]. SI units; shape (n,).
 
-    Parameters
-    ----------
-    torque : Array
-        Output torques [N·m].
-    published, series_with_bulk, assembly : Array
-        Incremental stiffness on the three levels at rest, play left out [N·m/rad]; nan where a contact slips.
-    slip_ratio : Array
-        The largest T/(mu N) of all contacts at rest [-].
-    driving_drift, braking_drift : Array
-        Angle by which the output gives way to the torque in one turn of its own, with the sign of the torque [rad]:
-        in steady rolling with the torque (the output falls behind), and against it (it runs ahead). nan where there is
-        no steady rolling.
+    Incremental stiffnesses on the three levels at rest, play left out [N·m/rad], nan where a contact slips; the largest
+    T/(mu N) of all contacts at rest. The drifts are the angle by which the output gives way to the torque in one turn
+    of its own, with the sign of the torque [rad]: in steady rolling with the torque (the output falls behind), and
+    against it (it runs ahead); nan where there is no steady rolling.
     """
 
     torque: Array
