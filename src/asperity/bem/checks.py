@@ -68,27 +68,7 @@ def inside(name: str, value: float, low: float, high: float) -> float:
 
 
 def field_on_grid(name: str, field: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
-    """The field as a double-precision array if it is finite and fits the grid.
-
-    Parameters
-    ----------
-    name : str
-        For the message.
-    field : array
-        The field to check.
-    shape : tuple of int
-        Shape of the grid.
-
-    Returns
-    -------
-    ndarray
-        The field.
-
-    Raises
-    ------
-    InputError
-        If the shape differs or a value is not finite.
-    """
+    """The field as a double-precision array; an ``InputError`` if it does not fit the grid or a value is not finite."""
     array = np.asarray(field, dtype=np.float64)
     if array.shape != shape:
         raise InputError(f"{name} has shape {array.shape}: the grid of the half-space has {shape}")

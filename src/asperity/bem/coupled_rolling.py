@@ -14,17 +14,7 @@ from asperity.errors import NoSolutionError
 
 
 class CoupledSteadyRolling(eqx.Module):
-    """Steady rolling with its pressure.
-
-    Parameters
-    ----------
-    rolling : SteadyRolling
-        Tangential state.
-    contact : NormalContact
-        Normal state under that traction.
-    alternations : int
-        Number of alternating solutions of the two problems.
-    """
+    """Tangential state of steady rolling, normal state under that traction, and number of alternations."""
 
     rolling: SteadyRolling
     contact: NormalContact

@@ -73,18 +73,7 @@ CHOICES = choices_of(WedgeCase, material_keys(WEDGE_TYPE))
 
 
 def choices_of_case(case: Case) -> dict[str, tuple[str, ...]]:
-    """The choices of one joint file.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    dict
-        As :func:`choices_of`.
-    """
+    """The choices of one joint file, as :func:`choices_of`."""
     return choices_of(type(case), case.bodies)
 
 

@@ -26,17 +26,7 @@ TEXT_HEIGHT, TITLE_HEIGHT = 2.5, 3.5
 
 @dataclass(frozen=True)
 class Circle:
-    """A circle.
-
-    Parameters
-    ----------
-    centre : tuple of float
-        Centre [mm].
-    radius : float
-        Radius [mm].
-    style : Style, optional
-        Kind of line.
-    """
+    """A circle by its centre and radius [mm] and its kind of line."""
 
     centre: Point
     radius: float
