@@ -251,21 +251,8 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
 def about(file: str, *others: str | None) -> Iterator[None]:
     """While the joint of a file is solved: refusals begin with the name of the file.
 
-    Parameters
-    ----------
-    file : str
-        The joint file.
-    *others : str or None
-        Further files of the command: a refusal that begins with the name of one of them is about that file.
-
-    Yields
-    ------
-    None
-
-    Raises
-    ------
-    InputError, NoSolutionError
-        As they are raised within, after the name.
+    ``others`` are further files of the command: a refusal that begins with the name of one of them is about that file.
+    Raises what is raised within, after the name.
     """
     try:
         yield

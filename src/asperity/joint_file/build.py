@@ -67,15 +67,7 @@ def joint_from_case(case: Case) -> Joint:
 def joint_from_values(values: Values) -> Joint:
     """The joint of nested tables of SI numbers; a function of its leaves that can be differentiated.
 
-    Parameters
-    ----------
-    values : dict
-        Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
-
-    Returns
-    -------
-    Joint
-        In SI units.
+    Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
     """
     drive, shapes, pattern = layout_of(values)
     shapes = _on_pins(values.get("bearings", {}), drive, shapes)
@@ -203,17 +195,9 @@ def thermal_change_of(values: Values) -> float:
 
 
 def deviations_of(values: Values) -> SectorDeviations:
-    """Sizes of the sectors of a joint file, where they differ; equal ones without sections ``[[branch]]``.
+    """Sizes of the sectors of a joint file, where they differ, with the interference that they add to every contact.
 
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    SectorDeviations
-        With the interference that they add to every contact.
+    Equal ones without sections ``[[branch]]``. Tables in SI units.
     """
     drive, *_ = layout_of(values)
     count = len(values.get("branch", ())) or round(float(drive.sectors))

@@ -81,15 +81,7 @@ Block = Heading | Paragraph | Bullets | Table | Picture | Listing
 
 @dataclass(frozen=True)
 class Report:
-    """A document.
-
-    Parameters
-    ----------
-    title : str
-        Its title.
-    blocks : tuple of Block
-        Its content, in order.
-    """
+    """A document: its title, and its content in order."""
 
     title: str
     blocks: tuple[Block, ...]

@@ -22,17 +22,9 @@ NO_SLIP_FRICTION = 1e30
 class Standing(NamedTuple):
     """A joint at torques, as NumPy arrays. SI units.
 
-    Parameters
-    ----------
-    solved : ndarray
-        Whether the forces balance, shape (torques,).
-    holds : ndarray
-        Whether friction holds the torque, shape (torques,).
-    slip_ratio : ndarray
-        T/(mu N) of each contact, shape (contacts, torques) [-].
-    levels, levels_without_slip : dict
-        Name of a level → incremental stiffness at the output, shape (torques,) [N·m/rad]: as the joint is, and under
-        the same normal forces with so much friction that no contact slips.
+    Whether the forces balance, and whether friction holds the torque, shape (torques,); T/(mu N) of each contact, shape
+    (contacts, torques) [-]. Name of a level → incremental stiffness at the output, shape (torques,) [N·m/rad]: as the
+    joint is, and under the same normal forces with so much friction that no contact slips.
     """
 
     solved: np.ndarray

@@ -27,39 +27,12 @@ SUFFIXES = (".nc", ".parquet", ".csv")
 
 
 def require(module: str) -> Any:
-    """Import a module of the extra ``study``.
-
-    Parameters
-    ----------
-    module : str
-        Its name.
-
-    Returns
-    -------
-    module
-        Imported.
-
-    Raises
-    ------
-    MissingExtraError
-        If it is not installed.
-    """
+    """A module of the extra ``study``, imported; a ``MissingExtraError`` if it is not installed."""
     return optional_module(module, extra="study", needs="studies need")
 
 
 def coordinate(axis: SweepAxis) -> tuple[tuple[str], np.ndarray, dict[str, str]]:
-    """One axis as a coordinate.
-
-    Parameters
-    ----------
-    axis : Axis or ListedAxis
-        The axis.
-
-    Returns
-    -------
-    tuple
-        Dimensions, values, attributes.
-    """
+    """One axis as a coordinate: dimensions, values, attributes."""
     return (axis.path,), axis.values, key_attributes(axis.path)
 
 
@@ -82,15 +55,7 @@ def result_attributes(result: Result) -> dict[str, str]:
 def result_rows(results: Iterable[Result]) -> list[tuple[str, str, str]]:
     """Every number that some results have: one, or one for each contact or clearance.
 
-    Parameters
-    ----------
-    results : iterable of Result
-        Rows of the table of results.
-
-    Returns
-    -------
-    list of tuple
-        Name such as ``slip_ratio_sp``, SI unit and label of each number.
+    Name such as ``slip_ratio_sp``, SI unit and label of each number.
     """
     return [
         (row_name(result.name, row), result.si_unit, f"{result.label}, {row}".removesuffix(", "))

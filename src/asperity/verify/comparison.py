@@ -37,20 +37,9 @@ QUANTITIES = {
 class Sample(eqx.Module):
     """What is compared: one fractal surface on one square of two like bodies; SI units.
 
-    Parameters
-    ----------
-    fractal_dimension, fractal_roughness, frequency_ratio : float
-        D [-], G [m] and gamma [-] of the profiles.
-    side : float
-        Side of the nominally flat, periodic square [m].
-    points : int
-        Grid points along it.
-    waves_per_side : float
-        Side over the longest wavelength [-].
-    pixels_per_wave : float
-        Shortest wavelength over the pixel [-].
-    youngs_modulus, poisson_ratio, hardness : float
-        Of both bodies [Pa], [-], [Pa].
+    D [-], G [m] and gamma [-] of the profiles; side of the nominally flat, periodic square [m] with grid points along
+    it; ``waves_per_side``, side over the longest wavelength [-]; ``pixels_per_wave``, shortest wavelength over the
+    pixel [-]; E [Pa], nu [-] and hardness [Pa] of both bodies.
     """
 
     fractal_dimension: float

@@ -32,20 +32,12 @@ ASSEMBLED, STANDING, ROLLING = 0, 1, 2
 
 
 class Unknowns(NamedTuple):
-    """Unknowns of a state, each over its scale.
+    """Unknowns of a state, each over its scale [-].
 
-    Parameters
-    ----------
-    normal, tangential : Array
-        Forces of the contacts over the reference, and over the friction limit at it [-].
-    pin : Array
-        Forces of the pins, then of the supports on the carrier, over the largest reference [-].
-    displacement : Array
-        Displacements of the floating centres over the approach at the reference [-].
-    turn : Array
-        Added to the speeds, or rotation times lever over the approach [-].
-    interference : Array
-        Interference of the drive over the approach at the reference [-].
+    Forces of the contacts over the reference, and over the friction limit at it; forces of the pins, then of the
+    supports on the carrier, over the largest reference; displacements of the floating centres over the approach at the
+    reference; ``turn``, added to the speeds, or rotation times lever over the approach; interference of the drive over
+    the approach at the reference.
     """
 
     normal: Array
@@ -59,26 +51,11 @@ class Unknowns(NamedTuple):
 class Machine(NamedTuple):
     """What is the same in all states of a drive.
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    laws : ContactLaws
-        Its contacts.
-    matrices : Incidence
-        How displacements and rotations move the contacts, the pins, and after these the supports on the carrier.
-    ideal : Array
-        Speeds without slip, shape (members,) [-].
-    pattern : Array
-        Interference of each contact over that of the drive, shape (contacts,) [-].
-    friction : Array
-        Friction coefficients, shape (contacts,) [-].
-    length, largest, lever : Array
-        Scales: approach [m], force [N] and lever [m].
-    added : Array or None, optional
-        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
-    creep_of : callable or None, optional
-        Creep law of the contacts under their normal and tangential forces; None for that of the laws.
+    ``matrices`` tell how displacements and rotations move the contacts, the pins, and after these the supports on the
+    carrier. ``ideal`` are the speeds without slip, shape (members,) [-]. Of each contact, shape (contacts,):
+    ``pattern``, its interference over that of the drive [-], ``added``, what it has besides [m], None for none, and the
+    friction coefficient. ``length``, ``largest`` and ``lever`` are scales: approach [m], force [N] and lever [m].
+    ``creep_of`` is the creep law of the contacts under their normal and tangential forces; None for that of the laws.
     """
 
     drive: Drive
@@ -158,24 +135,7 @@ def speeds_and_turns(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, A
 
 
 def contact_forces(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
-    """Forces of the contacts.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    x : Unknowns
-        The unknowns.
-
-    Returns
-    -------
-    tuple of Array
-        Normal and tangential forces, shape (contacts,) [N].
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Normal and tangential forces of the contacts from the unknowns, shape (contacts,) [N]; equation (M3)."""
     reference = machine.laws.reference_force
     return x.normal * reference, x.tangential * machine.friction * reference
 
