@@ -14,7 +14,17 @@ from asperity.errors import NoSolutionError
 
 
 class CoupledSteadyRolling(eqx.Module):
-    """Tangential state of steady rolling, normal state under that traction, and number of alternations."""
+    """Steady rolling with its pressure.
+
+    Parameters
+    ----------
+    rolling : SteadyRolling
+        Tangential state.
+    contact : NormalContact
+        Normal state under that traction.
+    alternations : int
+        Number of alternating solutions of the two problems.
+    """
 
     rolling: SteadyRolling
     contact: NormalContact

@@ -33,8 +33,16 @@ _DECADES = 16.0
 class RoughPressure(NamedTuple):
     """Normal contact of rough cylinders, from the leading edge to the trailing one.
 
-    ``layer_ratio`` s = u_0 R/a^2; middles of the strips over Hertz's half-width; pressure over Hertz's peak;
-    displacements per traction of the half-planes, shape (strips, strips); all [-].
+    Parameters
+    ----------
+    layer_ratio : float
+        s = u_0 R/a^2 [-].
+    position : ndarray
+        Middles of the strips over Hertz's half-width [-].
+    pressure : ndarray
+        Over Hertz's peak [-].
+    compliance : ndarray
+        Displacements per traction of the half-planes, shape (strips, strips) [-].
     """
 
     layer_ratio: float
@@ -46,9 +54,14 @@ class RoughPressure(NamedTuple):
 class RoughRolling(NamedTuple):
     """Steady rolling of rough cylinders.
 
-    Creepage over that of smooth cylinders at gross slip, mu a/R [-]; traction over mu times Hertz's peak pressure [-];
-    ``shift``, growth of the asperities' displacement from each strip to the next [-]: the start of a neighbouring
-    state.
+    Parameters
+    ----------
+    creepage : float
+        Over that of smooth cylinders at gross slip, mu a/R [-].
+    traction : ndarray
+        Over mu times Hertz's peak pressure [-].
+    shift : ndarray
+        Growth of the asperities' displacement from each strip to the next [-]; the start of a neighbouring state.
     """
 
     creepage: float

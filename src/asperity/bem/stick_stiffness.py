@@ -20,12 +20,20 @@ _Linear = tuple[Array, Array, Array, Array, Array, Array]
 
 
 class ContactStiffness(eqx.Module):
-    """Force per rigid displacement of a contact area of constant size without slip; SI units.
+    r"""Force per rigid displacement of a contact area of constant size without slip; SI units.
 
-    ``stiffness`` along the displacement [N/m; N/m per metre of length on a strip]; ``cross_stiffness`` along the other
-    tangential axis, same unit, zero for the normal stiffness; ``traction_rate``, traction per displacement [Pa/m],
-    shape (*grid) if normal, (2, *grid) if tangential; ``error_estimate``, estimated relative error of the stiffness due
-    to stopping the iteration [-].
+    Parameters
+    ----------
+    stiffness : Array, scalar
+        Force along the displacement over the displacement [N/m; N/m per metre of length on a strip].
+    cross_stiffness : Array, scalar
+        Force along the other tangential axis over the displacement, same unit; zero for the normal stiffness.
+    traction_rate : Array, shape (\*grid) if normal, (2, \*grid) if tangential
+        Traction per displacement [Pa/m].
+    iterations : Array, scalar
+        Conjugate-gradient iterations.
+    error_estimate : Array, scalar
+        Estimated relative error of the stiffness due to stopping the iteration [-].
     """
 
     stiffness: Array

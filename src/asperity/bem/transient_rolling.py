@@ -15,11 +15,17 @@ from asperity.errors import InputError
 
 
 class TransientRolling(eqx.Module):
-    """A converged history of rolling, one entry per step; SI units.
+    r"""A converged history of rolling, one entry per step; SI units.
 
-    Distance that the contact has moved along the first axis since the start, shape (steps,) [m]; growth of the rigid
-    displacement over the distance rolled in the step [-], not a number for steps at rest; and forces, displacements,
-    tractions, work and convergence.
+    Parameters
+    ----------
+    rolled_distance : Array, shape (steps,)
+        Distance that the contact has moved along the first axis since the start [m].
+    creepage : Array, shape (steps,)
+        Growth of the rigid displacement over the distance rolled in the step [-]; not a number for steps
+        at rest.
+    shear : PartialSlip
+        Forces, displacements, tractions, work and convergence.
     """
 
     rolled_distance: Array

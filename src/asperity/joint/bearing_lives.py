@@ -161,9 +161,26 @@ def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Arra
 
 
 def joint_bearing_lives(joint: Joint, result: JointResult, laws: ContactLaws) -> BearingLives:
-    """Lives, static safeties and load ratios of the bearings of a drive, equation (L2) of :doc:`/equations`; pure.
+    """Lives, static safeties and load ratios of the bearings of a drive; pure.
 
-    Of the rollers on pins, then of input and output, which only unlike sectors load.
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+    laws : ContactLaws
+        Laws of its contacts.
+
+    Returns
+    -------
+    BearingLives
+        Of the rollers on pins, then of input and output, which only unlike sectors load; as
+        :func:`asperity.joint.bearing_lives.lives_of_bearings`.
+
+    References
+    ----------
+    Equation (L2) of :doc:`/equations`.
     """
     drive, under = joint.drive, {}
     if joint.rolling.duty:

@@ -35,9 +35,22 @@ def push_angles(drive: Drive) -> Array:
 
 
 def pins_in_bores(joint: Joint) -> Bores | None:
-    """What pins and contacts of rollers do to each other, equation (E5); None where no pin is known to press in a bore.
+    """What the pins of a joint and the contacts of their rollers do to each other.
 
-    Rollers that are springs have the compliance of their bores alone, each track by itself beside the others.
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    Bores or None
+        None where no pin is known to press in a bore. Rollers that are springs have the compliance of their bores
+        alone, each track by itself beside the others.
+
+    References
+    ----------
+    Equation (E5) of :doc:`/equations`.
     """
     drive, count = joint.drive, len(joint.drive.contacts)
     if all(joint.shapes[body].pin_diameter is None for body in drive.pinned):

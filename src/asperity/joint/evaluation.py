@@ -142,9 +142,21 @@ class JointResult(eqx.Module):
 
 
 def evaluate(joint: Joint) -> JointResult:
-    """The chain itself: pure, for ``jit``, ``vmap`` and ``grad``; never raises; equations (M1)–(M4).
+    """The chain itself: pure, for ``jit``, ``vmap`` and ``grad``; never raises.
 
-    Look at ``solved`` of the result; the results of slipping or lifted contacts have no meaning.
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    JointResult
+        Look at its ``solved``; the results of slipping or lifted contacts have no meaning.
+
+    References
+    ----------
+    Equations (M1)–(M4) of :doc:`/equations`.
     """
     return evaluated_with_laws(joint)[0]
 

@@ -201,14 +201,31 @@ def derivatives_at(
 ) -> tuple[np.ndarray, dict[str, np.ndarray], dict[str, np.ndarray]]:
     """Status, results and their exact derivatives by some of the numbers, at some points.
 
-    ``changes``: dotted path → numbers [SI], shape (points,); must contain the ``variables`` by which to differentiate.
-    Status codes are indices into :data:`asperity.joint.status.STATUSES`; results and slopes have the shapes (rows,
-    points) and (rows, points, variables) [SI], one row for a single number. Nothing is replaced by nan: a search may
-    pass through joints that cannot exist.
+    Parameters
+    ----------
+    values : dict
+        Tables of SI numbers.
+    changes : mapping
+        Dotted path → numbers [SI], shape (points,); must contain the variables.
+    results : tuple of str
+        Names of :func:`asperity.joint_file.any_joint.results_of`.
+    variables : tuple of str, optional
+        Dotted paths by which to differentiate.
+    block : int, optional
+        Points, repeated for each variable, of one call of the program, :func:`derivative_block`. Calls with the same
+        one share a program.
 
+    Returns
+    -------
+    status : ndarray
+        Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (points,).
+    result_values, slopes : dict of ndarray
+        Name → shape (rows, points) and (rows, points, variables) [SI]; a single number has one row. Nothing is
+        replaced by nan: a search may pass through joints that cannot exist.
+
+    Notes
+    -----
     Forward-mode automatic differentiation; the points are repeated once for each variable along the batch axis.
-    ``block`` is the number of points, so repeated, of one call of the program, :func:`derivative_block`: calls with the
-    same one share a program.
     """
     _refuse_count(values, variables)
     points = max((np.size(value) for value in changes.values()), default=1)

@@ -96,8 +96,18 @@ def slope_change(abscissa: np.ndarray, values: np.ndarray) -> float:
 def peak(abscissa: np.ndarray, values: np.ndarray) -> float:
     """Abscissa of the maximum of a curve: vertex of the parabola through the highest sample and its neighbours.
 
-    Of evenly spaced samples, shape (n,); exactly an end of the range if the curve is highest there.
+    Parameters
+    ----------
+    abscissa, values : ndarray
+        The curve, shape (n,), evenly spaced.
 
+    Returns
+    -------
+    float
+        The abscissa; exactly an end of the range if the curve is highest there.
+
+    Examples
+    --------
     >>> round(peak(np.array([1.0, 2.0, 3.0]), np.array([0.0, 1.0, 0.5])), 4)
     2.1667
     """

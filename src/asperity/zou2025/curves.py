@@ -34,11 +34,24 @@ class PairCurve:
 
 @dataclass(frozen=True)
 class JointCurves:
-    """The joint of Table 2 over m output torques [N·m] (first axis) and n values [SI] of one more quantity (last axis).
+    """The joint of Table 2 over a grid of output torques (first axis) and one more quantity (last axis).
 
-    ``name`` is that quantity, a field of :class:`asperity.zou2025.preset.OperatingPoint`. Forces of the five contacts,
-    shape (5, m, n) [N]; each contact's own K_T at its driven roller, likewise [N·m/rad]; published torsional stiffness
-    at the output and at the sun, shape (m, n) [N·m/rad].
+    Parameters
+    ----------
+    output_torque : ndarray
+        Output torques, shape (m,) [N·m].
+    name : str
+        The other varied quantity, a field of :class:`asperity.zou2025.preset.OperatingPoint`.
+    values : ndarray
+        Its values, SI, shape (n,).
+    normal_force, tangential_force : ndarray
+        Forces of the five contacts, shape (5, m, n) [N].
+    contact_torsional_stiffness : ndarray
+        Each contact's own K_T at its driven roller, shape (5, m, n) [N·m/rad].
+    output_stiffness : ndarray
+        Published torsional stiffness at the output, shape (m, n) [N·m/rad].
+    sun_stiffness : ndarray
+        The same at the sun, shape (m, n) [N·m/rad].
     """
 
     output_torque: np.ndarray

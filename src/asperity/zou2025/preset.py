@@ -124,11 +124,21 @@ class OperatingPoint(eqx.Module):
 
 
 def operating_grid(**varied: ArrayLike) -> OperatingPoint:
-    """The paper's operating point with some fields varied over the grid of their values, shape (n,) each.
+    """The paper's operating point with some fields varied over the grid of their values.
 
-    All fields in the shape (n_1, n_2, ...), in the order of the arguments. Those not varied keep the values of Tables 1
-    and 2 at the full output torque.
+    Parameters
+    ----------
+    **varied : array_like
+        Field of :class:`OperatingPoint` → its values, shape (n,). All other fields keep the values of Tables 1
+        and 2 at the full output torque.
 
+    Returns
+    -------
+    OperatingPoint
+        All fields in the shape (n_1, n_2, ...), in the order of the arguments.
+
+    Examples
+    --------
     >>> point = operating_grid(output_torque=[1.0, 5.0], fractal_dimension=[1.3, 1.4, 1.5])
     >>> point.contact_length.shape
     (2, 3)

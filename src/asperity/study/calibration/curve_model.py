@@ -38,9 +38,23 @@ _POINTS = 4096
 class CurveModel:
     """Predicts a measurement from scaled values of the unknowns (0 at the lower bound, 1 at the upper).
 
-    ``level`` is the stiffness that the joint is taken to have, "published", "series_with_bulk" or "assembly", on which
-    a drift does not depend; ``history``, "virgin" or "cycled", its state before the first row, which a drift has not.
-    An ``InputError`` is raised if all torques are zero, or a drift curve has too many different ones.
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    measurement : Measurement
+        Torques, times and repetitions of the data, and what was measured.
+    unknowns : tuple of Variable
+        What is looked for.
+    level : {"published", "series_with_bulk", "assembly"}
+        Which stiffness the joint is taken to have; a drift does not depend on it.
+    history : {"virgin", "cycled"}
+        State before the first row; a drift has none.
+
+    Raises
+    ------
+    InputError
+        If all torques are zero, or a drift curve has too many different ones.
     """
 
     def __init__(
