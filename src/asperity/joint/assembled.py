@@ -85,27 +85,9 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
 
 
 def pressed_around(joint: Joint, contacts: JointContacts, reference_force: Array, **given: Any) -> Pressed:
-    """A joint without torque, the laws of its contacts taken around given forces, shape (contacts,) [N].
+    """State and laws of a joint without torque, laws taken around given forces, shape (contacts,) [N]; (A3), (M3).
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-    reference_force : Array
-        The forces.
-    **given
-        What presses it, as of :func:`asperity.drive.state.states.state_at_rest`.
-
-    Returns
-    -------
-    Pressed
-        Its state and its laws.
-
-    References
-    ----------
-    Equations (A3) and (M3) of :doc:`/equations`.
+    ``given`` is what presses it, as of :func:`asperity.drive.state.states.state_at_rest`.
     """
     laws = contact_laws(joint, contacts, reference_force)
     load = drive_load(joint, body_masses(joint), 0.0)

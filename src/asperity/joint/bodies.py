@@ -24,17 +24,9 @@ from asperity.types import Real
 
 
 def exact_bodies(joint: Joint) -> list[BodyInMachine]:
-    """The bodies with one track, whose contacts balance each other in one plane.
+    """Bodies with one track, whose contacts balance in one plane.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    list of BodyInMachine
-        Without stepped rollers: their tracks lie in different planes.
+    Not stepped rollers, whose tracks lie in several planes.
     """
     lengths = contact_values(joint, joint.contact_lengths)
     first, _ = places(joint.drive)

@@ -125,19 +125,9 @@ def bore_stiffness(joint: Joint) -> Array:
 
 
 def pin_forces(drive: Drive, normal: Array, tangential: Array) -> Array:
-    """Forces of the rollers on their pins that balance those of their contacts.
+    """Forces of the rollers on their pins, along the push, that balance those of their contacts, shape (pins,) [N].
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    normal, tangential : Array
-        As of :class:`asperity.drive.state.state.DriveState`, shape (contacts,) [N].
-
-    Returns
-    -------
-    Array
-        Along the push, shape (pins,) [N].
+    Contact forces as of :class:`asperity.drive.state.state.DriveState`, shape (contacts,) [N].
     """
     matrices = incidence(drive)
     return -product(

@@ -12,26 +12,14 @@ from asperity.units import format_quantity
 
 
 def pin_room(joint: Joint) -> tuple[Array, Array]:
-    r"""How thick pins are for their rollers, and how firmly their friction holds them.
+    r"""How thick pins are for their rollers, and how firmly their friction holds them, shape (pins,) [-].
 
     .. math:: \frac{d}{2R}, \qquad \frac{\mu_b d}{2R \cos\gamma}
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    tuple of Array
-        Of each roller on a pin, shape (pins,) [-]: diameter of the pin over that of the roller's smallest track,
-        infinite where its bore is smaller; and
-        the moment that the pin's friction takes over the largest that the traction at both sides of the roller makes
-        around the push at an angle gamma to the tangent. Both must be below 1.
-
-    References
-    ----------
-    Moment balance of a roller between two contacts, equations (3) and (4) of Zou et al. 2025 without the wedge.
+    Both must be below 1: the diameter of the pin over that of the roller's smallest track, infinite where its bore is
+    smaller; and the moment that the pin's friction takes over the largest that the traction at both sides of the roller
+    makes around the push at an angle gamma to the tangent. Moment balance of a roller between two contacts, equations
+    (3) and (4) of Zou et al. 2025 without the wedge.
     """
     xp, drive, bearings = namespace(joint), joint.drive, joint.bearings
     if bearings is None or not drive.pinned:

@@ -84,13 +84,7 @@ def joint_state(joint: Joint) -> JointResult:
 
 
 class DirectedLimits(NamedTuple):
-    """Torque capacities of a joint in the direction of its torque.
-
-    Parameters
-    ----------
-    standing, rolling, first_slip : TorqueCapacity
-        As of :class:`Solution`.
-    """
+    """Torque capacities of a joint in the direction of its torque, as of :class:`Solution`."""
 
     standing: TorqueCapacity
     rolling: TorqueCapacity

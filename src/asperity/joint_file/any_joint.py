@@ -81,17 +81,9 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
 def with_nominal_sizes(values: Values) -> Values:
     """Tables in which changes of the radii are deviations of finished parts from their present values.
 
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    dict
-        Tables for :func:`evaluated_points`, which then adds to the interference what the deviations make of it;
-        unchanged where the preload is stated as a force, and for type ``planar``, where radii are those of another
-        drive with the same interference.
+    Tables in SI units for :func:`evaluated_points`, which then adds to the interference what the deviations make of it;
+    unchanged where the preload is stated as a force, and for type ``planar``, where radii are those of another drive
+    with the same interference.
     """
     return build.with_nominal_sizes(values)
 

@@ -64,18 +64,10 @@ _ONE_OR_EACH = ("drive.contact_length", "load.friction_coefficient", "rolling.sk
 
 @dataclass(frozen=True, slots=True)
 class NumericKey:
-    """One number that a joint file states.
+    """One number that a joint file states, by its dotted path, e.g. ``drive.contact_length.sp``; SI units.
 
-    Parameters
-    ----------
-    path : str
-        Its dotted path, e.g. ``drive.contact_length.sp``.
-    value, tolerance : float
-        Value and tolerance in SI units; the tolerance is 0 where the file states none.
-    key : Key
-        What it measures, its range and its unit for display.
-    distribution : Distribution or None
-        How it scatters within its tolerance; None where the file does not say.
+    The tolerance is 0 where the file states none; ``distribution`` is how it scatters within it, None where the file
+    does not say; ``key``, what it measures, its range and its unit for display.
     """
 
     path: str
@@ -185,26 +177,12 @@ def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
 
 
 def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
-    """Nested tables with some numbers replaced; the given ones are left alone.
+    """Nested tables of :func:`si_values` with some numbers replaced; the given ones are left alone.
 
-    Parameters
-    ----------
-    values : dict
-        Tables as :func:`si_values` makes them.
-    changes : mapping
-        Dotted path → SI number or array. A path to one contact (``surface.sp.fractal_dimension``) splits an entry
-        that stood for all; a path without a contact (``surface.fractal_dimension``) sets all of them. The radius of
-        a track of a drive of type ``planar`` is that of all contacts on it.
-
-    Returns
-    -------
-    dict
-        New tables.
-
-    Raises
-    ------
-    InputError
-        If a joint file has no such number, or the material is not in this one.
+    ``changes``: dotted path → SI number or array. A path to one contact (``surface.sp.fractal_dimension``) splits an
+    entry that stood for all; a path without a contact (``surface.fractal_dimension``) sets all of them. The radius of a
+    track of a drive of type ``planar`` is that of all contacts on it. An ``InputError`` is raised if a joint file has
+    no such number, or the material is not in this one.
     """
     tables: Values = _copied(values)
     for path, value in changes.items():
@@ -256,15 +234,7 @@ def change_targets(
 def contact_in(path: str) -> str | None:
     """The contact that a dotted path names, if the number may be stated for each contact.
 
-    Parameters
-    ----------
-    path : str
-        Dotted path of a number.
-
-    Returns
-    -------
-    str or None
-        Its name; None where the path stands for all contacts, or for a number that has none.
+    None where the path stands for all contacts, or for a number that has none.
     """
     for place in _ONE_OR_EACH:
         rest = path.removeprefix(f"{place}.").split(".")
@@ -287,18 +257,7 @@ def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
 
 
 def counterparts(name: str) -> tuple[str, ...]:
-    """The keys that a key replaces, because a file states exactly one of them; those of Ra go with it.
-
-    Parameters
-    ----------
-    name : str
-        Name of a key.
-
-    Returns
-    -------
-    tuple of str
-        Names of the other keys.
-    """
+    """The keys that a key replaces, because a file states exactly one of them; those of Ra go with it."""
     return _COUNTERPARTS.get(name, ())
 
 

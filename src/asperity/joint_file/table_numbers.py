@@ -37,20 +37,7 @@ def _leaves(node: Any) -> Iterator[Any]:
 
 
 def with_numbers(values: Values, replaced: Iterable[Any]) -> Values:
-    """The same tables with other numbers.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units, for their structure and names.
-    replaced : iterable
-        Numbers or arrays in the order of :func:`numbers`.
-
-    Returns
-    -------
-    dict
-        Tables in SI units.
-    """
+    """The same tables in SI units with other numbers or arrays, in the order of :func:`numbers`."""
     filled: Values = _filled(values, iter(replaced))
     return filled
 
@@ -62,16 +49,5 @@ def _filled(node: Any, replaced: Iterator[Any]) -> Any:
 
 
 def table_structure(values: Values) -> str:
-    """What is left of the tables of a joint file without its numbers, to recognise files of the same structure.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    str
-        JSON, with 1.0 for every number.
-    """
+    """The tables of a joint file as JSON with 1.0 for every number, to recognise files of the same structure."""
     return json.dumps(with_numbers(values, itertools.repeat(1.0)))

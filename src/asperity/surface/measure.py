@@ -20,19 +20,11 @@ from asperity.surface.topography import Topography, without_missing
 class Conditioning:
     """Treatment of a surface before its evaluation; every step is a choice of the user.
 
-    Attributes
-    ----------
-    form : str
-        Form to remove, see :func:`asperity.surface.levelling.levelled`.
-    degree : int or None
-        Degree of a polynomial form.
-    missing : str
-        What happens with missing points, see :func:`asperity.surface.topography.without_missing`.
-    outlier_threshold : float or None
-        Robust standard deviations beyond which a point counts as missing; None keeps all.
-    short_cutoff, long_cutoff : float or None
-        lambda_s and lambda_c of the Gaussian filter [m], for the height parameters only: the filter would
-        bend the spectrum that D and G come from.
+    ``form`` to remove, see :func:`asperity.surface.levelling.levelled`, with the degree of a polynomial one;
+    ``missing``: what happens with missing points, see :func:`asperity.surface.topography.without_missing`;
+    ``outlier_threshold``: robust standard deviations beyond which a point counts as missing, None keeps all. The
+    cut-offs lambda_s and lambda_c of the Gaussian filter [m] are for the height parameters only: the filter would bend
+    the spectrum that D and G come from.
     """
 
     form: str

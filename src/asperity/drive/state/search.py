@@ -54,26 +54,7 @@ def assembled_guess(machine: Machine) -> Unknowns:
 
 
 def started_from(machine: Machine, state: DriveState, size: Array) -> Unknowns:
-    """Unknowns at a known state.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    state : DriveState
-        The state.
-    size : Array
-        Interference of the drive [m].
-
-    Returns
-    -------
-    Unknowns
-        From which another state is sought.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Unknowns at a known state under an interference [m], from which another state is sought; equation (M3)."""
     reference = machine.laws.reference_force
     return Unknowns(
         state.normal / reference,
@@ -232,27 +213,9 @@ def _worst(residuals: Unknowns) -> Array:
 
 
 def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> DriveState:
-    """A state from its unknowns.
+    """A state, with its residual, from its unknowns and the signs of the contacts that slide as a whole.
 
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    task : Task
-        The state.
-    x : Unknowns
-        The unknowns.
-    slides : Array
-        Signs of the contacts that slide as a whole, shape (contacts,) [-].
-
-    Returns
-    -------
-    DriveState
-        With its residual.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
+    Equation (M3).
     """
     drive = machine.drive
     normal, tangential = contact_forces(machine, x)

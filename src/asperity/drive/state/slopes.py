@@ -41,21 +41,12 @@ class Slopes(NamedTuple):
     """Slopes of the equations in blocks; those of the contacts first, then those of the structure.
 
     The structure's unknowns are the displacements, turns, pins and interference, its equations the balances of forces
-    and moments, the pins and the size.
-
-    Parameters
-    ----------
-    approach : Array
-        Of the approaches by the normal forces, shape (contacts, contacts), or (contacts,) where each contact deforms
-        under its own force only.
-    held_normal, held_tangential : Array
-        Of the slips or creeps by the normal and the tangential forces, shape (contacts, contacts).
-    approach_moves, held_moves : Array
-        Of both by the structure, shape (contacts, structure).
-    normal, tangential : Array
-        Of the equations of the structure by the forces of the contacts, shape (structure, contacts).
-    structure : Array
-        Of them by the structure, shape (structure, structure).
+    and moments, the pins and the size. ``approach``: of the approaches by the normal forces, shape (contacts,
+    contacts), or (contacts,) where each contact deforms under its own force only; ``held_normal`` and
+    ``held_tangential``: of the slips or creeps by the forces, shape (contacts, contacts); ``approach_moves`` and
+    ``held_moves``: of both by the structure's unknowns, shape (contacts, structure). ``normal``, ``tangential`` and
+    ``structure``: of the structure's equations by the forces of the contacts, shape (structure, contacts), and by its
+    unknowns, shape (structure, structure).
     """
 
     approach: Array

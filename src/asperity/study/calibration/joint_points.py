@@ -24,19 +24,12 @@ Shown = StiffnessLevel | Literal["drift"]
 
 
 class JointPoints(NamedTuple):
-    """Sets of unknown numbers at torques. SI units.
+    """Sets of unknown numbers at torques, shape (sets, torques). SI units.
 
-    Parameters
-    ----------
-    value : ndarray
-        Incremental stiffness at the output [N·m/rad], or drift per output turn [rad], shape (sets, torques); without
-        meaning where the joint does not exist.
-    slopes : ndarray
-        Derivatives by the unknowns, shape (sets, torques, unknowns); no unknowns where they are not asked for.
-    slip_ratio : ndarray
-        Largest T/(mu N) of the joint that stands, shape (sets, torques) [-]; 1 at least where friction does not hold.
-    exists : ndarray of bool
-        Whether the joint has a solution, shape (sets, torques).
+    ``value`` is the incremental stiffness at the output [N·m/rad] or the drift per output turn [rad], without meaning
+    where the joint does not exist; ``slopes``, its derivatives, shape (sets, torques, unknowns), no unknowns where they
+    are not asked for; ``slip_ratio``, largest T/(mu N) of the joint that stands, 1 at least where friction does not
+    hold; ``exists``, whether the joint has a solution.
     """
 
     value: np.ndarray
