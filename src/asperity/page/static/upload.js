@@ -75,8 +75,10 @@ export class Uploads {
       ["fractal roughness G, nm", number(1e9 * measured.fractal_roughness_m), interval(measured.fractal_roughness_interval_95_m, 1e9)],
     ];
     for (const each of measured.files || []) {
-      for (const [key, name] of [["Ra_m", "Ra, µm"], ["Sa_m", "Sa, µm"], ["Rq_m", "Rq, µm"], ["Sq_m", "Sq, µm"]]) {
-        if (key in each) rows.push([name, number(1e6 * each[key]), ""]);
+      const rough = each.roughness || {};
+      const behind = `, µm, behind the cut-off ${number(1e3 * rough.cut_off_m)} mm`;
+      for (const [values, key, name] of [[rough, "Ra_m", `Ra${behind}`], [rough, "Rz_m", `Rz${behind}`], [each, "Pq_m", "Pq, µm, without a filter"], [each, "Sq_m", "Sq, µm"]]) {
+        if (key in values) rows.push([name, number(1e6 * values[key]), ""]);
       }
     }
     const band = `Self-affine from ${number(1e6 * measured.shortest_wavelength_m, 3)} to ${number(1e6 * measured.longest_wavelength_m, 3)} µm; estimator ${measured.estimator}, ${measured.profiles} profile${measured.profiles === 1 ? "" : "s"}. D and G belong together: their errors are almost fully correlated.`;
