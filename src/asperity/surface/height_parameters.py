@@ -92,7 +92,8 @@ def height_parameters(*, topography: Topography) -> HeightParameters:
     >>> height_parameters(topography=surface).root_mean_square
     1.0
     """
-    known = topography.heights[~np.isnan(topography.heights)]
+    missing = np.isnan(topography.heights)
+    known = topography.heights[~missing] if missing.any() else topography.heights.ravel()
     if known.size == 0:
         raise InputError(f"{topography.source} holds no heights")
     z = known - known.mean()
@@ -105,8 +106,8 @@ def height_parameters(*, topography: Topography) -> HeightParameters:
     return HeightParameters(
         arithmetic_mean=float(np.mean(np.abs(z))),
         root_mean_square=rms,
-        skewness=float("nan") if flat else float(np.mean(squares * z) / rms**3),
-        kurtosis=float("nan") if flat else float(np.mean(squares * squares) / square**2),
+        skewness=float("nan") if flat else float(squares @ z / z.size / rms**3),
+        kurtosis=float("nan") if flat else float(squares @ squares / z.size / square**2),
         total_height=float(np.ptp(z)),
         mean_element_width=(
             None
