@@ -128,11 +128,15 @@ def test_sections_that_fit():
     with pytest.raises(InputError, match="lambda_s is 900 um"):
         roughness(topography=sine(1e-4), cut_off=0.8e-3, short_cut_off=0.9e-3)
     tiny = roughness(topography=sine(1e-5, length=0.1e-3), cut_off=None, short_cut_off=None)
-    assert tiny.startswith("the profile of 0.1 mm is shorter than two cut-offs of 0.08 mm")
+    assert tiny.startswith("the profile of 0.1 mm, with points 1 um apart, does not hold two cut-offs")
     rough = roughness(topography=sine(4e-5, amplitude=2e-5, length=1e-2), cut_off=None, short_cut_off=None)
     assert rough.startswith("Ra is 12.4 um behind the cut-off 2.5 mm, more than its class holds")
     coarse = roughness(topography=sine(2e-4, amplitude=1e-9, spacing=2e-5), cut_off=None, short_cut_off=None)
-    assert coarse.choice == "the smallest of ISO 21920-3 with 10 points"
+    assert coarse.choice == "the smallest of ISO 21920-3 that the points and lambda_s allow"
+    smooth = roughness(topography=sine(1e-3, amplitude=1e-9), cut_off=None, short_cut_off=0.1e-3)
+    assert (smooth.cut_off, smooth.choice) == (0.25e-3, coarse.choice)
+    wide = sine(5e-3, spacing=0.9e-3, length=1.0)
+    assert "with points 900 um apart" in roughness(topography=wide, cut_off=None, short_cut_off=None)
 
 
 def test_gaps_are_never_filled_for_a_filter():

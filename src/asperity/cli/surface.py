@@ -192,7 +192,7 @@ def _parameters(s: MeasuredSurface, axial: bool) -> Iterator[str]:
             for name, index in zip("SL", s.filters, strict=True)
         ]
         yield f"{s.scale_limited} ({', '.join(filters)}): {heights}"
-        if h.developed_area_ratio is not None:
+        if h.developed_area_ratio:
             length, aspect = h.correlation_length, h.aspect_ratio
             yield (
                 f"  Sdr {100 * h.developed_area_ratio:.4g} %, "
@@ -213,10 +213,10 @@ def _parameters(s: MeasuredSurface, axial: bool) -> Iterator[str]:
             f"behind the cut-off {1e3 * rough.cut_off:.6g} mm ({rough.choice}; {short}), "
             f"{rough.sections} section(s){'' if rough.sections == 5 else ' instead of five, the profile is too short'}:"
         )
-        lengths = [f"{symbol} {1e6 * value:.4g} um" for symbol, value in rough.lengths.items()]
-        yield "  " + ", ".join(
-            [*lengths, *(f"{symbol} {value:.4g}" for symbol, value in rough.numbers.items())]
-        )
+        words = [f"{symbol} {1e6 * value:.4g} um" for symbol, value in rough.lengths.items()]
+        for symbol, value in rough.numbers.items():
+            words.append(f"{symbol} {100 * value:.3g} %" if "mr" in symbol else f"{symbol} {value:.4g}")
+        yield f"  {', '.join(words)}"
     crown = s.crown
     if crown is None:
         return

@@ -18,8 +18,6 @@ FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_
 _HIGHEST_DEGREE = 12
 #: Largest share of the variance of the heights that a tilt may have where it is not removed [-].
 LARGEST_TILT_SHARE = 0.9
-#: Points of a profile below which it has no crown.
-FEWEST_FOR_A_CROWN = 16
 #: Constant of the Gaussian that passes half of the amplitude at the cutoff, sqrt(ln 2 / pi).
 ALPHA = math.sqrt(math.log(2.0) / math.pi)
 
@@ -147,11 +145,11 @@ class Crown:
         return bends_alike and self.misfit <= 0.1 * abs(self.drop)
 
 
-def crown(*, topography: Topography) -> Crown:
-    """The crown of a profile without missing points; slopes are taken as small."""
+def crown(*, topography: Topography) -> Crown | None:
+    """The crown of a profile without missing points, slopes taken as small; None of fewer than sixteen points."""
     z = topography.heights
-    if z.size < FEWEST_FOR_A_CROWN:
-        raise InputError(f"{topography.source}: {z.size} points are too few for a crown")
+    if z.size < 16:
+        return None
     quarter = z.size // 4
     middle_radius, _, _ = _circle(z[quarter : z.size - quarter], topography.spacing)
     return Crown(*_circle(z, topography.spacing), middle_radius)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface.fractal_fit import FractalFit, fractal_fit
 from asperity.surface.height_parameters import HeightParameters, height_parameters
-from asperity.surface.levelling import FEWEST_FOR_A_CROWN, Crown, crown, filtered, levelled, without_outliers
+from asperity.surface.levelling import Crown, crown, filtered, levelled, without_outliers
 from asperity.surface.roughness import Roughness, roughness
 from asperity.surface.structure_function import height_step
 from asperity.surface.topography import Topography, without_missing
@@ -60,7 +60,7 @@ class MeasuredSurface:
     roughness : Roughness or str or None
         R parameters of a profile, or why there are none; None of a map.
     crown : Crown or None
-        Circle along a profile before levelling; None of a map.
+        Circle along a profile before levelling; None of a map and of fewer than sixteen points.
     filters : tuple
         Nesting indices of the S-filter and the L-filter [m] of the S parameters of a map; None for no such filter.
     """
@@ -101,7 +101,7 @@ def conditioned(*, topography: Topography, conditioning: Conditioning) -> Measur
         height_parameters(topography=flat),
         step,
         _roughness(flat, conditioning, gaps=surface.missing_points > 0),
-        crown(topography=complete) if flat.heights.size >= FEWEST_FOR_A_CROWN else None,
+        crown(topography=complete),
     )
 
 

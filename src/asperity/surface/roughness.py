@@ -100,28 +100,29 @@ def roughness(
     if cut_off is not None:
         _check_cut_off(topography, cut_off)
         return _behind(topography, cut_off, short_cut_off, "as chosen")
-    length, tried = topography.size[0], None
+    shortest, tried = max(FEWEST_POINTS * topography.spacing, 1.001 * (short_cut_off or 0.0)), None
     choice = "the class of ISO 21920-3 for this Ra"
+    if shortest > STANDARD_CUT_OFFS[0][1]:
+        choice = "the smallest of ISO 21920-3 that the points and lambda_s allow"
     for largest, standard in STANDARD_CUT_OFFS:
-        if standard < FEWEST_POINTS * topography.spacing:
-            choice = f"the smallest of ISO 21920-3 with {FEWEST_POINTS} points"
+        if standard < shortest:
             continue
         if _sections(topography, standard) < 1:
             break
-        if tried is not None:
-            choice = "the class of ISO 21920-3 for this Ra"
         tried = _behind(topography, standard, short_cut_off, choice)
         if tried.lengths["Ra"] <= largest:
             return tried
+        choice = "the class of ISO 21920-3 for this Ra"
+    profile = f"the profile of {format_quantity(topography.size[0], 'mm')}"
     if tried is None:
         return (
-            f"the profile of {format_quantity(length, 'mm')} is shorter than two cut-offs of "
-            f"{format_quantity(standard, 'mm')}, the smallest of ISO 21920-3 for its spacing"
+            f"{profile}, with points {format_quantity(topography.spacing, 'um')} apart, does not hold two cut-offs of "
+            f"ISO 21920-3 (0.08 to 8 mm) of at least {FEWEST_POINTS} points"
         )
     return (
         f"Ra is {format_quantity(tried.lengths['Ra'], 'um', digits=3)} behind the cut-off "
-        f"{format_quantity(tried.cut_off, 'mm')}, more than its class holds, and the profile of "
-        f"{format_quantity(length, 'mm')} is shorter than two of the next; choose the cut-off"
+        f"{format_quantity(tried.cut_off, 'mm')}, more than its class holds, and {profile} is shorter than two of the "
+        "next; choose the cut-off"
     )
 
 
