@@ -9,8 +9,8 @@ import numpy as np
 import asperity
 from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import printable
+from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import Joint
-from asperity.joint.inertias import joint_inertias
 from asperity.joint.play import Play
 from asperity.joint.solve import Solution
 from asperity.results.windup_document import examined_windup

@@ -9,9 +9,8 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.state.equal_springs import rest_forces
 from asperity.drive.state.state import ContactLaws, DriveState
-from asperity.drive.state.states import state_at_rest
+from asperity.drive.state.states import rest_forces, state_at_rest
 from asperity.joint.contacts import JointContacts, bulk_springs
 from asperity.joint.description import Joint, body_masses
 from asperity.joint.laws import contact_laws, drive_load, ring_springs

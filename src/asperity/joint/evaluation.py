@@ -14,11 +14,13 @@ from asperity.contact.interface import Interface
 from asperity.contact.rough_contact import RoughContact
 from asperity.drive.layout.drive import speed_ratio, speeds
 from asperity.drive.layout.expansion import ring_interference
-from asperity.drive.state.rolling_speeds import BodiesOfContacts
-from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState
+from asperity.drive.state.state import STATE_TOLERANCE, BodiesOfContacts, ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
-from asperity.drive.stiffness.assembly import Assembly
-from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
+from asperity.drive.stiffness.torsional_stiffness import (
+    Assembly,
+    TorsionalStiffness,
+    contact_torsional_stiffness,
+)
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
 from asperity.joint.description import (

@@ -16,12 +16,12 @@ from asperity.drive.state.state import ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.assembled import Pressed
+from asperity.joint.bores import overhang, refuse_pins
 from asperity.joint.capacity import torque_capacities, torque_capacity, under_torque
 from asperity.joint.description import Joint, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.fit import refuse_loose
 from asperity.joint.loading_cam import mean_preload
-from asperity.joint.pins import overhang, refuse_pins
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.precision import require_double_precision

@@ -11,9 +11,8 @@ from jax import Array
 
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE
-from asperity.drive.stiffness.assembly import Assembly
 from asperity.drive.stiffness.network import NetworkStiffness, network_stiffness, with_shafts
-from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
+from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
 from asperity.joint.bodies import body_compliance, walls_known
 from asperity.joint.bores import pin_compliances, pin_forces, pins_in_bores
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts

@@ -23,8 +23,7 @@ from asperity.joint_file.own_branches import (
     parts_with_branches,
 )
 from asperity.joint_file.part_names import with_tracks
-from asperity.joint_file.si_tables import Values
-from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
+from asperity.joint_file.si_tables import Values, numbers, table_structure, with_numbers
 from asperity.results import Result, result_values
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_drive

@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.rolling_fatigue import damage_shares, life_at_reliability, spectrum_life
-from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.drive.state.state import BodiesOfContacts
 from asperity.joint.fit import per_contact
 from asperity.rolling.conditions import RollingConditions
 from asperity.rolling.life import drive_lives, failure_shares

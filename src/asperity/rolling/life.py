@@ -12,7 +12,7 @@ from jax import Array
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life
-from asperity.drive.state.rolling_speeds import BodiesOfContacts, RollingSpeeds
+from asperity.drive.state.state import BodiesOfContacts, RollingSpeeds
 from asperity.types import Real
 
 _MILLION = 1e6

@@ -15,8 +15,7 @@ from asperity.contact.rolling_losses import (
     inlet_rolling_force,
     inlet_rolling_power,
 )
-from asperity.drive.state.rolling_speeds import RollingSpeeds
-from asperity.drive.state.state import DriveState
+from asperity.drive.state.state import DriveState, RollingSpeeds
 from asperity.rolling.conditions import RollingConditions
 from asperity.types import Real
 

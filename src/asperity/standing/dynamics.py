@@ -15,8 +15,8 @@ from asperity.drive.structure.dynamics import (
     natural_frequencies,
 )
 from asperity.errors import InputError
+from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import Joint
-from asperity.joint.inertias import joint_inertias
 from asperity.joint.solve import Solution, solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
 from asperity.standing.over_torque import lost_speed_slopes, standing_over_torque

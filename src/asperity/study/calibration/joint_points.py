@@ -13,8 +13,7 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.joint_file.own_branches import joint_with_branches
 from asperity.joint_file.part_names import with_tracks
-from asperity.joint_file.si_tables import Values, replace_values
-from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
+from asperity.joint_file.si_tables import Values, numbers, replace_values, table_structure, with_numbers
 from asperity.standing.over_torque import BATCH, curve_program
 from asperity.standing.standing import LEVELS, NO_SLIP_FRICTION
 from asperity.standing.windup import StiffnessLevel
