@@ -90,8 +90,7 @@ def assembled_branches(joint: Joint, sizes: SectorDeviations) -> AssembledBranch
     """
     if joint.interference is None:
         raise InputError("sizes of branches make no preload that a spring holds: give load.interference")
-    equal: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    refuse_impossible_joint(equal)
+    equal = refuse_impossible_joint(joint)
     count = sector_count(equal)
     if len(sizes.added) != count:
         raise InputError(

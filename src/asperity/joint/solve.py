@@ -161,20 +161,21 @@ def solve_joint(joint: Joint) -> Solution:
         If JAX is in single precision.
     """
     require_double_precision()
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    refuse_impossible_joint(numbers)
+    numbers = refuse_impossible_joint(joint)
     solution = solution_of(numbers)
     _refuse_unsolved(numbers, solution)
     return solution
 
 
-def refuse_impossible_joint(joint: Joint) -> None:
-    """Refuse a joint, of NumPy's numbers, whose parts do not fit."""
+def refuse_impossible_joint(joint: Joint) -> Joint:
+    """The joint with NumPy's numbers, unless its parts do not fit; nothing is compiled."""
+    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_impossible(joint.drive)
     refuse_loose(joint.fit)
     refuse_pins(joint)
     refuse_bores(joint)
     refuse_short_pins(joint)
+    return joint
 
 
 def refuse_bores(joint: Joint) -> None:
