@@ -147,19 +147,9 @@ def _kind(leaf: Any) -> tuple[tuple[int, ...], np.dtype[Any]]:
 
 
 def call_compiled(function: Callable[..., Any], *arguments: Any) -> Any:
-    """Call a function of modules of numbers: compiled where the numbers are known, inside a program as a part of it.
+    """Call a pure function of modules of numbers: compiled where they are known, inside a program as a part of it.
 
-    Parameters
-    ----------
-    function : callable
-        A pure function, as for :func:`compile_fast`.
-    *arguments
-        Modules of numbers.
-
-    Returns
-    -------
-    object
-        What the function returns, with leaves as NumPy arrays where it was compiled.
+    Leaves of the result are NumPy arrays where it was compiled.
     """
     if any(isinstance(leaf, jax.core.Tracer) for leaf in jax.tree.leaves(arguments)):
         return function(*arguments)

@@ -102,18 +102,10 @@ class Request:
 
 @dataclasses.dataclass(frozen=True)
 class KeptProgram:
-    """A program that an earlier process has compiled.
+    """A program that an earlier process has compiled, in the file format of JAX.
 
-    Parameters
-    ----------
-    results : object
-        What it returns, each leaf with its ``shape`` and ``dtype``.
-    machine_code : bytes
-        The file format of JAX.
-    argument_count : int
-        Number of leaves of its arguments.
-    needs_lapack : bool
-        Whether it may call functions of linear algebra.
+    ``results`` is what it returns, each leaf with its ``shape`` and ``dtype``; ``argument_count``, the number of leaves
+    of its arguments; ``needs_lapack``, whether it may call functions of linear algebra.
     """
 
     results: Any
@@ -122,13 +114,7 @@ class KeptProgram:
     needs_lapack: bool
 
     def load(self) -> Callable[..., Any]:
-        """The program as a function of the list of the leaves.
-
-        Returns
-        -------
-        callable
-            It returns the list of the leaves of the results.
-        """
+        """The program as a function of the list of the leaves, which returns the list of the leaves of the results."""
         from jax.experimental import serialize_executable
 
         _Names(io.BytesIO(self.machine_code)).load()

@@ -20,24 +20,10 @@ class NotOwnError(OSError):
 
 
 def own_folder(path: Path) -> Path:
-    """A folder that only this user can write to; made if there is none, for the user alone.
+    """A folder, without symbolic links, that only this user can write to; made if there is none, for the user alone.
 
-    Parameters
-    ----------
-    path : Path
-        The folder.
-
-    Returns
-    -------
-    Path
-        The same without symbolic links.
-
-    Raises
-    ------
-    NotOwnError
-        If it belongs to another user, or others can write to it, or replace it in the folders above.
-    OSError
-        If it cannot be made, or is no folder.
+    :class:`NotOwnError` if it belongs to another user, or others can write to it, or replace it in the folders above;
+    ``OSError`` if it cannot be made, or is no folder.
     """
     path.mkdir(mode=0o700, parents=True, exist_ok=True)
     folder = path.resolve()

@@ -28,18 +28,7 @@ def cannot_write(path: str | Path, error: OSError) -> InputError:
 
 
 def check_folder(path: str | Path | None) -> None:
-    """Raise unless a new file or folder can be created here.
-
-    Parameters
-    ----------
-    path : str, Path or None
-        Name of the new file or folder; None if nothing is to be written.
-
-    Raises
-    ------
-    InputError
-        If the folder around it does not exist or cannot be written to.
-    """
+    """Raise an ``InputError`` unless a new file or folder can be created here; None if nothing is to be written."""
     if path is None:
         return
     file = Path(path)
@@ -76,18 +65,7 @@ def check_file(path: str | Path | None, *inputs: str | Path) -> None:
 
 
 def check_image(path: str | Path | None) -> None:
-    """Raise unless an image can be written here.
-
-    Parameters
-    ----------
-    path : str, Path or None
-        Name of the file; None if nothing is to be written.
-
-    Raises
-    ------
-    InputError
-        If the ending is unknown, or as :func:`check_file`.
-    """
+    """Raise an ``InputError`` unless an image can be written here: its ending is known, and as :func:`check_file`."""
     if path is not None and Path(path).suffix.lower() not in IMAGE_SUFFIXES:
         raise InputError(f"{path}: the name of an image must end in .png, .svg or .pdf")
     check_file(path)
@@ -165,15 +143,7 @@ def write_image(figure: Figure, path: str | Path) -> None:
 
 
 def write_columns(columns: Mapping[str, Any], path: str) -> None:
-    """Write columns of one length, completely or not at all.
-
-    Parameters
-    ----------
-    columns : mapping
-        Header with its unit → numbers.
-    path : str
-        The file.
-    """
+    """Write columns of one length, header with its unit → numbers, completely or not at all."""
     import numpy as np
 
     rows = np.column_stack([np.asarray(column) for column in columns.values()])

@@ -33,7 +33,11 @@ def test_values_are_those_of_the_command(measured, file, printed):
     assert measured.document == document
     assert measured["fractal_dimension"].value == document["fractal_dimension"]
     assert measured["fractal_roughness"].si == document["fractal_roughness_m"]
-    assert measured["Ra"].si == document["files"][0]["Ra_m"]
+    (entry,) = document["files"]
+    assert measured["Pa"].si == entry["Pa_m"]
+    filtered = asperity.measure_surface(file, long_cutoff="0.08 mm")
+    assert filtered["Ra"].si == filtered.document["files"][0]["roughness"]["Ra_m"]
+    assert "Ra behind the cut-off 0.08 mm" in str(filtered)
     row = measured.to_frame().loc["fractal_dimension"]
     assert [row.si_lower, row.si_upper] == document["fractal_dimension_interval_95"]
 

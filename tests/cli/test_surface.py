@@ -98,7 +98,9 @@ def test_text_output_names_units_and_directions(tmp_path):
     got = run("measure", file, "--height-unit", "m", "--spacing", "1 um")
     assert got.exit_code == 0, got.output
     for words in (
+        "S-F surface (no S-filter, no L-filter): Sa",
         "Sq",
+        "Sdr",
         "um",
         "along x (the result)",
         "along y",
@@ -106,6 +108,8 @@ def test_text_output_names_units_and_directions(tmp_path):
         "gamma 1.5",
     ):
         assert words in got.output
+    cut = run("measure", file, "--height-unit", "m", "--spacing", "1 um", "--cut-off", "80 um").output
+    assert "S-L surface (no S-filter, L-filter 80 um): Sa" in cut
 
 
 def test_bearing_profiles_have_no_d_and_g_and_the_reason(shared_data):
@@ -118,6 +122,26 @@ def test_bearing_profiles_have_no_d_and_g_and_the_reason(shared_data):
     assert "fractal_dimension" not in document
 
 
+def test_a_ring_has_its_roughness_behind_a_filter_and_its_form_without(shared_data):
+    """A ring of Rq 0.14 um whose form was printed as Ra 25.6 um. NU208 less its chamfers is a crown of 1.7 m."""
+    units = ("--position-unit", "mm", "--height-unit", "um")
+    folder = shared_data / "bearing_roller_profiles"
+    got = run("measure", folder / "NU206-IR-1.txt", *units, "--lay", "rolling").output
+    assert "without a filter: Pa 25.5889 um" in got
+    assert (
+        "behind the cut-off 0.8 mm (the class of ISO 21920-3 for this Ra; no lambda_s, the points lie" in got
+    )
+    assert float(re.search(r"\bRa ([\d.]+) um", got).group(1)) == pytest.approx(0.108, rel=0.01)
+    assert "no circular crown" in got
+    section = ("measure", folder / "NU208-IR-1.txt", *units, "--from", "0.7 mm", "--to", "12.3 mm", "--lay")
+    got = run(*section, "rolling", "--cut-off", "2.5 mm").output
+    assert "(as chosen; lambda_s 8 um), 3 section(s) instead of five, the profile is too short:" in got
+    assert '..._crown_radius = "1.73 m"' in got
+    assert "_crown_radius" not in run(*section, "axis").output  # measured round the ring
+    refused = run(*section, "rolling", "--cut-off", "8 mm").exception
+    assert "the cut-off is 8 mm; it must lie between 10 spacings" in str(refused)
+
+
 def test_a_measured_power_law_is_not_refused(shared_data):
     pytest.importorskip("SurfaceTopography")
     got = run(
@@ -128,7 +152,7 @@ def test_a_measured_power_law_is_not_refused(shared_data):
 
 
 def test_tilt_is_removed_by_default_and_refused_otherwise(tmp_path):
-    """A slope of 0.1 over 0.5 mm: Ra of the bare profile would be 12.5 um."""
+    """A slope of 0.1 over 0.5 mm: Pa of the bare profile would be 12.5 um."""
     from asperity.surface.synthesis import self_affine_profile
 
     z = self_affine_profile(
@@ -148,7 +172,7 @@ def test_tilt_is_removed_by_default_and_refused_otherwise(tmp_path):
     low, high = document["fractal_dimension_interval_95"]
     assert low < 1.4 < high
     levelled = z - np.polyval(np.polyfit(x, z, 1), x)
-    assert document["files"][0]["Ra_m"] == pytest.approx(np.mean(np.abs(levelled)), rel=1e-6)
+    assert document["files"][0]["Pa_m"] == pytest.approx(np.mean(np.abs(levelled)), rel=1e-6)
     assert document["files"][0]["notes"] == ["form removed: line"]
     for form in ("mean", "none"):
         refused = run(*common, "--form", form)

@@ -107,7 +107,6 @@ def test_a_refusal_about_another_file_of_the_command_stays_as_it_is():
             raise InputError(words)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "command",
     [

@@ -9,9 +9,8 @@ import pytest
 from asperity.body.bore import bore_compliance
 from asperity.body.shapes import Annulus
 from asperity.errors import InputError
-from asperity.joint.bores import bore_stiffness, pins_in_bores
+from asperity.joint.bores import bore_stiffness, pins_in_bores, refuse_pins
 from asperity.joint.evaluation import laws_and_states
-from asperity.joint.pins import refuse_pins
 from asperity.joint.solve import solve_joint
 
 ARCMIN = math.pi / 180.0 / 60.0

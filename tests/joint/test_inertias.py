@@ -7,8 +7,8 @@ import pytest
 import scipy.linalg
 
 from asperity.drive.layout.drive import incidence, speed_ratio
+from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import body_masses, cylinders
-from asperity.joint.inertias import joint_inertias
 from asperity.joint.solve import solve_joint
 
 DENSITY = 7810.0  # 52100

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.pins import pin_room, refuse_pins
+from asperity.joint.bores import pin_room, refuse_pins
 
 
 def test_a_pin_as_thick_as_its_roller_and_a_pin_that_grips(paper_joint):

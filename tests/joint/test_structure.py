@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from asperity.compilation import compile_fast
-from asperity.drive.stiffness.assembly import Assembly
+from asperity.drive.stiffness.torsional_stiffness import Assembly
 from asperity.joint.body_shape import SOLID, BodyShape
 from asperity.joint.evaluation import evaluate
 from asperity.joint.solve import solve_joint

@@ -3,7 +3,7 @@
 import itertools
 import json
 
-from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
+from asperity.joint_file.si_tables import numbers, table_structure, with_numbers
 
 TABLES = {"load": {"preload": 1000.0, "closure": "elastic"}, "drive": {"sun_radius": 4e-3, "planets": 3.0}}
 

@@ -278,9 +278,15 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, tmp_path):
     said = page.locator("#measured").inner_text()
     assert "fractal dimension D" in said
     assert " to " in said  # the intervals
+    assert "Pq, µm, without a filter" in said
     do(page, page.locator("#use-surface").click)
     assert float(field(page, "surface.fractal_dimension").input_value()) == pytest.approx(1.5, abs=0.03)
     assert page.locator("#error").is_hidden()
+    rows = "".join(f"{1e-6 * i:.9g},{3e-7 * np.sin(0.1 * i):.9g}\n" for i in range(6000))
+    (tmp_path / "sine.csv").write_text("x [m],z [m]\n" + rows)
+    page.locator("#open-file").set_input_files(tmp_path / "sine.csv")
+    page.wait_for_selector("#measured p.fail", timeout=300_000)
+    assert "Ra, µm, behind the cut-off 0.8 mm\t0.19" in page.locator("#measured").inner_text()  # 0.6/pi
 
 
 def test_a_study_shows_its_progress_its_result_and_can_be_stopped(page, tmp_path):

@@ -6,7 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.drive.state.state import BodiesOfContacts
 from asperity.rolling.conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.rolling.duty import duty_life
 

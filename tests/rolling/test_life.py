@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
-from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.drive.state.state import BodiesOfContacts
 from asperity.rolling.life import cycle_rates, drive_lives, failure_shares, track_lives
 
 #: The paper's drive.

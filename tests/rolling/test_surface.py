@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.state.rolling_speeds import RollingSpeeds
+from asperity.drive.state.state import RollingSpeeds
 from asperity.materials import Material
 from asperity.rolling.conditions import PLAIN_ROLLING
 from asperity.rolling.surface import flash_temperatures, oil_film

@@ -7,8 +7,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import joint_contacts
-from asperity.joint.inertias import joint_inertias
 from asperity.joint.play import Play
 from asperity.joint.solve import solve_joint
 from asperity.rolling.onset import rolling_onset

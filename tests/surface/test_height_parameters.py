@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import scipy.ndimage
 
 from asperity.errors import InputError
 from asperity.surface.height_parameters import height_parameters
@@ -35,7 +36,7 @@ def test_nothing_to_evaluate():
 
 
 def test_four_heights_by_hand():
-    """0, 0, 0, 3 um on an offset: mean 0.75; Rq^2 = 27/16 um^2; Rsk = 2/sqrt(3); Rku = 7/3; Ra = 1.125 um."""
+    """0, 0, 0, 3 um on an offset: mean 0.75; Pq^2 = 27/16 um^2; Psk = 2/sqrt(3); Pku = 7/3; Pa = 1.125 um."""
     h = height_parameters(topography=Topography(1e-6 * np.array([5.0, 5.0, 5.0, 8.0]), 1e-6))
     assert h.arithmetic_mean == pytest.approx(1.125e-6)
     assert h.root_mean_square == pytest.approx(1e-6 * np.sqrt(27 / 16))
@@ -62,3 +63,46 @@ def test_element_width_interpolates_the_crossings_and_ignores_small_peaks():
 @pytest.mark.parametrize("heights", [np.zeros(50), np.linspace(0, 1, 50)])
 def test_no_element(heights):
     assert height_parameters(topography=Topography(heights, 1.0)).mean_element_width is None
+
+
+def ridges(*, wavelength, shape, angle=0.0, spacing=1e-6):
+    y, x = np.indices(shape) * spacing
+    return Topography(
+        1e-7 * np.cos(2 * np.pi * (x * np.cos(angle) + y * np.sin(angle)) / wavelength), spacing, spacing
+    )
+
+
+def test_straight_ridges_have_a_length_and_no_aspect():
+    """The autocorrelation of a sine is a cosine: 0.2 at wavelength arccos(0.2)/(2 pi); along the ridges it stays 1."""
+    h = height_parameters(topography=ridges(wavelength=40e-6, shape=(300, 400), angle=0.3))
+    assert h.correlation_length == pytest.approx(40e-6 * np.arccos(0.2) / (2 * np.pi), rel=0.02)
+    assert h.aspect_ratio is None
+    slope = 1e-7 * 2 * np.pi / 40e-6
+    assert h.developed_area_ratio == pytest.approx(slope**2 / 4, rel=0.02)
+
+
+@pytest.mark.parametrize("scale", [1, 8])
+def test_texture_of_known_autocorrelation(scale):
+    """White heights smoothed by Gaussians of 6 points along x and half that length along y: the autocorrelation
+    exp(-x^2/4s^2) is 0.2 at s sqrt(-4 ln 0.2), along y at half that."""
+    fine = scipy.ndimage.gaussian_filter(
+        np.random.default_rng(1).standard_normal((256 * scale, 2304)), (3 * scale, 6), mode="wrap"
+    )
+    h = height_parameters(topography=Topography(1e-8 * fine, 1e-6, 1e-6 / scale))
+    assert h.correlation_length == pytest.approx(3e-6 * np.sqrt(-4 * np.log(0.2)), rel=0.05)
+    assert h.aspect_ratio == pytest.approx(0.5, rel=0.1)
+
+
+def test_developed_area_of_a_tilted_plane():
+    """sqrt(1 + 0.3^2 + 0.4^2) - 1."""
+    y, x = np.indices((700, 20))
+    h = height_parameters(topography=Topography(0.3 * x + 0.8 * y, 1.0, 2.0))
+    assert h.developed_area_ratio == pytest.approx(np.sqrt(1.25) - 1.0, rel=1e-12)
+
+
+def test_block_means_and_points_agree():
+    """A map of 2304 points is read by block means first; a length of few points by the points themselves."""
+    z = scipy.ndimage.gaussian_filter(np.random.default_rng(2).standard_normal((2304, 2304)), 2, mode="wrap")
+    h = height_parameters(topography=Topography(z, 1.0, 1.0))
+    assert h.correlation_length == pytest.approx(2 * np.sqrt(-4 * np.log(0.2)), rel=0.02)
+    assert h.aspect_ratio == pytest.approx(1.0, abs=0.05)

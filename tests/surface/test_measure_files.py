@@ -24,23 +24,32 @@ def written(path, heights, spacing):
 
 
 def test_height_parameters_of_a_section_with_whole_waves_of_a_sine(tmp_path):
-    """A sine of amplitude A: Ra = 2 A/pi, Rq = A/sqrt(2), Rku = 3/2, Rt = 2 A, RSm = the wavelength."""
+    """A sine of amplitude A: Pa = 2 A/pi, Pq = A/sqrt(2), Pku = 3/2, Pt = 2 A, PSm = the wavelength.
+
+    Behind the cut-off 0.4 mm, four wavelengths, 1 - 2^-16 of the amplitude is left.
+    """
     amplitude, spacing = 3e-7, 1e-6
     wave = amplitude * np.sin(2 * np.pi * (np.arange(4000) + 0.5) / 100)
     wave[:1000] += 1e-5  # outside the section
     file = written(tmp_path / "sine.csv", wave, spacing)
-    options = DEFAULTS | {"start": 1.0e-3, "stop": 3.0e-3, "form": "mean"}
+    options = DEFAULTS | {"start": 1.0e-3, "stop": 3.0e-3, "form": "mean", "long_cutoff": 0.4e-3}
     document = files_document(measured_files([file], **options))
     (entry,) = document["files"]
     assert entry["name"] == "sine.csv"
     assert entry["points"] in (2000, 2001)
     assert entry["size_m"] == pytest.approx([2e-3], rel=1e-3)
-    assert entry["Ra_m"] == pytest.approx(2 * amplitude / np.pi, rel=1e-3)
-    assert entry["Rq_m"] == pytest.approx(amplitude / np.sqrt(2), rel=1e-3)
-    assert entry["Rsk"] == pytest.approx(0.0, abs=1e-3)
-    assert entry["Rku"] == pytest.approx(1.5, rel=1e-3)
-    assert entry["Rt_m"] == pytest.approx(2 * amplitude, rel=1e-3)
-    assert entry["RSm_m"] == pytest.approx(1e-4, rel=0.01)
+    assert entry["Pa_m"] == pytest.approx(2 * amplitude / np.pi, rel=1e-3)
+    assert entry["Pq_m"] == pytest.approx(amplitude / np.sqrt(2), rel=1e-3)
+    rough = entry["roughness"]
+    assert (rough["cut_off_m"], rough["short_cut_off_m"], rough["sections"]) == (0.4e-3, None, 4)
+    assert rough["Ra_m"] == pytest.approx(2 * amplitude / np.pi, rel=1e-3)
+    assert rough["Rz_m"] == pytest.approx(2 * amplitude, rel=1e-3)
+    assert rough["Rku"] == pytest.approx(1.5, rel=1e-3)
+    assert not entry["crown"]["is_circular"]
+    assert entry["Psk"] == pytest.approx(0.0, abs=1e-3)
+    assert entry["Pku"] == pytest.approx(1.5, rel=1e-3)
+    assert entry["Pt_m"] == pytest.approx(2 * amplitude, rel=1e-3)
+    assert entry["PSm_m"] == pytest.approx(1e-4, rel=0.01)
     assert document["no_power_law"]  # one wave is no power law
     assert "fractal_dimension" not in document
     assert document["source"] == "sine.csv"
@@ -76,7 +85,7 @@ def test_the_direction_chooses_the_fit_and_a_profile_has_one_only(tmp_path, prof
 
 
 def test_a_map_has_areal_parameters(tmp_path):
-    """A square wave of height 2 A: Sa = Sq = A, Sz = 2 A, Ssk = 0, Sku = 1."""
+    """A square wave of height 2 A: Sa = Sq = A, Sz = 2 A, Ssk = 0, Sku = 1; steps 2 A both ways in every triangle."""
     amplitude = 5e-9
     np.save(tmp_path / "map.npy", 5.0 * (-1.0) ** np.add.outer(np.arange(30), np.arange(40)))
     options = DEFAULTS | {"height_unit": "nm", "spacing": 1e-6}
@@ -86,6 +95,12 @@ def test_a_map_has_areal_parameters(tmp_path):
     )
     assert entry["Ssk"] == pytest.approx(0.0, abs=1e-2)
     assert entry["Sku"] == pytest.approx(1.0, rel=1e-2)
+    assert (entry["scale_limited"], entry["cut_off_m"]) == ("S-F surface", None)
+    assert entry["Sdr"] == pytest.approx(np.sqrt(1.0 + 2.0 * (2.0 * amplitude / 1e-6) ** 2) - 1.0, rel=1e-3)
+    (cut,) = files_document(measured_files([tmp_path / "map.npy"], **(options | {"long_cutoff": 10e-6})))[
+        "files"
+    ]
+    assert (cut["scale_limited"], cut["cut_off_m"]) == ("S-L surface", 10e-6)
     assert (entry["size_m"], entry["points"]) == (pytest.approx([40e-6, 30e-6]), 1200)
 
 
@@ -93,7 +108,9 @@ def test_a_number_that_does_not_exist_is_none_in_the_document(tmp_path):
     np.save(tmp_path / "flat.npy", np.zeros(200))
     options = DEFAULTS | {"height_unit": "nm", "spacing": 1e-6, "form": "mean"}
     (entry,) = files_document(measured_files([tmp_path / "flat.npy"], **options))["files"]
-    assert (entry["Rq_m"], entry["Rsk"], entry["Rku"]) == (0.0, None, None)
+    assert (entry["Pq_m"], entry["Psk"], entry["Pku"]) == (0.0, None, None)
+    assert (entry["roughness"]["Ra_m"], entry["roughness"]["Rsk"]) == (0.0, None)
+    assert entry["crown"]["radius_m"] is None
 
 
 def test_folder_absent_and_huge_files(tmp_path):

@@ -16,7 +16,7 @@ def test_units_are_those_of_the_si(monkeypatch):
 
 
 def test_height_parameters_of_a_sine(monkeypatch):
-    assert [check.passed for check in paper_checks.roughness()] == [True, True]
+    assert [check.passed for check in paper_checks.roughness()] == [True, True, True]
     honest = paper_checks.height_parameters
 
     def off(**given):
@@ -26,4 +26,12 @@ def test_height_parameters_of_a_sine(monkeypatch):
         )
 
     monkeypatch.setattr(paper_checks, "height_parameters", off)
-    assert [check.passed for check in paper_checks.roughness()] == [False, False]
+    assert [check.passed for check in paper_checks.roughness()] == [False, False, True]
+
+
+def test_roughness_behind_a_filter(monkeypatch):
+    honest = paper_checks.roughness_parameters
+    monkeypatch.setattr(
+        paper_checks, "roughness_parameters", lambda **given: honest(**(given | {"cut_off": 0.802e-3}))
+    )
+    assert [check.passed for check in paper_checks.roughness()] == [True, True, False]

@@ -15,6 +15,7 @@ from asperity.surface.height_spectrum import Lay
 from asperity.surface.measure_files import MeasuredFiles, files_document, measured_files
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.surface.measurement import CONFIDENCE
+from asperity.surface.roughness import Roughness
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
 
@@ -126,7 +127,7 @@ class FractalSurface(Shown):
     def __init__(self, measured: MeasuredFiles, fit: FractalFit | str) -> None:
         self.measured, self.fit = measured, fit
         heights, number, length = measured.surfaces[0].heights, Dimension.DIMENSIONLESS, Dimension.LENGTH
-        letter = "S" if measured.topographies[0].is_map else "R"
+        rough, letter = measured.surfaces[0].roughness, "S" if measured.topographies[0].is_map else "P"
         fractal = (
             ("fractal_dimension", "fractal dimension D", number, "1"),
             ("fractal_roughness", "fractal roughness G", length, "m"),
@@ -141,6 +142,9 @@ class FractalSurface(Shown):
                 (f"{letter}a", f"arithmetic mean height {letter}a", heights.arithmetic_mean, length, "um"),
                 (f"{letter}q", f"root mean square height {letter}q", heights.root_mean_square, length, "um"),
             ]
+            if isinstance(rough, Roughness):
+                behind = f"behind the cut-off {format_quantity(rough.cut_off, 'mm')}"
+                rows += [(name, f"{name} {behind}", si, length, "um") for name, si in rough.lengths.items()]
         self._numbers = {
             name: NamedQuantity(name, label, float(si), dimension, unit)
             for name, label, si, dimension, unit in rows

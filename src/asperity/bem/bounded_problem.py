@@ -35,18 +35,9 @@ _Shift = tuple[Array, Array, Array, Array, Array, Array]
 class BoundedSolution(eqx.Module):
     """Last iterate; the caller must check whether it is a solution.
 
-    Parameters
-    ----------
-    traction : Array
-        t [Pa].
-    displacement : Array
-        u = A t [m].
-    shift : Array, scalar
-        Common misfit u - b where t lies between its bounds [m]; zero if the total is not prescribed.
-    iterations : Array, scalar
-        Iterations used.
-    residual : Array, scalar
-        Root mean square misfit over the unbound pixels, relative to the scale [-].
+    Traction t [Pa] and displacement u = A t [m]; ``shift``, common misfit u - b where t lies between its bounds [m],
+    zero if the total is not prescribed; ``residual``, root mean square misfit over the unbound pixels, relative to the
+    scale [-].
     """
 
     traction: Array
@@ -140,33 +131,14 @@ def bounded_solution(
     tolerance: Array,
     max_iterations: Array,
 ) -> BoundedSolution:
-    """Solve the problem of this module; call it inside a compiled function.
+    """Last iterate of the problem of this module; call it inside a compiled function.
 
-    Parameters
-    ----------
-    response : callable
-        A, traction to displacement; symmetric and positive.
-    estimate : callable
-        Rough inverse of A, symmetric and positive; it only affects the number of iterations.
-    target : array
-        b [m].
-    lower, upper : array
-        Bounds [Pa], scalar or field; equal where no traction can act; None for no upper bound.
-    total : array, scalar, or None
-        Prescribed sum of the traction [Pa], or None if only b is prescribed.
-    start : array
-        Traction to start from [Pa]; shifted and clipped to the bounds and the sum.
-    scale : callable
-        Reference displacement [m] of the misfit, from traction and displacement.
-    tolerance : array, scalar
-        Bound on the residual [-].
-    max_iterations : array, scalar
-        Maximum number of iterations.
-
-    Returns
-    -------
-    BoundedSolution
-        The last iterate.
+    ``response`` is A, traction to displacement, and ``estimate`` a rough inverse of it, which only affects the number
+    of iterations; both symmetric and positive. ``target`` is b [m]; ``lower`` and ``upper`` [Pa] are scalars or fields,
+    equal where no traction can act, None for no upper bound; ``total``, the prescribed sum of the traction [Pa], or
+    None if only b is prescribed. The traction of the start [Pa] is shifted and clipped to the bounds and the sum.
+    ``scale`` gives the reference displacement [m] of the misfit from traction and displacement; ``tolerance`` bounds
+    the residual [-].
     """
 
     def off_bounds(t: Array, g: Array | None) -> Array:

@@ -13,27 +13,7 @@ from asperity.errors import InputError
 
 
 def positive(name: str, value: float, unit: str, *, infinite: bool = False) -> float:
-    """The value as a float if it is positive; finite too unless ``infinite``.
-
-    Parameters
-    ----------
-    name, unit : str
-        For the message.
-    value : float
-        The value to check.
-    infinite : bool
-        Whether infinity is allowed.
-
-    Returns
-    -------
-    float
-        The value.
-
-    Raises
-    ------
-    InputError
-        If it is out of range.
-    """
+    """The value as a float; an ``InputError`` unless it is positive, and finite too unless ``infinite``."""
     number = float(value)
     if not number > 0.0 or (math.isinf(number) and not infinite):
         kind = "positive" if infinite else "positive and finite"
@@ -42,25 +22,7 @@ def positive(name: str, value: float, unit: str, *, infinite: bool = False) -> f
 
 
 def inside(name: str, value: float, low: float, high: float) -> float:
-    """The value as a float if low < value <= high.
-
-    Parameters
-    ----------
-    name : str
-        For the message.
-    value, low, high : float
-        Value and range [-].
-
-    Returns
-    -------
-    float
-        The value.
-
-    Raises
-    ------
-    InputError
-        If it is out of range.
-    """
+    """The value as a float; an ``InputError`` unless low < value <= high."""
     number = float(value)
     if not low < number <= high:
         raise InputError(f"{name} = {number:g}: it must lie above {low:g} and be at most {high:g}")
@@ -68,27 +30,7 @@ def inside(name: str, value: float, low: float, high: float) -> float:
 
 
 def field_on_grid(name: str, field: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
-    """The field as a double-precision array if it is finite and fits the grid.
-
-    Parameters
-    ----------
-    name : str
-        For the message.
-    field : array
-        The field to check.
-    shape : tuple of int
-        Shape of the grid.
-
-    Returns
-    -------
-    ndarray
-        The field.
-
-    Raises
-    ------
-    InputError
-        If the shape differs or a value is not finite.
-    """
+    """The field as a double-precision array; an ``InputError`` if it does not fit the grid or a value is not finite."""
     array = np.asarray(field, dtype=np.float64)
     if array.shape != shape:
         raise InputError(f"{name} has shape {array.shape}: the grid of the half-space has {shape}")

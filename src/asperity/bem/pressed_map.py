@@ -52,26 +52,10 @@ def loaded_state(
     axes: tuple[int, ...],
     start: NormalContact | None = None,
 ) -> tuple[NormalContact, Array]:
-    """A rough surface under load, and its area and stiffness.
+    """A rough surface under load, and its area [m^2] and normal and tangential stiffness [N/m], shape (3,).
 
-    Parameters
-    ----------
-    half_space, heights, normal_force, hardness, start
-        As of :func:`asperity.bem.normal_contact.normal_contact`, periodic.
-    axes : tuple of int
-        Directions over which the tangential stiffness is averaged.
-
-    Returns
-    -------
-    NormalContact, Array of shape (3,)
-        Real area [m^2], normal and tangential stiffness [N/m]; both infinite in complete contact.
-
-    Raises
-    ------
-    InputError
-        If the load does not fit the hardness.
-    NoSolutionError
-        If an iteration does not converge.
+    As :func:`asperity.bem.normal_contact.normal_contact` on a periodic half-space; the tangential stiffness is the mean
+    over some axes, and both are infinite in complete contact.
     """
     contact = normal_contact(half_space, heights, normal_force=normal_force, hardness=hardness, start=start)
     mask = contact.pressure > 0.0
@@ -85,25 +69,11 @@ def loaded_state(
 def map_patches(
     topography: Topography, *, points: int
 ) -> tuple[list[NDArray[np.float64]], tuple[float, float]]:
-    """Four patches of a map, about square and half as wide as it, in means over cells, and the size of a cell.
+    """Four patches of a map, about square and half as wide as it, and the size of their cells (rows, columns) [m].
 
-    Parameters
-    ----------
-    topography : Topography
-        A map without missing points.
-    points : int
-        Most cells of a patch along each side.
-
-    Returns
-    -------
-    list of array, tuple of float
-        Heights less a plane [m], and the distance of the rows and of the columns [m]. Of a long map the patches are
-        spread over it.
-
-    Raises
-    ------
-    InputError
-        For a profile, a map of fewer than 64 points along a side, or one without roughness.
+    Heights in means over cells, of which a patch has at most ``points`` along each side, less a plane [m]. Of a
+    long map the patches are spread over it. An ``InputError`` is raised for a profile, missing points, fewer than
+    64 points along a side, and a patch without roughness.
     """
     if topography.spacing_across is None:
         raise InputError(
@@ -242,24 +212,9 @@ def pressed_map(
 
 
 def with_pressed_map(measured: MeasuredFiles, *, hardness: float) -> MeasuredFiles:
-    """Measured files with their map pressed by boundary elements.
+    """Measured files with their map pressed by boundary elements, with a hardness of the softer body on steel [Pa].
 
-    Parameters
-    ----------
-    measured : MeasuredFiles
-        One map.
-    hardness : float
-        Of the softer body, of steel [Pa].
-
-    Returns
-    -------
-    MeasuredFiles
-        With the same numbers.
-
-    Raises
-    ------
-    InputError, NoSolutionError
-        As :func:`pressed_map`.
+    Errors are those of :func:`pressed_map`.
     """
     pressed = pressed_map(
         measured.topographies[0],

@@ -90,8 +90,7 @@ def assembled_branches(joint: Joint, sizes: SectorDeviations) -> AssembledBranch
     """
     if joint.interference is None:
         raise InputError("sizes of branches make no preload that a spring holds: give load.interference")
-    equal: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    refuse_impossible_joint(equal)
+    equal = refuse_impossible_joint(joint)
     count = sector_count(equal)
     if len(sizes.added) != count:
         raise InputError(
@@ -164,21 +163,10 @@ def _interference(joint: Joint, settled: SettledSectors, added: np.ndarray) -> n
 
 
 def mean_interference(joint: Joint, settled: SettledSectors, of_contacts: np.ndarray) -> np.ndarray:
-    """Interference of the rings that does the work of those of all contacts, sector by sector [m].
+    """Interference of the rings that does the work of those of all contacts, sector by sector, shape (sectors,) [m].
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint with equal sectors.
-    settled : SettledSectors
-        Its sectors without torque.
-    of_contacts : ndarray
-        Interferences of the contacts of each sector, shape (sectors, contacts) [m].
-
-    Returns
-    -------
-    ndarray
-        Shape (sectors,) [m].
+    ``of_contacts`` are the interferences of the contacts of each sector, shape (sectors, contacts) [m]; the joint has
+    equal sectors, ``settled`` are its own without torque.
     """
     forces = jnp.asarray(settled.equal.normal)
     return np.array(

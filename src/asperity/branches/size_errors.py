@@ -51,43 +51,16 @@ class SizeErrorCurves:
 
 
 class LoadedBranches(NamedTuple):
-    """Unequal branches under the torque of their joint, and the torques that they pass.
-
-    Parameters
-    ----------
-    branches : UnequalBranches
-        What each carries.
-    limits : DirectedLimits
-        In the direction of the torque.
-    """
+    """Unequal branches under the torque of their joint, and the torques that they pass in its direction."""
 
     branches: UnequalBranches
     limits: DirectedLimits
 
 
 def loaded_branches(joint: Joint, sizes: SectorDeviations) -> LoadedBranches:
-    """Unequal branches of one joint of equal sectors, without the results of their contacts.
+    """Unequal branches of one joint of equal sectors, without the results of their contacts; equation (I4).
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint of equal sectors.
-    sizes : SectorDeviations
-        What differs.
-
-    Returns
-    -------
-    LoadedBranches
-        What each carries.
-
-    Raises
-    ------
-    InputError, NoSolutionError
-        As :func:`asperity.branches.branches.assembled_branches`.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
+    Raises as :func:`asperity.branches.branches.assembled_branches`.
     """
     assembled = assembled_branches(joint, sizes)
     states, limits = states_and_limits(assembled.joint)

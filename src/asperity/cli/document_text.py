@@ -206,15 +206,7 @@ def _largest(entries: list[Document]) -> str:
 
 
 def show_branches(target: Console, branches: Document) -> None:
-    """Print what unequal branches do to a joint.
-
-    Parameters
-    ----------
-    target : Console
-        Where to print.
-    branches : dict
-        As :func:`asperity.results.branch_document.branch_document` makes it.
-    """
+    """Print what unequal branches do to a joint: :func:`asperity.results.branch_document.branch_document`."""
     standing, rolling = branches["standing"], branches["rolling"]
     names = deviations(branches)
     shown = table(

@@ -27,13 +27,7 @@ _GAP = 3  # between two columns
 
 
 def show_status(dataset: xarray.Dataset) -> None:
-    """Say how many points have a result, and why others have none.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        Evaluated points.
-    """
+    """Say how many points have a result, and why others have none."""
     from asperity.joint.status import STATUS_MEANINGS
 
     counts = status_counts(dataset)

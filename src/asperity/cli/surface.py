@@ -12,15 +12,18 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from asperity.surface.height_spectrum import HeightSpectrum
+    from asperity.surface.measure import MeasuredSurface
     from asperity.surface.measure_files import MeasuredFiles
 
 _ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
 #: Options whose arguments are called otherwise.
 ARGUMENTS = {
     "outliers": "outlier_threshold",
-    "lambda_s": "short_cutoff",
-    "lambda_c": "long_cutoff",
+    "short_cut_off": "short_cutoff",
+    "cut_off": "long_cutoff",
     "gamma": "frequency_ratio",
     "shortest": "shortest_wavelength",
     "longest": "longest_wavelength",
@@ -97,10 +100,15 @@ def _stress(context: click.Context, parameter: click.Parameter, value: str | Non
 )
 @click.option("--to", "stop", callback=_length, help="End of the section of a profile.")
 @click.option(
-    "--lambda-s", callback=_length, help="Short cutoff of the Gaussian filter, for height parameters only."
+    "--cut-off",
+    callback=_length,
+    help="Cut-off lambda_c of the roughness parameters of a profile, such as '0.8 mm', or nesting index of the "
+    "L-filter of a map.  [default: the class of ISO 21920-3 by Ra; none for maps]",
 )
 @click.option(
-    "--lambda-c", callback=_length, help="Long cutoff of the Gaussian filter, for height parameters only."
+    "--short-cut-off",
+    callback=_length,
+    help="Cut-off lambda_s, or nesting index of the S-filter of a map.  [default: that of ISO 3274; none for maps]",
 )
 @click.option(
     "--direction",
@@ -193,21 +201,71 @@ def _write_figure(plot: Path, measured: MeasuredFiles) -> None:
     say_written(plot)
 
 
+def _parameters(s: MeasuredSurface, axial: bool) -> Iterator[str]:
+    """Lines of the parameters of one surface; whether a profile may run along the axis of a roller."""
+    h, letter, total = s.heights, *(("S", "Sz") if s.topography.is_map else ("P", "Pt"))
+    heights = (
+        f"{letter}a {1e6 * h.arithmetic_mean:.6g} um, {letter}q {1e6 * h.root_mean_square:.6g} um, "
+        f"{letter}sk {h.skewness:.4g}, {letter}ku {h.kurtosis:.4g}, {total} {1e6 * h.total_height:.6g} um"
+    )
+    if s.topography.is_map:
+        filters = [
+            f"no {name}-filter" if index is None else f"{name}-filter {1e6 * index:.6g} um"
+            for name, index in zip("SL", s.filters, strict=True)
+        ]
+        yield f"{s.scale_limited} ({', '.join(filters)}): {heights}"
+        if h.developed_area_ratio:
+            length, aspect = h.correlation_length, h.aspect_ratio
+            yield (
+                f"  Sdr {100 * h.developed_area_ratio:.4g} %, "
+                + ("no Sal" if length is None else f"Sal {1e6 * length:.4g} um, ")
+                + ("" if length is None else "no Str" if aspect is None else f"Str {aspect:.3f}")
+                + (": correlated over half of the map" if aspect is None else "")
+            )
+        return
+    width = "" if h.mean_element_width is None else f", PSm {1e6 * h.mean_element_width:.6g} um"
+    yield f"without a filter: {heights}{width}"
+    rough = s.roughness
+    if isinstance(rough, str):
+        yield f"no roughness parameters: {rough}"
+    elif rough is not None:
+        none = "no lambda_s, the points lie too far apart"
+        short = none if rough.short_cut_off is None else f"lambda_s {1e6 * rough.short_cut_off:.4g} um"
+        yield (
+            f"behind the cut-off {1e3 * rough.cut_off:.6g} mm ({rough.choice}; {short}), "
+            f"{rough.sections} section(s){'' if rough.sections == 5 else ' instead of five, the profile is too short'}:"
+        )
+        words = [f"{symbol} {1e6 * value:.4g} um" for symbol, value in rough.lengths.items()]
+        for symbol, value in rough.numbers.items():
+            words.append(f"{symbol} {100 * value:.3g} %" if "mr" in symbol else f"{symbol} {value:.4g}")
+        yield f"  {', '.join(words)}"
+    crown = s.crown
+    if crown is None:
+        return
+    shape = (
+        f"radius {abs(crown.radius):.4g} m ({abs(crown.middle_radius):.4g} m of the middle half), "
+        f"{1e6 * abs(crown.drop):.4g} um from middle to end, misfit {1e6 * crown.misfit:.3g} um rms"
+    )
+    if not crown.stands_out:
+        yield f"no circular crown: {shape}; --from and --to leave chamfers and reliefs out"
+        return
+    yield f"{'crown' if crown.drop > 0.0 else 'hollow'}: {shape}" + (
+        f'; in [drive] of a joint file, along the axis: ..._crown_radius = "{crown.radius:.4g} m"'
+        if axial and crown.drop > 0.0
+        else ""
+    )
+
+
 def _print(measured: MeasuredFiles) -> None:
     fits, direction = measured.fits, measured.direction
+    lay = None if measured.spectrum is None else measured.spectrum.lay
     for s in measured.surfaces:
-        letter = "S" if s.topography.is_map else "R"
         size = " x ".join(f"{1e6 * length:.6g} um" for length in s.topography.size)
         click.echo(f"{s.topography.source}: {s.heights.points} points, {size}")
         for note in s.topography.notes:
             click.echo(f"  {note}")
-        h = s.heights
-        total = "Sz" if s.topography.is_map else "Rt"
-        click.echo(
-            f"  {letter}a {1e6 * h.arithmetic_mean:.6g} um, {letter}q {1e6 * h.root_mean_square:.6g} um, "
-            f"{letter}sk {h.skewness:.4g}, {letter}ku {h.kurtosis:.4g}, {total} {1e6 * h.total_height:.6g} um"
-            + ("" if h.mean_element_width is None else f", RSm {1e6 * h.mean_element_width:.6g} um")
-        )
+        for line in _parameters(s, axial=lay != "axis"):
+            click.echo(f"  {line}")
     for name, fit in (("x", fits.along_x), ("y", fits.along_y)):
         if fit is None:
             continue

@@ -59,18 +59,10 @@ def prepare_output() -> None:
 
 
 class CheckedStream:
-    """A text stream whose failures are errors of ours, and which may write control characters as text.
+    """A text stream, None where it is closed, whose failures are errors of ours that call it by its name.
 
-    Parameters
-    ----------
-    stream : file or None
-        Where to write; None for an output that is closed.
-    name : str
-        What to call it in messages.
-    escape : bool
-        Whether to write control characters as :func:`asperity.errors.printable` does; line ends and tabs stay.
-    required : bool
-        Whether it is an error that it cannot be written.
+    ``escape`` writes control characters as :func:`asperity.errors.printable` does; line ends and tabs stay.
+    ``required`` makes it an error that it cannot be written.
     """
 
     def __init__(self, stream: Any, name: str, *, escape: bool, required: bool) -> None:
@@ -85,23 +77,7 @@ class CheckedStream:
         return CheckedStream(self.stream, self._name, escape=False, required=self._required)
 
     def write(self, text: str) -> int:
-        """Write text.
-
-        Parameters
-        ----------
-        text : str
-            What to write.
-
-        Returns
-        -------
-        int
-            Number of characters.
-
-        Raises
-        ------
-        InputError
-            If the output is closed or cannot take more.
-        """
+        """Write text; the number of characters. An ``InputError`` if the output is closed or cannot take more."""
         if not isinstance(text, str):
             raise TypeError("only text can be written here")
         if not text:
@@ -119,13 +95,7 @@ class CheckedStream:
         return len(text)
 
     def flush(self) -> None:
-        """Hand everything written to the system.
-
-        Raises
-        ------
-        InputError
-            If the system does not take it.
-        """
+        """Hand everything written to the system; an ``InputError`` if it does not take it."""
         if self.stream is not None:
             with self._refusals():
                 self.stream.flush()
@@ -193,13 +163,7 @@ def _console_class() -> Any:
 
 
 def console() -> Console:
-    """A console on standard output.
-
-    Returns
-    -------
-    Console
-        With colours on a terminal only, and no wider than :data:`WIDEST`.
-    """
+    """A console on standard output, with colours on a terminal only, and no wider than :data:`WIDEST`."""
     prepare_output()
     made = rich_console()
     made.width = min(made.width, WIDEST) if made.is_terminal else WIDEST
@@ -250,13 +214,7 @@ def say(sentence: str) -> None:
 
 
 def say_written(path: str | Path) -> None:
-    """Report on standard error that a file has been written.
-
-    Parameters
-    ----------
-    path : str or Path
-        Its name.
-    """
+    """Report on standard error that a file has been written."""
     say(f"wrote {path}")
 
 
@@ -273,18 +231,7 @@ def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
 
 @contextmanager
 def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
-    """A bar that shows how much of the work is done.
-
-    Parameters
-    ----------
-    what : str
-        What is counted.
-
-    Yields
-    ------
-    callable
-        Takes the number done and the total.
-    """
+    """A bar that shows how much of the work is done; yields what takes the number done and the total."""
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return
@@ -304,21 +251,8 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
 def about(file: str, *others: str | None) -> Iterator[None]:
     """While the joint of a file is solved: refusals begin with the name of the file.
 
-    Parameters
-    ----------
-    file : str
-        The joint file.
-    *others : str or None
-        Further files of the command: a refusal that begins with the name of one of them is about that file.
-
-    Yields
-    ------
-    None
-
-    Raises
-    ------
-    InputError, NoSolutionError
-        As they are raised within, after the name.
+    ``others`` are further files of the command: a refusal that begins with the name of one of them is about that file.
+    Raises what is raised within, after the name.
     """
     try:
         yield

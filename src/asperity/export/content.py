@@ -9,8 +9,8 @@ import numpy as np
 import asperity
 from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import printable
+from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import Joint
-from asperity.joint.inertias import joint_inertias
 from asperity.joint.play import Play
 from asperity.joint.solve import Solution
 from asperity.results.windup_document import examined_windup
@@ -25,19 +25,10 @@ from asperity.units import format_quantity
 class MovingParts:
     """Inertias and friction of a joint. SI units.
 
-    Parameters
-    ----------
-    input : float
-        Moment of inertia at the input: its roller, and the motor if the joint file has one [kg·m^2].
-    output : float
-        Moment of inertia at the output: the other rollers, and the load if the joint file has one [kg·m^2].
-    loss_factor : float
-        Loss factor of the joint's spring [-].
-    coupled : bool
-        Whether the joint file has motor and load.
-    friction : float
-        Torque that all losses but creep take from the input at the largest torque [N·m]; nan where the input
-        stands.
+    Moments of inertia [kg·m^2]: of its roller, and the motor if the joint file has one, at the input; of the other
+    rollers, and the load if the joint file has one, at the output. ``coupled``: whether the joint file has motor and
+    load; ``loss_factor``: of the joint's spring [-]; ``friction``: torque that all losses but creep take from the input
+    at the largest torque [N·m], nan where the input stands.
     """
 
     input: float
@@ -51,22 +42,9 @@ class MovingParts:
 class ExportContent:
     """Curves of one joint between minus and plus a torque. SI units.
 
-    Parameters
-    ----------
-    source : str
-        Name of the joint file.
-    joint : Joint
-        The joint.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness was integrated into the wind-up.
-    windup : Windup
-        Loading curves and loop, at 2n − 1 torques.
-    curves : BothSenses
-        Stiffness and drift at the same torques.
-    parts : MovingParts
-        Inertias and friction.
-    no_drift_because : tuple of str
-        Why there is no steady rolling at the largest torque, one sentence each; empty where there is.
+    ``level`` is the stiffness that was integrated into the wind-up, its loading curves and loop at 2n − 1 torques;
+    ``curves`` are stiffness and drift at the same torques. ``no_drift_because`` says why there is no steady rolling at
+    the largest torque, one sentence each; empty where there is. ``source`` is the name of the joint file.
     """
 
     source: str

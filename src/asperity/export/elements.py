@@ -23,16 +23,9 @@ ELEMENTS = 8
 
 @dataclass(frozen=True)
 class FittedElements:
-    """Elements of a joint's wind-up.
+    """A reversible spring and elasto-plastic elements of a joint's wind-up, and how well they follow it, in sentences.
 
-    Parameters
-    ----------
-    elements : ParallelElements
-        A reversible spring and elasto-plastic elements.
-    linear_stiffness : float
-        Stiffness of the straight line between both ends of the wind-up [N·m/rad].
-    sentences : tuple of str
-        How well they follow the wind-up.
+    ``linear_stiffness`` is that of the straight line between both ends of the wind-up [N·m/rad].
     """
 
     elements: ParallelElements

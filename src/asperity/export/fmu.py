@@ -54,16 +54,8 @@ class _Variable:
 class FmuParts:
     """What an FMU is made of.
 
-    Parameters
-    ----------
-    identifier : str
-        Name of the model, a name of C.
-    description : str
-        ``modelDescription.xml``.
-    data : str
-        ``joint_data.h``: sizes and start values.
-    sentences : tuple of str
-        What its user should know.
+    Its name, a name of C; ``modelDescription.xml``; ``joint_data.h``, sizes and start values. ``sentences`` are what
+    its user should know.
     """
 
     identifier: str

@@ -33,15 +33,7 @@ _COLUMNS = (
 
 @dataclass(frozen=True)
 class Exported:
-    """A file for another program.
-
-    Parameters
-    ----------
-    data : bytes
-        The file.
-    notes : tuple of str
-        What its user should know, one sentence each.
-    """
+    """A file for another program, and what its user should know, one sentence each."""
 
     data: bytes
     notes: tuple[str, ...] = ()

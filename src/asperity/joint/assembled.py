@@ -9,9 +9,8 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.state.equal_springs import rest_forces
 from asperity.drive.state.state import ContactLaws, DriveState
-from asperity.drive.state.states import state_at_rest
+from asperity.drive.state.states import rest_forces, state_at_rest
 from asperity.joint.contacts import JointContacts, bulk_springs
 from asperity.joint.description import Joint, body_masses
 from asperity.joint.laws import contact_laws, drive_load, ring_springs
@@ -85,27 +84,9 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
 
 
 def pressed_around(joint: Joint, contacts: JointContacts, reference_force: Array, **given: Any) -> Pressed:
-    """A joint without torque, the laws of its contacts taken around given forces, shape (contacts,) [N].
+    """State and laws of a joint without torque, laws taken around given forces, shape (contacts,) [N]; (A3), (M3).
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-    reference_force : Array
-        The forces.
-    **given
-        What presses it, as of :func:`asperity.drive.state.states.state_at_rest`.
-
-    Returns
-    -------
-    Pressed
-        Its state and its laws.
-
-    References
-    ----------
-    Equations (A3) and (M3) of :doc:`/equations`.
+    ``given`` is what presses it, as of :func:`asperity.drive.state.states.state_at_rest`.
     """
     laws = contact_laws(joint, contacts, reference_force)
     load = drive_load(joint, body_masses(joint), 0.0)

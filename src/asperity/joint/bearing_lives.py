@@ -63,12 +63,7 @@ class BearingLives(eqx.Module):
 class BearingState(NamedTuple):
     """What the drive does to its bearings, those of one place together, shape (bearings, ...); loads of a duty first.
 
-    Parameters
-    ----------
-    force : Array
-        Radial force [N].
-    speed : Array
-        Angular velocity of one ring relative to the other, without its sign [rad/s].
+    Radial force [N], and the angular velocity of one ring relative to the other, without its sign [rad/s].
     """
 
     force: Any

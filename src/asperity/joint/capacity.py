@@ -41,17 +41,10 @@ _LIFTED = 1e-12
 
 
 class TorqueCapacities(NamedTuple):
-    """Capacities of a joint.
+    """Capacities of a joint at rest and in rolling, for positive and negative torque along the first axis.
 
-    Parameters
-    ----------
-    standing : TorqueCapacity
-        At rest, positive and negative torque along the first axis.
-    rolling : TorqueCapacity
-        In rolling, likewise.
-    first_slip : TorqueCapacity
-        Torques at rest at which the first contact slides, while others may still hold, likewise; the capacity where
-        another limit comes first.
+    ``first_slip``: torques at rest at which the first contact slides, while others may still hold; the capacity where
+    another limit comes first.
     """
 
     standing: TorqueCapacity
@@ -60,17 +53,9 @@ class TorqueCapacities(NamedTuple):
 
 
 def smaller_sizes(joint: Joint) -> Array:
-    """Radius of the smaller roller of each contact, or the wall of its ring or hollow roller if that is less.
+    """Lengths that a strip must stay below, shape (contacts,) [m].
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    Array
-        Lengths that a strip must stay below, shape (contacts,) [m].
+    Radius of the smaller roller of each contact, or the wall of its ring or hollow roller if that is less.
     """
     sizes: list[Real] = [jnp.inf] * len(joint.drive.contacts)
     for number, shape in enumerate(joint.shapes):
@@ -94,16 +79,10 @@ def _widths_of_walls(joint: Joint) -> Array | None:
 
 
 class UnderTorque(NamedTuple):
-    """A joint under a torque.
+    """A joint under a torque, standing or rolling.
 
-    Parameters
-    ----------
-    state : DriveState
-        Standing or rolling.
-    pressed : DriveState
-        Assembled, as its loading cam presses it under the torque; without a cam as it is without torque.
-    excesses : Array
-        By how much each limit is exceeded, negative where it is kept [-].
+    ``pressed`` is the assembled state, as its loading cam presses it under the torque, without a cam as it is without
+    torque; ``excesses``, by how much each limit is exceeded, negative where it is kept [-].
     """
 
     state: DriveState
@@ -114,27 +93,11 @@ class UnderTorque(NamedTuple):
 def under_torque(
     joint: Joint, without_torque: Pressed, torque: Real, rolls: Array | bool, holds: Array | bool
 ) -> UnderTorque:
-    """A joint under an output torque; for :func:`asperity.compilation.compile_fast`.
+    """State of a joint under an output torque [N·m], and how it keeps its limits; equations (A9) and (M3).
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint; its own torque does not count.
-    without_torque : Pressed
-        The joint as it is assembled.
-    torque : Real
-        Output torque [N·m].
-    rolls, holds : Array or bool
-        As of :func:`asperity.drive.state.states.loaded_state`.
-
-    Returns
-    -------
-    UnderTorque
-        Its state, and how it keeps its limits: slip, lift-off, widths of strips and walls, a solution.
-
-    References
-    ----------
-    Equations (A9) and (M3) of :doc:`/equations`.
+    The limits are slip, lift-off, widths of strips and walls, and a solution. The joint's own torque does not count;
+    the flags are those of :func:`asperity.drive.state.states.loaded_state`. For
+    :func:`asperity.compilation.compile_fast`.
     """
     return _loading(in_motion(joint), without_torque)(jnp.asarray(torque), rolls, holds)
 
@@ -265,27 +228,10 @@ def torque_capacity(
 
 
 def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:
-    """Torque capacity of a joint in both directions, at rest or in rolling, with derivatives.
+    """Capacity of a joint as positive torques, of positive and of negative ones [N·m], with derivatives; (A9), (M3).
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    rest : DriveState
-        Its assembled state without torque.
-    laws : ContactLaws
-        Laws of its contacts there.
-    rolls : bool
-        Whether it rolls.
-
-    Returns
-    -------
-    TorqueCapacity
-        As positive torques, of positive and of negative ones [N·m].
-
-    References
-    ----------
-    Equations (A9) and (M3) of :doc:`/equations`.
+    At rest, or in rolling; ``rest`` is its assembled state without torque, and the laws are those of its contacts
+    there.
     """
     both = jnp.array([1.0, -1.0])
     return limiting_torques(joint, rest, laws, direction=both, rolls=rolls, holds=jnp.zeros(2, dtype=bool))

@@ -98,20 +98,10 @@ class JointContacts(eqx.Module):
 class LoadedContacts(NamedTuple):
     """The contacts of a joint under their forces, shape (contacts, ...).
 
-    Parameters
-    ----------
-    half_width : Array
-        Half-width of the Hertzian strips under even loads [m]; 0 where a contact is open.
-    traction : Array
-        T/(mu N) [-]; 1 where a contact is open or slips.
-    rough : RoughContact
-        Spots and stiffnesses of the rough surfaces.
-    interfaces : Interface
-        Stiffnesses of asperities and of bulk [N/m]; all 0 where a contact is open.
-    lines : CrownedLine or None
-        Loads along crowned contacts, for one newton where they are open; None where the loads are even.
-    crown : CrownCompliance or None
-        What the crowns add to the bodies, contained in the interfaces.
+    ``half_width`` of the Hertzian strips under even loads [m], 0 where a contact is open; ``traction`` T/(mu N) [-], 1
+    where a contact is open or slips; ``interfaces``, stiffnesses of asperities and of bulk [N/m], all 0 where a contact
+    is open. ``lines`` are the loads along crowned contacts, for one newton where they are open, None where the loads
+    are even; ``crown`` is what the crowns add to the bodies, contained in the interfaces.
     """
 
     half_width: Array

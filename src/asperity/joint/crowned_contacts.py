@@ -24,12 +24,9 @@ from asperity.materials import Material
 
 
 class CrownCompliance(NamedTuple):
-    """What the crowns add to the compliance of the bodies of the contacts, shape (contacts, ...) [m/N].
+    """What crowns add to the incremental compliance of the bodies of contacts, shape (contacts, ...) [m/N].
 
-    Parameters
-    ----------
-    normal, tangential : Array
-        Incremental, under the forces; 0 where a contact is open.
+    0 where open.
     """
 
     normal: Array

@@ -15,7 +15,7 @@ from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import Roughness, roller_pairs
 from asperity.drive.layout.drive import Drive, contact_angles, incidence, speeds
 from asperity.drive.mechanism import Bearings
-from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.drive.state.state import BodiesOfContacts
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.drive.structure.pin_beam import PinBeam
@@ -31,13 +31,8 @@ from asperity.types import Real
 class ContactFit(Fit):
     """How a drive was assembled, and what temperature does to each of its contacts.
 
-    Parameters
-    ----------
-    interference, change_per_kelvin, assembly_temperature, working_temperature : Real
-        Of the drive, as in :class:`asperity.joint.fit.Fit`: the interference of its rings that does the same
-        work.
-    contact_change_per_kelvin : Array
-        Interference that a kelvin adds to each contact, shape (contacts,) [m/K].
+    To :class:`asperity.joint.fit.Fit`, here with the interference of the rings that does the same work, come the
+    interferences that a kelvin adds to each contact, shape (contacts,) [m/K].
     """
 
     contact_change_per_kelvin: Array
@@ -46,16 +41,10 @@ class ContactFit(Fit):
 class UnlikeSectors(eqx.Module):
     """What differs between the sectors of an unfolded drive, and the bearings of its floating bodies.
 
-    Parameters
-    ----------
-    added : Array
-        Interference that the sizes of its bodies add to each contact, shape (contacts,) [m].
-    reference_force : Array
-        Normal forces without torque around which the laws of the contacts are taken, shape (contacts,) [N].
-    support_stiffness : Array
-        Radial stiffness of the bearings of each floating body, shape (floating,) [N/m].
-    sectors : int
-        Number of sectors, whose contacts are listed one after the other.
+    ``added``, interference that the sizes of its bodies add to each contact [m], and ``reference_force``, normal forces
+    without torque around which the laws are taken [N], of shape (contacts,); ``support_stiffness``, radial, of the
+    bearings of each floating body, shape (floating,) [N/m]. The contacts of the sectors are listed one sector after the
+    other.
     """
 
     added: Array

@@ -70,27 +70,9 @@ def diagnose(
     loaded: LoadedContacts,
     rest_force: Real,
 ) -> Diagnostics:
-    """Compare a solved joint with the limits of the model.
+    """Ratios of value over limit of the model for a solved joint, from its forces, shape (contacts, ...) [N].
 
-    Parameters
-    ----------
-    pairs : RollerPairs
-        Its contacts.
-    normal_force, tangential_force : Array
-        Their forces, shape (contacts, ...) [N].
-    loaded : LoadedContacts
-        Its contacts under these forces, shape (contacts, ...).
-    rest_force : Real
-        Normal forces at rest, shape (contacts, ...) [N].
-
-    Returns
-    -------
-    Diagnostics
-        Ratios of value over limit.
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, 1985, sections 4.2 and 6.2; :doc:`/assumptions`.
+    References ---------- K. L. Johnson, Contact Mechanics, 1985, sections 4.2 and 6.2; :doc:`/assumptions`.
     """
     contacts, interfaces = loaded.rough, loaded.interfaces
     touching = normal_force > 0.0

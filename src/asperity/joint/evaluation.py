@@ -14,11 +14,13 @@ from asperity.contact.interface import Interface
 from asperity.contact.rough_contact import RoughContact
 from asperity.drive.layout.drive import speed_ratio, speeds
 from asperity.drive.layout.expansion import ring_interference
-from asperity.drive.state.rolling_speeds import BodiesOfContacts
-from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState
+from asperity.drive.state.state import STATE_TOLERANCE, BodiesOfContacts, ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
-from asperity.drive.stiffness.assembly import Assembly
-from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
+from asperity.drive.stiffness.torsional_stiffness import (
+    Assembly,
+    TorsionalStiffness,
+    contact_torsional_stiffness,
+)
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
 from asperity.joint.description import (
@@ -47,16 +49,9 @@ from asperity.types import Real
 class JointForces(eqx.Module):
     """Forces of a joint that stands under its torque. SI units.
 
-    Parameters
-    ----------
-    normal, tangential : Array
-        Of the contacts, shape (contacts,) [N]; a tangential force is positive where the first body drives the second.
-    pins : Array
-        Force of each roller on its pin along the push, shape (pins,) [N].
-    input_torque, output_torque : Array
-        Torques [N·m].
-    balance_residual, closure_residual : Array
-        Largest relative residual of all equations, balance and closure being solved together [-].
+    ``normal`` and ``tangential`` of the contacts, shape (contacts,) [N], tangential positive where the first body
+    drives the second; ``pins``, force of each roller on its pin along the push, shape (pins,) [N]; torques [N·m]. Both
+    residuals are the largest relative one of all equations [-], as balance and closure are solved together.
     """
 
     normal: Array
@@ -182,22 +177,7 @@ def assembled_joint(joint: Joint) -> Pressed:
 
 
 def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
-    """The first half of the chain: the laws of the contacts, and how the drive stands and rolls.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    ContactLaws, DriveStates
-        The laws; the drive assembled, standing and rolling.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """The first half of the chain: laws of the contacts; the drive assembled, standing and rolling; equation (M3)."""
     joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
     contacts = with_rims(joint, joint_contacts(joint))
     load = drive_load(joint, body_masses(joint), joint.output_torque)
@@ -205,26 +185,7 @@ def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
 
 
 def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:
-    """The second half of the chain: what the states of a joint mean.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    laws : ContactLaws
-        Laws of its contacts.
-    states : DriveStates
-        Its states, of :func:`laws_and_states`.
-
-    Returns
-    -------
-    JointResult
-        Of :func:`evaluate`.
-
-    References
-    ----------
-    Equations (M1)–(M4) of :doc:`/equations`.
-    """
+    """The second half of the chain: what the states of :func:`laws_and_states` mean; equations (M1)–(M4)."""
     joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
     drive, contacts = joint.drive, dataclasses.replace(joint_contacts(joint), rims=laws.rims)
     masses = body_masses(joint)

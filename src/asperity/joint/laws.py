@@ -37,25 +37,9 @@ from asperity.types import Real
 
 
 def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) -> ContactLaws:
-    """Laws of the contacts of a joint around forces without torque.
+    """Laws of the contacts around forces without torque, shape (contacts,) [N]; equations (A3), (B1) and (E3).
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    contacts : JointContacts
-        Its contacts.
-    reference_force : Array
-        The forces, shape (contacts,) [N].
-
-    Returns
-    -------
-    ContactLaws
-        Approach, slip, and the creep of smooth even rollers; a rolling state takes that of :func:`creep_law`.
-
-    References
-    ----------
-    Equations (A3), (B1) and (E3) of :doc:`/equations`.
+    Approach, slip, and the creep of smooth even rollers; a rolling state takes that of :func:`creep_law`.
     """
     springs, coupling = approach_springs(joint, contacts, reference_force)
     crowned = contacts.crown_curvature is not None

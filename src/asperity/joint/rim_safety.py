@@ -30,15 +30,7 @@ RIM_NAMES = ("inner", "outer")
 
 
 class PinLoad(NamedTuple):
-    """What a pin does to its roller under the torque and at rest, shape (2,).
-
-    Parameters
-    ----------
-    force : Array
-        Size of the force on the roller [N].
-    direction : Array
-        Its polar angle [rad].
-    """
+    """Size [N] and polar angle [rad] of the force of a pin on its roller, under the torque and at rest, shape (2,)."""
 
     force: Array
     direction: Array

@@ -16,12 +16,12 @@ from asperity.drive.state.state import ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.assembled import Pressed
+from asperity.joint.bores import overhang, refuse_pins
 from asperity.joint.capacity import torque_capacities, torque_capacity, under_torque
 from asperity.joint.description import Joint, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.fit import refuse_loose
 from asperity.joint.loading_cam import mean_preload
-from asperity.joint.pins import overhang, refuse_pins
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.precision import require_double_precision
@@ -84,13 +84,7 @@ def joint_state(joint: Joint) -> JointResult:
 
 
 class DirectedLimits(NamedTuple):
-    """Torque capacities of a joint in the direction of its torque.
-
-    Parameters
-    ----------
-    standing, rolling, first_slip : TorqueCapacity
-        As of :class:`Solution`.
-    """
+    """Torque capacities of a joint in the direction of its torque, as of :class:`Solution`."""
 
     standing: TorqueCapacity
     rolling: TorqueCapacity
@@ -167,20 +161,21 @@ def solve_joint(joint: Joint) -> Solution:
         If JAX is in single precision.
     """
     require_double_precision()
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    refuse_impossible_joint(numbers)
+    numbers = refuse_impossible_joint(joint)
     solution = solution_of(numbers)
     _refuse_unsolved(numbers, solution)
     return solution
 
 
-def refuse_impossible_joint(joint: Joint) -> None:
-    """Refuse a joint, of NumPy's numbers, whose parts do not fit."""
+def refuse_impossible_joint(joint: Joint) -> Joint:
+    """The joint with NumPy's numbers, unless its parts do not fit; nothing is compiled."""
+    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_impossible(joint.drive)
     refuse_loose(joint.fit)
     refuse_pins(joint)
     refuse_bores(joint)
     refuse_short_pins(joint)
+    return joint
 
 
 def refuse_bores(joint: Joint) -> None:

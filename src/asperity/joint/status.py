@@ -11,10 +11,10 @@ from jax.typing import ArrayLike
 
 from asperity.drive.layout.existence import LEAST_OUTPUT_SHARE, has_room, output_share
 from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.joint.bores import overhang, pin_room
 from asperity.joint.capacity import smaller_sizes
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
-from asperity.joint.pins import overhang, pin_room
 
 #: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
 #: contact slips.

@@ -11,9 +11,8 @@ from jax import Array
 
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE
-from asperity.drive.stiffness.assembly import Assembly
 from asperity.drive.stiffness.network import NetworkStiffness, network_stiffness, with_shafts
-from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
+from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
 from asperity.joint.bodies import body_compliance, walls_known
 from asperity.joint.bores import pin_compliances, pin_forces, pins_in_bores
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
@@ -28,15 +27,9 @@ _CLOSED = 1e-3
 class AssemblySprings(NamedTuple):
     """Springs of the contacts in the assembly.
 
-    Parameters
-    ----------
-    normal_stiffness, tangential_stiffness : Array
-        Incremental, asperities and bodies in series, shape (contacts, ...) [N/m]; 0 where a contact is open or slips.
-    coupling : Array or None
-        Compliances between the contacts, shape (2 contacts, 2 contacts, ...) [m/N]; None without.
-    bodies : Array or None
-        Compliance of the bodies, without asperities, of the same shape [m/N], at the half-widths :attr:`half_width`
-        [m]; None without.
+    Incremental stiffnesses of asperities and bodies in series, shape (contacts, ...) [N/m], 0 where a contact is open
+    or slips; ``coupling`` and ``bodies``, compliances between the contacts and of the bodies without asperities, shape
+    (2 contacts, 2 contacts, ...) [m/N], the latter at the half-widths [m].
     """
 
     normal_stiffness: Array
@@ -79,17 +72,9 @@ def springs_of_compliance(*, compliance: Array, half_width: Array, loaded: Loade
 class LoadedStiffness(NamedTuple):
     """Contacts of a joint under their forces, and its stiffness.
 
-    Parameters
-    ----------
-    contacts : LoadedContacts
-        The contacts.
-    published, series_with_bulk : TorsionalStiffness
-        Of the asperities alone, and with the bodies in series; the centres of all rollers held.
-    assembly : Assembly
-        The fullest model.
-    contact_law_holds, walls_hold : Array
-        Whether every loaded contact has an elastic spot; every wall a known compliance, and every crowned contact the
-        length that its slices need.
+    ``published``, of the asperities alone, and ``series_with_bulk``, with the bodies in series, hold the centres of all
+    rollers; ``assembly`` is the fullest model. The flags tell whether every loaded contact has an elastic spot; and
+    every wall a known compliance, every crowned contact the length that its slices need.
     """
 
     contacts: LoadedContacts

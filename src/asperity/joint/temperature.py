@@ -13,7 +13,7 @@ from jax import Array
 
 from asperity.drive.layout.expansion import interference_of_strains, ring_interference
 from asperity.drive.layout.thermal_expansion import ring_expansion
-from asperity.drive.state.equal_springs import rest_forces
+from asperity.drive.state.states import rest_forces
 from asperity.joint.description import ContactFit, Joint, places
 from asperity.joint.fit import fit_document
 from asperity.joint.loading_cam import mean_preload

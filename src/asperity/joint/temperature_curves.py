@@ -20,18 +20,11 @@ _LEAST_MARGIN = 20.0  # of the axis beyond the temperatures of the file [K]
 
 
 class TemperatureCurves(eqx.Module):
-    """One joint over its working temperature. SI units; shape (n,); nan where it has no value.
+    """One joint over its working temperature [degC]; shape (n,), nan where it has no value.
 
-    Parameters
-    ----------
-    temperature : Array
-        Temperatures [degC].
-    preload : Array
-        Normal force of the first contact at rest, the mean of unlike sectors [N]; 0 where the joint is loose.
-    stiffness : Array
-        Assembled torsional stiffness at the output under the joint's torque [N·m/rad].
-    torque_capacity : Array
-        In the direction of its torque [N·m].
+    ``preload`` is the normal force of the first contact at rest, the mean of unlike sectors [N], 0 where the joint is
+    loose; ``stiffness``, that of the assembly at the output under the joint's torque [N·m/rad]; ``torque_capacity``, in
+    the direction of its torque [N·m].
     """
 
     temperature: Array
@@ -41,24 +34,10 @@ class TemperatureCurves(eqx.Module):
 
 
 def temperature_curves(joint: Joint, solved_at: Callable[[float], Solution | None]) -> TemperatureCurves:
-    """Preload, assembled stiffness and torque capacity of a joint around the temperatures of its file.
+    """Preload, assembled stiffness and torque capacity of a joint at 41 temperatures around those of its file.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    solved_at : callable
-        Its solution at a working temperature [degC]; None where it is loose.
-
-    Returns
-    -------
-    TemperatureCurves
-        At 41 temperatures.
-
-    Raises
-    ------
-    InputError
-        If temperature does not change the preload.
+    ``solved_at`` gives the solution at a working temperature [degC], None where the joint is loose. An ``InputError``
+    is raised if temperature does not change the preload.
     """
     fit = joint.fit
     if fit is None:

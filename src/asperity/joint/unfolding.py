@@ -111,16 +111,9 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
 class SettledSectors(NamedTuple):
     """A joint whose sectors differ, without torque.
 
-    Parameters
-    ----------
-    sizes : SectorSizes
-        With the normal forces around which the laws of the contacts are taken.
-    without_torque : Pressed
-        The assembled joint.
-    equal : DriveState
-        The assembled joint with equal sectors.
-    change : Array
-        Largest relative difference of its forces from these; not small where they do not settle [-].
+    ``sizes`` have the normal forces around which the laws of the contacts are taken; ``equal`` is the assembled joint
+    with equal sectors; ``change``, the largest relative difference of its forces from these, not small where they do
+    not settle [-].
     """
 
     sizes: SectorSizes

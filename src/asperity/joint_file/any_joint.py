@@ -23,8 +23,7 @@ from asperity.joint_file.own_branches import (
     parts_with_branches,
 )
 from asperity.joint_file.part_names import with_tracks
-from asperity.joint_file.si_tables import Values
-from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
+from asperity.joint_file.si_tables import Values, numbers, table_structure, with_numbers
 from asperity.results import Result, result_values
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_drive
@@ -81,17 +80,9 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
 def with_nominal_sizes(values: Values) -> Values:
     """Tables in which changes of the radii are deviations of finished parts from their present values.
 
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    dict
-        Tables for :func:`evaluated_points`, which then adds to the interference what the deviations make of it;
-        unchanged where the preload is stated as a force, and for type ``planar``, where radii are those of another
-        drive with the same interference.
+    Tables in SI units for :func:`evaluated_points`, which then adds to the interference what the deviations make of it;
+    unchanged where the preload is stated as a force, and for type ``planar``, where radii are those of another drive
+    with the same interference.
     """
     return build.with_nominal_sizes(values)
 

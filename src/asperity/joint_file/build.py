@@ -67,15 +67,7 @@ def joint_from_case(case: Case) -> Joint:
 def joint_from_values(values: Values) -> Joint:
     """The joint of nested tables of SI numbers; a function of its leaves that can be differentiated.
 
-    Parameters
-    ----------
-    values : dict
-        Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
-
-    Returns
-    -------
-    Joint
-        In SI units.
+    Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
     """
     drive, shapes, pattern = layout_of(values)
     shapes = _on_pins(values.get("bearings", {}), drive, shapes)
@@ -192,17 +184,9 @@ def _pin(entry: Values) -> PinBeam | None:
 
 
 def thermal_change_of(values: Values) -> float:
-    """Interference that the temperatures of a file add to that of its drive, whatever makes its preload.
+    """Interference [m] that the temperatures of a file add to that of its drive, whatever makes its preload.
 
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units with temperatures; the expansions of all materials are known.
-
-    Returns
-    -------
-    float
-        Interference [m].
+    ``values`` are tables in SI units with temperatures; the expansions of all materials are known.
     """
     load = {name: value for name, value in values["load"].items() if name != "preload"}
     fit = joint_from_values(values | {"load": load | {"interference": 1e-5}}).fit
@@ -211,17 +195,9 @@ def thermal_change_of(values: Values) -> float:
 
 
 def deviations_of(values: Values) -> SectorDeviations:
-    """Sizes of the sectors of a joint file, where they differ; equal ones without sections ``[[branch]]``.
+    """Sizes of the sectors of a joint file, where they differ, with the interference that they add to every contact.
 
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    SectorDeviations
-        With the interference that they add to every contact.
+    Equal ones without sections ``[[branch]]``. Tables in SI units.
     """
     drive, *_ = layout_of(values)
     count = len(values.get("branch", ())) or round(float(drive.sectors))
@@ -270,16 +246,10 @@ def _per_size(drive: Drive, sides: Collection[tuple[str, str]]) -> Array:
 
 
 class TolerancedTrack(NamedTuple):
-    """What a number of a joint file does to the interference of the contacts.
+    """What a number of a joint file, at a dotted path, does to the interference of the contacts.
 
-    Parameters
-    ----------
-    path : str
-        Dotted path of the number.
-    own : bool
-        Whether every branch has a part of its own with this size.
-    per_size : ndarray
-        Interference of each contact over it, shape (contacts,) [-].
+    ``own`` tells whether every branch has a part of its own with this size; ``per_size`` is the interference of each
+    contact over it, shape (contacts,) [-].
     """
 
     path: str

@@ -11,27 +11,13 @@ ContactLaw = Literal["zou_2025", "exponential", "measured"]
 
 
 def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -> ContactLaw:
-    """The law of the asperities of all contacts.
+    """The law of the asperities of all contacts, from the keys that each surface states and ``model.contact_law``.
 
-    Parameters
-    ----------
-    surfaces : iterable of collection of str
-        The keys that each surface states.
-    stated : str or None
-        ``model.contact_law``; None where the file leaves it out.
-
-    Returns
-    -------
-    str
-        ``"zou_2025"``, the published law of D and G, or ``"exponential"``, that of the rms of the heights,
-        :func:`asperity.contact.exponential.random_contact`. Without a statement surfaces by their ``rms_height`` have
-        the latter, and so have finishes with their Ra, where no surface states G. ``"measured"``, the same with the
-        decay length by boundary elements on a measured map, for surfaces by their ``decay_length``.
-
-    Raises
-    ------
-    InputError
-        If a surface does not state what the law needs.
+    ``"zou_2025"``, the published law of D and G, or ``"exponential"``, that of the rms of the heights,
+    :func:`asperity.contact.exponential.random_contact`. Without a statement surfaces by their ``rms_height`` have the
+    latter, and so have finishes with their Ra, where no surface states G. ``"measured"``, the same with the decay
+    length by boundary elements on a measured map, for surfaces by their ``decay_length``. An ``InputError`` is raised
+    if a surface does not state what the law needs.
     """
     stated_keys = list(surfaces)
     by_height = any("rms_height" in keys for keys in stated_keys)

@@ -165,21 +165,10 @@ def _ends_of_heights(case: Case) -> Ends:
 def interval_of_heights(case: Case, heights: Ends, ratios: Ends | None = None) -> dict[str, Any]:
     """Intervals of stiffness and drift by the exponential contact law, from its error and that of the heights.
 
-    Parameters
-    ----------
-    case : Case
-        A joint file with this law.
-    heights : dict of str to tuple
-        Path of a surface → lower end, middle and upper end of the rms of its heights [m].
-    ratios : dict of str to tuple, optional
-        Path of a surface → the same of its decay length over these heights [-], of a measured map by boundary elements;
-        without it those of the exponential law are taken.
-
-    Returns
-    -------
-    dict
-        As :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law``
-        and ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
+    ``heights``: path of a surface → lower end, middle and upper end of the rms of its heights [m]; ``ratios`` the same
+    of the decay length over them [-], by boundary elements on a map; without it those of the law. As
+    :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law`` and
+    ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
     """
     key = "rms_height" if ratios is None else "decay_length"
     changes = {}
@@ -275,24 +264,9 @@ def _half_width(average: Quantity, dimension: np.ndarray) -> Any:
 
 
 def with_measured_surface(case: Case, measurement: SurfaceMeasurement) -> Case:
-    """The joint file with its surfaces replaced by a measured one, at every contact.
+    """The joint file with the measured D, G and gamma at every contact.
 
-    Parameters
-    ----------
-    case : Case
-        A joint file.
-    measurement : SurfaceMeasurement
-        What was measured.
-
-    Returns
-    -------
-    Case
-        The same joint with the measured D, G and gamma.
-
-    Raises
-    ------
-    InputError
-        If the measured values are outside what a joint file allows.
+    An ``InputError`` is raised if they are outside what a joint file allows.
     """
     entry = {
         "fractal_dimension": float(measurement.fractal_dimension),

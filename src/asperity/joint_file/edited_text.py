@@ -26,11 +26,12 @@ from asperity.joint_file.si_tables import (
     change_targets,
     counterparts,
     key_at,
+    numbers,
     numeric_keys,
     replace_values,
     si_values,
+    table_structure,
 )
-from asperity.joint_file.table_numbers import numbers, table_structure
 from asperity.unit_table import Dimension
 from asperity.units import from_si, parse_quantity
 

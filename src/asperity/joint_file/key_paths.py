@@ -25,17 +25,9 @@ def variants(annotation: Any) -> Iterator[Any]:
 
 
 def models_of(annotation: Any) -> list[type[BaseModel]]:
-    """The sections of a joint file that an annotation allows.
+    """Models of the sections that the annotation of a field allows.
 
-    Parameters
-    ----------
-    annotation : object
-        Annotation of a field: a section, or a union, dictionary or list of them.
-
-    Returns
-    -------
-    list of type
-        Their models.
+    a section, or a union, dictionary or list of them.
     """
     entries = [entry for variant in variants(annotation) for entry in variants(_entry_of(variant))]
     return [v for v in entries if isinstance(v, type) and issubclass(v, BaseModel)]
@@ -53,17 +45,8 @@ def keys_by_path(
 ) -> dict[str, Key]:
     """Every key of a joint file in which a number stands, with ``*`` for the name of a material.
 
-    Parameters
-    ----------
-    model : type
-        The section to look at.
-    numbers : {"varied", "entered", "all"}
-        Those that studies vary, those that they do not, such as an Rz or the share of a load, or all.
-
-    Returns
-    -------
-    dict
-        Dotted path → what the key measures and its range, in the order of the file's sections.
+    Dotted path → what the key measures and its range, in the order of the file's sections. ``numbers``: those that
+    studies vary, those that they do not, such as an Rz or the share of a load, or all.
     """
     return {
         path: note.key if isinstance(note, Entered) else note

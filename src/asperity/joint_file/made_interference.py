@@ -15,14 +15,9 @@ from asperity.joint_file.si_tables import AnyCase, si_values
 
 
 class MadeInterference(NamedTuple):
-    """By how much the inner radius of the rings is made smaller than that at which all contacts just touch.
+    """By how much the inner radius of the rings is made smaller than that at which all contacts just touch [m].
 
-    Parameters
-    ----------
-    size : float or None
-        Interference [m]; None where it is not known.
-    unknown_because : str
-        Why it is not known.
+    None where it is not known; ``unknown_because`` says why.
     """
 
     size: float | None

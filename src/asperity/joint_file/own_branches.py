@@ -72,22 +72,10 @@ def drive_with_branches(values: Values) -> Drive:
 
 
 def joint_with_branches(values: Values) -> Joint:
-    """The joint of a joint file, every branch by itself where it has sections ``[[branch]]``; pure.
+    """The joint of a joint file, every branch by itself where it has sections ``[[branch]]``; pure; equation (I4).
 
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units; numbers may be traced.
-
-    Returns
-    -------
-    Joint
-        As :func:`with_own_branches`; one whose branches do not settle has nan for the forces of its laws, and so no
-        state.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
+    Tables in SI units, whose numbers may be traced; as :func:`with_own_branches`. A joint whose branches do not settle
+    has nan for the forces of its laws, and so no state.
     """
     if "branch" not in values:
         return joint_from_values(values)

@@ -88,17 +88,9 @@ def bodies_of_type(kind: str) -> tuple[str, ...]:
 
 
 def contacts_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
-    """Names of the contacts of a joint file.
+    """Names of the contacts of a joint file in the order of the drive.
 
-    Parameters
-    ----------
-    tables : mapping
-        Its tables, as the file states them or in SI units.
-
-    Returns
-    -------
-    tuple of str
-        In the order of the drive.
+    Of tables as the file states them or in SI units.
     """
     kind = type_of(tables)
     return tuple(CONTACTS[kind]) if kind in CONTACTS else _listed(tables["contact"])
@@ -107,16 +99,9 @@ def contacts_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
 def sized_tracks(tables: Mapping[str, Any]) -> dict[str, tuple[tuple[str, str], ...]]:
     """What every sector has in a size of its own: rollers, or the tracks of stepped ones.
 
-    Parameters
-    ----------
-    tables : mapping
-        Tables of a joint file in SI units, of another drive than that of Zou et al.
-
-    Returns
-    -------
-    dict
-        Name in the keys ``NAME_radius`` of the drive and ``NAME_deviation`` of sections ``[[branch]]``, or that of a
-        roller in a file of type ``planar`` → contacts on it, and which of their bodies it is.
+    Name in the keys ``NAME_radius`` of the drive and ``NAME_deviation`` of sections ``[[branch]]``, or that of a roller
+    in a file of type ``planar`` → contacts on it, and which of their bodies it is. Of tables in SI units, of another
+    drive than that of Zou et al.
     """
     kind = type_of(tables)
     if kind in TRACKS:
@@ -170,16 +155,8 @@ def size_keys(tables: Mapping[str, Any]) -> set[str]:
 def with_tracks(tables: dict[str, Any]) -> dict[str, Any]:
     """Tables in SI units whose contacts name what belongs to the structure of the drive, so that numbers may vary.
 
-    Parameters
-    ----------
-    tables : dict
-        Tables in SI units with their numbers.
-
-    Returns
-    -------
-    dict
-        The same tables; those of type ``planar`` with the names of the tracks, and with words in place of the truth
-        values and sectors of the contacts.
+    The same tables; those of type ``planar`` with the names of the tracks, and with words in place of the truth values
+    and sectors of the contacts.
     """
     contacts = tables.get("contact")
     if not isinstance(contacts, Mapping) or any("tracks" in entry for entry in contacts.values()):
@@ -206,20 +183,10 @@ def track_of(contacts: Iterable[Mapping[str, Any]], entry: Mapping[str, Any], si
 
 
 def paths_of_track(tables: Mapping[str, Any], path: str) -> list[str]:
-    """All numbers of a joint file that are the radius of the same track as a given one.
+    """Dotted paths of all numbers of a joint file that are the radius of the same track as a given one.
 
-    Parameters
-    ----------
-    tables : mapping
-        Tables in SI units.
-    path : str
-        Dotted path of a number.
-
-    Returns
-    -------
-    list of str
-        The path itself, and where it is the radius or the crown of a contact of type ``planar``, those of the roller's
-        other contacts on the same track.
+    The path itself, and where it is the radius or the crown of a contact of type ``planar``, those of the roller's
+    other contacts on the same track. Tables in SI units.
     """
     steps = path.split(".")
     side, of_the_track = steps[-1].removesuffix("_radius"), "radius"

@@ -170,16 +170,5 @@ _LAYOUTS: dict[str, Callable[[Values], Layout]] = {
 
 
 def layout_of(values: Values) -> Layout:
-    """The drive that the tables of a joint file describe.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units, with their ``type``.
-
-    Returns
-    -------
-    Drive, tuple of BodyShape, tuple of float
-        The drive, what each body is, and the interference of each contact over that of the drive.
-    """
+    """The drive of tables in SI units, what its bodies are, and the interference of each contact over its own."""
     return _LAYOUTS[type_of(values)](values)

@@ -18,18 +18,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A number of a joint file.
+    """A number of a joint file in SI units, and its text as the file writes it.
 
-    Parameters
-    ----------
-    value : float
-        Value in SI units.
-    tolerance : float
-        What stands behind ``+-``, in SI units; 0 where the file states none.
-    text : str
-        As it is written in the file.
-    distribution : Distribution or None
-        How it scatters within its tolerance; None where the file does not say.
+    ``tolerance`` is what stands behind ``+-``, in SI units, 0 where the file states none; ``distribution``, how it
+    scatters within it, None where the file does not say.
     """
 
     value: float
@@ -173,10 +165,7 @@ class Key:
 class Entered:
     """Annotation of a field that keeps a number as the file writes it: only the file states it, no study varies it.
 
-    Parameters
-    ----------
-    key : Key
-        What it measures, its range and its unit for display.
+    ``key``: what it measures, its range and its unit for display.
     """
 
     key: Key

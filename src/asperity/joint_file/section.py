@@ -121,18 +121,7 @@ class WholeFile(Section):
         return self._text
 
     def with_text(self, text: str) -> Self:
-        """The same case, which remembers the text that it was read from.
-
-        Parameters
-        ----------
-        text : str
-            TOML; empty to forget it.
-
-        Returns
-        -------
-        WholeFile
-            A copy, of the same class.
-        """
+        """A copy of the case, which remembers the TOML that it was read from; empty to forget it."""
         copy = self.model_copy()
         copy._text = text
         return copy

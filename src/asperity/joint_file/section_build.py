@@ -28,18 +28,7 @@ from asperity.types import Real
 
 
 def play_of(values: Values) -> Play:
-    """The play that the tables of a joint file state.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    Play
-        :data:`asperity.joint.play.NO_PLAY` where they state none.
-    """
+    """The play that the tables of a joint file state; :data:`asperity.joint.play.NO_PLAY` where they state none."""
     play = values.get("play", {})
     return Play(**{name: play.get(name, none) for name, none in vars(NO_PLAY).items()})
 

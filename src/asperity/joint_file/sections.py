@@ -151,19 +151,9 @@ def refuse_temperature(
 
 
 def without_expansion(bodies: Mapping[str, str], materials: Mapping[str, MaterialEntry]) -> list[str]:
-    """Materials of bodies whose thermal expansion is not known.
+    """Names of the materials of bodies whose thermal expansion is not known.
 
-    Parameters
-    ----------
-    bodies : mapping
-        Body → name of its material.
-    materials : mapping
-        Materials by name.
-
-    Returns
-    -------
-    list of str
-        Their names.
+    From body → material and material → entry.
     """
     used = dict.fromkeys(bodies.values())
     return [name for name in used if name in materials and materials[name].thermal_expansion is None]

@@ -1,9 +1,14 @@
-"""The numbers of a joint file in SI units, addressed by dotted paths such as ``load.output_torque``."""
+"""The numbers of a joint file in SI units, addressed by dotted paths such as ``load.output_torque``.
+
+Files of one structure, which is their tables apart from the numbers, share one compiled program.
+"""
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping
+import itertools
+import json
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -61,18 +66,10 @@ _ONE_OR_EACH = ("drive.contact_length", "load.friction_coefficient", "rolling.sk
 
 @dataclass(frozen=True, slots=True)
 class NumericKey:
-    """One number that a joint file states.
+    """One number that a joint file states, by its dotted path, e.g. ``drive.contact_length.sp``; SI units.
 
-    Parameters
-    ----------
-    path : str
-        Its dotted path, e.g. ``drive.contact_length.sp``.
-    value, tolerance : float
-        Value and tolerance in SI units; the tolerance is 0 where the file states none.
-    key : Key
-        What it measures, its range and its unit for display.
-    distribution : Distribution or None
-        How it scatters within its tolerance; None where the file does not say.
+    The tolerance is 0 where the file states none; ``distribution`` is how it scatters within it, None where the file
+    does not say; ``key``, what it measures, its range and its unit for display.
     """
 
     path: str
@@ -182,26 +179,12 @@ def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
 
 
 def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
-    """Nested tables with some numbers replaced; the given ones are left alone.
+    """Nested tables of :func:`si_values` with some numbers replaced; the given ones are left alone.
 
-    Parameters
-    ----------
-    values : dict
-        Tables as :func:`si_values` makes them.
-    changes : mapping
-        Dotted path → SI number or array. A path to one contact (``surface.sp.fractal_dimension``) splits an entry
-        that stood for all; a path without a contact (``surface.fractal_dimension``) sets all of them. The radius of
-        a track of a drive of type ``planar`` is that of all contacts on it.
-
-    Returns
-    -------
-    dict
-        New tables.
-
-    Raises
-    ------
-    InputError
-        If a joint file has no such number, or the material is not in this one.
+    ``changes``: dotted path → SI number or array. A path to one contact (``surface.sp.fractal_dimension``) splits an
+    entry that stood for all; a path without a contact (``surface.fractal_dimension``) sets all of them. The radius of a
+    track of a drive of type ``planar`` is that of all contacts on it. An ``InputError`` is raised if a joint file has
+    no such number, or the material is not in this one.
     """
     tables: Values = _copied(values)
     for path, value in changes.items():
@@ -253,15 +236,7 @@ def change_targets(
 def contact_in(path: str) -> str | None:
     """The contact that a dotted path names, if the number may be stated for each contact.
 
-    Parameters
-    ----------
-    path : str
-        Dotted path of a number.
-
-    Returns
-    -------
-    str or None
-        Its name; None where the path stands for all contacts, or for a number that has none.
+    None where the path stands for all contacts, or for a number that has none.
     """
     for place in _ONE_OR_EACH:
         rest = path.removeprefix(f"{place}.").split(".")
@@ -284,18 +259,7 @@ def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
 
 
 def counterparts(name: str) -> tuple[str, ...]:
-    """The keys that a key replaces, because a file states exactly one of them; those of Ra go with it.
-
-    Parameters
-    ----------
-    name : str
-        Name of a key.
-
-    Returns
-    -------
-    tuple of str
-        Names of the other keys.
-    """
+    """The keys that a key replaces, because a file states exactly one of them; those of Ra go with it."""
     return _COUNTERPARTS.get(name, ())
 
 
@@ -332,3 +296,47 @@ def _is_abstract(value: Any) -> bool:
     import jax
 
     return isinstance(value, jax.core.Tracer)
+
+
+Numbers = tuple[Any, ...]
+
+
+def numbers(values: Values) -> Numbers:
+    """All numbers of the tables of a joint file, in a fixed order.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    tuple of float
+        The leaves that are numbers, by sorted names.
+    """
+    return tuple(value for value in _leaves(values) if not isinstance(value, str))
+
+
+def _leaves(node: Any) -> Iterator[Any]:
+    if isinstance(node, dict):
+        for name in sorted(node):
+            yield from _leaves(node[name])
+    else:
+        yield node
+
+
+def with_numbers(values: Values, replaced: Iterable[Any]) -> Values:
+    """The same tables in SI units with other numbers or arrays, in the order of :func:`numbers`."""
+    filled: Values = _filled(values, iter(replaced))
+    return filled
+
+
+def _filled(node: Any, replaced: Iterator[Any]) -> Any:
+    if isinstance(node, dict):
+        return {name: _filled(node[name], replaced) for name in sorted(node)}
+    return node if isinstance(node, str) else next(replaced)
+
+
+def table_structure(values: Values) -> str:
+    """The tables of a joint file as JSON with 1.0 for every number, to recognise files of the same structure."""
+    return json.dumps(with_numbers(values, itertools.repeat(1.0)))

@@ -14,15 +14,7 @@ from asperity.results.solved import SolvedJoint, solved_with_capacities
 
 
 class SolvedCase(NamedTuple):
-    """A joint file, solved.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        As :func:`solved_case` finds it.
-    document : dict
-        All of it as plain data in SI units: :func:`asperity.results.document.joint_document`.
-    """
+    """A joint file, solved by :func:`solved_case`, and all of it as plain data in SI units."""
 
     solved: SolvedJoint
     document: dict[str, Any]

@@ -53,16 +53,10 @@ _ALSO = "also"
 
 @dataclass(frozen=True)
 class LibraryMaterial:
-    """A material of the library.
+    """A material of the library, with its source and a remark.
 
-    Parameters
-    ----------
-    name, description, reference, note : str
-        Name, description, source and remark.
-    numbers : dict
-        Keys of a material section of a joint file → text with units.
-    also : tuple of str
-        Its designations in other standards.
+    ``numbers``: keys of a material section of a joint file → text with units; ``also``: its designations in other
+    standards.
     """
 
     name: str
@@ -212,17 +206,8 @@ def _materials(extension: str | Path | None) -> dict[str, LibraryMaterial]:
 def library_name(name: str, library: Mapping[str, LibraryMaterial]) -> str | None:
     """The name under which a library has a material of this name or designation; None where it has none.
 
-    Parameters
-    ----------
-    name : str
-        Its name, or one of its designations in other standards, of which capitals, blanks and hyphens do not count.
-    library : mapping
-        Name → material, of :func:`read_materials`.
-
-    Returns
-    -------
-    str or None
-        A key of the library.
+    Of designations in other standards capitals, blanks and hyphens do not count; the library is that of
+    :func:`read_materials`.
     """
     if name in library:
         return name

@@ -89,22 +89,12 @@ def _margin(margin: Margin) -> Answer:
 
 
 def stated_values(case: Case, tables: Mapping[str, Any]) -> Answer:
-    """What a joint file states, for the fields of the page.
+    """What a joint file states, in its tables without changes, for the fields of the page.
 
-    Parameters
-    ----------
-    case : Case
-        The joint.
-    tables : mapping
-        The tables of its file without changes.
-
-    Returns
-    -------
-    dict
-        ``numbers``: dotted path → value in the unit of display, and in SI; ``entered``: the same, with their texts, for
-        numbers that no study varies, an Rz and the shares of a duty; ``lists`` of sections, see
-        :func:`asperity.page.list_changes.stated_lists`; ``choices``: dotted path → word, empty
-        where the file leaves it out; ``form``: what can be set in a file with this type of drive.
+    ``numbers``: dotted path → value in the unit of display, and in SI; ``entered``: the same, with their texts, for
+    numbers that no study varies, an Rz and the shares of a duty; ``lists`` of sections, see
+    :func:`asperity.page.list_changes.stated_lists`; ``choices``: dotted path → word, empty where the file leaves it
+    out; ``form``: what can be set in a file with this type of drive.
     """
     choices = {}
     for path in choices_of_case(case):

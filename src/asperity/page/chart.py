@@ -31,24 +31,12 @@ _ENTRIES = ("over", "from", "to", "points", "scale", "result", "family")
 
 @dataclass(frozen=True)
 class ChartRequest:
-    """One chart.
+    """One chart of a joint.
 
-    Parameters
-    ----------
-    joint : JointRequest
-        The joint.
-    over, start, stop : str
-        Dotted path of the number along the horizontal axis, and its ends as text with their unit.
-    points : int
-        Points of a curve.
-    scale : {"linear", "log"}
-        Even steps of the number or of its logarithm.
-    result : str
-        One result, with its row: ``slip_ratio_sp``.
-    family : str
-        Dotted path of the number that differs from curve to curve; empty for a single curve.
-    values : tuple of str
-        Its values as text.
+    Curves of ``points`` ``over`` a number of the file, by its dotted path, between two texts with units. ``scale``:
+    even steps of the number, "linear", or of its logarithm, "log". ``result``: one result, with its row:
+    ``slip_ratio_sp``. ``family``: dotted path of the number that differs from curve to curve, with its values as text;
+    empty for a single curve.
     """
 
     joint: JointRequest

@@ -27,20 +27,8 @@ class StoppedError(AsperityError):
 def file_name(name: str, *, otherwise: str) -> str:
     """A harmless name of a file: no folder, no hidden file, no option, only plain letters.
 
-    Parameters
-    ----------
-    name : str
-        What the browser calls the file.
-    otherwise : str
-        The name if nothing is left.
+    ``otherwise`` if nothing is left. At most :data:`LONGEST_FILE_NAME` characters; the ending stays.
 
-    Returns
-    -------
-    str
-        At most :data:`LONGEST_FILE_NAME` characters; the ending stays.
-
-    Examples
-    --------
     >>> file_name("../../etc/my file;.csv", otherwise="surface")
     'my_file_.csv'
     """
@@ -50,16 +38,9 @@ def file_name(name: str, *, otherwise: str) -> str:
 
 
 class Child:
-    """One job in a process of its own.
+    """One job in a process of its own, :func:`asperity.page.job_process.run_job`.
 
-    Parameters
-    ----------
-    kind : str
-        What it runs: :func:`asperity.page.job_process.run_job`.
-    files : mapping
-        Name → content of the files in its folder; the first one is the file of the job.
-    options : mapping
-        Its options.
+    ``files``: name → content of the files in its folder; the first one is the file of the job.
     """
 
     def __init__(self, kind: str, files: Mapping[str, bytes], options: Mapping[str, Any]) -> None:
@@ -71,24 +52,10 @@ class Child:
     def run(
         self, *, report: Callable[[int, int], Any] | None = None, longest: float | None = None
     ) -> dict[str, Any]:
-        """Run it and wait for its result.
+        """Run it and wait for its document.
 
-        Parameters
-        ----------
-        report : callable, optional
-            Called with what is done and with all that is to be done.
-        longest : float, optional
-            Time after which it is ended [s].
-
-        Returns
-        -------
-        dict
-            Its document.
-
-        Raises
-        ------
-        AsperityError
-            As the command of the same name; :class:`StoppedError` if it was stopped.
+        ``report`` is called with what is done and with all that is to be done; after ``longest`` [s] it is ended.
+        Raises as the command of the same name; :class:`StoppedError` if it was stopped.
         """
         # private to the user, and gone afterwards
         with tempfile.TemporaryDirectory(prefix="asperity-page-", ignore_cleanup_errors=True) as folder:
@@ -158,13 +125,7 @@ class Child:
         self.stop(asked=False)
 
     def stop(self, *, asked: bool = True) -> None:
-        """End it at once.
-
-        Parameters
-        ----------
-        asked : bool
-            Whether it is ended before its end, on somebody's wish.
-        """
+        """End it at once; ``asked`` where that is before its end, on somebody's wish."""
         with self._lock:
             self._stopped |= asked
             if self._process is not None and self._process.poll() is None:

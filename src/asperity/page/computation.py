@@ -34,12 +34,7 @@ class BusyError(AsperityError):
 class Computations:
     """A single thread that runs one computation after the other, or a few that run them side by side.
 
-    Parameters
-    ----------
-    longest : float
-        Time that a request waits for its answer [s].
-    threads : int, optional
-        Number of threads.
+    ``longest`` is the time that a request waits for its answer [s].
     """
 
     def __init__(self, *, longest: float, threads: int = 1) -> None:
@@ -54,25 +49,7 @@ class Computations:
         return self._waiting == 0
 
     def submit(self, function: Callable[..., Computed], *arguments: Any) -> Future[Computed]:
-        """Put a computation at the end of the queue.
-
-        Parameters
-        ----------
-        function : callable
-            What to run.
-        *arguments
-            Its arguments.
-
-        Returns
-        -------
-        Future
-            Its result.
-
-        Raises
-        ------
-        BusyError
-            If the queue is full.
-        """
+        """Result of a computation put at the end of the queue; :class:`BusyError` if the queue is full."""
         with self._lock:
             if self._waiting >= MOST_WAITING:
                 raise BusyError(f"{MOST_WAITING} computations are waiting already; try again in a moment")
@@ -132,13 +109,7 @@ class FasterPrograms:
         return all(compilation.done() for compilation in self._left)
 
     def add(self, programs: Iterable[Program]) -> None:
-        """Compile programs again, those of them for which this was not asked before.
-
-        Parameters
-        ----------
-        programs : iterable of Program
-            What was called for an answer.
-        """
+        """Compile programs that were called for an answer again, those of them for which this was not asked before."""
         new = [program for program in programs if program not in self._known]
         self._known.update(new)
         self._left = {compilation for compilation in self._left if not compilation.done()}
@@ -164,31 +135,12 @@ class KeptAnswers:
         self._kept: OrderedDict[str, Any] = OrderedDict()
 
     def keep(self, identity: str, answer: Any) -> None:
-        """Remember an answer and forget the oldest ones.
-
-        Parameters
-        ----------
-        identity : str
-            Its name.
-        answer : object
-            What to keep.
-        """
+        """Remember an answer and forget the oldest ones."""
         self._kept[identity] = answer
         self._kept.move_to_end(identity)
         while len(self._kept) > MOST_KEPT:
             self._kept.popitem(last=False)
 
     def get(self, identity: str) -> Any:
-        """An answer; None if it was never given, or has been forgotten.
-
-        Parameters
-        ----------
-        identity : str
-            Its name.
-
-        Returns
-        -------
-        object
-            What was kept.
-        """
+        """An answer; None if it was never given, or has been forgotten."""
         return self._kept.get(identity)

@@ -41,15 +41,7 @@ SECURITY_HEADERS = {
 
 
 class RefusedError(Exception):
-    """A request that is not answered.
-
-    Parameters
-    ----------
-    status : int
-        HTTP status.
-    message : str
-        Why, in one sentence.
-    """
+    """A request that is not answered: HTTP status, and why, in one sentence."""
 
     def __init__(self, status: int, message: str) -> None:
         super().__init__(message)
@@ -59,18 +51,8 @@ class RefusedError(Exception):
 class Guard:
     """ASGI application around another one.
 
-    Parameters
-    ----------
-    app : callable
-        What is guarded.
-    hosts : iterable of str
-        Values of the ``Host`` header that are answered, with their port.
-    largest_body : int
-        Largest body [byte].
-    larger_bodies : mapping, optional
-        Address → largest body, where it is another.
-    longest_body : float
-        Time in which a body must arrive [s].
+    Only ``hosts``, values of the ``Host`` header with their port, are answered. A body has at most ``largest_body``
+    bytes, or those of its address in ``larger_bodies``, and must arrive within ``longest_body`` seconds.
     """
 
     def __init__(

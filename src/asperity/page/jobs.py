@@ -31,15 +31,7 @@ ENDED = ("done", "failed", "stopped")
 
 @dataclass
 class Job:
-    """One job.
-
-    Parameters
-    ----------
-    identity, kind, name : str
-        Its name for requests, what it does, and the joint it is about.
-    child : Child
-        The process that does it.
-    """
+    """One job: its name for requests, what it does, the joint it is about, and the process that does it."""
 
     identity: str
     kind: str
@@ -89,26 +81,9 @@ class Jobs:
         self._closed = False
 
     def begin(self, kind: str, name: str, files: Mapping[str, bytes], options: Mapping[str, Any]) -> Job:
-        """Put a job at the end of the queue.
+        """A job put at the end of the queue, by what it does and the name of the joint.
 
-        Parameters
-        ----------
-        kind, name : str
-            What it does, and the name of the joint.
-        files : mapping
-            Name → content of its files.
-        options : mapping
-            Its options.
-
-        Returns
-        -------
-        Job
-            The job.
-
-        Raises
-        ------
-        BusyError
-            If the queue is full.
+        :class:`BusyError` if it is full.
         """
         with self._lock:
             if self._closed or sum(job.state not in ENDED for job in self._jobs.values()) >= MOST_JOBS:
@@ -125,28 +100,11 @@ class Jobs:
         return job
 
     def get(self, identity: str) -> Job | None:
-        """A job; None if there is none of this name.
-
-        Parameters
-        ----------
-        identity : str
-            Its name.
-
-        Returns
-        -------
-        Job or None
-            The job.
-        """
+        """A job; None if there is none of this name."""
         return self._jobs.get(identity)
 
     def stop(self, job: Job) -> None:
-        """End a job at once, whether it waits or runs.
-
-        Parameters
-        ----------
-        job : Job
-            The job.
-        """
+        """End a job at once, whether it waits or runs."""
         with self._lock:
             if job.state == "waiting":
                 job.change(state="stopped", message="stopped before it began")

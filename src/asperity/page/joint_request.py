@@ -73,35 +73,15 @@ CHOICES = choices_of(WedgeCase, material_keys(WEDGE_TYPE))
 
 
 def choices_of_case(case: Case) -> dict[str, tuple[str, ...]]:
-    """The choices of one joint file.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    dict
-        As :func:`choices_of`.
-    """
+    """The choices of one joint file, as :func:`choices_of`."""
     return choices_of(type(case), case.bodies)
 
 
 @dataclass(frozen=True)
 class JointRequest:
-    """One joint.
+    """One joint, by what messages call it, as TOML or, where that is empty, as the tables of a joint file.
 
-    Parameters
-    ----------
-    name : str
-        What messages call it.
-    text : str
-        A joint file in TOML; empty where ``tables`` are given.
-    changes : mapping
-        Dotted path → new value as a file states it.
-    tables : mapping
-        The tables of a joint file; only where there is no text.
+    ``changes``: dotted path → new value as a file states it.
     """
 
     name: str
@@ -235,22 +215,10 @@ def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
 
 
 def joint_request(body: Any) -> JointRequest:
-    """Check the JSON body of a request.
+    """The joint that the JSON body of a request asks about.
 
-    Parameters
-    ----------
-    body : object
-        ``toml`` (text) or ``joint`` (nested tables); optional ``changes`` (dotted path → value) and ``name``.
-
-    Returns
-    -------
-    JointRequest
-        The joint that it asks about.
-
-    Raises
-    ------
-    InputError
-        If an entry is missing, unknown or of the wrong kind.
+    ``toml`` (text) or ``joint`` (nested tables); optional ``changes`` (dotted path → value) and ``name``. An
+    ``InputError`` is raised if an entry is missing, unknown or of the wrong kind.
     """
     if not isinstance(body, dict):
         raise InputError("the body must be a JSON object with the joint file as 'toml' or 'joint'")

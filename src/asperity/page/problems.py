@@ -18,43 +18,14 @@ _KEYED = re.compile(rf"^({_KEY}(?:, {_KEY})*): (.+)$", re.DOTALL)
 
 
 def require_type(request: Request, *allowed: str) -> None:
-    """Refuse the types that a form of another site can send without asking first.
-
-    Parameters
-    ----------
-    request : Request
-        The request.
-    *allowed : str
-        Types of its body that are accepted.
-
-    Raises
-    ------
-    HTTPException
-        If it has another.
-    """
+    """Refuse, by an ``HTTPException``, the types that a form of another site can send without asking first."""
     stated = request.headers.get("content-type", "").split(";")[0].strip().lower()
     if stated not in allowed:
         raise HTTPException(415, f"the Content-Type must be {' or '.join(allowed)}")
 
 
 def parsed(body: bytes) -> Any:
-    """The JSON document of a body.
-
-    Parameters
-    ----------
-    body : bytes
-        The body.
-
-    Returns
-    -------
-    object
-        What it says.
-
-    Raises
-    ------
-    InputError
-        If it is not JSON.
-    """
+    """What the JSON document of a body says; an ``InputError`` if it is not JSON."""
     try:
         return json.loads(body, parse_constant=_no_constant)
     except (ValueError, RecursionError) as error:

@@ -34,36 +34,12 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
 
 
 def number(value: float | None, factor: float = 1.0) -> str:
-    """A number without its unit; a dash where there is none.
-
-    Parameters
-    ----------
-    value : float or None
-        The value.
-    factor : float, optional
-        What it is multiplied by.
-
-    Returns
-    -------
-    str
-        The number with four digits.
-    """
+    """A number times a factor with four digits, without its unit; a dash where there is none."""
     return "–" if value is None else quantity(value * factor, "1")
 
 
 def percent(value: float | None) -> str:
-    """A share in percent; a dash where there is none.
-
-    Parameters
-    ----------
-    value : float or None
-        The share [-].
-
-    Returns
-    -------
-    str
-        Number and sign.
-    """
+    """A share in percent, number and sign; a dash where there is none."""
     if value is None:
         return "–"
     shown = number(value, 100.0)

@@ -8,29 +8,16 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Heading:
-    """A heading that begins a section.
-
-    Parameters
-    ----------
-    text : str
-        The heading.
-    """
+    """A heading that begins a section."""
 
     text: str
 
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Sentences.
+    """Sentences, emphasised or not.
 
-    Parameters
-    ----------
-    text : str
-        The sentences.
-    strong : bool, optional
-        Whether they are emphasised.
-    passed : bool or None, optional
-        Whether they say that everything passed, or that something failed; None if they say neither.
+    ``passed``: whether they say that everything passed, or that something failed; None if they say neither.
     """
 
     text: str
@@ -40,13 +27,7 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Bullets:
-    """A list of sentences.
-
-    Parameters
-    ----------
-    items : sequence of str
-        One entry each.
-    """
+    """A list of sentences."""
 
     items: Sequence[str]
 
@@ -78,16 +59,9 @@ class Table:
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture.
+    """A picture as SVG; its title is also read to those who cannot see it.
 
-    Parameters
-    ----------
-    title : str
-        What it shows; also read to those who cannot see it.
-    svg : str
-        The picture.
-    sheet : bool, optional
-        Whether it is a sheet of paper of its own, to be shown in full size.
+    ``sheet``: whether it is a sheet of paper of its own, to be shown in full size.
     """
 
     title: str
@@ -97,13 +71,7 @@ class Picture:
 
 @dataclass(frozen=True)
 class Listing:
-    """A text that is shown as it is, letter by letter.
-
-    Parameters
-    ----------
-    text : str
-        The text.
-    """
+    """A text that is shown as it is, letter by letter."""
 
     text: str
 
@@ -113,15 +81,7 @@ Block = Heading | Paragraph | Bullets | Table | Picture | Listing
 
 @dataclass(frozen=True)
 class Report:
-    """A document.
-
-    Parameters
-    ----------
-    title : str
-        Its title.
-    blocks : tuple of Block
-        Its content, in order.
-    """
+    """A document: its title, and its content in order."""
 
     title: str
     blocks: tuple[Block, ...]

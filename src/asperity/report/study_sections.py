@@ -35,18 +35,8 @@ _ROUNDING = 1e-12  # of an elasticity
 class ReportStudies:
     """Studies that a report shows; each may be absent.
 
-    Parameters
-    ----------
-    sensitivities : xarray.Dataset or None
-        What :func:`asperity.study.tolerances.sensitivity.sensitivity` says of :data:`STUDIED`.
-    spread : xarray.Dataset or None
-        What :func:`asperity.study.tolerances.uncertainty.uncertainty` says of them.
-    design : DesignResult or None
-        A design of the joint.
-    design_name, design_text : str
-        Name and text of the design file.
-    options : tuple of str
-        Options of the command that made them.
+    What sensitivity and uncertainty say of :data:`STUDIED`; a design of the joint with name and text of its file; and
+    options of the command that made them.
     """
 
     sensitivities: xarray.Dataset | None = None

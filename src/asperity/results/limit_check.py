@@ -14,17 +14,7 @@ from asperity.units import format_quantity
 
 @dataclass(frozen=True, slots=True)
 class LimitCheck:
-    """One limit of the model at one contact, or of the whole drive.
-
-    Parameters
-    ----------
-    result : Result
-        What is judged: a row of the table of results, with its label and its limit.
-    contact : str or None
-        Which contact; None for the whole drive.
-    value : float
-        Its value.
-    """
+    """Value of a result of the table, which has the limit, at one contact; None for the whole drive."""
 
     result: Result
     contact: str | None

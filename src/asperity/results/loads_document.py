@@ -239,16 +239,8 @@ def _plain(value: Any, rounding: float = 0.0) -> float | None:
 def bearing_entries(solved: SolvedJoint) -> list[Document]:
     """Loads, lives and safeties of the rolling bearings of a joint, ready for :func:`json.dumps`.
 
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint.
-
-    Returns
-    -------
-    list of dict
-        One entry for each bearing with ratings; a number that is not known or infinite is None, and
-        ``absent_because`` says why.
+    One entry for each bearing with ratings; a number that is not known or infinite is None, and ``absent_because`` says
+    why.
     """
     joint, entries = solved.joint, []
     for index, (name, rated) in enumerate(zip(joint.bearing_names, joint.rated_bearings, strict=True)):

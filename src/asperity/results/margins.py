@@ -140,21 +140,11 @@ def _worst(row: Result, rows: dict[str, float]) -> Margin:
 
 
 def verdict_document(judged: Sequence[Margin], rims: dict[str, Any]) -> dict[str, Any]:
-    """Whether a joint works, as a part of its document.
+    """Whether a joint works, as a part of its document, from every requirement and the stresses of bodies that bend.
 
-    Parameters
-    ----------
-    judged : sequence of Margin
-        Every requirement of the joint.
-    rims : dict
-        Stresses and safeties of its bodies that bend, as in the document of the joint.
-
-    Returns
-    -------
-    dict
-        ``works``: whether all requirements of function are met, None where one is not known or the numbers cannot be
-        relied on; ``holds``: likewise those of strength; ``title``: both in a few words; ``words``: what is not met and
-        what is not known; ``nearest``: of the requirements that are met, that which uses most of its limit, or None.
+    ``works``: whether all requirements of function are met, None where one is not known or the numbers cannot be relied
+    on; ``holds``: likewise those of strength; ``title``: both in a few words; ``words``: what is not met and what is
+    not known; ``nearest``: of the requirements that are met, that which uses most of its limit, or None.
     """
     doubtful = [m.result.label for m in judged if m.severity == "accuracy" and not m.passes]
     words = [_verdict(judged, rims)]

@@ -57,30 +57,11 @@ _CAUSES = {
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """One comparison with what is usual, for a contact or for the whole drive.
+    """One comparison with what is usual, for a contact, or for the whole drive (None).
 
-    Parameters
-    ----------
-    name, label : str
-        What is compared, for machines and for people.
-    contact : str or None
-        Which contact; None for the whole drive.
-    value, limit : float
-        The value and the limit it is compared with [SI].
-    ok : bool
-        Whether the value is on the good side of its limit.
-    severity : {"function", "damage", "accuracy", "state", "model"}
-        How serious it is if it is not.
-    meaning : str
-        What that means.
-    remedy : str or None
-        What to do if it is not.
-    dimension : Dimension
-        What value and limit measure.
-    display_unit : str
-        Their unit for people.
-    state : str
-        In which state the contact is, in a few words, where that has a consequence.
+    ``name`` is for machines, ``label`` for people; value and limit are in SI units, with the unit to display. ``ok``:
+    whether the value is on the good side of its limit; ``severity``, ``meaning`` and ``remedy`` are for where it is
+    not; ``state``: in which state the contact is, in a few words, where that has a consequence.
     """
 
     name: str

@@ -14,16 +14,7 @@ Document = dict[str, Any]
 class PositionRow(NamedTuple):
     """One number about the position of the output.
 
-    Parameters
-    ----------
-    label : str
-        What it is called.
-    value : float or None
-        Its value [SI]; None where there is none.
-    unit : str
-        The unit to show.
-    meaning : str
-        What it says.
+    Label, value [SI], None where there is none, unit to show, meaning.
     """
 
     label: str

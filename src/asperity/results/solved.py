@@ -33,17 +33,10 @@ from asperity.results.notes import Note, loss_notes, plausibility, skew_notes
 
 
 class JointSize(eqx.Module):
-    """Size and mass of the rolling parts of a drive.
+    """Size and mass [kg] of the rolling parts of a drive.
 
-    Parameters
-    ----------
-    envelope_diameter : Array
-        Outer diameter of the largest body on the axis [m].
-    envelope_length : Array
-        Length of the longest roller [m]; nan with stepped rollers: how far their tracks lie apart along the axis is not
-        part of their description.
-    mass : Array
-        Mass of all rolling parts [kg].
+    The envelope is the outer diameter of the largest body on the axis and the length of the longest roller [m], nan
+    with stepped rollers: how far their tracks lie apart along the axis is not part of their description.
     """
 
     envelope_diameter: Array

@@ -192,18 +192,7 @@ def results_of_drive(
 
 
 def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
-    """Every result that a single solved joint has.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        The joint.
-
-    Returns
-    -------
-    dict
-        Name → row.
-    """
+    """Every result that a single solved joint has: name → row."""
     return results_of_drive(
         *(solved.row_names(axis) for axis in ("contact", "body", "clearance", "bearing", "pin")),
         has_wedges=bool(wedges(solved.joint.drive)),

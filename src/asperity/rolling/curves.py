@@ -29,23 +29,10 @@ _OVER_TORQUE, _OVER_SPEED = 2.0, 1.5  # ends of the axes over the joint's own nu
 class RollingCurves(eqx.Module):
     """Curves and map of one joint that turns. SI units; nan where a contact slips or nothing turns.
 
-    Parameters
-    ----------
-    torque_capacity : Array
-        Torque capacity; not finite if friction does not limit it [N·m].
-    contact_traction, contact_creepage : Array
-        Creep curve of each contact under its normal force: T/N and creepage, shape (5, n) [-].
-    torque : Array
-        Output torques of the curves over torque, shape (m,) [N·m].
-    drift_per_output_turn : Array
-        Over torque, shape (m,) [rad].
-    life_turns, life_hours : Array
-        Life of the drive over torque, shape (m,) [-], [h].
-    map_torque, map_speed : Array
-        Output torques [N·m] and speeds of the sun [rad/s] of the map, shapes (m - 1,) and (k,); no speeds where the sun
-        stands.
-    efficiency : Array
-        Efficiency over speed and torque, shape (k, m - 1) [-].
+    ``torque_capacity`` [N·m] is not finite if friction does not limit it. Creep curve of each contact under its normal
+    force: T/N and creepage, shape (5, n) [-]. Over the output torques ``torque``, shape (m,) [N·m]: drift per turn of
+    the output [rad], life in turns and in hours. Map: efficiency over speeds of the sun [rad/s] and output torques
+    [N·m], shape (k, m - 1) [-]; no speeds where the sun stands.
     """
 
     torque_capacity: Array
@@ -141,32 +128,16 @@ _POINTS, _LARGEST_SHARE = 60, 0.98
 
 
 class CreepCurves(NamedTuple):
-    """Creep curves of the contacts under their normal forces in rolling.
-
-    Parameters
-    ----------
-    traction, creepage : Array
-        T/N and creepage, without signs, shape (contacts, points) [-].
-    """
+    """T/N and creepage of contacts in rolling, without signs, shape (contacts, points) [-]."""
 
     traction: Array
     creepage: Array
 
 
 def creep_curves(joint: Joint, result: JointResult) -> CreepCurves:
-    """Creepage of each contact for every traction up to gross slip.
+    """Creepage of each contact for every traction up to gross slip, of a joint without batch axes.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint, without batch axes.
-    result : JointResult
-        What it does under its own torque and speed.
-
-    Returns
-    -------
-    CreepCurves
-        With asperities and skew taken at each traction; nan where the joint does not roll.
+    Asperities and skew are taken at each traction; nan where the joint does not roll.
     """
     numbers: Any = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     normal = np.asarray(result.rolling.normal)

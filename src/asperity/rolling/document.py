@@ -61,18 +61,7 @@ def rolling_document(joint: Joint, result: JointResult) -> Document:
 
 
 def losses(rolling: RollingResult) -> Document:
-    """Losses by cause, all contacts together [W].
-
-    Parameters
-    ----------
-    rolling : RollingResult
-        The joint that turns.
-
-    Returns
-    -------
-    dict
-        Cause → power, and their sum ``total``; nan for a loss that the joint leaves out.
-    """
+    """Losses by cause, all contacts together, and their sum ``total`` [W]; nan for a loss that the joint leaves out."""
     power = rolling.power
     by_contact = {
         name: np.sum(np.asarray(getattr(power, name))) for name in ("creep", "skew", "hysteresis", "oil")

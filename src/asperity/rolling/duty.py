@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.rolling_fatigue import damage_shares, life_at_reliability, spectrum_life
-from asperity.drive.state.rolling_speeds import BodiesOfContacts
+from asperity.drive.state.state import BodiesOfContacts
 from asperity.joint.fit import per_contact
 from asperity.rolling.conditions import RollingConditions
 from asperity.rolling.life import drive_lives, failure_shares
@@ -20,20 +20,12 @@ from asperity.types import Real
 
 
 class DutyLife(eqx.Module):
-    """Life of a drive under its duty, and what each load does to it.
+    """Life of a drive under its duty, and what each load does to it; loads first.
 
-    Parameters
-    ----------
-    hours, turns : Array
-        Life in hours and in turns of the output; nan where a contact slips or lifts off under one of the loads,
-        infinite where nothing turns.
-    damage_shares : Array
-        Share of each load in the damage of the drive, loads first [-]; they add up to 1.
-    load_hours : Array
-        Life under each load alone, loads first [h].
-    shakedown_ratios, slip_ratios : Array
-        Hertz pressure over the shakedown limit, and traction over what friction and skew leave, of the worst contact
-        under each load, loads first [-]; nan where it does not roll.
+    ``hours`` and ``turns`` of the output are nan where a contact slips or lifts off under one of the loads, infinite
+    where nothing turns. Of each load: its share in the damage of the drive [-], which add up to 1; the life under it
+    alone [h]; and, for the worst contact, Hertz pressure over the shakedown limit, and traction over what friction and
+    skew leave [-], nan where it does not roll.
     """
 
     hours: Array

@@ -12,7 +12,7 @@ from jax import Array
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life
-from asperity.drive.state.rolling_speeds import BodiesOfContacts, RollingSpeeds
+from asperity.drive.state.state import BodiesOfContacts, RollingSpeeds
 from asperity.types import Real
 
 _MILLION = 1e6
@@ -21,14 +21,8 @@ _MILLION = 1e6
 class DriveLives(eqx.Module):
     """Lives at one survival, all in one unit.
 
-    Parameters
-    ----------
-    contact : Array
-        Lives of both tracks of a contact in all branches, shape (contacts, ...).
-    body : Array
-        Lives of one body of each kind, shape (bodies, ...).
-    drive : Array
-        Life until the first body of the drive fails, shape (...).
+    ``contact``: of both tracks of a contact in all branches, shape (contacts, ...); ``body``: of one body of each kind,
+    shape (bodies, ...); ``drive``: until its first body fails, shape (...).
     """
 
     contact: Array

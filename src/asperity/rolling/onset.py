@@ -33,23 +33,12 @@ from asperity.types import Real
 
 
 class ContactsInSeries(eqx.Module):
-    """What the creep of each contact adds to the angle of the output. SI units; contact axis first.
+    """What the creep of each contact adds to the angle of the output; arrays of shape (contacts,). SI units.
 
-    Parameters
-    ----------
-    half_width : Array
-        Half-widths of the contacts, shape (contacts,) [m].
-    slip_ratio : Array
-        Share of each contact's width that slips in Carter's sense, 1 − (c/a)², shape (contacts,) [-]; T/(mu N) without
-        skew.
-    share : Array
-        Share of each contact in the drift, shape (contacts,) [-]; they add up to 1.
-    distance : Array
-        Distance that each contact rolls per angle of the output, shape (contacts,) [m/rad].
-    input_angle : Array
-        Angle of the input per angle of the output [-].
-    drift_per_output_turn : Array
-        Angle lost in one turn of the output in steady rolling [rad].
+    Half-width [m]; ``slip_ratio``, share of the width that slips in Carter's sense, 1 − (c/a)² [-], T/(mu N) without
+    skew; ``share`` in the drift [-], which add up to 1; ``distance`` that the contact rolls per angle of the output
+    [m/rad]. ``input_angle`` per angle of the output [-]; ``drift_per_output_turn``, angle lost in one turn of the
+    output in steady rolling [rad].
     """
 
     half_width: Array

@@ -15,8 +15,7 @@ from asperity.contact.rolling_losses import (
     inlet_rolling_force,
     inlet_rolling_power,
 )
-from asperity.drive.state.rolling_speeds import RollingSpeeds
-from asperity.drive.state.state import DriveState
+from asperity.drive.state.state import DriveState, RollingSpeeds
 from asperity.rolling.conditions import RollingConditions
 from asperity.types import Real
 
@@ -24,23 +23,14 @@ from asperity.types import Real
 class RollingPower(eqx.Module):
     """Powers of a rolling joint, all branches together [W]; contact axis first. nan where the sun stands.
 
-    Parameters
-    ----------
-    creep, skew, hysteresis, oil : Array
-        Losses of each contact by creep along the rolling direction, by creep across it, by elastic hysteresis and by
-        the oil at the inlet, shape (5, ...); nan for a loss that the joint leaves out.
-    bearings : Array
-        Loss in the bearings of sun, loading rollers and carrier, and at the pins.
-    contact : Array
-        Loss of each contact, the sum of those that the joint counts, shape (5, ...).
-    loss : Array
-        Loss of the joint.
-    input, output : Array
-        Power that enters and leaves: at sun and carrier, or at carrier and sun where the output torque drives the
-        rotation. Where the losses exceed what then enters, nothing leaves: nan.
-    efficiency : Array
-        Output over input [-]; nan where nothing leaves because the output torque drives the rotation but not the
-        losses.
+    Losses of each contact, shape (5, ...), nan for one that the joint leaves out: by creep along the rolling direction,
+    by creep across it (``skew``), by elastic hysteresis and by the oil at the inlet; ``contact`` is the sum of those
+    that the joint counts. ``bearings``: in the bearings of sun, loading rollers and carrier, and at the pins; ``loss``:
+    of the joint.
+
+    ``input`` and ``output``: power that enters and leaves, at sun and carrier, or at carrier and sun where the output
+    torque drives the rotation. Where the losses exceed what then enters, nothing leaves: it and ``efficiency``, output
+    over input [-], are nan.
     """
 
     creep: Real

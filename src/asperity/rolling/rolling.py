@@ -20,8 +20,7 @@ from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.bearings import friction_moments, friction_power
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
-from asperity.drive.state.rolling_speeds import BodiesOfContacts, RollingSpeeds
-from asperity.drive.state.state import DriveState, surface_speeds
+from asperity.drive.state.state import BodiesOfContacts, DriveState, RollingSpeeds, surface_speeds
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, bodies_of_contacts, places
 from asperity.rolling.creep import ContactCreep, capacity_loss, lateral_slip_ratio

@@ -20,26 +20,11 @@ from asperity.types import Real
 class RollingStrips(NamedTuple):
     """The strips of the contacts under their forces in rolling, shape (5, ...).
 
-    Parameters
-    ----------
-    even_half_width : Array
-        Half-widths under even loads [m].
-    mean_half_width : Array
-        Half-widths, the mean by load [m].
-    largest_half_width : Array
-        Half-widths in the middle [m].
-    largest_load : Array
-        Normal forces as if the line load of the middle acted on the whole line [N].
-    middle_traction : Array
-        T/N in the middle [-].
-    middle_power_ratio : Array or None
-        Friction power per length in the middle over the mean [-]; None where the loads are even.
-    tracks : Array
-        Lives of the tracks at 90 % survival, shape (2, 5, ...) [stress cycles].
-    shakedown_ratio : Array
-        Peak pressure over the shakedown limit, the largest of the line [-].
-    lines : CrownedLine or None
-        Loads along crowned contacts; None where they are even.
+    Half-widths [m]: under even loads, the mean by load, and in the middle of the line. In the middle also
+    ``largest_load``, normal forces as if the line load there acted on the whole line [N]; T/N [-]; and friction power
+    per length over the mean [-], None where the loads are even. ``tracks``: lives at 90 % survival, shape (2, 5, ...)
+    [stress cycles]. ``shakedown_ratio``: peak pressure over the shakedown limit, the largest of the line [-].
+    ``lines``: loads along crowned contacts; None where they are even.
     """
 
     even_half_width: Array

@@ -14,7 +14,7 @@ from asperity.contact.flash_temperature import (
     thermal_effusivity,
 )
 from asperity.contact.roller_pairs import RollerPairs
-from asperity.drive.state.rolling_speeds import RollingSpeeds
+from asperity.drive.state.state import RollingSpeeds
 from asperity.materials import Material
 from asperity.rolling.conditions import RollingConditions
 from asperity.types import Real

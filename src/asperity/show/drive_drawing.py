@@ -27,16 +27,9 @@ _ARROW_ENDS = math.radians(155.0), math.radians(25.0)
 
 
 class Roller(NamedTuple):
-    """One roller of a drive.
+    """One roller of a drive, a key of :data:`BODY_COLORS`, with its centre and radius [m].
 
-    Parameters
-    ----------
-    body : str
-        Key of :data:`BODY_COLORS`.
-    centre : tuple of float
-        Centre in the coordinates of the drive: origin at the sun, first planet on the positive y axis [m].
-    radius : float
-        Radius [m].
+    The origin lies at the sun, the first planet on the positive y axis.
     """
 
     body: str

@@ -25,16 +25,8 @@ _OTHER_SIDE = 12.0  # what a leader to the side that is not the usual one costs 
 class Size(NamedTuple):
     """A size that the drawing shows or the list says.
 
-    Parameters
-    ----------
-    of : str
-        Whose size, in the list.
-    listed, label : str
-        What the list says after that, and what the view says.
-    places : tuple of Place
-        Where a leader to it may begin.
-    radius : float or None, optional
-        Of a circle about the axis whose diameter can stand below the view [mm].
+    ``of``: whose size, in the list; ``listed``: what it says after that; ``label``: what the view says. ``places``:
+    where a leader to it may begin; ``radius`` of a circle about the axis whose diameter can stand below the view [mm].
     """
 
     of: str
@@ -45,18 +37,10 @@ class Size(NamedTuple):
 
 
 class Clearance(NamedTuple):
-    """The free distance between two rollers off the axis, or between one and a ring.
+    """The free distance [mm] between two rollers off the axis, or between one and a ring, and between which in words.
 
-    Parameters
-    ----------
-    words : str
-        Between which rollers.
-    size : float
-        Free distance [mm].
-    places : tuple of Place
-        Where a line can be drawn between them; none where other rollers lie between.
-    alike : bool, optional
-        Whether they are copies of one roller in neighbouring sectors.
+    ``places``: where a line can be drawn between them, none where other rollers lie between; ``alike``: whether they
+    are copies of one roller in neighbouring sectors.
     """
 
     words: str
@@ -249,16 +233,10 @@ def _blocked(ends: tuple[Point, Point], discs: list[Circle]) -> bool:
 
 
 class Dimensions(NamedTuple):
-    """What the view shows and what it does not.
+    """Dimension lines, leaders and texts of the view.
 
-    Parameters
-    ----------
-    items : list of Item
-        Dimension lines, leaders and texts.
-    unplaced : frozenset of int
-        Numbers of the sizes for which there is no room.
-    letters : dict
-        Number of a clearance → its letter in the view.
+    ``unplaced``: numbers of the sizes for which there is no room; ``letters``: number of a clearance → its letter in
+    the view.
     """
 
     items: list[Item]

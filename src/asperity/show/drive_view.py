@@ -44,16 +44,9 @@ _LINE_TOO_NEAR, _NO_ROOM = (
 
 
 class RingOfBody(NamedTuple):
-    """Radii of a ring as drawn.
+    """Radii [mm] of a ring as drawn.
 
-    Parameters
-    ----------
-    body : int
-        Number of its body.
-    inner, outer : float
-        Its own radii [mm].
-    shown : float
-        Radius at which the drawing ends [mm]; less than ``outer`` where the wall is broken off.
+    It ends at ``shown``, which is less than ``outer`` where the wall is broken off.
     """
 
     body: int

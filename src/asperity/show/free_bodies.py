@@ -231,20 +231,10 @@ def body_forces(joint: Joint, result: JointResult) -> list[BodyForce]:
 class BodyForce(NamedTuple):
     """One force on one body of the first branch, whose planet lies above the sun.
 
-    Parameters
-    ----------
-    body : str
-        ``planet``, ``right loading roller`` or ``left loading roller``.
-    name : str
-        The contact, or ``pin``.
-    kind : str
-        ``N`` normal, ``T`` tangential, ``F`` of a pin.
-    place : tuple of float
-        Where it acts: direction from the centre of the body to the contact; (0, 0) for a pin.
-    direction : tuple of float
-        Unit vector: to the right, upwards.
-    size : float
-        The force in this direction [N]; negative for the opposite one.
+    ``body``: ``planet``, ``right loading roller`` or ``left loading roller``; ``name``: the contact, or ``pin``;
+    ``kind``: ``N`` normal, ``T`` tangential, ``F`` of a pin. ``place``: direction from the centre of the body to the
+    contact, (0, 0) for a pin; ``direction``: unit vector, to the right and upwards; ``size``: the force in this
+    direction [N], negative for the opposite one.
     """
 
     body: str

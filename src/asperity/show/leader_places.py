@@ -20,16 +20,10 @@ _PER_LEVEL, _PER_OUTLINE, _PER_SLANT, _PER_NEAR, _ALONG_MARK = 0.5, 5.0, 12.0, 1
 
 
 class Place(NamedTuple):
-    """Where a leader may begin.
+    """Where a leader may begin [mm].
 
-    Parameters
-    ----------
-    tip : tuple of float
-        The point [mm].
-    outward : tuple of float or None, optional
-        Unit vector along which it comes best, away from its outline; None where it makes no difference.
-    mark : tuple of Line, optional
-        What is drawn with it, for example a dimension line across a wall; the leader then has no arrow.
+    ``outward``: unit vector along which it comes best, away from its outline, None where it makes no difference;
+    ``mark``: what is drawn with it, for example a dimension line across a wall; the leader then has no arrow.
     """
 
     tip: Point
@@ -38,18 +32,10 @@ class Place(NamedTuple):
 
 
 class Side(NamedTuple):
-    """A column of texts beside the view.
+    """A column of texts beside the view, at levels [mm]; its leaders end at ``x`` [mm].
 
-    Parameters
-    ----------
-    x : float
-        Where its leaders end [mm].
-    align : {"left", "right"}
-        ``left`` for the column right of the view, whose texts begin there.
-    levels : tuple of float
-        Levels of the texts [mm].
-    handicap : float
-        What a leader on this side costs besides [mm on paper].
+    ``align`` is ``left`` for the column right of the view, whose texts begin there; ``handicap`` is what a leader on
+    this side costs besides [mm on paper].
     """
 
     x: float

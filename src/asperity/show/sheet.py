@@ -26,17 +26,7 @@ TEXT_HEIGHT, TITLE_HEIGHT = 2.5, 3.5
 
 @dataclass(frozen=True)
 class Circle:
-    """A circle.
-
-    Parameters
-    ----------
-    centre : tuple of float
-        Centre [mm].
-    radius : float
-        Radius [mm].
-    style : Style, optional
-        Kind of line.
-    """
+    """A circle by its centre and radius [mm] and its kind of line."""
 
     centre: Point
     radius: float
@@ -45,17 +35,7 @@ class Circle:
 
 @dataclass(frozen=True)
 class Line:
-    """A line through points.
-
-    Parameters
-    ----------
-    points : tuple of tuple of float
-        Its points [mm].
-    style : Style, optional
-        Kind of line.
-    arrows : str, optional
-        Where arrowheads are: ``"start"``, ``"end"``, ``"both"`` or nothing.
-    """
+    """A line of a kind through points [mm], with arrowheads at ``"start"``, ``"end"``, ``"both"`` or nowhere."""
 
     points: tuple[Point, ...]
     style: Style = "thin"
@@ -64,18 +44,9 @@ class Line:
 
 @dataclass(frozen=True)
 class Text:
-    """One line of text.
+    """One line of text, whose base line begins, is centred or ends ``at`` a point [mm].
 
-    Parameters
-    ----------
-    at : tuple of float
-        Where its base line begins, is centred or ends [mm].
-    text : str
-        The text.
-    align : {"left", "center", "right"}, optional
-        What is at ``at``.
-    height : float, optional
-        Height of its capital letters on paper [mm].
+    ``height`` of its capital letters on paper [mm].
     """
 
     at: Point
@@ -89,19 +60,11 @@ Item = Circle | Line | Text
 
 @dataclass(frozen=True)
 class Sheet:
-    """A sheet of paper with a drawing on it.
+    """A sheet of paper of a size [mm] with a drawing on it.
 
-    Parameters
-    ----------
-    width, height : float
-        Size of the paper [mm].
-    scale : float
-        Length on paper over true length [-].
-    origin : tuple of float
-        Where the origin of the drawing lies on the paper, from its lower left corner [mm].
-    items : tuple of Item
-        What is drawn. Coordinates and radii are true sizes [mm]; widths of lines, arrowheads and heights of texts are
-        sizes on paper.
+    ``scale`` is length on paper over true length [-]; ``origin``, where the origin of the drawing lies on the paper,
+    from its lower left corner [mm]. Coordinates and radii of the items are true sizes [mm]; widths of lines, arrowheads
+    and heights of texts are sizes on paper.
     """
 
     width: float

@@ -68,20 +68,7 @@ def sheet_figure(sheet: Sheet) -> Figure:
 
 @lru_cache(maxsize=4096)
 def text_width(text: str, height: float = TEXT_HEIGHT) -> float:
-    """Width of a line of text on paper.
-
-    Parameters
-    ----------
-    text : str
-        The text.
-    height : float, optional
-        Height of its capital letters on paper [mm].
-
-    Returns
-    -------
-    float
-        Its width [mm].
-    """
+    """Width [mm] of a line of text on paper with capital letters of a height [mm]."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
 

@@ -70,18 +70,7 @@ CONTACT_LABELS = {
 
 
 def plain_title(text: str) -> str:
-    """A user's text as a title: printable, and without formulas.
-
-    Parameters
-    ----------
-    text : str
-        Any text, for example the name of a file.
-
-    Returns
-    -------
-    str
-        Text that matplotlib shows as it is.
-    """
+    """A user's text as a title: printable, and without formulas, so that matplotlib shows it as it is."""
     return printable(text).replace("$", r"\$")
 
 
@@ -109,20 +98,7 @@ def mark_few_decades(axis: Axis, low: float, high: float) -> None:
 
 
 def plain_number(value: float, _: object = None) -> str:
-    """A round number for a tick or a contour.
-
-    Parameters
-    ----------
-    value : float
-        The number.
-    _ : object, optional
-        Place of the tick, which makes no difference.
-
-    Returns
-    -------
-    str
-        40000 rather than 4e+04, and 1e-9 rather than 1e-09.
-    """
+    """A round number for a tick or a contour: 40000 rather than 4e+04, and 1e-9 rather than 1e-09."""
     return f"{value:.6g}".replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
 
 

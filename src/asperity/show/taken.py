@@ -19,13 +19,7 @@ _DRIVE = ("outline", "axis", "frame")
 
 
 class Box(NamedTuple):
-    """A rectangle.
-
-    Parameters
-    ----------
-    left, right, low, high : float
-        Its edges [mm].
-    """
+    """A rectangle by its edges [mm]."""
 
     left: float
     right: float
@@ -72,20 +66,7 @@ class Box(NamedTuple):
 
 
 def text_box(text: Text, scale: float) -> Box:
-    """The room of a text, with a margin.
-
-    Parameters
-    ----------
-    text : Text
-        The text.
-    scale : float
-        Length on paper over true length [-].
-
-    Returns
-    -------
-    Box
-        In true size.
-    """
+    """The room of a text in true size, with a margin; ``scale`` is length on paper over true length."""
     wide = text_width(text.text, text.height)
     left = text.at[0] - {"left": 0.0, "center": 0.5, "right": 1.0}[text.align] * wide / scale
     low = text.at[1] - (_BELOW + _AROUND) / scale
@@ -98,15 +79,7 @@ def text_box(text: Text, scale: float) -> Box:
 
 
 class Taken:
-    """Texts and lines of a sheet.
-
-    Parameters
-    ----------
-    scale : float
-        Length on paper over true length [-].
-    paper : Box
-        Where texts may stand.
-    """
+    """Texts and lines of a sheet; ``scale`` is length on paper over true length, ``paper`` where texts may stand."""
 
     def __init__(self, scale: float, paper: Box) -> None:
         self.scale = scale

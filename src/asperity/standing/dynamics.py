@@ -15,8 +15,8 @@ from asperity.drive.structure.dynamics import (
     natural_frequencies,
 )
 from asperity.errors import InputError
+from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import Joint
-from asperity.joint.inertias import joint_inertias
 from asperity.joint.solve import Solution, solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
 from asperity.standing.over_torque import lost_speed_slopes, standing_over_torque
@@ -48,25 +48,13 @@ class Inertias(eqx.Module):
 
 
 class JointDynamics(eqx.Module):
-    """A joint with its inertias, linear about its torque. SI units, all referred to the output.
+    """A joint with its inertias, linear about its output torque [N·m]. SI units, all referred to the output.
 
-    Parameters
-    ----------
-    output_torque : Array
-        Torque about which it is linear [N·m].
-    stiffness : Array
-        Incremental stiffness of the assembled joint [N·m/rad].
-    input_inertia : Array
-        Inertia of motor and sun times the square of the speed ratio [kg·m^2].
-    output_inertia : Array
-        Inertia of load, planets and loading rollers [kg·m^2]; the carrier belongs to the load.
-    locked_frequency, free_frequency : Array
-        Natural frequencies with the motor locked, and with both sides free [Hz].
-    creep_damping : Array
-        Torque per speed lost by creep [N·m·s/rad]; infinite where the sun stands, nan where the joint does not roll.
-    corner_frequency : Array
-        Where creep and spring yield equally [Hz]: below it the joint that turns is a damper, above it a spring; 0
-        where the sun stands.
+    Incremental stiffness of the assembled joint [N·m/rad]. Inertias [kg·m^2]: of motor and sun times the square of the
+    speed ratio; of load, planets and loading rollers, the carrier belonging to the load. Natural frequencies with the
+    motor locked, and with both sides free [Hz]. ``creep_damping``: torque per speed lost by creep [N·m·s/rad], infinite
+    where the sun stands, nan where the joint does not roll. ``corner_frequency``: where creep and spring yield equally
+    [Hz], below which the joint that turns is a damper, above it a spring; 0 where the sun stands.
     """
 
     output_torque: Array

@@ -40,13 +40,7 @@ BATCH = 50
 
 
 class StandingOverTorque(NamedTuple):
-    """A joint that stands, at torques of either sign. SI units, torques along the first axis.
-
-    Parameters
-    ----------
-    balanced, solved, slip_ratio, published, series_with_bulk, assembly : Array
-        As of :class:`OverTorque`.
-    """
+    """A joint that stands, at torques of either sign along the first axis, as of :class:`OverTorque`."""
 
     balanced: Array
     solved: Array
@@ -59,26 +53,13 @@ class StandingOverTorque(NamedTuple):
 class OverTorque(NamedTuple):
     """A joint at torques of either sign. SI units, torques along the first axis.
 
-    Parameters
-    ----------
-    balanced : Array
-        Whether the forces of the joint that stands balance.
-    solved : Array
-        Whether they also stay within friction.
-    slip_ratio : Array
-        Its T/(mu N), 1 where a contact slides while others hold, shape (torques, contacts) [-].
-    published, series_with_bulk, assembly : Array
-        Incremental stiffness at the output: as it is, and under the same normal forces with so much friction that no
-        contact slips, shape (torques, 2) [N·m/rad].
-    drift : Array
-        Angle by which the output gives way to the torque in one turn of its own, with the sign of the torque, in
-        rolling with the torque and against it, shape (torques, 2) [rad]; nan where there is no steady rolling.
-    efficiency : Array
-        Output power over input power, as the input turns [-].
-    total_loss : Array
-        Power lost [W].
-    life_hours, life_turns : Array
-        Fatigue life of the drive [h], and in turns of the output [-].
+    ``balanced`` tells whether the forces of the joint that stands balance, ``solved`` whether they also stay within
+    friction. ``slip_ratio`` is its T/(mu N), 1 where a contact slides while others hold, shape (torques, contacts).
+    Incremental stiffnesses at the output, shape (torques, 2) [N·m/rad]: as it is, and under the same normal forces with
+    so much friction that no contact slips. ``drift``, shape (torques, 2) [rad], is the angle by which the output gives
+    way to the torque in one turn of its own, with the sign of the torque, in rolling with the torque and against it;
+    nan where there is no steady rolling. ``efficiency`` counts power as the input turns, ``total_loss`` in W; lives in
+    hours and turns of the output.
     """
 
     balanced: Array
@@ -122,19 +103,9 @@ def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction:
 
 
 def lost_speed_slopes(joint: Joint, torques: np.ndarray) -> np.ndarray:
-    """Change of the lost share of the output speed with the torque.
+    """Slopes of the lost share of the output speed over output torques [N·m] of either sign [1/(N·m)].
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint; its own output torque is replaced.
-    torques : ndarray
-        Output torques of either sign, shape (torques,) [N·m].
-
-    Returns
-    -------
-    ndarray
-        Slopes, shape (torques,) [1/(N·m)]; nan where there is no steady rolling.
+    nan where there is no steady rolling. The joint's own output torque does not count.
     """
     slopes: np.ndarray = _in_batches(slope_program, joint, torques)
     return slopes

@@ -47,34 +47,13 @@ class ParallelElements:
         return angle * (a + angle * (b + angle * c)) + float(stretch @ self.stiffness)
 
     def torques(self, angles: np.ndarray) -> np.ndarray:
-        """Torque along a path of angles that begins at rest.
-
-        Parameters
-        ----------
-        angles : ndarray
-            Angles in their order, shape (m,) [rad].
-
-        Returns
-        -------
-        ndarray
-            Torque, shape (m,) [N·m].
-        """
+        """Torque along a path of angles [rad] in their order, beginning at rest, shape (m,) [N·m]."""
         return _columns(angles, self.yield_angle, 1.0) @ np.concatenate([self.spring, self.stiffness])
 
     def angles(self, torques: np.ndarray, *, largest_angle: float) -> np.ndarray:
-        """Angle along a path of torques that begins at rest.
+        """Angle along a path of torques [N·m] in their order, beginning at rest, shape (m,) [rad].
 
-        Parameters
-        ----------
-        torques : ndarray
-            Torques in their order, shape (m,) [N·m].
-        largest_angle : float
-            Bound of the angles [rad].
-
-        Returns
-        -------
-        ndarray
-            Angle, shape (m,) [rad].
+        Bounded by a largest one.
         """
         slider, made = np.zeros_like(self.yield_angle), []
         for torque in torques:
@@ -91,15 +70,10 @@ class ParallelElements:
 
 @dataclass(frozen=True)
 class FitError:
-    """How far parallel elements are from the wind-up they stand for.
+    """Largest deviations of parallel elements from the wind-up they stand for, at equal torque [rad].
 
-    Parameters
-    ----------
-    angle : float
-        Largest deviation of the angle at equal torque, on first loading in both directions, on the loop between plus
-        and minus the largest torque, and on a loop of half that torque [rad].
-    loop_width : float
-        Largest deviation of the width of both loops at equal torque [rad].
+    Of the angle, on first loading in both directions, on the loop between plus and minus the largest torque, and on a
+    loop of half that torque; and of the width of both loops.
     """
 
     angle: float

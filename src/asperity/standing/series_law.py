@@ -38,36 +38,13 @@ class SeriesLaw:
         self.slip = PchipInterpolator(self.slip_torque, self.slip_angle)
 
     def loading(self, torque: np.ndarray) -> np.ndarray:
-        """Angle on first loading from rest.
-
-        Parameters
-        ----------
-        torque : ndarray
-            Torque of either sign, shape (n,) [N·m].
-
-        Returns
-        -------
-        ndarray
-            Angle, shape (n,) [rad].
-        """
+        """Angle on first loading from rest [rad], at torques of either sign [N·m]."""
         return self.reversible(torque) + np.sign(torque) * self.slip(np.abs(torque))
 
     def branch(self, torque: np.ndarray, *, size: float, sense: float) -> np.ndarray:
-        """Angle on a branch of the loop between plus and minus a torque.
+        """Angle [rad] on a branch of the loop between plus and minus a torque ``size`` [N·m].
 
-        Parameters
-        ----------
-        torque : ndarray
-            Torque, shape (n,) [N·m].
-        size : float
-            Where the loop ends [N·m].
-        sense : float
-            1 for growing torque, -1 for falling torque.
-
-        Returns
-        -------
-        ndarray
-            Angle, shape (n,) [rad].
+        ``sense`` is 1 for growing torque, -1 for falling torque.
         """
         since = self.slip(0.5 * (size + sense * torque))
         return self.reversible(torque) + sense * (2.0 * since - self.slip(size))
@@ -75,16 +52,11 @@ class SeriesLaw:
 
 @dataclass(frozen=True)
 class SlipElements:
-    """Slip of a wind-up as elements in series, each a spring beside a slider. SI units.
+    """Slip of a wind-up as elements in series, each a spring beside a slider.
 
-    Parameters
-    ----------
-    threshold : ndarray
-        Torque below which the slider of each element sticks, shape (n,) [N·m].
-    compliance : ndarray
-        Angle per torque beyond it, shape (n,) [rad/(N·m)].
-    error : float
-        Largest deviation of the angle on the loops between plus and minus the largest torque, and of half of it [rad].
+    ``threshold`` is the torque below which each slider sticks [N·m], ``compliance`` the angle per torque beyond it
+    [rad/(N·m)], shape (n,); ``error`` the largest deviation of the angle on the loops between plus and minus the
+    largest torque, and of half of it [rad].
     """
 
     threshold: np.ndarray

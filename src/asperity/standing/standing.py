@@ -22,17 +22,9 @@ NO_SLIP_FRICTION = 1e30
 class Standing(NamedTuple):
     """A joint at torques, as NumPy arrays. SI units.
 
-    Parameters
-    ----------
-    solved : ndarray
-        Whether the forces balance, shape (torques,).
-    holds : ndarray
-        Whether friction holds the torque, shape (torques,).
-    slip_ratio : ndarray
-        T/(mu N) of each contact, shape (contacts, torques) [-].
-    levels, levels_without_slip : dict
-        Name of a level → incremental stiffness at the output, shape (torques,) [N·m/rad]: as the joint is, and under
-        the same normal forces with so much friction that no contact slips.
+    Whether the forces balance, and whether friction holds the torque, shape (torques,); T/(mu N) of each contact, shape
+    (contacts, torques) [-]. Name of a level → incremental stiffness at the output, shape (torques,) [N·m/rad]: as the
+    joint is, and under the same normal forces with so much friction that no contact slips.
     """
 
     solved: np.ndarray
@@ -53,20 +45,12 @@ def standing_at(joint: Joint, torques: np.ndarray) -> Standing:
 
 
 class BothSenses(eqx.Module):
-    """One joint over torques of either sign. SI units; shape (n,).
+    """One joint over output torques of either sign [N·m]. SI units; shape (n,).
 
-    Parameters
-    ----------
-    torque : Array
-        Output torques [N·m].
-    published, series_with_bulk, assembly : Array
-        Incremental stiffness on the three levels at rest, play left out [N·m/rad]; nan where a contact slips.
-    slip_ratio : Array
-        The largest T/(mu N) of all contacts at rest [-].
-    driving_drift, braking_drift : Array
-        Angle by which the output gives way to the torque in one turn of its own, with the sign of the torque [rad]:
-        in steady rolling with the torque (the output falls behind), and against it (it runs ahead). nan where there is
-        no steady rolling.
+    Incremental stiffnesses on the three levels at rest, play left out [N·m/rad], nan where a contact slips; the largest
+    T/(mu N) of all contacts at rest. The drifts are the angle by which the output gives way to the torque in one turn
+    of its own, with the sign of the torque [rad]: in steady rolling with the torque (the output falls behind), and
+    against it (it runs ahead); nan where there is no steady rolling.
     """
 
     torque: Array

@@ -16,24 +16,11 @@ _OVER_TORQUE = 2.0  # end of the axis over the joint's own torque, where there i
 
 
 class TorqueCurves(eqx.Module):
-    """One joint over its output torque. SI units; shape (n,); nan where a contact slips or nothing turns.
+    """One joint over its output torque [N·m]. SI units; shape (n,); nan where a contact slips or nothing turns.
 
-    Parameters
-    ----------
-    torque : ndarray
-        Output torques [N·m].
-    published, series_with_bulk, assembly : ndarray
-        Torsional stiffness at the output on the three levels [N·m/rad].
-    drift_per_output_turn : ndarray
-        Angle lost in one turn of the output [rad].
-    efficiency : ndarray
-        Output power over input power [-].
-    total_loss : ndarray
-        Power lost, without what the file has no numbers for [W].
-    life_hours, life_turns : ndarray
-        Fatigue life of the drive [h], and in turns of the output [-].
-    slip_ratio : ndarray
-        The largest T/(mu N) of all contacts [-].
+    Torsional stiffness at the output on the three levels [N·m/rad]; angle lost in one turn of the output [rad]; output
+    over input power; power lost, without what the file has no numbers for [W]; fatigue life of the drive in hours and
+    in turns of the output; the largest T/(mu N) of all contacts.
     """
 
     torque: np.ndarray

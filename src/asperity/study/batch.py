@@ -27,8 +27,15 @@ from asperity.joint_file.any_joint import evaluated_points, results_of
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.part_names import type_of, with_tracks
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.si_tables import Values, key_at, replace_values
-from asperity.joint_file.table_numbers import Numbers, numbers, table_structure, with_numbers
+from asperity.joint_file.si_tables import (
+    Numbers,
+    Values,
+    key_at,
+    numbers,
+    replace_values,
+    table_structure,
+    with_numbers,
+)
 from asperity.precision import require_double_precision
 from asperity.results import RESULTS
 

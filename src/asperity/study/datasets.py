@@ -27,39 +27,12 @@ SUFFIXES = (".nc", ".parquet", ".csv")
 
 
 def require(module: str) -> Any:
-    """Import a module of the extra ``study``.
-
-    Parameters
-    ----------
-    module : str
-        Its name.
-
-    Returns
-    -------
-    module
-        Imported.
-
-    Raises
-    ------
-    MissingExtraError
-        If it is not installed.
-    """
+    """A module of the extra ``study``, imported; a ``MissingExtraError`` if it is not installed."""
     return optional_module(module, extra="study", needs="studies need")
 
 
 def coordinate(axis: SweepAxis) -> tuple[tuple[str], np.ndarray, dict[str, str]]:
-    """One axis as a coordinate.
-
-    Parameters
-    ----------
-    axis : Axis or ListedAxis
-        The axis.
-
-    Returns
-    -------
-    tuple
-        Dimensions, values, attributes.
-    """
+    """One axis as a coordinate: dimensions, values, attributes."""
     return (axis.path,), axis.values, key_attributes(axis.path)
 
 
@@ -69,18 +42,9 @@ def key_attributes(path: str) -> dict[str, str]:
 
 
 def result_attributes(result: Result) -> dict[str, str]:
-    """Attributes of a result.
+    """Attributes of a row of the table of results: ``units`` and ``long_name``.
 
-    Parameters
-    ----------
-    result : Result
-        A row of the table of results.
-
-    Returns
-    -------
-    dict
-        ``units`` and ``long_name``; ``categories`` where its values number them; ``comment`` where not every joint has
-        all of its rows.
+    To them ``categories`` where its values number them; ``comment`` where not every joint has all of its rows.
     """
     attributes = {"units": result.si_unit, "long_name": result.label}
     if result.present is not None and result.note:
@@ -91,15 +55,7 @@ def result_attributes(result: Result) -> dict[str, str]:
 def result_rows(results: Iterable[Result]) -> list[tuple[str, str, str]]:
     """Every number that some results have: one, or one for each contact or clearance.
 
-    Parameters
-    ----------
-    results : iterable of Result
-        Rows of the table of results.
-
-    Returns
-    -------
-    list of tuple
-        Name such as ``slip_ratio_sp``, SI unit and label of each number.
+    Name such as ``slip_ratio_sp``, SI unit and label of each number.
     """
     return [
         (row_name(result.name, row), result.si_unit, f"{result.label}, {row}".removesuffix(", "))
@@ -109,20 +65,7 @@ def result_rows(results: Iterable[Result]) -> list[tuple[str, str, str]]:
 
 
 def result_words(data: xarray.Dataset, name: str) -> str:
-    """What a result is called for the drive whose points a dataset has.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Evaluated points.
-    name : str
-        One of its variables.
-
-    Returns
-    -------
-    str
-        Its label.
-    """
+    """What a result is called for the drive whose points a dataset has."""
     return str(data[name].attrs["long_name"])
 
 
@@ -139,18 +82,7 @@ _ROW_COORDINATES = {
 
 
 def row_dimensions(result: Result) -> tuple[str, ...]:
-    """Dimensions in front of those of the points: none, or what its rows stand for.
-
-    Parameters
-    ----------
-    result : Result
-        A row of the table of results.
-
-    Returns
-    -------
-    tuple of str
-        At most one name.
-    """
+    """Dimensions in front of those of the points: none, or one name, what the rows of a result stand for."""
     return () if result.axis == "one" else (_DIMENSIONS.get(result.axis, result.axis),)
 
 
@@ -205,34 +137,12 @@ def dataset(
 
 
 def common_attributes(title: str) -> dict[str, str]:
-    """Attributes of every dataset.
-
-    Parameters
-    ----------
-    title : str
-        What it is.
-
-    Returns
-    -------
-    dict
-        Title, source, conventions.
-    """
+    """Attributes of every dataset: its title, source, conventions."""
     return {"title": title, "source": f"asperity {__version__}", "Conventions": "CF-1.11"}
 
 
 def number_or_null(value: Any) -> float | None:
-    """A number for a JSON document; None for nan and infinities, which JSON does not know.
-
-    Parameters
-    ----------
-    value : float or array
-        One number.
-
-    Returns
-    -------
-    float or None
-        The number.
-    """
+    """A number for a JSON document; None for nan and infinities, which JSON does not know."""
     number = float(value)
     return number if np.isfinite(number) else None
 

@@ -228,20 +228,9 @@ def spectrum_of_profiles(
 ) -> HeightSpectrum:
     """Spectrum of profiles of one surface, a straight line removed from each, Hann window.
 
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m], no missing points.
-    spacing : float
-        Distance of the points [m].
-    lay : {"rolling", "axis", "isotropic"} or None
-        Direction of the grooves, which the profiles cross; None if it is not known.
-    source : str
-        Where the heights come from.
-
-    Returns
-    -------
-    HeightSpectrum
+    Heights [m], shape (profiles, points), no missing points, at a spacing [m]. ``lay`` is the direction of the grooves,
+    which the profiles cross: "rolling", "axis" or "isotropic", None if it is not known; ``source`` says where the
+    heights come from.
     """
     _, density = power_spectral_densities(profiles=profiles, spacing=spacing, window="hann")
     rows, points = profiles.shape
@@ -262,18 +251,9 @@ def spectrum_of_profiles(
 
 
 def spectrum_of_map(*, topography: Topography, rolling: str) -> HeightSpectrum:
-    """Spectrum of a levelled map, Hann window in both directions.
+    """Spectrum of a levelled map without missing points, Hann window in both directions.
 
-    Parameters
-    ----------
-    topography : Topography
-        A map without missing points.
-    rolling : {"x", "y"}
-        Direction of the map in which the contact rolls; the rollers' axis is the other one.
-
-    Returns
-    -------
-    HeightSpectrum
+    ``rolling``, "x" or "y", is the direction of the map in which the contact rolls; the rollers' axis is the other one.
     """
     assert topography.spacing_across is not None
     along_x = rolling == "x"

@@ -42,22 +42,11 @@ LARGEST_LINE_MISFIT = 0.15
 
 @dataclass(frozen=True)
 class LineFit:
-    """D and ln G from the amplitudes of the lines.
+    """D [-] and ln G [ln m] from the amplitudes of the lines, and their covariance, shape (2, 2).
 
-    Attributes
-    ----------
-    fractal_dimension, log_roughness : float
-        D [-] and ln G [ln m].
-    covariance : array, shape (2, 2)
-        Of (D, ln G).
-    low, high : float
-        Lowest and highest line used [1/m].
-    lines : int
-        Number of amplitudes used, over all profiles.
-    misfit : float
-        Scatter of ln a beyond the errors of the amplitudes [-].
-    explained : float
-        Share of the variance of height differences that the lines explain [-].
+    ``low`` and ``high`` are the lowest and highest line used [1/m]; ``lines``, the number of amplitudes used, over all
+    profiles; ``misfit``, the scatter of ln a beyond the errors of the amplitudes [-]; ``explained``, the share of the
+    variance of height differences that the lines explain [-].
     """
 
     fractal_dimension: float

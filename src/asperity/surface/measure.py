@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface.fractal_fit import FractalFit, fractal_fit
 from asperity.surface.height_parameters import HeightParameters, height_parameters
-from asperity.surface.levelling import filtered, levelled, without_outliers
+from asperity.surface.levelling import Crown, crown, filtered, levelled, without_outliers
+from asperity.surface.roughness import Roughness, roughness
 from asperity.surface.structure_function import height_step
 from asperity.surface.topography import Topography, without_missing
 
@@ -20,19 +21,12 @@ from asperity.surface.topography import Topography, without_missing
 class Conditioning:
     """Treatment of a surface before its evaluation; every step is a choice of the user.
 
-    Attributes
-    ----------
-    form : str
-        Form to remove, see :func:`asperity.surface.levelling.levelled`.
-    degree : int or None
-        Degree of a polynomial form.
-    missing : str
-        What happens with missing points, see :func:`asperity.surface.topography.without_missing`.
-    outlier_threshold : float or None
-        Robust standard deviations beyond which a point counts as missing; None keeps all.
-    short_cutoff, long_cutoff : float or None
-        lambda_s and lambda_c of the Gaussian filter [m], for the height parameters only: the filter would
-        bend the spectrum that D and G come from.
+    ``form`` to remove, see :func:`asperity.surface.levelling.levelled`, with the degree of a polynomial one;
+    ``missing``: what happens with missing points, see :func:`asperity.surface.topography.without_missing`;
+    ``outlier_threshold``: robust standard deviations beyond which a point counts as missing, None keeps all. The
+    cut-offs [m] are, of a profile, lambda_s and lambda_c of the R parameters, None for those of the standard; of a map,
+    the nesting indices of the S-filter and the L-filter, None for none. They are for these parameters only: a filter
+    would bend the spectrum that D and G come from.
     """
 
     form: str
@@ -45,31 +39,73 @@ class Conditioning:
 
 @dataclass(frozen=True)
 class MeasuredSurface:
-    """One conditioned surface, its height parameters, and the step of its heights before levelling [m]."""
+    """One conditioned surface and its parameters.
+
+    Attributes
+    ----------
+    topography : Topography
+        Without form and missing points.
+    heights : HeightParameters
+        Of a profile, without a filter: the P parameters; of a map, behind the chosen filters: the S parameters.
+    height_step : float or None
+        Step of the heights before levelling [m].
+    roughness : Roughness or str or None
+        R parameters of a profile, or why there are none; None of a map.
+    crown : Crown or None
+        Circle along a profile before levelling; None of a map and of fewer than sixteen points.
+    filters : tuple
+        Nesting indices of the S-filter and the L-filter [m] of the S parameters of a map; None for no such filter.
+    """
 
     topography: Topography
     heights: HeightParameters
     height_step: float | None
+    roughness: Roughness | str | None = None
+    crown: Crown | None = None
+    filters: tuple[float | None, float | None] = (None, None)
+
+    @property
+    def scale_limited(self) -> str:
+        """The surface that the S parameters are of, by its name in ISO 25178-2."""
+        return "S-F surface" if self.filters[1] is None else "S-L surface"
 
 
 def conditioned(*, topography: Topography, conditioning: Conditioning) -> MeasuredSurface:
-    """Outliers, missing points and form removed; then height parameters of the filtered heights.
+    """Outliers, missing points and form removed; then the parameters.
 
     Raises
     ------
     InputError
-        If a step is impossible, or points are missing and the choice is to refuse.
+        If a step is impossible, a cut-off does not suit the surface, or points are missing and the choice is to refuse.
     """
     surface = topography
     if conditioning.outlier_threshold is not None:
         surface = without_outliers(topography=surface, threshold=conditioning.outlier_threshold, window=9)
     complete = without_missing(topography=surface, choice=conditioning.missing)
     flat = levelled(topography=complete, form=conditioning.form, degree=conditioning.degree)
-    rough = filtered(
-        topography=flat, short_cutoff=conditioning.short_cutoff, long_cutoff=conditioning.long_cutoff
-    )
     step = height_step(profiles=complete.profiles(direction="x")[0])
-    return MeasuredSurface(flat, height_parameters(topography=rough), step)
+    if flat.is_map:
+        filters = conditioning.short_cutoff, conditioning.long_cutoff
+        rough = filtered(topography=flat, short_cutoff=filters[0], long_cutoff=filters[1])
+        return MeasuredSurface(flat, height_parameters(topography=rough), step, filters=filters)
+    return MeasuredSurface(
+        flat,
+        height_parameters(topography=flat),
+        step,
+        _roughness(flat, conditioning, gaps=surface.missing_points > 0),
+        crown(topography=complete),
+    )
+
+
+def _roughness(profile: Topography, conditioning: Conditioning, gaps: bool) -> Roughness | str:
+    """R parameters of a conditioned profile, unless gaps in it were filled."""
+    short, long = conditioning.short_cutoff, conditioning.long_cutoff
+    if gaps and conditioning.missing == "interpolate":
+        reason = "gaps are filled by straight lines, which are no roughness; keep the longest complete piece"
+        if long is None and short is None:
+            return reason
+        raise InputError(f"{profile.source}: no filter, because {reason}", options=["missing"])
+    return roughness(topography=profile, cut_off=long, short_cut_off=short)
 
 
 def pooled_profiles(*, surfaces: list[Topography], direction: str) -> tuple[NDArray[np.float64], float, bool]:

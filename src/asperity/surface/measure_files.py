@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -226,8 +227,8 @@ def files_document(measured: MeasuredFiles) -> dict[str, Any]:
 
 def _file_entry(surface: MeasuredSurface) -> dict[str, Any]:
     topography, heights = surface.topography, surface.heights
-    letter, total = ("S", "Sz") if topography.is_map else ("R", "Rt")
-    return {
+    letter, total = ("S", "Sz") if topography.is_map else ("P", "Pt")
+    entry = {
         "name": topography.source,
         "size_m": list(topography.size),
         "points": heights.points,
@@ -237,8 +238,37 @@ def _file_entry(surface: MeasuredSurface) -> dict[str, Any]:
         f"{letter}sk": _finite(heights.skewness),
         f"{letter}ku": _finite(heights.kurtosis),
         f"{total}_m": heights.total_height,
-        "RSm_m": heights.mean_element_width,
     }
+    if topography.is_map:
+        return entry | {
+            "scale_limited": surface.scale_limited,
+            "cut_off_m": surface.filters[1],
+            "short_cut_off_m": surface.filters[0],
+            "Sdr": heights.developed_area_ratio,
+            "Sal_m": heights.correlation_length,
+            "Str": heights.aspect_ratio,
+        }
+    rough, crown = surface.roughness, surface.crown
+    entry["PSm_m"] = heights.mean_element_width
+    if isinstance(rough, str):
+        entry["no_roughness"] = rough
+    elif rough is not None:
+        entry["roughness"] = {
+            "cut_off_m": rough.cut_off,
+            "short_cut_off_m": rough.short_cut_off,
+            "sections": rough.sections,
+            **{f"{symbol}_m": value for symbol, value in rough.lengths.items()},
+            **{symbol: _finite(value) for symbol, value in rough.numbers.items()},
+        }
+    if crown is not None:
+        radii = {"radius_m": crown.radius, "middle_radius_m": crown.middle_radius}
+        entry["crown"] = {
+            **{name: radius if math.isfinite(radius) else None for name, radius in radii.items()},
+            "drop_m": crown.drop,
+            "misfit_m": crown.misfit,
+            "is_circular": crown.stands_out,
+        }
+    return entry
 
 
 def _finite(value: float) -> float | None:

@@ -43,14 +43,9 @@ _RATIOS = {0.08e-3: 32, 0.25e-3: 100, 0.8e-3: 320, 2.5e-3: 320, 8e-3: 320}
 def depth_cut_off(*, mean_roughness_depth: float) -> float:
     r"""Cut-off :math:`\lambda_c` [m] of the profile filter with which a given Rz [m] is measured.
 
-    Up to 0.1, 0.5, 10 and 50 µm: 0.08, 0.25, 0.8 and 2.5 mm, above 8 mm.
+    Up to 0.1, 0.5, 10 and 50 µm: 0.08, 0.25, 0.8 and 2.5 mm, above 8 mm. ISO 4288:1996, table 2 (profiles that are not
+    periodic).
 
-    References
-    ----------
-    ISO 4288:1996, table 2 (profiles that are not periodic).
-
-    Examples
-    --------
     >>> depth_cut_off(mean_roughness_depth=1.6e-6)
     0.0008
     """

@@ -179,18 +179,10 @@ def scatter_of_average(*, fractal_dimension: float, cut_offs: float) -> float:
 
 @dataclass(frozen=True)
 class CorrespondingAverage:
-    """The Ra that an instrument shows on surfaces with given D and G.
+    """The Ra [m] that an instrument shows on surfaces with given D and G, behind the cut-off [m] of the profile filter.
 
-    Parameters
-    ----------
-    cut_off : float
-        Cut-off of the profile filter [m].
-    pair : float
-        Ra of the equivalent surface of both bodies [m].
-    each : float
-        Ra of each of two like bodies [m].
-    low, high : float
-        Of ``each``: 95 % of measurements over one evaluation length lie between them [m].
+    ``pair``: of the equivalent surface of both bodies; ``each``: of each of two like bodies, of which 95 % of
+    measurements over one evaluation length lie between ``low`` and ``high``.
     """
 
     cut_off: float

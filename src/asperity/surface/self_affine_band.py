@@ -26,15 +26,7 @@ _HOPELESS = 2.0
 
 @dataclass(frozen=True)
 class BandSearch:
-    """Outcome of the search: a fit, or the reason why there is none.
-
-    Attributes
-    ----------
-    fit : SpectralFit or None
-        The accepted fit.
-    reason : str
-        Why there is none; empty if there is one.
-    """
+    """Outcome of the search: a fit, or the reason why there is none."""
 
     fit: SpectralFit | None
     reason: str

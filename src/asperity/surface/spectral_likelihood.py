@@ -51,38 +51,17 @@ _CONVERGED = 1e-8
 class SpectralFit:
     """A power law with its departures at long and short waves, fitted to the spectrum within a band.
 
-    Attributes
-    ----------
-    fractal_dimension : float
-        D [-]; not confined to 1 .. 2.
-    log_level : float
-        ln P of the power law [ln m^3] at ``reference_frequency`` [1/m].
-    floor : float
-        White part [m^3]; negative where the instrument smooths the short waves.
-    floor_error : float
-        Its standard error [m^3].
-    roll_off : float
-        c of the roll-off [1/m^m]; negative where the spectrum rises above the power law at long waves.
-    roll_off_error : float
-        Its standard error [1/m^m].
-    roll_off_exponent : float
-        m of the roll-off [-].
-    covariance : array, shape (2, 2)
-        Of (D, ln level), the misfit and the uncertainty of both departures included.
-    low, high : float
-        Limits of the band [1/m].
-    tail : {"band_limited", "folded", "areal"}
-        What is assumed about frequencies above the sampling limit.
-    log_likelihood : float
-        Of the band, without constants.
-    misfit : float
-        Standard deviation of ln P about the fit that sampling scatter does not explain [-].
-    chi_square, degrees : float, int
-        Sum of squared normalised residuals and its degrees of freedom.
-    converged : bool
-        Whether the iteration converged.
-    sampling_frequency : float
-        Inverse of the spacing [1/m].
+    ``fractal_dimension`` D [-] is not confined to 1 .. 2; ``log_level`` is ln P of the power law [ln m^3] at
+    ``reference_frequency`` [1/m]. Departures with their standard errors: ``floor``, the white part [m^3], negative
+    where the instrument smooths the short waves; ``roll_off``, c of the roll-off [1/m^m], negative where the spectrum
+    rises above the power law at long waves, m being its exponent.
+
+    ``covariance`` of (D, ln level), shape (2, 2), includes the misfit and the uncertainty of both departures.
+    ``misfit`` is the standard deviation of ln P about the fit that sampling scatter does not explain [-];
+    ``chi_square``, the sum of squared normalised residuals, with its ``degrees`` of freedom; ``log_likelihood``, of the
+    band, without constants. The band reaches from ``low`` to ``high`` [1/m]; ``sampling_frequency`` is the inverse of
+    the spacing [1/m], and ``tail`` what is assumed about frequencies above the sampling limit: "band_limited", "folded"
+    or "areal".
     """
 
     fractal_dimension: float

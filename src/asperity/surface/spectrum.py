@@ -21,31 +21,17 @@ _FEWEST_IN_RANGE = 128
 
 @dataclass(frozen=True)
 class BinnedSpectrum:
-    """Averages of the raw spectrum over narrow bins of frequency and blocks of profiles.
+    """Averages of the raw spectrum over narrow bins of frequency and blocks of profiles; arrays of shape (bins,).
 
-    Attributes
-    ----------
-    frequency : array, shape (bins,)
-        Geometric mean of the Fourier frequencies in each bin [1/m].
-    spread : array, shape (bins,)
-        Variance of the logarithm of frequency within the bin [-].
-    ordinates : array, shape (bins,)
-        Number of Fourier frequencies in the bin.
-    independent : array, shape (bins,)
-        Number of independent ordinates behind the average: ordinates times profiles, less for a taper, for
-        roughness that changes along a profile or from profile to profile, and for neighbouring rows of a
-        map, which resemble each other.
-    density : array, shape (bins,)
-        One-sided power spectral density, averaged over the bin and all profiles [m^3].
-    profiles : int
-        Number of profiles averaged.
-    points, spacing : int, float
-        Points of a profile and their distance [m].
-    differenced : bool
-        True: density of the differences of neighbouring heights, divided by the transfer function of the
-        difference, so that it reads as a density of heights.
-    rows_of_a_map : bool
-        Whether the profiles are neighbouring rows of one map.
+    ``frequency`` is the geometric mean of the Fourier frequencies in each bin [1/m], ``spread`` the variance of their
+    logarithm, ``ordinates`` their number; ``density``, one-sided, averaged over the bin and all profiles [m^3].
+    ``independent`` is the number of independent ordinates behind the average: ordinates times profiles, less for a
+    taper, for roughness that changes along a profile or from profile to profile, and for neighbouring rows of a map,
+    which resemble each other.
+
+    ``points`` of a profile lie at the distance ``spacing`` [m]. ``differenced``: density of the differences of
+    neighbouring heights, divided by the transfer function of the difference, so that it reads as a density of heights.
+    ``rows_of_a_map``: the profiles are neighbouring rows of one map.
     """
 
     frequency: NDArray[np.float64]
@@ -94,27 +80,13 @@ def binned_spectrum(
     bins_per_decade: int,
     rows_of_a_map: bool,
 ) -> BinnedSpectrum:
-    r"""Average of the spectra of many profiles in narrow logarithmic bins.
+    r"""Average of the spectra of profiles, shape (profiles, points) [m], in narrow logarithmic bins.
 
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m], no missing points.
-    spacing : float
-        Distance of the points [m].
-    differenced : bool
-        False: straight line removed and Hann window. True: differences of neighbouring heights with a light
-        taper, which resolves low frequencies of steep spectra best.
-    bins_per_decade : int
-        Bins per decade; at low frequencies every ordinate is a bin of its own.
-    rows_of_a_map : bool
-        True: the profiles are neighbouring rows of one map. Their resemblance is measured: with I the
-        ordinates of the two-dimensional transform that fall into a bin, :math:`2 (\sum I)^2 / \sum I^2`
-        of them are independent. False: the profiles are independent.
-
-    Returns
-    -------
-    BinnedSpectrum
+    The heights have no missing points. At low frequencies every ordinate is a bin of its own. ``differenced``:
+    differences of neighbouring heights with a light taper, which resolves low frequencies of steep spectra best,
+    instead of straight line removed and Hann window. ``rows_of_a_map``: the profiles are neighbouring rows of one map,
+    whose resemblance is measured: with I the ordinates of the two-dimensional transform that fall into a bin, :math:`2
+    (\sum I)^2 / \sum I^2` of them are independent.
     """
     _check(profiles, spacing)
     rows, points = profiles.shape

@@ -26,27 +26,14 @@ def logarithmic_lags(*, points: int, per_decade: int, longest_fraction: float) -
 
 
 def structure_functions(*, profiles: NDArray[np.float64], lags: NDArray[np.int64]) -> NDArray[np.float64]:
-    r"""Structure function of each profile.
+    r"""Structure function of each profile, shape (profiles, lags) [m^2]; NaN where no pair is left.
 
     .. math::
         S_k = \frac{1}{N_k} \sum_i (z_{i+k} - z_i)^2
 
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m]; NaN marks missing points, whose pairs are left out.
-    lags : array of int, shape (lags,)
-        Lags in points, each from 1 to points - 1.
-
-    Returns
-    -------
-    array, shape (profiles, lags)
-        S [m^2]; NaN where no pair is left.
-
-    Notes
-    -----
-    The sum of squared differences is two sums of squares less twice the autocorrelation, which costs one
-    Fourier transform of twice the length; rows are worked through in blocks, so memory stays small.
+    Of heights [m], shape (profiles, points), where NaN marks missing points, whose pairs are left out; lags in points,
+    each from 1 to points - 1. The sum of squared differences is two sums of squares less twice the autocorrelation,
+    which costs one Fourier transform of twice the length; rows are worked through in blocks, so memory stays small.
     """
     if profiles.ndim != 2:
         raise InputError(f"profiles must have shape (profiles, points), not {profiles.shape}")
@@ -105,22 +92,12 @@ def _with_gaps(
 
 
 def height_step(*, profiles: NDArray[np.float64]) -> float | None:
-    r"""Step to which heights are rounded [m], or None if there is none.
+    r"""Step to which heights as the instrument gave them are rounded [m], or None if there is none.
 
-    The differences d of neighbouring heights are multiples of the step q if
-    :math:`\langle \cos(2\pi d/q) \rangle` is near 1, over all and over those above q/2. A
-    tilt is removed with the median difference.
-
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m] as the instrument gave them, no missing points.
-
-    Returns
-    -------
-    float or None
-        The step that explains the differences best, if at least one in fifty differences is a whole step
-        other than zero.
+    The differences d of neighbouring heights are multiples of the step q if :math:`\langle \cos(2\pi d/q) \rangle` is
+    near 1, over all and over those above q/2. A tilt is removed with the median difference. It is the step that
+    explains the differences best, if at least one in fifty differences is a whole step other than zero. No missing
+    points; shape (profiles, points).
     """
     flat = np.diff(profiles, axis=1).ravel()
     d = flat[:: max(1, flat.size // _SAMPLE)]

@@ -14,27 +14,10 @@ from numpy.typing import ArrayLike
 class Check:
     """A computed quantity, its reference, and whether they agree.
 
-    Parameters
-    ----------
-    model : str
-        What is checked.
-    reference : str
-        Where the expected value comes from.
-    quantity, unit : str
-        What is compared, and its unit; "-" for a ratio.
-    expected, found : float
-        The value of the reference and the computed one [unit]; of several values the pair that differs most.
-    deviation : float
-        Relative difference [-], or the difference itself where the tolerance is absolute [unit]; nan if nothing
-        was found.
-    tolerance : float
-        Largest deviation that passes.
-    absolute : bool
-        Whether deviation and tolerance are absolute.
-    values : int
-        How many values were compared.
-    note : str
-        Why nothing was found; empty otherwise.
+    ``model``: what is checked; ``reference``: where the expected value comes from. Of several ``values``, ``expected``
+    and ``found`` [unit] are the pair that differs most; the unit is "-" for a ratio. ``deviation``: relative difference
+    [-], or the difference itself where the tolerance is absolute [unit]; nan if nothing was found, and ``note`` says
+    why.
     """
 
     model: str
@@ -80,28 +63,9 @@ def compared(
     tolerance: float,
     absolute: bool = False,
 ) -> Check:
-    """Compare computed values with a reference; of several values the worst pair is kept.
+    """Compare computed values with a reference, of one shape [unit]; of several values the worst pair is kept.
 
-    Parameters
-    ----------
-    model, reference, quantity, unit : str
-        As in :class:`Check`.
-    expected, found : array_like
-        Values of one shape [unit].
-    tolerance : float
-        Largest deviation that passes.
-    absolute : bool
-        Whether the tolerance is a difference rather than a ratio.
-
-    Returns
-    -------
-    Check
-        The comparison. An expected zero is met, relatively, by an exact zero only.
-
-    Raises
-    ------
-    ValueError
-        If the shapes differ.
+    An expected zero is met, relatively, by an exact zero only. A ``ValueError`` is raised if the shapes differ.
     """
     wanted, computed = (
         np.atleast_1d(np.asarray(values, dtype=float)).ravel() for values in (expected, found)

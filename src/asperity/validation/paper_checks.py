@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from asperity.surface.height_parameters import height_parameters
+from asperity.surface.roughness import roughness as roughness_parameters
 from asperity.surface.topography import Topography
 from asperity.units import Dimension, parse_quantity
 from asperity.validation.check import Check, compared
@@ -79,8 +80,8 @@ def roughness() -> Iterator[Check]:
     profile = height_parameters(topography=Topography(heights, 0.1e-6))
     yield compared(
         model="Height parameters (ISO 21920)",
-        reference="a sine of amplitude A: Ra = 2A/π, Rq = A/√2, Rt = 2A",
-        quantity="Ra, Rq and Rt for A = 1 µm",
+        reference="a sine of amplitude A: Pa = 2A/π, Pq = A/√2, Pt = 2A",
+        quantity="Pa, Pq and Pt for A = 1 µm",
         unit="µm",
         expected=[2.0 / np.pi, np.sqrt(0.5), 2.0],
         found=1e6 * np.array([profile.arithmetic_mean, profile.root_mean_square, profile.total_height]),
@@ -95,6 +96,19 @@ def roughness() -> Iterator[Check]:
         found=[profile.skewness, profile.kurtosis],
         tolerance=1e-6,
         absolute=True,
+    )
+    x = 1e-6 * np.arange(6000)
+    waves = Topography(1e-6 * np.sin(2.0 * np.pi * x / 0.8e-3), 1e-6)
+    rough = roughness_parameters(topography=waves, cut_off=0.8e-3, short_cut_off=None)
+    assert not isinstance(rough, str)
+    yield compared(
+        model="Roughness behind the Gaussian filter (ISO 16610-21, ISO 21920-2)",
+        reference="a sine as long as the cut-off: half of the amplitude passes, Ra = A/π, Rq = A/√8, Rz = A",
+        quantity="Ra, Rq and Rz for A = 1 µm",
+        unit="µm",
+        expected=[1.0 / np.pi, np.sqrt(0.125), 1.0],
+        found=1e6 * np.array([rough.lengths[symbol] for symbol in ("Ra", "Rq", "Rz")]),
+        tolerance=1e-3,
     )
 
 

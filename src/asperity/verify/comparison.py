@@ -33,20 +33,9 @@ QUANTITIES = {
 class Sample(eqx.Module):
     """What is compared: one fractal surface on one square of two like bodies; SI units.
 
-    Parameters
-    ----------
-    fractal_dimension, fractal_roughness, frequency_ratio : float
-        D [-], G [m] and gamma [-] of the profiles.
-    side : float
-        Side of the nominally flat, periodic square [m].
-    points : int
-        Grid points along it.
-    waves_per_side : float
-        Side over the longest wavelength [-].
-    pixels_per_wave : float
-        Shortest wavelength over the pixel [-].
-    youngs_modulus, poisson_ratio, hardness : float
-        Of both bodies [Pa], [-], [Pa].
+    D [-], G [m] and gamma [-] of the profiles; side of the nominally flat, periodic square [m] with grid points along
+    it; ``waves_per_side``, side over the longest wavelength [-]; ``pixels_per_wave``, shortest wavelength over the
+    pixel [-]; E [Pa], nu [-] and hardness [Pa] of both bodies.
     """
 
     fractal_dimension: float
@@ -72,26 +61,15 @@ class Sample(eqx.Module):
 
 
 class Comparison(eqx.Module):
-    """Area and stiffness by three methods; boundary elements have one row per seed, SI units.
+    """Area [m^2] and stiffness [N/m] by three methods over the load [N]; SI units.
 
-    Parameters
-    ----------
-    normal_force : Array, shape (loads,)
-        Load F [N].
-    relative_pressure : Array, shape (loads,)
-        Load over nominal area and pressure scale [-].
-    pressure_scale : Array, scalar
-        The smaller of the hardness and contact modulus times rms slope, at which contact is nearly complete [Pa].
-    rms_height, rms_slope : Array, scalar
-        Means over the seeds [m], [-].
-    real_contact_area, normal_stiffness, tangential_stiffness : Array, shape (seeds, loads)
-        By boundary elements [m^2], [N/m], [N/m]; the tangential one is the mean over both directions.
-    law_real_contact_area, law_normal_stiffness, law_tangential_stiffness : Array, shape (loads,)
-        By the closed-form law with contact factor 1.
-    persson_real_contact_area, persson_normal_stiffness, persson_tangential_stiffness : Array, shape (seeds, loads)
-        By Persson's theory from each surface's spectrum; the tangential one with Mindlin's ratio.
-    capped_fraction : Array, shape (seeds, loads)
-        Share of the contact area at the hardness [-].
+    By boundary elements and, with the prefix ``persson``, by Persson's theory from each surface's spectrum, shape
+    (seeds, loads); with the prefix ``law``, by the closed-form law with contact factor 1, shape (loads,). The
+    tangential stiffness is the mean over both directions by boundary elements, and by Persson's theory that with
+    Mindlin's ratio. ``relative_pressure`` is load over nominal area and ``pressure_scale``, the smaller of the hardness
+    and contact modulus times rms slope, at which contact is nearly complete [Pa]; ``rms_height`` [m] and ``rms_slope``
+    are means over the seeds; ``capped_fraction``, shape (seeds, loads), is the share of the contact area at the
+    hardness.
     """
 
     normal_force: Array

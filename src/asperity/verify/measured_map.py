@@ -108,28 +108,9 @@ def compare_map(
 ) -> MapComparison:
     """Press patches of a measured map by boundary elements, and evaluate the laws on them.
 
-    Parameters
-    ----------
-    measured : MeasuredFiles
-        One map, of the roughness of both bodies.
-    pair : ElasticPair
-        The bodies.
-    hardness : float
-        Of the softer one [Pa].
-    points : int
-        Most points of the map along each side; more are averaged.
-    solved : callable
-        Called after each state.
-
-    Returns
-    -------
-    MapComparison
-        In SI units.
-
-    Raises
-    ------
-    InputError, NoSolutionError
-        As :func:`asperity.bem.pressed_map.pressed_map`.
+    The heights are those of both bodies, the hardness that of the softer one [Pa]; the map has at most ``points`` along
+    each side, more are averaged. ``solved`` is called after each state; errors are those of
+    :func:`asperity.bem.pressed_map.pressed_map`.
     """
     modulus = float(pair.contact_modulus)
     topography = measured.topographies[0]

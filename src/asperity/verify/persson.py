@@ -19,20 +19,11 @@ ENERGY_FACTOR = 0.45
 
 
 class WaveSpectrum(eqx.Module):
-    """The waves of one surface, from long to short.
+    """The waves of one surface, from long to short; arrays of shape (waves,).
 
-    Parameters
-    ----------
-    wavenumber : Array, shape (waves,)
-        q [rad/m], rising.
-    height_variance : Array, shape (waves,)
-        Share of each wave in the mean square height [m^2].
-    slope_variance : Array, shape (waves,)
-        Mean square gradient of all longer waves and half of this one [-].
-    rms_height : Array, scalar
-        Root mean square height [m].
-    rms_slope : Array, scalar
-        Root mean square gradient [-].
+    ``wavenumber`` q [rad/m], rising; ``height_variance``, share of each wave in the mean square height [m^2];
+    ``slope_variance``, mean square gradient of all longer waves and half of this one [-]; root mean square height [m]
+    and gradient [-].
     """
 
     wavenumber: Array

@@ -14,19 +14,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Criterion:
-    """A qualitative term of the paper as a number.
-
-    Parameters
-    ----------
-    name : str
-        The paper's terms.
-    limit : float
-        The number.
-    meaning : str
-        The rule in words.
-    unit : str
-        Unit of the number, ``-`` for none.
-    """
+    """A qualitative term of the paper as a number in its unit, ``-`` for none, and the rule in words."""
 
     name: str
     limit: float
@@ -162,18 +150,10 @@ def interval_above(abscissa: np.ndarray, values: np.ndarray, share: float) -> tu
 
 @dataclass(frozen=True)
 class Statement:
-    """One statement of a claim, compared with computed numbers.
+    """One statement of a claim in our words, compared with computed numbers.
 
-    Parameters
-    ----------
-    says : str
-        What the paper says, in our words.
-    met : bool
-        Whether the equations confirm it.
-    evidence : str
-        The computed numbers in a sentence, with units.
-    numbers : dict
-        The same numbers for programs: name with unit → value.
+    ``met``: whether the equations confirm it; ``evidence``: the computed numbers in a sentence, with units;
+    ``numbers``, for programs: name with unit → value.
     """
 
     says: str
@@ -186,16 +166,7 @@ class Statement:
 class Claim:
     """A claim of the paper; it is met if every one of its statements is met.
 
-    Parameters
-    ----------
-    name : str
-        C1 … C13, or ``window``.
-    title : str
-        Summary of the claim.
-    panels : tuple of str
-        Panels of the figures that show it.
-    statements : tuple of Statement
-        Its statements with their verdicts.
+    Its name is C1 … C13, or ``window``; ``panels`` are those of the figures that show it.
     """
 
     name: str
@@ -209,13 +180,7 @@ class Claim:
         return all(statement.met for statement in self.statements)
 
     def as_dict(self) -> dict[str, Any]:
-        """The claim with its verdict as plain data for JSON.
-
-        Returns
-        -------
-        dict
-            ``name``, ``title``, ``panels``, ``met`` and ``statements``.
-        """
+        """``name``, ``title``, ``panels``, ``met`` and ``statements`` of the claim as plain data for JSON."""
         return {
             "name": self.name,
             "title": self.title,

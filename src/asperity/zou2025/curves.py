@@ -25,17 +25,7 @@ _LARGEST_RADIUS_SCALE = 2.0
 
 @dataclass(frozen=True)
 class PairCurve:
-    """One case of Table 1.
-
-    Parameters
-    ----------
-    name : str
-        The varied quantity, a key of :data:`asperity.zou2025.preset.TABLE_1`.
-    values : ndarray
-        Its values, SI, shape (n,).
-    tangential_stiffness : ndarray
-        K_t, shape (n,) [N/m].
-    """
+    """K_t [N/m] of one case of Table 1 over the values [SI] of a key of :data:`asperity.zou2025.preset.TABLE_1`."""
 
     name: str
     values: np.ndarray

@@ -38,26 +38,11 @@ class Axis:
 
 @dataclass(frozen=True)
 class Panel:
-    """One panel of a figure of the paper.
+    """One panel of a figure of the paper, ``4a`` … ``8b``, with what is held constant.
 
-    Parameters
-    ----------
-    name : str
-        Figure and letter, ``4a`` … ``8b``.
-    title : str
-        What it shows.
-    conditions : str
-        What is held constant.
-    x, y : Axis
-        The axes.
-    abscissa : ndarray
-        Shape (n,), in the unit of ``x``.
-    curves : dict
-        Name of the curve (a contact, an output torque in N·m, or empty) → ordinates in the unit of ``y``, shape (n,).
-    kind : {"single", "contacts", "torques"}
-        What distinguishes the curves.
-    note : str
-        Note for a reader of the paper; may be empty.
+    ``abscissa``, shape (n,), is in the unit of ``x``; ``curves``: name of the curve (a contact, an output torque in
+    N·m, or empty) → ordinates in the unit of ``y``; ``kind`` is what distinguishes them. The note for a reader of the
+    paper may be empty.
     """
 
     name: str

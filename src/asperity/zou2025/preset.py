@@ -60,17 +60,7 @@ TABLE_1 = {
 
 @dataclass(frozen=True)
 class Assumption:
-    """A number or rule that the paper does not give.
-
-    Parameters
-    ----------
-    what : str
-        The quantity.
-    value : str
-        The assumed value, with its unit.
-    reason : str
-        Why this value, or why one is needed.
-    """
+    """A number, with its unit, or a rule that the paper does not give, and why this one, or why one is needed."""
 
     what: str
     value: str
@@ -121,20 +111,8 @@ REMARKS = (
 class OperatingPoint(eqx.Module):
     """What the figures vary in the joint of Table 2. Fields are numbers or arrays of one shape. SI units.
 
-    Parameters
-    ----------
-    output_torque : Real
-        Torque at the carrier [N·m].
-    fractal_dimension : Real
-        Profile fractal dimension D [-].
-    fractal_roughness : Real
-        Fractal roughness G [m].
-    contact_length : Real
-        Contact line length B of all contacts, also the length of the rollers [m].
-    friction_coefficient : Real
-        Friction coefficient mu [-].
-    radius_scale : Real
-        Factor on all four radii of Table 2 [-].
+    Torque at the carrier [N·m]; D [-] and G [m]; contact line length B of all contacts, also the length of the rollers
+    [m]; mu [-]; factor on all four radii of Table 2 [-].
     """
 
     output_torque: Real

@@ -41,24 +41,9 @@ NO_FRICTION = Bearings(
 class PublishedJoint(eqx.Module):
     """The numbers of the published model. SI units; they broadcast over trailing batch axes.
 
-    Parameters
-    ----------
-    geometry : DriveGeometry
-        Radii and arrangement.
-    material : Material
-        Of all bodies.
-    surface : Surface
-        Fractal roughness of all contacts.
-    contact_length, friction_coefficient : Real
-        Length B [m] and friction coefficient mu [-] of all contacts; the rollers are as long.
-    ring_wall_thickness : Real
-        Wall of the outer ring, which compresses with it in the closure [m].
-    preload : Real
-        Normal force N_0 between sun and planet at rest [N].
-    output_torque : Real
-        Torque at the carrier [N·m].
-    sun_speed : Real
-        Angular velocity of the sun [rad/s].
+    One material of all bodies, one roughness, length B [m] and mu [-] of all contacts; the rollers are as long.
+    ``ring_wall_thickness``: wall of the outer ring, which compresses with it in the closure [m]; ``preload``: normal
+    force N_0 between sun and planet at rest [N]; torque at the carrier [N·m]; angular velocity of the sun [rad/s].
     """
 
     geometry: DriveGeometry
@@ -75,16 +60,8 @@ class PublishedJoint(eqx.Module):
 class PublishedResult(eqx.Module):
     """What the published model says. SI units; contact axis first.
 
-    Parameters
-    ----------
-    forces : DriveForces
-        Forces of one branch.
-    tangential_stiffness, contact_torsional_stiffness : Array
-        K_t of each contact [N/m], and its K_T at its driven roller [N·m/rad], shape (5, ...).
-    stiffness : TorsionalStiffness
-        Of the joint, equation (25).
-    solved : Array
-        Whether balance and closure hold.
+    Forces of one branch; K_t of each contact [N/m], and its K_T at its driven roller [N·m/rad], shape (5, ...);
+    stiffness of the joint, equation (25); and whether balance and closure hold.
     """
 
     forces: DriveForces

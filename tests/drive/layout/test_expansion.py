@@ -9,7 +9,7 @@ import pytest
 
 from asperity.drive.layout.drives import wedge_drive
 from asperity.drive.layout.expansion import interference_of_strains, ring_interference
-from asperity.drive.state.equal_springs import rest_forces
+from asperity.drive.state.states import rest_forces
 from asperity.drive.wedge.geometry import DriveGeometry
 
 

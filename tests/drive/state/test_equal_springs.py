@@ -6,7 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.state.equal_springs import rest_forces
+from asperity.drive.state.states import rest_forces
 
 
 def test_rest_forces_of_the_drives_by_statics(drives):

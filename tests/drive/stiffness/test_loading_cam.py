@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from asperity.drive.mechanism import rest_state
-from asperity.drive.stiffness.assembly import Assembly
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_compliance, cam_preload, with_cam
-from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
+from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
 from asperity.drive.wedge.geometry import DriveGeometry, triangle
 
 GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)

@@ -191,46 +191,14 @@ class Drive(eqx.Module):
 
 
 def sectors_of_members(drive: Drive) -> Array:
-    """In how many sectors the contacts of each member lie: all for those on the axis, one for the others.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    Array
-        Numbers, shape (members,) [-].
-
-    References
-    ----------
-    Elementary.
-    """
+    """In how many sectors the contacts of each member lie, shape (members,): all for those on the axis, else one."""
     xp, on_axis = namespace(drive.sectors), np.array([*(body.place == "axis" for body in drive.bodies), True])
     numbers: Array = xp.where(on_axis, xp.asarray(drive.sectors, dtype=float), 1.0)
     return numbers
 
 
 def sector_rotation(drive: Drive, sector: ArrayLike) -> Array:
-    r"""Rotation from the first sector of a drive to another.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    sector : array_like of int
-        Number of the other sector, counter-clockwise, any shape.
-
-    Returns
-    -------
-    Array
-        Matrix of :math:`2\pi k/n`, shape (..., 2, 2) [-].
-
-    References
-    ----------
-    Elementary.
-    """
+    """Rotation from the first sector of a drive to others by number, counter-clockwise, shape (..., 2, 2) [-]."""
     xp = namespace(sector, drive.sectors)
     angle = 2.0 * math.pi * xp.asarray(sector, dtype=float) / xp.asarray(drive.sectors, dtype=float)
     cosine, sine = xp.cos(angle), xp.sin(angle)
@@ -357,17 +325,9 @@ def _movable(drive: Drive) -> np.ndarray:
 
 
 def gaps(drive: Drive) -> Array:
-    """Clearance between the two bodies of each contact; 0 where they just touch, negative where they overlap.
+    """Clearance between the two bodies of each contact, shape (contacts,) [m].
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    Array
-        Distances, shape (contacts,) [m].
+    0 where they just touch, negative where they overlap.
     """
     between, _ = _between(drive)
     return _sides(drive).outward * (_length(between) - drive.second_radius) - drive.first_radius

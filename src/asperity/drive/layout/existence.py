@@ -107,25 +107,13 @@ def output_share(drive: Drive) -> Array:
 
 
 def pulling_contacts(drive: Drive) -> tuple[str, ...]:
-    r"""Contacts that would have to pull for the normal forces of the assembled drive to balance.
+    r"""Names of the contacts that would have to pull for the normal forces of the assembled drive to balance.
 
     .. math:: A^\mathsf{T} N + P^\mathsf{T} Q = 0
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive, with concrete (not traced) values.
-
-    Returns
-    -------
-    tuple of str
-        Their names; none where the forces N of all contacts can press, or where the balance leaves several ratios of
-        forces.
-
-    References
-    ----------
-    Balance of every floating body under the normal forces N of its contacts and the push Q of its pin; friction does
-    not act before the drive carries a torque. Equation (M1) of :doc:`/equations`.
+    None where the forces N of all contacts can press, or where the balance leaves several ratios of forces. N are the
+    normal forces of the contacts of every floating body and Q the push of its pin; friction does not act before the
+    drive carries a torque. Equation (M1) of :doc:`/equations`. The drive has concrete (not traced) values.
     """
     matrices = incidence(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drive))
     balance = np.concatenate([matrices.approach, matrices.pins]).T

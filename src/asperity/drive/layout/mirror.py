@@ -13,13 +13,7 @@ _ALIKE = 1e-9  # relative difference up to which lengths, and of a sector up to 
 
 
 class MirrorImage(NamedTuple):
-    """Which bodies and contacts of a sector are the images of which.
-
-    Parameters
-    ----------
-    bodies, contacts : tuple of int
-        Number of the image of each body and of each contact.
-    """
+    """Numbers of the images of the bodies and of the contacts of a sector."""
 
     bodies: tuple[int, ...]
     contacts: tuple[int, ...]

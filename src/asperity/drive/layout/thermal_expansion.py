@@ -77,23 +77,10 @@ def ring_expansion(
 
 
 def loosening_rise(*, interference: Real, change_per_kelvin: Real) -> Array:
-    r"""Rise of temperature at which a drive has lost its interference, :math:`-\delta/(\mathrm{d}\delta/\mathrm{d}T)`.
+    r"""Rise of temperature at which a drive has no interference, :math:`-\delta/(\mathrm{d}\delta/\mathrm{d}T)` [K].
 
-    Parameters
-    ----------
-    interference : Real
-        Interference at the assembly [m].
-    change_per_kelvin : Real
-        What a kelvin adds to it [m/K].
-
-    Returns
-    -------
-    Array
-        Temperature difference, of either sign [K]; infinite for a drive that temperature does not change.
-
-    References
-    ----------
-    Equation (I2) of :doc:`/equations`, which is linear in the temperature.
+    From the interference at the assembly [m] and what a kelvin adds to it [m/K]; of either sign, infinite for a drive
+    that temperature does not change. Equation (I2) of :doc:`/equations`, which is linear in the temperature.
     """
     moves = jnp.asarray(change_per_kelvin) != 0.0
     return jnp.where(moves, -interference / jnp.where(moves, change_per_kelvin, 1.0), math.inf)

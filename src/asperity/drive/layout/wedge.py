@@ -15,14 +15,9 @@ from asperity.types import Real
 class WedgeAngles(NamedTuple):
     """Angles of a wedge (A1) [rad].
 
-    Parameters
-    ----------
-    polar : Real
-        alpha, at the axis between the floating roller and the one in the wedge.
-    direction : Real
-        theta, from the radial line through the floating roller to the direction of the one in the wedge.
-    wedge : Real
-        beta, between the two contacts of the roller in the wedge; half of it is the self-locking angle.
+    alpha at the axis between the floating roller and the one in the wedge; theta from the radial line through the
+    floating roller to the direction of the one in the wedge; beta between the two contacts of the roller in the wedge:
+    half of it is the self-locking angle.
     """
 
     polar: Real

@@ -43,15 +43,8 @@ class Bores(eqx.Module):
     def by_pin(self, side: Array) -> tuple[Array, Array]:
         """Approach and slip over a small change of each pin's force, shape (contacts, pins) [m/N].
 
-        Parameters
-        ----------
-        side : Array
-            Sign of the force of each roller on its pin along the push, shape (pins,) [-].
-
-        Returns
-        -------
-        tuple of Array
-            Both compliances, which are those of the pin under forces of the contacts too.
+        These are the compliances of the pin under forces of the contacts too. ``side`` is the sign of the force of each
+        roller on its pin along the push, shape (pins,).
         """
         return (
             self.along_normal - side * self.around_normal,
@@ -71,19 +64,9 @@ class Bores(eqx.Module):
     ) -> Array:
         """Displacement of each pin along its push under the forces of the contacts, shape (pins,) [m].
 
-        Parameters
-        ----------
-        force : Array
-            Of each roller on its pin along the push, shape (pins,) [N].
-        largest : Real
-            Scale of the forces [N].
-        normal, change, tangential : Array
-            Normal forces, what the torque has added to them, and tangential forces, shape (contacts,) [N].
-
-        Returns
-        -------
-        Array
-            Displacements, without that under the pin's own force.
+        Without that under the pin's own force. ``force`` is that of each roller on its pin along the push, shape
+        (pins,) [N], ``largest`` the scale of the forces [N]; normal forces, what the torque has added to them, and
+        tangential forces have the shape (contacts,) [N].
         """
         side, _, _ = sides(force, largest)
         opened = product(self.around_normal.T, change) + product(self.around_tangential.T, tangential)

@@ -32,20 +32,12 @@ ASSEMBLED, STANDING, ROLLING = 0, 1, 2
 
 
 class Unknowns(NamedTuple):
-    """Unknowns of a state, each over its scale.
+    """Unknowns of a state, each over its scale [-].
 
-    Parameters
-    ----------
-    normal, tangential : Array
-        Forces of the contacts over the reference, and over the friction limit at it [-].
-    pin : Array
-        Forces of the pins, then of the supports on the carrier, over the largest reference [-].
-    displacement : Array
-        Displacements of the floating centres over the approach at the reference [-].
-    turn : Array
-        Added to the speeds, or rotation times lever over the approach [-].
-    interference : Array
-        Interference of the drive over the approach at the reference [-].
+    Forces of the contacts over the reference, and over the friction limit at it; forces of the pins, then of the
+    supports on the carrier, over the largest reference; displacements of the floating centres over the approach at the
+    reference; ``turn``, added to the speeds, or rotation times lever over the approach; interference of the drive over
+    the approach at the reference.
     """
 
     normal: Array
@@ -59,26 +51,11 @@ class Unknowns(NamedTuple):
 class Machine(NamedTuple):
     """What is the same in all states of a drive.
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    laws : ContactLaws
-        Its contacts.
-    matrices : Incidence
-        How displacements and rotations move the contacts, the pins, and after these the supports on the carrier.
-    ideal : Array
-        Speeds without slip, shape (members,) [-].
-    pattern : Array
-        Interference of each contact over that of the drive, shape (contacts,) [-].
-    friction : Array
-        Friction coefficients, shape (contacts,) [-].
-    length, largest, lever : Array
-        Scales: approach [m], force [N] and lever [m].
-    added : Array or None, optional
-        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
-    creep_of : callable or None, optional
-        Creep law of the contacts under their normal and tangential forces; None for that of the laws.
+    ``matrices`` tell how displacements and rotations move the contacts, the pins, and after these the supports on the
+    carrier. ``ideal`` are the speeds without slip, shape (members,) [-]. Of each contact, shape (contacts,):
+    ``pattern``, its interference over that of the drive [-], ``added``, what it has besides [m], None for none, and the
+    friction coefficient. ``length``, ``largest`` and ``lever`` are scales: approach [m], force [N] and lever [m].
+    ``creep_of`` is the creep law of the contacts under their normal and tangential forces; None for that of the laws.
     """
 
     drive: Drive
@@ -97,22 +74,10 @@ class Machine(NamedTuple):
 class Task(NamedTuple):
     """One state to be found.
 
-    Parameters
-    ----------
-    kind : Array
-        :data:`ASSEMBLED`, :data:`STANDING` or :data:`ROLLING` [-].
-    size : Array
-        Preload [N], or interference of the drive [m].
-    load : DriveLoad
-        Torque, forces on the bodies, pins.
-    origin : Array
-        Displacements of the assembled drive, from which slip is counted, shape (2 floating,) [m].
-    pin_at_rest : Array
-        Forces of the pins of the assembled drive, shape (pins,) [N].
-    normal_at_rest : Array or None, optional
-        Normal forces of the assembled drive, shape (contacts,) [N]; None for none.
-    by_laws : Array or bool, optional
-        Whether a rolling drive has the creep of the laws, although the machine knows that under the forces.
+    ``kind`` is :data:`ASSEMBLED`, :data:`STANDING` or :data:`ROLLING`; ``size`` the preload [N] or the interference of
+    the drive [m]. Of the assembled drive: ``origin``, the displacements from which slip is counted, shape (2 floating,)
+    [m]; ``pin_at_rest``, forces of its pins, shape (pins,) [N]; ``normal_at_rest``, shape (contacts,) [N]. ``by_laws``
+    tells whether a rolling drive has the creep of the laws, although the machine knows that under the forces.
     """
 
     kind: Any
@@ -132,31 +97,10 @@ def machine_of(
     supports: Supports | None = None,
     creep_of: CreepOf | None = None,
 ) -> Machine:
-    """What all states of a drive have in common.
+    """What all states of a drive have in common, with their scales; equation (M3).
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    laws : ContactLaws
-        Its contacts.
-    pattern : Array
-        Interference of each contact over that of the drive, shape (contacts,) [-].
-    added : Array or None, optional
-        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
-    supports : Supports or None, optional
-        Those of the load; None for none.
-    creep_of : callable or None, optional
-        As of :class:`Machine`.
-
-    Returns
-    -------
-    Machine
-        With its scales.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
+    ``pattern`` is the interference of each contact over that of the drive [-], ``added`` what it has besides [m], both
+    of shape (contacts,).
     """
     reference = laws.reference_force
     # the derivative of a largest number is 0/0 where XLA rounds it differently a second time, and scales need none
@@ -178,42 +122,12 @@ def machine_of(
 
 
 def turning_members(drive: Drive) -> list[int]:
-    """Members whose rotation is unknown.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    list of int
-        Their numbers: all but the input and the grounded member.
-    """
+    """Numbers of the members whose rotation is unknown: all but the input and the grounded member."""
     return [i for i, name in enumerate(drive.members) if name not in (drive.input, drive.grounded)]
 
 
 def speeds_and_turns(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, Array]:
-    """Speeds and rotations of all members.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    x : Unknowns
-        The unknowns.
-    kind : Array
-        Kind of the state.
-
-    Returns
-    -------
-    tuple of Array
-        Speeds over that of the input [-], rotations [rad], shape (members,).
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Speeds over that of the input [-] and rotations [rad] of all members, shape (members,); equation (M3)."""
     turning = np.eye(len(machine.drive.members))[turning_members(machine.drive)]
     rolls = jnp.where(jnp.asarray(kind) == ROLLING, 1.0, 0.0)
     turn = product(turning.T, x.turn)
@@ -221,24 +135,7 @@ def speeds_and_turns(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, A
 
 
 def contact_forces(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
-    """Forces of the contacts.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    x : Unknowns
-        The unknowns.
-
-    Returns
-    -------
-    tuple of Array
-        Normal and tangential forces, shape (contacts,) [N].
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Normal and tangential forces of the contacts from the unknowns, shape (contacts,) [N]; equation (M3)."""
     reference = machine.laws.reference_force
     return x.normal * reference, x.tangential * machine.friction * reference
 
@@ -250,44 +147,12 @@ def contact_interference(machine: Machine, x: Unknowns) -> Array:
 
 
 def forces_on(drive: Drive, load: DriveLoad) -> Array:
-    """Forces on the floating bodies.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    load : DriveLoad
-        The load.
-
-    Returns
-    -------
-    Array
-        Forces, shape (floating, 2) [N].
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Forces on the floating bodies, shape (floating, 2) [N]; equation (M3)."""
     return jnp.zeros((len(drive.floating), 2)) if load.body_force is None else load.body_force
 
 
 def no_displacement(drive: Drive) -> Array:
-    """Displacements of a drive that has not moved.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    Array
-        Zeros, shape (2 floating,) [m].
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Displacements of a drive that has not moved: zeros, shape (2 floating,) [m]."""
     return jnp.zeros(2 * len(drive.floating))
 
 
@@ -297,15 +162,7 @@ def no_force(drive: Drive) -> Array:
 
 
 class Responses(NamedTuple):
-    """What the contacts do under their forces, each under its own, shape (contacts,).
-
-    Parameters
-    ----------
-    approach, slip : Array
-        Approach of the bodies, and slip while the drive stands [m].
-    creepage : Array
-        Creepage while it rolls [-].
-    """
+    """Approach and slip at rest [m], and creepage in rolling [-], of contacts under their forces; shape (contacts,)."""
 
     approach: Array
     slip: Array
@@ -313,25 +170,9 @@ class Responses(NamedTuple):
 
 
 def contact_responses(machine: Machine, task: Task, normal: Array, tangential: Array) -> Responses:
-    """What the contacts do under normal and tangential forces.
+    """What the contacts do under normal and tangential forces, shape (contacts,) [N]; equations (B1) and (M3).
 
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    task : Task
-        The state.
-    normal, tangential : Array
-        Forces of the contacts, shape (contacts,) [N].
-
-    Returns
-    -------
-    Responses
-        Without what bodies that bend add to the approaches of each other's contacts.
-
-    References
-    ----------
-    Equations (B1) and (M3) of :doc:`/equations`.
+    Without what bodies that bend add to the approaches of each other's contacts.
     """
     laws, creep = machine.laws, machine.laws.creep
     if machine.creep_of is not None:
@@ -350,15 +191,10 @@ def contact_responses(machine: Machine, task: Task, normal: Array, tangential: A
 
 
 class Misfits(NamedTuple):
-    """Residuals of a state, each relative to its scale.
+    """Residuals of all equations of a state, each relative to its scale [-].
 
-    Parameters
-    ----------
-    all : Unknowns
-        Of all equations [-].
-    held : Array
-        By how much the slip or the creep of each contact under its forces exceeds that of its bodies, shape (contacts,)
-        [-]; an equation where the contact does not slide.
+    ``held`` is by how much the slip or the creep of each contact under its forces exceeds that of its bodies, shape
+    (contacts,); an equation where the contact does not slide.
     """
 
     all: Unknowns
@@ -481,25 +317,9 @@ def _of_pins(machine: Machine, task: Task, forces: tuple[Array, Array], pin: Arr
 
 
 def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:
-    """Moments of contacts, pins and bearings on the members.
+    """Moments of contacts, pins and bearings on the members, counter-clockwise, shape (members,) [N·m]; equation (M1).
 
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    task : Task
-        The state.
-    tangential, pin : Array
-        Tangential forces of the contacts, shape (contacts,), and forces of the pins, shape (pins,) [N].
-
-    Returns
-    -------
-    Array
-        Counter-clockwise, shape (members,) [N·m].
-
-    References
-    ----------
-    Equation (M1) of :doc:`/equations`; :mod:`asperity.drive.state.bearings`.
+    Of the tangential forces of the contacts, shape (contacts,), and the forces of the pins, shape (pins,) [N].
     """
     moments = member_moments(machine.drive, machine.matrices, tangential, pin)
     load, kind = task.load, jnp.asarray(task.kind)

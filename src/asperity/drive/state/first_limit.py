@@ -154,20 +154,7 @@ def _step_by_step(
 
 
 def first_limit_of_numbers(*, excesses: Callable[[Any], Any], first_guess: Real) -> FirstLimit:
-    """The limit that :func:`first_limit` finds, of functions of known numbers: of programs that are compiled already.
-
-    Parameters
-    ----------
-    excesses : callable
-        As of :func:`first_limit`, of NumPy's arrays.
-    first_guess : Real
-        As of :func:`first_limit`.
-
-    Returns
-    -------
-    FirstLimit
-        As of :func:`first_limit`, without derivatives.
-    """
+    """That of :func:`first_limit`, without derivatives, of compiled functions of NumPy's arrays."""
     start: Any = np.asarray(first_guess, dtype=float)
     last = _searched(excesses, start, _step_by_step)
     at_once = last.bracketed & (last.upper <= SMALLEST_SHARE * start)

@@ -15,6 +15,7 @@ from asperity.drive.state.equations import (
     STANDING,
     Machine,
     Misfits,
+    Responses,
     Task,
     Unknowns,
     contact_forces,
@@ -53,26 +54,7 @@ def assembled_guess(machine: Machine) -> Unknowns:
 
 
 def started_from(machine: Machine, state: DriveState, size: Array) -> Unknowns:
-    """Unknowns at a known state.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    state : DriveState
-        The state.
-    size : Array
-        Interference of the drive [m].
-
-    Returns
-    -------
-    Unknowns
-        From which another state is sought.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Unknowns at a known state under an interference [m], from which another state is sought; equation (M3)."""
     reference = machine.laws.reference_force
     return Unknowns(
         state.normal / reference,
@@ -155,21 +137,17 @@ def solved(
     def improve(state: _Search) -> _Search:
         longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
 
-        def step_at(x: Unknowns) -> tuple[Unknowns, Misfits]:
+        def step_at(x: Unknowns) -> Unknowns:
             responses = responses_and_slopes(fixed_machine, fixed_task, x)
             slopes = state_slopes(fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses)
-            misfits = state_misfits(
-                fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses.value
-            )
-            return newton_step(slopes, misfits.all, solve_in_turn), misfits
+            return newton_step(slopes, misfits_at(x, responses.value).all, solve_in_turn)
 
-        tried, last, misfits = newton(
-            step_at,
-            state.unknowns,
-            positive=first.normal.size,
-            residual=Misfits(first, begin),
-            longest=longest,
-        )
+        def misfits_at(x: Unknowns, responses: Responses) -> Misfits:
+            return state_misfits(fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses)
+
+        tried, last = newton(step_at, state.unknowns, positive=first.normal.size, longest=longest)
+        responses = contact_responses(fixed_machine, fixed_task, *contact_forces(fixed_machine, tried))
+        misfits = misfits_at(tried, responses)
         balanced = (_worst(misfits.all) < _BALANCED) & (last < _DETERMINED)
         kept = balanced | (state.steps == 0)
         unknowns, slides, held = jax.tree.map(
@@ -235,27 +213,9 @@ def _worst(residuals: Unknowns) -> Array:
 
 
 def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> DriveState:
-    """A state from its unknowns.
+    """A state, with its residual, from its unknowns and the signs of the contacts that slide as a whole.
 
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    task : Task
-        The state.
-    x : Unknowns
-        The unknowns.
-    slides : Array
-        Signs of the contacts that slide as a whole, shape (contacts,) [-].
-
-    Returns
-    -------
-    DriveState
-        With its residual.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
+    Equation (M3).
     """
     drive = machine.drive
     normal, tangential = contact_forces(machine, x)

@@ -41,21 +41,12 @@ class Slopes(NamedTuple):
     """Slopes of the equations in blocks; those of the contacts first, then those of the structure.
 
     The structure's unknowns are the displacements, turns, pins and interference, its equations the balances of forces
-    and moments, the pins and the size.
-
-    Parameters
-    ----------
-    approach : Array
-        Of the approaches by the normal forces, shape (contacts, contacts), or (contacts,) where each contact deforms
-        under its own force only.
-    held_normal, held_tangential : Array
-        Of the slips or creeps by the normal and the tangential forces, shape (contacts, contacts).
-    approach_moves, held_moves : Array
-        Of both by the structure, shape (contacts, structure).
-    normal, tangential : Array
-        Of the equations of the structure by the forces of the contacts, shape (structure, contacts).
-    structure : Array
-        Of them by the structure, shape (structure, structure).
+    and moments, the pins and the size. ``approach``: of the approaches by the normal forces, shape (contacts,
+    contacts), or (contacts,) where each contact deforms under its own force only; ``held_normal`` and
+    ``held_tangential``: of the slips or creeps by the forces, shape (contacts, contacts); ``approach_moves`` and
+    ``held_moves``: of both by the structure's unknowns, shape (contacts, structure). ``normal``, ``tangential`` and
+    ``structure``: of the structure's equations by the forces of the contacts, shape (structure, contacts), and by its
+    unknowns, shape (structure, structure).
     """
 
     approach: Array
@@ -259,19 +250,19 @@ def _of_structure(machine: Machine, task: Task, pressed_sectors: int, x: Unknown
 def newton_step(slopes: Slopes, residual: Unknowns, solver: Callable[[Array, Array], Array]) -> Unknowns:
     r"""Solve :math:`J s = r` for the step of all unknowns, the forces of the contacts eliminated."""
     # forces as functions of the structure, and without it: apart, so that the step is linear in the residual
-    coupled = slopes.approach.ndim > 1
-    if coupled:
-        normal = _eliminated(slopes.approach, -slopes.approach_moves)
-        alone = solver(slopes.approach, residual.normal)
+    if slopes.approach.ndim > 1:
+        inverse = _inverse(slopes.approach)
+        normal = -inverse @ slopes.approach_moves
+        alone = product(inverse, residual.normal)
     else:
         normal = -slopes.approach_moves / slopes.approach[:, None]
         alone = residual.normal / slopes.approach
-    tangential = _triangular(slopes.held_tangential, -slopes.held_moves - _matrix(slopes.held_normal, normal))
+    tangential = _triangular(slopes.held_tangential, -slopes.held_moves - slopes.held_normal @ normal)
     held = residual.tangential - product(slopes.held_normal, alone)
     held = _triangular(slopes.held_tangential, held[:, None])[:, 0]
     rest = jnp.concatenate([residual.displacement, residual.turn, residual.pin, residual.interference])
     structural_step = solver(
-        slopes.structure + _matrix(slopes.normal, normal) + _matrix(slopes.tangential, tangential),
+        slopes.structure + slopes.normal @ normal + slopes.tangential @ tangential,
         rest - product(slopes.normal, alone) - product(slopes.tangential, held),
     )
     ends = np.cumsum([residual.displacement.size, residual.turn.size, residual.pin.size])
@@ -355,27 +346,23 @@ def _diagonal(values: Array) -> Array:
     return matrix
 
 
-def _matrix(one: Array, other: Array) -> Array:
-    """Product of two small matrices as a part of the program around it."""
-    matrix: Array = (one[:, :, None] * other[None]).sum(axis=1)
-    return matrix
-
-
 def _triangular(matrix: Array, columns: Array) -> Array:
     """Solve for contacts each of which depends on itself, and perhaps on one that depends on itself only."""
     diagonal = jnp.diagonal(matrix)
     beside = matrix - _diagonal(diagonal)
     uncoupled = columns / diagonal[:, None]
-    return uncoupled - _matrix(beside, uncoupled) / diagonal[:, None]
+    return uncoupled - beside @ uncoupled / diagonal[:, None]
 
 
-def _eliminated(matrix: Array, columns: Array) -> Array:
-    """Solve for several right sides at once, without exchange of rows: every diagonal element is the largest."""
+def _inverse(matrix: Array) -> Array:
+    """Inverse by elimination without exchange of rows: every diagonal element is the largest of its row."""
     rows = np.arange(matrix.shape[0])
 
     def without_column(k: Array, table: Array) -> Array:
         row = table[k] / table[k, k]
         return jnp.where((rows == k)[:, None], row, table - table[:, k, None] * row)
 
-    table = jax.lax.fori_loop(0, rows.size, without_column, jnp.concatenate([matrix, columns], axis=1))
+    table = jax.lax.fori_loop(
+        0, rows.size, without_column, jnp.concatenate([matrix, np.eye(rows.size)], axis=1)
+    )
     return table[:, rows.size :]

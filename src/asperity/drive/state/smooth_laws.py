@@ -28,27 +28,13 @@ def smooth_contact_laws(
     ring_wall_thickness: Real,
     reference_force: Real,
 ) -> ContactLaws:
-    """Contacts of bodies of one material, with solid rollers and rings in a rigid housing.
+    """Springs and creep of contacts of bodies of one material, with solid rollers and rings in a rigid housing.
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    youngs_modulus, poisson_ratio, friction_coefficient : Real
-        E [Pa], nu [-], mu [-].
-    contact_length, ring_wall_thickness : Real
-        Of all contacts and rings [m].
-    reference_force : Real
-        Reference force of the logarithmic compliances; any positive value gives the same law [N].
+    E [Pa], nu [-], mu [-], length of all contacts and walls of all rings [m]; the reference force of the logarithmic
+    compliances [N] may be any positive value, the law is the same.
 
-    Returns
-    -------
-    ContactLaws
-        Springs and creep of each contact.
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, 1985, sections 4.2, 5.6 and 8.3; C. Weber and K. Banaschek 1953.
+    References ---------- K. L. Johnson, Contact Mechanics, 1985, sections 4.2, 5.6 and 8.3; C. Weber and K. Banaschek
+    1953.
     """
     one, two = drive.first_radius, drive.second_radius
     internal = jnp.array([contact.internal for contact in drive.contacts])

@@ -1,8 +1,9 @@
-"""What a drive is given and what it does: laws of its contacts, loads, and its state. SI units."""
+"""Laws of the contacts of a drive, its loads, its state, and the speeds of its bodies in rolling. SI units."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -285,3 +286,50 @@ def surface_speeds(*, drive: Drive, speed: Array) -> tuple[Array, Array]:
         drive.first_radius * jnp.abs(speed[first] - carrier),
         drive.second_radius * jnp.abs(speed[second] - carrier),
     )
+
+
+class BodiesOfContacts(NamedTuple):
+    """Which bodies the contacts of one branch of a drive join.
+
+    Parameters
+    ----------
+    names : tuple of str
+        Names of the bodies, in the order of every body axis.
+    shared : tuple of bool
+        Whether a body is one for all branches.
+    driving, driven : tuple of int
+        Places of the two bodies of each contact in the names.
+    sectors : int, optional
+        How many branches the contacts are listed of, one branch after the other: those of one kind pass over the same
+        track of a shared body.
+    """
+
+    names: tuple[str, ...]
+    shared: tuple[bool, ...]
+    driving: tuple[int, ...]
+    driven: tuple[int, ...]
+    sectors: int = 1
+
+
+class RollingSpeeds(eqx.Module):
+    """Speeds of a rolling drive relative to the carrier. SI units.
+
+    Parameters
+    ----------
+    driving, driven : Array
+        Speeds of the two surfaces of each contact, shape (contacts, ...) [m/s].
+    body : Array
+        Angular velocities of the bodies of one sector relative to the carrier, shape (bodies, ...) [rad/s]; positive.
+    output : Array
+        Angular velocity of the output relative to the ground, reduced by creep [rad/s]; positive.
+    """
+
+    driving: Array
+    driven: Array
+    body: Array
+    output: Array
+
+    @property
+    def rolling(self) -> Array:
+        """Rolling speed of each contact, the mean of both surfaces [m/s]."""
+        return 0.5 * (self.driving + self.driven)

@@ -37,7 +37,7 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.search import assembled_guess, known_state, solved, started_from, state_of
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState, contact_approach
-from asperity.linear import product
+from asperity.linear import product, solve
 from asperity.types import Real
 
 #: A rolling state by the creep law of the laws themselves, from which that with the law under the forces is sought; and
@@ -368,3 +368,38 @@ class _Balance(NamedTuple):
 
     unknowns: Unknowns
     slides: Array
+
+
+def rest_forces(*, drive: Drive, pattern: Array) -> Array:
+    r"""Normal forces of an assembled drive over that of its first contact.
+
+    .. math:: N = A u + p\,\delta, \qquad A^\mathsf{T} N + P^\mathsf{T} F = 0, \qquad P u = 0, \qquad N_1 = 1
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    pattern : Array
+        Interference p of each contact over that of the drive, shape (contacts,) [-].
+
+    Returns
+    -------
+    Array
+        Forces, shape (contacts,) [-].
+
+    References
+    ----------
+    Equation (M1) of :doc:`/equations`.
+    """
+    matrices = incidence(drive)
+    contacts, moves, pins = matrices.approach.shape[0], matrices.approach.shape[1], matrices.pins.shape[0]
+    none = jnp.zeros
+    system = jnp.block(
+        [
+            [jnp.eye(contacts), none((contacts, pins)), -matrices.approach, -pattern[:, None]],
+            [none((pins, contacts)), none((pins, pins)), matrices.pins, none((pins, 1))],
+            [matrices.approach.T, matrices.pins.T, none((moves, moves)), none((moves, 1))],
+            [jnp.eye(1, contacts), none((1, pins)), none((1, moves)), none((1, 1))],
+        ]
+    )
+    return solve(system, jnp.eye(system.shape[0])[-1])[:contacts]

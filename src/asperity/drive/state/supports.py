@@ -66,20 +66,7 @@ def carrier_supports(
 
 
 def with_supports(matrices: Incidence, supports: Supports | None) -> Incidence:
-    """Matrices of a drive whose pins are followed by its supports.
-
-    Parameters
-    ----------
-    matrices : Incidence
-        Of the drive.
-    supports : Supports or None
-        Springs between floating centres and the carrier; None for none.
-
-    Returns
-    -------
-    Incidence
-        Unchanged without supports.
-    """
+    """Matrices of a drive whose pins are followed by its supports; unchanged without supports."""
     if supports is None:
         return matrices
     return dataclasses.replace(

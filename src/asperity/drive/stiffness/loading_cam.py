@@ -12,8 +12,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.stiffness.assembly import Assembly
-from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
+from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
 from asperity.types import Real
 
 

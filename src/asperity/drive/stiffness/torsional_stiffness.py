@@ -1,4 +1,9 @@
-"""From tangential stiffnesses of the contacts to the torsional stiffness of the joint: equations (25)–(30)."""
+"""From tangential stiffnesses of the contacts to the torsional stiffness of the joint: equations (25)–(30).
+
+In the published series (25) every roller turns about a fixed centre. With floating bodies (A8) a tangential force on
+the planet displaces it laterally against the *normal* springs of its wedge
+(:func:`asperity.drive.stiffness.network.network_stiffness`).
+"""
 
 from __future__ import annotations
 
@@ -143,3 +148,31 @@ def series_torsional_stiffness(*, geometry: DriveGeometry, tangential_stiffness:
     compliance = sum(1.0 / jnp.where(holds, stage, 1.0) for stage in stages)
     at_sun = jnp.where(holds, geometry.planet_count / compliance, 0.0)  # (25)
     return TorsionalStiffness(sun=at_sun, output=at_sun * speed_ratio(geometry) ** 2)
+
+
+class Assembly(eqx.Module):
+    """Stiffness of the assembled drive and where its compliance comes from.
+
+    Parameters
+    ----------
+    stiffness : TorsionalStiffness
+        At the sun and at the output [N·m/rad]; 0 where the drive transmits no torque.
+    tangential_share : Array
+        Share of each contact's tangential spring in the compliance, shape (5, ...) [-].
+    normal_share : Array
+        Share of each contact's normal spring, which allows the planet to float in its wedge, shape (5, ...) [-].
+    ring_bending_share, pin_share, planet_support_share, input_shaft_share, output_shaft_share : Array
+        Shares of the structure [-]. All shares add up to 1.
+    loading_cam_share : Real, optional
+        Share of a loading cam that follows the torque, :func:`asperity.drive.stiffness.loading_cam.with_cam` [-].
+    """
+
+    stiffness: TorsionalStiffness
+    tangential_share: Array
+    normal_share: Array
+    ring_bending_share: Array
+    pin_share: Array
+    planet_support_share: Array
+    input_shaft_share: Array
+    output_shaft_share: Array
+    loading_cam_share: Real = 0.0

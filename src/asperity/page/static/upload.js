@@ -64,8 +64,16 @@ export class Uploads {
   measured(found, file, units) {
     const measured = found.document;
     const notes = (measured.files || []).flatMap((each) => each.notes);
+    const heights = [];
+    for (const each of measured.files || []) {
+      const rough = each.roughness || {};
+      const behind = `, µm, behind the cut-off ${number(1e3 * rough.cut_off_m)} mm`;
+      for (const [values, key, name] of [[rough, "Ra_m", `Ra${behind}`], [rough, "Rz_m", `Rz${behind}`], [each, "Pq_m", "Pq, µm, without a filter"], [each, "Sq_m", "Sq, µm"]]) {
+        if (key in values) heights.push([name, number(1e6 * values[key]), ""]);
+      }
+    }
     if (measured.no_power_law !== undefined) {
-      this.show(found.name, [element("p", { class: "fail" }, `No D and G: ${measured.no_power_law}. 'asperity surface measure --json' and 'asperity joint --surface' make a joint of its spectrum.`), ...notes.map((text) => element("p", { class: "note" }, text)), this.units(file, units)]);
+      this.show(found.name, [table("Measured surface", ["number", "value", ""], heights), element("p", { class: "fail" }, `No D and G: ${measured.no_power_law}. 'asperity surface measure --json' and 'asperity joint --surface' make a joint of its spectrum.`), ...notes.map((text) => element("p", { class: "note" }, text)), this.units(file, units)]);
       this.take.say("The surface has no power law; see the message.");
       return;
     }
@@ -73,12 +81,8 @@ export class Uploads {
     const rows = [
       ["fractal dimension D", number(measured.fractal_dimension), interval(measured.fractal_dimension_interval_95)],
       ["fractal roughness G, nm", number(1e9 * measured.fractal_roughness_m), interval(measured.fractal_roughness_interval_95_m, 1e9)],
+      ...heights,
     ];
-    for (const each of measured.files || []) {
-      for (const [key, name] of [["Ra_m", "Ra, µm"], ["Sa_m", "Sa, µm"], ["Rq_m", "Rq, µm"], ["Sq_m", "Sq, µm"]]) {
-        if (key in each) rows.push([name, number(1e6 * each[key]), ""]);
-      }
-    }
     const band = `Self-affine from ${number(1e6 * measured.shortest_wavelength_m, 3)} to ${number(1e6 * measured.longest_wavelength_m, 3)} µm; estimator ${measured.estimator}, ${measured.profiles} profile${measured.profiles === 1 ? "" : "s"}. D and G belong together: their errors are almost fully correlated.`;
     const use = element("button", { type: "button", id: "use-surface" }, "Put into the joint, at every contact");
     use.addEventListener("click", () => {

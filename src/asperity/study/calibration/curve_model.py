@@ -150,18 +150,7 @@ class CurveModel:
         )
 
     def floored(self, stiffness: np.ndarray) -> np.ndarray:
-        """At which of the model's torques the prediction uses :data:`STIFFNESS_FLOOR` instead of the joint's stiffness.
-
-        Parameters
-        ----------
-        stiffness : ndarray
-            Of the joint at the model's torques, shape (torques,) [N·m/rad].
-
-        Returns
-        -------
-        ndarray of bool
-            Shape (torques,).
-        """
+        """At which of the model's torques :data:`STIFFNESS_FLOOR` replaces the joint's stiffness there [N·m/rad]."""
         return ~np.isfinite(stiffness) | (stiffness < self._floor(stiffness))
 
     def _floor(self, stiffness: np.ndarray) -> float:
@@ -171,15 +160,7 @@ class CurveModel:
     def __call__(self, scaled_values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Predicted angles [rad], stiffnesses [N·m/rad] or drifts per turn [rad], with derivatives by scaled values.
 
-        Parameters
-        ----------
-        scaled_values : ndarray
-            Shape (unknowns,), 0 to 1.
-
-        Returns
-        -------
-        prediction, slopes : ndarray
-            Shape (points,) and (points, unknowns).
+        Shape (points,) and (points, unknowns).
         """
         point = self.point(scaled_values)
         steps = np.array([u.slope(point[u.path]) for u in self.unknowns])
@@ -198,18 +179,10 @@ class CurveModel:
         return self.weights @ (1.0 / safe) + self.curve_part(point), slopes * steps
 
     def compliances(self, scaled_values: np.ndarray) -> np.ndarray:
-        """Compliance at the model's torques, without :data:`STIFFNESS_FLOOR`.
+        """Compliance at the model's torques, without :data:`STIFFNESS_FLOOR`, shape (sets, torques) [rad/(N·m)].
 
-        Parameters
-        ----------
-        scaled_values : ndarray
-            Shape (sets, unknowns).
-
-        Returns
-        -------
-        ndarray
-            Shape (sets, torques) [rad/(N·m)]; nan for the whole set where the joint has no solution or no stiffness
-            at one of the torques, the largest measured one included.
+        Of scaled values, shape (sets, unknowns); nan for the whole set where the joint has no solution or no stiffness
+        at one of the torques, the largest measured one included.
         """
         torque, slips = self.torque, self.slips
         if self.weights is not None:  # the ends of the measured range, which the quadrature does not touch
@@ -233,17 +206,9 @@ class CurveModel:
         return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
 
     def predictions(self, scaled_values: np.ndarray) -> np.ndarray:
-        """Predictions of many sets of unknowns, without :data:`STIFFNESS_FLOOR`.
+        """Predictions without :data:`STIFFNESS_FLOOR`, shape (sets, points) [rad] or [N·m/rad].
 
-        Parameters
-        ----------
-        scaled_values : ndarray
-            Shape (sets, unknowns).
-
-        Returns
-        -------
-        ndarray
-            Shape (sets, points) [rad] or [N·m/rad]; nan for a set whose joint does not exist, see :meth:`compliances`.
+        Of scaled values, shape (sets, unknowns); nan for a set whose joint does not exist, see :meth:`compliances`.
         """
         compliance = self.compliances(scaled_values)
         if self.weights is None:
@@ -270,20 +235,7 @@ class CurveModel:
         return tanh(self.measurement.torque / width)
 
     def curve_part(self, point: dict[str, Any], tanh: Callable[[Any], Any] = np.tanh) -> Any:
-        """What play, offset and drift add to the angles.
-
-        Parameters
-        ----------
-        point : dict
-            Values of the unknowns [SI].
-        tanh : callable
-            NumPy's or JAX's.
-
-        Returns
-        -------
-        array
-            Shape (points,) [rad].
-        """
+        """What play, offset and drift add to the angles, shape (points,) [rad]; ``tanh`` is NumPy's or JAX's."""
         angle, width = (0.0, 0.0) if self.rolls else self._play(point)
         total = 0.5 * angle * self._taken_up(width, tanh)
         for path, value in point.items():
@@ -292,20 +244,7 @@ class CurveModel:
         return total
 
     def curve_slope(self, path: str, point: dict[str, float]) -> np.ndarray:
-        """Derivative of :meth:`curve_part` by one of the unknowns.
-
-        Parameters
-        ----------
-        path : str
-            The unknown.
-        point : dict
-            Values of the unknowns [SI].
-
-        Returns
-        -------
-        ndarray
-            Shape (points,) [rad per SI unit of the unknown].
-        """
+        """Derivative of :meth:`curve_part` by one of the unknowns, shape (points,) [rad per SI unit of the unknown]."""
         angle, width = self._play(point)
         if path == "play.angle":
             return np.asarray(0.5 * self._taken_up(width, np.tanh))

@@ -79,16 +79,9 @@ class Chains:
         self.forget()
 
     def start(self, coefficients: Any, begin: np.ndarray, covariance: np.ndarray) -> None:
-        """Start the chains.
+        """Start the chains at points of shape (chains, size), with a first guess of the posterior's covariance.
 
-        Parameters
-        ----------
-        coefficients : pytree
-            Of the surrogate; of the same shapes each time.
-        begin : ndarray
-            Where, shape (chains, size).
-        covariance : ndarray
-            First guess of the posterior's, shape (size, size).
+        The coefficients of the surrogate have the same shapes each time.
         """
         from numpyro.infer import NUTS, init_to_value
 
@@ -145,13 +138,7 @@ class Chains:
         self.forget()
 
     def step(self) -> tuple[np.ndarray, np.ndarray]:
-        """One exact step.
-
-        Returns
-        -------
-        proposed, log_exact : ndarray
-            Points that were proposed, shape (chains, size), and the exact log-likelihood there, shape (chains,).
-        """
+        """Points that an exact step proposed, shape (chains, size), and the exact log-likelihood there."""
         new, proposed, log_surrogate = self._moved()
         log_exact = self._exact(proposed)
         with np.errstate(invalid="ignore"):

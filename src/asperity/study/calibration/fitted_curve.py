@@ -26,20 +26,11 @@ LEAST_ROWS = 6
 
 @dataclass(frozen=True)
 class FittedCurve:
-    """A measured curve with what was fitted to it.
+    """A measured curve with what was fitted to it; [rad] or [N·m/rad], shape (points,).
 
-    Parameters
-    ----------
-    model : CurveModel
-        The model that was fitted.
-    prediction : ndarray
-        Shape (points,) [rad] or [N·m/rad].
-    residual : ndarray
-        Data minus prediction, shape (points,) [rad] or [N·m/rad].
-    standard_deviation : float
-        Of the residuals, with the degrees of freedom that remain [rad] or [N·m/rad].
-    durbin_watson : float
-        About 2 for independent residuals; towards 0 where neighbours are alike and the intervals are too narrow.
+    ``residual`` is data minus prediction; ``standard_deviation``, that of the residuals with the degrees of freedom
+    that remain; ``durbin_watson``, about 2 for independent residuals, towards 0 where neighbours are alike and the
+    intervals are too narrow.
     """
 
     model: CurveModel
@@ -92,18 +83,7 @@ def residual_sentences(curves: Sequence[FittedCurve]) -> list[str]:
 class JoinedCurves:
     """Residuals of all measurements as functions of one set of scaled values of the unknowns.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    measurements : tuple of Measurement
-        The data.
-    unknowns : tuple of Variable
-        What is looked for; each curve sees those that act on it.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness the joint at rest is taken to have.
-    history : {"virgin", "cycled"}
-        Its state before the first row.
+    Each curve sees the unknowns that act on it; ``level`` and ``history`` as of :class:`CurveModel`.
     """
 
     def __init__(
@@ -169,17 +149,9 @@ class JoinedCurves:
         )
 
     def fitted(self, scaled_values: np.ndarray) -> tuple[FittedCurve, ...]:
-        """Each curve with its prediction and the statistics of its residuals.
+        """Each curve, in the order of the measurements, with its prediction and the statistics of its residuals.
 
-        Parameters
-        ----------
-        scaled_values : ndarray
-            Shape (unknowns,), 0 to 1.
-
-        Returns
-        -------
-        tuple of FittedCurve
-            In the order of the measurements. Each curve bears the unknowns in proportion to its rows.
+        Each bears the unknowns in proportion to its rows.
         """
         points = sum(data.size for data in self._data)
         curves = []
@@ -200,18 +172,7 @@ class JoinedCurves:
         )
 
     def refuse_no_joint(self, scaled_values: np.ndarray) -> None:
-        """Raise if the joint slips within the measured torques or has no stiffness there.
-
-        Parameters
-        ----------
-        scaled_values : ndarray
-            Shape (unknowns,), 0 to 1.
-
-        Raises
-        ------
-        NoSolutionError
-            Which torque it is, and what to do.
-        """
+        """Raise ``NoSolutionError`` if the joint slips within the measured torques or has no stiffness there."""
         for model, columns in zip(self._models, self._columns, strict=True):
             _refuse_no_joint(model, scaled_values[columns])
 

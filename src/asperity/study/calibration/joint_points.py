@@ -13,8 +13,7 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.joint_file.own_branches import joint_with_branches
 from asperity.joint_file.part_names import with_tracks
-from asperity.joint_file.si_tables import Values, replace_values
-from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
+from asperity.joint_file.si_tables import Values, numbers, replace_values, table_structure, with_numbers
 from asperity.standing.over_torque import BATCH, curve_program
 from asperity.standing.standing import LEVELS, NO_SLIP_FRICTION
 from asperity.standing.windup import StiffnessLevel
@@ -24,19 +23,12 @@ Shown = StiffnessLevel | Literal["drift"]
 
 
 class JointPoints(NamedTuple):
-    """Sets of unknown numbers at torques. SI units.
+    """Sets of unknown numbers at torques, shape (sets, torques). SI units.
 
-    Parameters
-    ----------
-    value : ndarray
-        Incremental stiffness at the output [N·m/rad], or drift per output turn [rad], shape (sets, torques); without
-        meaning where the joint does not exist.
-    slopes : ndarray
-        Derivatives by the unknowns, shape (sets, torques, unknowns); no unknowns where they are not asked for.
-    slip_ratio : ndarray
-        Largest T/(mu N) of the joint that stands, shape (sets, torques) [-]; 1 at least where friction does not hold.
-    exists : ndarray of bool
-        Whether the joint has a solution, shape (sets, torques).
+    ``value`` is the incremental stiffness at the output [N·m/rad] or the drift per output turn [rad], without meaning
+    where the joint does not exist; ``slopes``, its derivatives, shape (sets, torques, unknowns), no unknowns where they
+    are not asked for; ``slip_ratio``, largest T/(mu N) of the joint that stands, 1 at least where friction does not
+    hold; ``exists``, whether the joint has a solution.
     """
 
     value: np.ndarray

@@ -52,15 +52,7 @@ FEWEST_ROWS, MOST_ROWS = 2, 200_000
 
 @dataclass(frozen=True)
 class MeasuredQuantity:
-    """What the second column of a measurement means.
-
-    Parameters
-    ----------
-    name : str
-        In words.
-    unit, fine_unit, si_unit : str
-        Units of the curve, of its residuals, and of the arrays.
-    """
+    """What the second column of a measurement means: in words, with the units of curve, residuals and arrays."""
 
     name: str
     unit: str

@@ -77,18 +77,9 @@ class Posterior:
     chains: int
 
     def share_error(self, inside: np.ndarray) -> float:
-        """Standard error of the share of draws for which something holds, from the effective number of such draws.
+        """Standard error of the share of draws for which something holds, from the effective number of such draws [-].
 
-        Parameters
-        ----------
-        inside : ndarray
-            Truth value of each draw, shape (draws,).
-
-        Returns
-        -------
-        float
-            Standard error of ``mean(inside)`` [-]. Where all draws agree, the error of one draw in the effective
-            number of draws.
+        Where all draws agree, the error of one draw in the effective number of draws.
         """
         from numpyro.diagnostics import effective_sample_size
 

@@ -72,16 +72,10 @@ def slip_terms(torques: np.ndarray, history: History) -> list[_Terms]:
 
 @dataclass(frozen=True)
 class CurveOperator:
-    """Angles of a torque history from compliances at fixed torques.
+    """Angles of a torque history from compliances at fixed torques: angle = weights @ (1/stiffness).
 
-    Parameters
-    ----------
-    torque : ndarray
-        Torques at which the compliance is needed, of either sign, shape (nodes,) [N·m].
-    slips : ndarray of bool
-        Whether it is the compliance with slip that is needed there, or that without, shape (nodes,).
-    weights : ndarray
-        Shape (points, nodes) [N·m]; angle = weights @ (1/stiffness).
+    ``torque``, of either sign [N·m], and ``slips``, whether the compliance with slip is needed there or that without,
+    have the shape (nodes,); ``weights`` (points, nodes) [N·m].
     """
 
     torque: np.ndarray

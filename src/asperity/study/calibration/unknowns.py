@@ -209,18 +209,7 @@ def _of_joint(path: str, sides: list[str], case: AnyCase) -> Variable:
 
 
 def si_unit_of(path: str) -> str:
-    """SI unit of an unknown.
-
-    Parameters
-    ----------
-    path : str
-        Its name.
-
-    Returns
-    -------
-    str
-        A unit of :mod:`asperity.units`.
-    """
+    """SI unit of an unknown, one of :mod:`asperity.units`."""
     return _dimension(path).si_unit
 
 

@@ -42,23 +42,11 @@ class MarginRow:
 
 @dataclass(frozen=True)
 class EvaluatedDesign:
-    """What the search knows about a design.
+    """What the search knows about a design; slopes are derivatives by the n scaled variables.
 
-    Parameters
-    ----------
-    objective : ndarray
-        Objectives in the scenarios that count, to be made small: of positive results the logarithm; shape
-        (objectives, scenarios).
-    objective_slopes : ndarray
-        Derivatives by the scaled variables, shape (objectives, scenarios, n).
-    margins : ndarray
-        Margins of the limits, shape (rows,).
-    margin_slopes : ndarray
-        Shape (rows, n).
-    status : ndarray
-        Status codes of the scenarios, shape (scenarios,).
-    values : dict
-        Results in the scenarios [SI], shape (rows, scenarios).
+    ``objective``, to be made small: of positive results the logarithm, in the scenarios that count, shape (objectives,
+    scenarios), slopes (objectives, scenarios, n); ``margins`` of the limits, shape (rows,), slopes (rows, n).
+    ``status`` codes of the scenarios, shape (scenarios,); results [SI], shape (rows, scenarios).
     """
 
     objective: np.ndarray
@@ -82,13 +70,7 @@ def _largest_radius(problem: DesignProblem) -> float:
 
 
 class DesignEvaluator:
-    """Evaluates designs of one problem; keeps the last one, which the search asks for several times.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The problem.
-    """
+    """Evaluates designs of one problem; keeps the last one, which the search asks for several times."""
 
     def __init__(self, problem: DesignProblem) -> None:
         self.problem = problem
@@ -126,31 +108,12 @@ class DesignEvaluator:
     def nonexistence(self, design: EvaluatedDesign) -> float:
         """How far a design is from a joint that can exist: whose rollers fit, do not slip and stay in contact.
 
-        Parameters
-        ----------
-        design : EvaluatedDesign
-            A design.
-
-        Returns
-        -------
-        float
-            Largest violation of existence, in the measure of the margins; 0 where it exists in every scenario.
+        The largest violation, in the measure of the margins; 0 where it exists in every scenario.
         """
         return max(0.0, -float((design.margins + self.existence_slack).min()))
 
     def existing(self, margins: np.ndarray) -> np.ndarray:
-        """Which of many designs are joints that can exist in every scenario.
-
-        Parameters
-        ----------
-        margins : ndarray
-            As :meth:`many` gives them, shape (designs, limits and rows).
-
-        Returns
-        -------
-        ndarray of bool
-            Shape (designs,).
-        """
+        """Which of many designs, by their margins of :meth:`many`, are joints that can exist in every scenario."""
         slack = [self._existence_slack(limit) for limit in self.problem.constraints for _ in limit.rows]
         can_exist: np.ndarray = (margins + np.array(slack)).min(axis=1) >= 0.0
         return can_exist
@@ -192,18 +155,7 @@ class DesignEvaluator:
         return np.where(inside, sign / np.where(inside, value, 1.0), 0.0)
 
     def __call__(self, scaled: np.ndarray) -> EvaluatedDesign:
-        """Evaluate one design.
-
-        Parameters
-        ----------
-        scaled : ndarray
-            Scaled variables, shape (n,).
-
-        Returns
-        -------
-        EvaluatedDesign
-            Objectives and margins with their derivatives by the scaled variables.
-        """
+        """Objectives and margins of a design with their derivatives, by scaled variables, shape (n,)."""
         mark = np.asarray(scaled, float).tobytes()
         if self._last is not None and self._last[0] == mark:
             return self._last[1]
@@ -251,18 +203,10 @@ class DesignEvaluator:
         return design
 
     def many(self, scaled: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Worst objectives and worst margins of many designs at once, without derivatives.
+        """Worst objectives and worst margins of many designs over the scenarios, without derivatives.
 
-        Parameters
-        ----------
-        scaled : ndarray
-            Scaled variables, shape (designs, n).
-
-        Returns
-        -------
-        objectives, margins : ndarray
-            Shape (designs, objectives), to be made small [SI], and (designs, limits and rows); each at its worst over
-            the scenarios.
+        Of scaled variables, shape (designs, n): shapes (designs, objectives), to be made small [SI], and (designs,
+        limits and rows).
         """
         designs, count = scaled.shape[0], self.scenarios.torques.size
         point = {v.path: v.from_unit(scaled[:, [i]]) for i, v in enumerate(self.variables)}

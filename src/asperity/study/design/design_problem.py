@@ -15,18 +15,10 @@ from asperity.standing.windup import StiffnessLevel
 
 @dataclass(frozen=True)
 class Variable:
-    """A number that a design may choose.
+    """A number that a design may choose, by its dotted path in the joint file, between bounds [SI].
 
-    Parameters
-    ----------
-    path : str
-        Its dotted path in the joint file.
-    lower, upper : float
-        Bounds [SI].
-    logarithmic : bool
-        Whether it is searched by its logarithm.
-    step : float or None
-        Standard sizes: the design is rounded to a multiple of it [SI].
+    ``logarithmic`` ones are searched by their logarithm; ``step`` are standard sizes: the design is rounded to a
+    multiple of it [SI].
     """
 
     path: str
@@ -64,16 +56,9 @@ EXISTENCE: dict[tuple[str, bool], float] = {
 
 @dataclass(frozen=True)
 class Objective:
-    """What a design makes as large or as small as possible.
+    """A result that a design makes as large (``sign`` −1) or as small (+1) as possible.
 
-    Parameters
-    ----------
-    name : str
-        The result.
-    sign : float
-        +1 to minimise, −1 to maximise it.
-    rows : tuple of int or None
-        Which of its rows count, of which the worst is taken; None: all.
+    The worst of its ``rows`` counts; None: of all.
     """
 
     name: str
@@ -87,20 +72,9 @@ class Objective:
 
 @dataclass(frozen=True)
 class Constraint:
-    """A limit of a result.
+    """A limit [SI] of a result, a name of :attr:`DesignProblem.table`, for some of its rows (contacts, clearances).
 
-    Parameters
-    ----------
-    name : str
-        The result, a name of :attr:`DesignProblem.table`.
-    at_most : bool
-        Whether the limit is an upper one.
-    limit : float
-        The limit [SI].
-    rows : tuple of int
-        Which rows of the result (contacts, clearances) it holds for.
-    implied : bool
-        True for the limits every design has, stated or not.
+    ``implied`` are the limits that every design has, stated or not.
     """
 
     name: str
@@ -114,14 +88,8 @@ class Constraint:
 class WorstCase:
     """Where the limits must hold and the objective is taken at its worst.
 
-    Parameters
-    ----------
-    torques : tuple of float
-        Output torques [N·m]; empty for the torque of the joint file alone.
-    tolerances : {"none", "corners", "samples"}
-        Whether, and how, the tolerances of the joint file are tried.
-    samples, seed : int
-        Number of samples and seed of their random numbers.
+    At output torques [N·m], none for that of the joint file alone; ``tolerances``: whether, and how, those of the joint
+    file are tried: "none", "corners" or "samples", by number and seed.
     """
 
     torques: tuple[float, ...]

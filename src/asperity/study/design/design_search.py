@@ -22,13 +22,7 @@ ACTIVE = 1e-5
 
 
 class SearchProgress:
-    """Counts the searches of a design: those done, and those known to come.
-
-    Parameters
-    ----------
-    report : callable or None
-        Called with both numbers whenever one of them changes.
-    """
+    """Counts the searches of a design, done and known to come; ``report`` is called when one of the numbers changes."""
 
     def __init__(self, report: Callable[[int, int], None] | None) -> None:
         self._report = report or (lambda done, total: None)
@@ -88,23 +82,9 @@ def sampled_start(evaluator: DesignEvaluator) -> np.ndarray:
 def local_optimum(
     evaluator: DesignEvaluator, start: np.ndarray, *, fixed: np.ndarray | None = None
 ) -> tuple[np.ndarray, bool]:
-    """SLSQP from one start, with trust-constr where it fails. The last variable bounds the objective from above.
+    """Where SLSQP ended from one start, with trust-constr where it fails, and whether that is a local optimum.
 
-    Parameters
-    ----------
-    evaluator : DesignEvaluator
-        The problem.
-    start : ndarray
-        Scaled variables, shape (n,).
-    fixed : ndarray of bool, optional
-        Which of them keep their value, shape (n,).
-
-    Returns
-    -------
-    end : ndarray
-        Where it ended, scaled, shape (n,).
-    converged : bool
-        Whether that is a local optimum.
+    Scaled variables, shape (n,), of which the last bounds the objective from above; ``fixed`` ones keep their value.
     """
     from scipy.optimize import Bounds, NonlinearConstraint, minimize
 
@@ -169,19 +149,9 @@ def local_optimum(
 
 
 def violation_rank(evaluator: DesignEvaluator, scaled: np.ndarray) -> tuple[float, float]:
-    """How badly limits are missed: first the lack of existence, then the largest violation.
+    """How badly limits are missed, to be compared.
 
-    Parameters
-    ----------
-    evaluator : DesignEvaluator
-        The problem.
-    scaled : ndarray
-        Scaled variables, shape (n,).
-
-    Returns
-    -------
-    tuple of float
-        To be compared; the first is 0 for every joint that exists.
+    The lack of existence, 0 for every joint that exists; largest violation.
     """
     design = evaluator(scaled)
     lack = evaluator.nonexistence(design)

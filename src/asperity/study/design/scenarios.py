@@ -22,16 +22,9 @@ _TORQUE = "load.output_torque"
 class Scenarios:
     """States of a design; the first one is the joint as the file has it, the nominal state.
 
-    Parameters
-    ----------
-    deviations : dict
-        Dotted path → what is added to the number, shape (scenarios,) [SI].
-    torques : ndarray
-        Output torques without their deviation, shape (scenarios,) [N·m].
-    counted : ndarray
-        Which of them count for limits and objectives; the nominal state need not.
-    base : dict
-        Dotted path of toleranced numbers → nominal value [SI].
+    ``deviations``: dotted path → what is added to the number, shape (scenarios,) [SI]; ``base``: dotted path of
+    toleranced numbers → nominal value [SI]; ``torques`` at the output without their deviation, shape (scenarios,)
+    [N·m]. ``counted`` ones count for limits and objectives; the nominal state need not.
     """
 
     deviations: dict[str, np.ndarray]
@@ -40,17 +33,9 @@ class Scenarios:
     base: dict[str, float]
 
     def changes(self, point: dict[str, Any]) -> dict[str, np.ndarray]:
-        """Numbers of the joint file in every state.
+        """Numbers of the joint file in every state: dotted path → [SI], shape (scenarios,) or (points, scenarios).
 
-        Parameters
-        ----------
-        point : dict
-            Dotted path of the variables → value [SI], or shape (points, 1) for many designs at once.
-
-        Returns
-        -------
-        dict
-            Dotted path → array [SI], shape (scenarios,) or (points, scenarios).
+        Of the variables by dotted path [SI]: one number, or shape (points, 1) for many designs at once.
         """
         numbers: dict[str, np.ndarray] = {}
         for path, value in point.items():

@@ -68,25 +68,9 @@ def prepare_store(path: str | Path, plan: Plan) -> list[int]:
 def write_block(
     path: str | Path, plan: Plan, index: int, status: np.ndarray, result_values: dict[str, np.ndarray]
 ) -> None:
-    """Write a computed block, then mark it as complete.
+    """Write a computed block, then mark it as complete; arrays in the shape of the block.
 
-    Parameters
-    ----------
-    path : str or Path
-        The store.
-    plan : Plan
-        The sweep.
-    index : int
-        Number of the block.
-    status : ndarray
-        Codes, in the shape of the block.
-    result_values : dict of ndarray
-        Results, in the shape of the block.
-
-    Raises
-    ------
-    InputError
-        If the disk is full or the like.
+    An ``InputError`` is raised if the disk is full or the like.
     """
     region = plan.block(index)
     made = Path(path).joinpath("zarr.json").stat()
@@ -112,22 +96,8 @@ def _arrays(path: str, _made: tuple[int, int]) -> dict[str, Any]:
 def open_store(path: str | Path, *, verify: bool = True) -> xarray.Dataset:
     """The dataset of a store; its arrays are read when they are used.
 
-    Parameters
-    ----------
-    path : str or Path
-        The store.
-    verify : bool, optional
-        Whether to read all data once and compare them with their checksums. Without it a deleted chunk reads as nan.
-
-    Returns
-    -------
-    xarray.Dataset
-        Lazy.
-
-    Raises
-    ------
-    InputError
-        If this is not the store of a sweep, or data of it are damaged.
+    ``verify`` reads all data once and compares them with their checksums; without it a deleted chunk reads as nan. An
+    ``InputError`` is raised if this is not the store of a sweep, or data of it are damaged.
     """
     xr = require("xarray")
     stored = stored_plan(Path(path))

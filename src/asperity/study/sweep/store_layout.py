@@ -106,18 +106,7 @@ def store_coordinates(plan: Plan) -> Iterator[tuple[str, tuple[str, ...], np.nda
 
 
 def unfinished_blocks(path: str | Path) -> list[int]:
-    """Numbers of the blocks of a store that have no mark of completion.
-
-    Parameters
-    ----------
-    path : str or Path
-        The store.
-
-    Returns
-    -------
-    list of int
-        In order.
-    """
+    """Numbers, in order, of the blocks of a store that have no mark of completion."""
     marks = store_group(path, "r")[MARKS]
     try:
         complete = np.asarray(marks[:])

@@ -36,17 +36,7 @@ _HATCHES = ("///", "\\\\\\", "...", "xxx", "+++", "ooo")
 
 @dataclass(frozen=True)
 class MapLimit:
-    """A limit of a result whose line a map shows.
-
-    Parameters
-    ----------
-    name : str
-        The result.
-    at_most : bool
-        Whether the limit is an upper one.
-    limit : float
-        The limit [SI].
-    """
+    """A limit [SI] of a result whose line a map shows."""
 
     name: str
     at_most: bool

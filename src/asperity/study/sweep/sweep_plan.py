@@ -28,16 +28,9 @@ _BLOCK_NUMBERS = 8_000_000
 class Plan:
     """A sweep as plain data; it can be pickled and is stored with the results.
 
-    Parameters
-    ----------
-    values : dict
-        Tables of the joint file in SI units.
-    axes : tuple of Axis or ListedAxis
-        What is varied; a dimension for each.
-    results : tuple of str
-        Names of results of the drive, :func:`asperity.joint_file.any_joint.results_of`.
-    block_shape : tuple of int
-        Points of a block along each axis.
+    ``values`` are the tables of the joint file in SI units; each of ``axes`` is a dimension; ``results`` are names of
+    :func:`asperity.joint_file.any_joint.results_of`; ``block_shape`` is the number of points of a block along each
+    axis.
     """
 
     values: Values
@@ -65,18 +58,7 @@ class Plan:
         return tuple(-(-count // step) for count, step in zip(self.shape, self.block_shape, strict=True))
 
     def block(self, index: int) -> tuple[slice, ...]:
-        """Where a block lies in the grid.
-
-        Parameters
-        ----------
-        index : int
-            Number of the block, the last axis running fastest.
-
-        Returns
-        -------
-        tuple of slice
-            Its part of each axis.
-        """
+        """Part of each axis where a block lies in the grid, by its number, the last axis running fastest."""
         return tuple(
             slice(place * step, min((place + 1) * step, count))
             for place, step, count in zip(self.block_place(index), self.block_shape, self.shape, strict=True)
@@ -147,23 +129,9 @@ def block_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
 def block_results(
     plan: Plan, block: tuple[slice, ...], **options: Any
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Evaluate one block of a sweep.
+    """Status codes and results by name of one block of a sweep, in its shape, a contact axis first if there is one.
 
-    Parameters
-    ----------
-    plan : Plan
-        The sweep.
-    block : tuple of slice
-        Where the block lies.
-    **options
-        For :func:`asperity.study.batch.evaluate_points`.
-
-    Returns
-    -------
-    status : ndarray
-        Codes, in the shape of the block.
-    result_values : dict of ndarray
-        Name → values, in the shape of the block, with the contact axis first if there is one.
+    ``options`` are those of :func:`asperity.study.batch.evaluate_points`.
     """
     values = [axis.values[part] for axis, part in zip(plan.axes, block, strict=True)]
     grid = np.meshgrid(*values, indexing="ij")

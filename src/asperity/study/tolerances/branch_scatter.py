@@ -28,22 +28,10 @@ QUANTILES = (0.025, 0.5, 0.975)
 class BranchScatter:
     """A drive whose branches have sizes of their own, in many copies. SI units; draws first.
 
-    Parameters
-    ----------
-    first_slip, all_slip, rolling_first_slip : ndarray
-        Torques at which the weakest branch slips standing, all do, and the weakest does in rolling [N·m].
-    largest_share, largest_rolling_share : ndarray
-        Largest share of a branch in the torque, standing and in rolling [-]; nan where they do not pass it.
-    sun_force : ndarray
-        Force of the planets on the sun's bearings [N].
-    loose : ndarray of bool
-        Whether a branch is loose. Nothing else is known then: its numbers are nan.
-    equal : float
-        Capacity, standing, of equal branches of nominal size [N·m].
-    torque : float
-        The joint's torque [N·m].
-    seed : int
-        Seed of the draws.
+    Torques [N·m]: at which the weakest branch slips standing, all do, and the weakest does in rolling; ``equal``, the
+    capacity, standing, of equal branches of nominal size; ``torque``, the joint's. Largest shares of a branch in the
+    torque, standing and in rolling [-], nan where they do not pass it; ``sun_force``, of the planets on the sun's
+    bearings [N]. ``loose``: whether a branch is loose; nothing else is known then: its numbers are nan.
     """
 
     first_slip: np.ndarray

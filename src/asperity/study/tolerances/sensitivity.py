@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.solve import solve_joint
+from asperity.joint.solve import refuse_impossible_joint, solve_joint
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.own_branches import with_own_branches
@@ -94,6 +94,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     inputs.pop(count_of_branches(tables) or "", None)
     x = np.array([entry.value for entry in inputs.values()])
     point = {path: np.array([entry.value]) for path, entry in inputs.items()}
+    refuse_impossible_joint(with_own_branches(case))
     status, values, slopes = derivatives_at(with_nominal_sizes(tables), point, names, tuple(inputs))
     y = np.concatenate([values[name][:, 0] for name in names])
     if status[0] != ALL_PLASTIC or np.isnan(y).any():

@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from asperity.errors import InputError
+from asperity.joint.solve import refuse_impossible_joint
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.distribution import FORMS, Distribution
+from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.part_names import paths_of_track
 from asperity.joint_file.si_tables import AnyCase, NumericKey, numeric_keys, si_values
 from asperity.results import LEVELS, Result, chosen_results
@@ -165,6 +167,7 @@ def uncertainty(
             f"{samples} samples of {len(rows)} results need too much memory; at most {most} are allowed; "
             "choose fewer samples, or fewer results"
         )
+    refuse_impossible_joint(with_own_branches(case))
     base = 1 << max(math.floor(math.log2(samples / (len(inputs) + 2))), 3)
     problem = {"num_vars": len(inputs), "names": list(inputs), "bounds": [[0.0, 1.0]] * len(inputs)}
     design = sampler.sample(problem, base, calc_second_order=False, seed=seed)
