@@ -110,7 +110,7 @@ def test_laws_on_a_measured_map(map_file, tmp_path, saved_figures):
     np.testing.assert_allclose(law, pressure / (0.48 * heights[:, None]), rtol=1e-6)
     elements = np.array(document["boundary_elements"]["normal_stiffness_Pa_per_m"], dtype=float)
     ratio = np.array(document["laws"]["exponential"]["over_boundary_elements"], dtype=float)
-    np.testing.assert_allclose(ratio, np.exp(np.log(law / elements).mean(axis=0)), rtol=1e-9)
+    np.testing.assert_allclose(ratio, np.exp(np.log(law / elements).mean(axis=0)), rtol=1e-6)
     assert 0.5 < ratio[2] < 1.7  # few spots on 32 µm: 100 MPa; on larger ones 0.94 to 1.03
     made = CliRunner().invoke(
         asperity,

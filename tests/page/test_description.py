@@ -64,7 +64,7 @@ def test_an_rz_and_a_share_have_meaning_unit_and_range_of_the_file(keys):
     depth, share = keys["surface.mean_roughness_depth"], keys["duty.*.share"]
     assert (depth["unit"], depth["lowest"], depth["highest"]) == ("um", 1e-3, 100.0)
     assert depth["meaning"].startswith("Rz of one body in place of its Ra")
-    assert set(depth["replaces"]) == {"fractal_roughness", "roughness_average", "rms_height"}
+    assert set(depth["replaces"]) == {"fractal_roughness", "roughness_average", "rms_height", "decay_length"}
     assert (share["lowest"], share["highest"], share["lowest_included"]) == (0.0, 1.0, False)
     assert share["meaning"].startswith("Share of the time")
     assert keys["load.interference"]["replaces"] == ["preload"]
