@@ -84,5 +84,6 @@ def test_an_infinite_value_is_no_dash():
 
 
 def test_no_warning_is_a_sentence():
-    (said,) = warnings({"diagnostics": [entry("pressure", "sp", 0.5, True, "")]})
-    assert said.text == "No warnings: every limit of the model is kept."
+    law = entry("largest_spot", "sp", 2.0, False, "it is large") | {"severity": "model"}
+    (said,) = warnings({"diagnostics": [entry("pressure", "sp", 0.5, True, ""), law]})
+    assert said.text == "No warnings: every limit is kept."

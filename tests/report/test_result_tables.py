@@ -62,7 +62,10 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     budget = {"bodies_share": 0.25, "asperity_share": {"sp": 0.5, "wro": 0.0}, "pins_share": 0.125}
     document = {
         "torsional_stiffness": levels, "stiffness_unknown_because": "it slips", "stiffness_budget": budget,
-        "input": {},
+        "input": {}, "diagnostics": [{
+            "ok": False, "severity": "model", "name": "spot", "label": "largest spot", "value": 2.0, "shown": "2",
+            "remedy": "choose another law",
+        }],
         "geometry": {"speed_ratio": -9.0, "input": "driving_ring"},
         "preload": {"loading_cam": {"held_stiffness_output_Nm_per_rad": 10800.0 * 0.81}},
     }  # fmt: skip
@@ -72,8 +75,9 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     held = found["Torsional stiffness"][3]
     assert held[0] == "assembled, the loading cam held by its friction"
     assert held[1:] == ("108", "8748", "2.545")  # over 9²; times pi/10 800
-    unknown, whole = (b.text for b in blocks if isinstance(b, Paragraph))
+    unknown, law, whole = (b.text for b in blocks if isinstance(b, Paragraph))
     assert unknown == "No value: it slips."
+    assert law == "Asperities alone: outside the range of that level, largest spot up to 2; choose another law."
     assert whole.endswith("a free ring's bending, for example.")
     assert found["Stiffness budget: shares of the compliance of the assembled joint"] == [
         ("sp asperity", "50"), ("bodies", "25"), ("pins", "12.5"),
@@ -88,6 +92,7 @@ def test_a_joint_without_stiffness_has_no_table_of_its_compliance():
     document = {
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), nothing),
         "stiffness_unknown_because": "every spot of sp is plastic",
+        "diagnostics": [],
         "stiffness_budget": {"bodies_share": None, "asperity_share": {"sp": None}},
         "input": {},
         "geometry": {"speed_ratio": -9.0, "input": "sun"},

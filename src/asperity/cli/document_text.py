@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.cli.terminal import table
 from asperity.results.branch_document import deviations, force_size
-from asperity.results.document import input_member
+from asperity.results.document import crossed_limits, input_member, law_range_words
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -143,7 +143,8 @@ def show_assumptions(target: Console, document: Document, *, in_full: bool) -> N
 
 def show_warnings(target: Console, document: Document) -> None:
     """Every crossed limit, the most serious first, with what to do; the range of the published law is no limit."""
-    crossed, contacts = _crossed(document, model=False)
+    crossed = crossed_limits(document, model=False)
+    contacts = max(Counter(e["name"] for e in document["diagnostics"] if e["contact"]).values(), default=0)
     if not crossed:
         target.print("\nNo warnings: every limit is kept", style="bold")
         return
@@ -155,24 +156,10 @@ def show_warnings(target: Console, document: Document) -> None:
 
 
 def show_law_range(target: Console, document: Document) -> None:
-    """Where the published contact law is outside its range, which concerns the published level; or nothing."""
-    crossed, _ = _crossed(document, model=True)
-    if crossed:
-        parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
-        remedy = crossed[0][0]["remedy"]
-        words = f"  asperities alone: outside the range of that level, {parts}; {remedy}"
-        print_wrapped(target, words, indent=2)
+    """Where the published contact law is outside its range, or nothing."""
+    if words := law_range_words(document):
+        print_wrapped(target, f"  {words}", indent=2)
         target.print()
-
-
-def _crossed(document: Document, *, model: bool) -> tuple[list[list[Document]], int]:
-    """Crossed limits, those of the published law alone or all others, by their names; and the number of contacts."""
-    crossed: dict[tuple[str, str], list[Document]] = {}
-    contacts = max(Counter(e["name"] for e in document["diagnostics"] if e["contact"]).values(), default=0)
-    for entry in document["diagnostics"]:
-        if not entry["ok"] and (entry["severity"] == "model") == model:
-            crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
-    return list(crossed.values()), contacts
 
 
 def _print_warning(target: Console, heading: str, entries: list[Document]) -> None:
@@ -196,13 +183,6 @@ def _values(entries: list[Document], contacts: int) -> str:
         f"{value} at {e['contact'].replace('_', ' ')}" if e["contact"] else value
         for value, e in zip(values, entries, strict=True)
     )
-
-
-def _largest(entries: list[Document]) -> str:
-    if any(entry.get("infinite") for entry in entries):
-        return "infinite"
-    known = [entry for entry in entries if entry["value"] is not None]
-    return f"up to {max(known, key=lambda entry: entry['value'])['shown']}" if known else "not known"
 
 
 def show_branches(target: Console, branches: Document) -> None:

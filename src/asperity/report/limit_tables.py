@@ -8,6 +8,7 @@ from typing import Any
 
 from asperity.report.cells import quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
+from asperity.results.document import crossed_limits
 from asperity.results.margins import Margin
 
 Document = dict[str, Any]
@@ -17,7 +18,6 @@ _WARNINGS_ABOUT = {
     "damage": "the joint is damaged",
     "accuracy": "the numbers cannot be trusted",
     "state": "a state of the joint, with a consequence",
-    "model": "outside the range of the contact law",
 }
 
 
@@ -61,16 +61,13 @@ def _rank(margin: Margin) -> tuple[int, float]:
 
 
 def warnings(document: Document) -> Iterator[Block]:
-    """Every limit that is crossed, with its meaning and what to do."""
-    crossed: dict[tuple[str, str], list[Document]] = {}
-    for entry in document["diagnostics"]:
-        if not entry["ok"]:
-            crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
+    """Every limit that is crossed, with its meaning and what to do; the range of the published law is none."""
+    crossed = crossed_limits(document, model=False)
     if not crossed:
-        yield Paragraph("No warnings: every limit of the model is kept.")
+        yield Paragraph("No warnings: every limit is kept.")
         return
     items = []
-    for entries in crossed.values():
+    for entries in crossed:
         first = entries[0]
         values = ", ".join(
             f"{entry['shown']} {(entry['contact'] or '').replace('_', ' ')}".strip() for entry in entries

@@ -16,6 +16,7 @@ from asperity.results.document import (
     has_elastic_bodies,
     input_member,
     interval_rows,
+    law_range_words,
     stiffness_rows,
 )
 
@@ -103,6 +104,8 @@ def stiffness(document: Document) -> Iterator[Block]:
     )
     if document["stiffness_unknown_because"]:
         yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")
+    if words := law_range_words(document):
+        yield Paragraph(f"{words[0].upper()}{words[1:]}.")
     shares = []
     for name, share in document["stiffness_budget"].items():
         words = name.removesuffix("_share").replace("_", " ")

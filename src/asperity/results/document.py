@@ -77,6 +77,31 @@ def budget_words(shares: Iterable[float | None], *, elastic_bodies: bool) -> str
     return "; ".join([_ELASTIC_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
 
 
+def crossed_limits(document: Document, *, model: bool) -> list[list[Document]]:
+    """Entries of crossed limits, those of the published contact law alone or all others, grouped by name and state."""
+    crossed: dict[tuple[str, str], list[Document]] = {}
+    for entry in document["diagnostics"]:
+        if not entry["ok"] and (entry["severity"] == "model") == model:
+            crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
+    return list(crossed.values())
+
+
+def law_range_words(document: Document) -> str:
+    """Where the published contact law is outside its range, which concerns the level of the asperities alone; or ""."""
+    crossed = crossed_limits(document, model=True)
+    if not crossed:
+        return ""
+    parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
+    return f"asperities alone: outside the range of that level, {parts}; {crossed[0][0]['remedy']}"
+
+
+def _largest(entries: list[Document]) -> str:
+    if any(entry.get("infinite") for entry in entries):
+        return "infinite"
+    known = [entry for entry in entries if entry["value"] is not None]
+    return f"up to {max(known, key=lambda entry: entry['value'])['shown']}" if known else "not known"
+
+
 def has_elastic_bodies(document: Document) -> bool:
     """Whether the joint of a document of :func:`joint_document` has elastic bodies rather than springs."""
     return (document["input"].get("model") or {}).get("bodies") != "springs"

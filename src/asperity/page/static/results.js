@@ -9,7 +9,7 @@ const LEVELS = [
   ["series_with_bulk", "bodies in series", "asperities and bodies; roller centres held"],
   ["published", "asperities alone", "the level of Zou et al. 2025: an upper bound"],
 ];
-const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", state: "State", model: "Outside the published model" };
+const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", state: "State" };
 const SPRINGS = {
   tangential: "contacts, tangential",
   normal: "contacts, normal (rollers free to move)",
@@ -37,7 +37,7 @@ export function showAnswer(answer, baseline) {
   get("forces").hidden = !bodies.length;
   get("forces").classList.toggle("several", bodies.length > 0 && answer.drawing.bodies.length > 1);
   get("bodies").replaceChildren(...bodies);
-  get("levels").replaceChildren(levels(found, before), drift(found), ...interval(found));
+  get("levels").replaceChildren(levels(found, before), ...lawRange(found), drift(found), ...interval(found));
   get("budget").replaceChildren(budget(found));
   get("margins").replaceChildren(margins(answer));
   get("warnings").replaceChildren(...branchNote(found), warnings(found));
@@ -132,6 +132,18 @@ function levels(found, before) {
   const last = before ? "baseline, N·m/arcmin" : `at the ${driven(found)}, N·m/rad`;
   const headings = ["level of the model", "N·m/arcmin", "N·m/rad", last];
   return element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Stiffness, scrollable" }, table("Torsional stiffness on three levels", headings, rows));
+}
+
+/** Where the published contact law is outside its range, which concerns the level of the asperities alone. */
+function lawRange(found) {
+  const crossed = found.diagnostics.filter((entry) => !entry.ok && entry.severity === "model");
+  if (!crossed.length) return [];
+  const labels = [...new Set(crossed.map((entry) => entry.label))].map((label) => {
+    const entries = crossed.filter((entry) => entry.label === label);
+    const worst = entries.find((entry) => entry.infinite) ?? entries.reduce((one, other) => (other.value > one.value ? other : one));
+    return `${label} ${worst.infinite ? "infinite" : `up to ${worst.shown}`}`;
+  });
+  return [element("p", { class: "note" }, `Asperities alone: outside the range of that level, ${labels.join(", ")}; ${crossed[0].remedy}.`)];
 }
 
 function drift(found) {
@@ -240,7 +252,7 @@ function branches(found) {
 /** The limits that a joint crosses, the most serious first. */
 export function warnings(found) {
   const grouped = new Map();
-  for (const each of found.diagnostics.filter((one) => !one.ok)) {
+  for (const each of found.diagnostics.filter((one) => !one.ok && one.severity !== "model")) {
     const key = `${each.name}|${each.meaning}`;
     if (!grouped.has(key)) grouped.set(key, { ...each, contacts: [] });
     const kept = grouped.get(key);
