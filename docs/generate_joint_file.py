@@ -119,7 +119,7 @@ def _allowed(field: FieldInfo) -> tuple[str, str]:
             f"{'above ' if key.open_lower else ''}{low}",
             f"{'below ' if key.open_upper else ''}{high}",
         )
-        return unit or "-", f"{lower} to {upper}{', whole' if key.whole else ''}"
+        return unit or "-", f"{lower} to {upper}{', whole' if key.integer else ''}"
     choices = _choices(field)
     return "", ", ".join(f"`{choice}`" for choice in choices)
 

@@ -62,21 +62,21 @@ def implicit_root(
         return jax.tree.unflatten(structure, values)
 
     fixed = jax.lax.stop_gradient(program.consts)
-    found = jax.lax.stop_gradient(search(lambda x: equations_of(x, fixed), start))
+    solution = jax.lax.stop_gradient(search(lambda x: equations_of(x, fixed), start))
 
     @jax.custom_jvp
-    def root(found: Any, numbers: Any) -> Any:
-        return found
+    def root(solution: Any, numbers: Any) -> Any:
+        return solution
 
     @root.defjvp
     def derivative(primals: Any, tangents: Any) -> Any:
-        (found, given), (_, moved) = primals, tangents
-        at = root(found, given)  # the root itself, so that this may be differentiated in turn
+        (solution, given), (_, moved) = primals, tangents
+        at = root(solution, given)  # the root itself, so that this may be differentiated in turn
         _, change = jax.jvp(lambda numbers: equations_of(at, numbers), (given,), (moved,))
         _, linear = jax.linearize(lambda x: equations_of(x, given), at)
         return at, jax.tree.map(lambda leaf: -leaf, solve(linear, change))
 
-    return root(found, program.consts)
+    return root(solution, program.consts)
 
 
 def settled_root(change: Callable[[Array], Array], start: Array) -> Array:

@@ -122,10 +122,10 @@ class KeptProgram:
             _load_lapack()
         arguments = jax.tree.structure((([0] * self.argument_count,), {}))
         results = jax.tree.structure([0] * len(jax.tree.leaves(self.results)))
-        found = serialize_executable.deserialize_and_load(self.machine_code, arguments, results)
-        if _kinds(jax.tree.leaves(found.out_info)) != _kinds(jax.tree.leaves(self.results)):
+        program = serialize_executable.deserialize_and_load(self.machine_code, arguments, results)
+        if _kinds(jax.tree.leaves(program.out_info)) != _kinds(jax.tree.leaves(self.results)):
             raise ValueError("the machine code is that of another program")
-        return found
+        return program
 
 
 class _Unmade:
@@ -176,8 +176,8 @@ def kept(request: Request, choices: Choices) -> KeptProgram | None:
         results = [
             jax.ShapeDtypeStruct(tuple(map(int, shape)), np.dtype(kind)) for shape, kind in known["kinds"]
         ]
-        found = jax.tree.unflatten(jax.tree.structure(of_outline(known["results"])), results)
-        return KeptProgram(found, machine_code, len(request.kinds), bool(known["needs_lapack"]))
+        tree = jax.tree.unflatten(jax.tree.structure(of_outline(known["results"])), results)
+        return KeptProgram(tree, machine_code, len(request.kinds), bool(known["needs_lapack"]))
     except (ValueError, TypeError, LookupError, AttributeError, RecursionError):  # not written by this module
         return None
 
@@ -306,7 +306,7 @@ def without_the_cache_of_jax() -> Iterator[None]:
 @functools.cache
 def _surroundings() -> bytes:
     """A digest of this package's source, of the releases below it, and of the machine."""
-    releases = (platform.python_version(), *(each.__version__ for each in (jax, jaxlib, equinox, np)))
+    releases = (platform.python_version(), *(module.__version__ for module in (jax, jaxlib, equinox, np)))
     machine = (jax.default_backend(), _processor(), os.environ.get("XLA_FLAGS"))
     digest = hashlib.sha256(repr((releases, machine)).encode())
     package = Path(__file__).parent
@@ -330,10 +330,10 @@ def outline(tree: Any) -> Any:
     if tree is None:
         return ["none"]
     if isinstance(tree, equinox.Module):
-        own = {field.name: field.metadata.get("static", False) for field in dataclasses.fields(tree)}
+        is_static = {field.name: field.metadata.get("static", False) for field in dataclasses.fields(tree)}
         parts = [
             [name, "static" if static else "part", (_plain if static else outline)(getattr(tree, name))]
-            for name, static in own.items()
+            for name, static in is_static.items()
         ]
         return ["module", *_named(type(tree)), parts]
     if isinstance(tree, dict):
@@ -372,9 +372,9 @@ def of_outline(stated: Any) -> Any:
 def _plain(value: Any) -> Any:
     """A value that is no number of the results: a text, or a tuple of texts, also a named one."""
     if isinstance(value, tuple) and hasattr(value, "_fields"):
-        return ["named", *_named(type(value)), [_plain(each) for each in value]]
+        return ["named", *_named(type(value)), [_plain(item) for item in value]]
     if type(value) is tuple:
-        return ["tuple", [_plain(each) for each in value]]
+        return ["tuple", [_plain(item) for item in value]]
     if type(value) not in _PLAIN:
         raise ValueError(f"{type(value).__name__} is no plain value")
     return value
@@ -383,9 +383,9 @@ def _plain(value: Any) -> Any:
 def _of_plain(stated: Any) -> Any:
     match stated:
         case ["tuple", [*parts]]:
-            return tuple(_of_plain(each) for each in parts)
+            return tuple(_of_plain(part) for part in parts)
         case ["named", str(room), str(name), [*parts]]:
-            return _class(room, name, tuple)._make(_of_plain(each) for each in parts)
+            return _class(room, name, tuple)._make(_of_plain(part) for part in parts)
         case str() | int() | float() | None:
             return stated
     raise ValueError("this is no plain value")
@@ -397,7 +397,10 @@ def _named(kind: type) -> tuple[str, str]:
 
 def _class(room: str, name: str, above: type) -> Any:
     """A class of a module that is loaded."""
-    found = getattr(sys.modules.get(room), name, None)
-    if not (isinstance(found, type) and issubclass(found, above)) or _named(found) != (room, name):
+    candidate = getattr(sys.modules.get(room), name, None)
+    if not (isinstance(candidate, type) and issubclass(candidate, above)) or _named(candidate) != (
+        room,
+        name,
+    ):
         raise ValueError(f"{room}.{name} is no class of results")
-    return found
+    return candidate

@@ -35,8 +35,8 @@ def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
         Shape (..., m).
     """
     xp = namespace(matrix, vector)
-    found: Array = (xp.asarray(matrix) * xp.asarray(vector)[..., None, :]).sum(axis=-1)
-    return found
+    result: Array = (xp.asarray(matrix) * xp.asarray(vector)[..., None, :]).sum(axis=-1)
+    return result
 
 
 @jax.jit  # traced once for each size
@@ -114,8 +114,8 @@ def least_squares(matrix: Array, right_side: Array) -> Array:
 @jax.jit
 def _by_normal_equations(matrix: Array, right_side: Array) -> Array:
     square = jnp.sum(matrix[:, :, None] * matrix[:, None, :], axis=0)
-    found = solve(square, product(matrix.T, right_side))
-    return found + solve(square, product(matrix.T, right_side - product(matrix, found)))
+    solution = solve(square, product(matrix.T, right_side))
+    return solution + solve(square, product(matrix.T, right_side - product(matrix, solution)))
 
 
 @jax.jit

@@ -29,15 +29,15 @@ def own_folder(path: Path) -> Path:
     folder = path.resolve()
     if not _HAS_USERS:
         return folder
-    found = folder.lstat()
-    if not stat.S_ISDIR(found.st_mode):
+    status = folder.lstat()
+    if not stat.S_ISDIR(status.st_mode):
         raise NotADirectoryError(f"{folder} is no folder")
-    if found.st_uid != os.geteuid():
+    if status.st_uid != os.geteuid():
         raise NotOwnError(f"{folder} belongs to another user")
-    if found.st_mode & _OTHERS_WRITE:
+    if status.st_mode & _OTHERS_WRITE:
         raise NotOwnError(f"others can write to {folder}; 'chmod 700' closes it to them")
     for above in folder.parents:
-        mode, owner, group = (found := above.stat()).st_mode, found.st_uid, found.st_gid
+        mode, owner, group = (status := above.stat()).st_mode, status.st_uid, status.st_gid
         # in a sticky folder, such as /tmp, only the owner of an entry can replace it
         open_to = 0 if mode & stat.S_ISVTX else mode & _OTHERS_WRITE
         if group == os.getegid():  # a group of the user alone, on many systems
@@ -72,8 +72,8 @@ def read_own(file: Path) -> bytes:
         os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     )
     with open(os.open(file, flags), "rb") as stream:
-        found = os.fstat(stream.fileno())
-        if not _is_own(found) or (_HAS_USERS and found.st_mode & _OTHERS_WRITE):
+        status = os.fstat(stream.fileno())
+        if not _is_own(status) or (_HAS_USERS and status.st_mode & _OTHERS_WRITE):
             raise NotOwnError(f"{file} may be by another user")
         content = stream.read()
     os.utime(file)
@@ -87,5 +87,5 @@ def write_own(file: Path, content: bytes) -> None:
         stream.write(content)
 
 
-def _is_own(found: os.stat_result) -> bool:
-    return stat.S_ISREG(found.st_mode) and (not _HAS_USERS or found.st_uid == os.geteuid())
+def _is_own(status: os.stat_result) -> bool:
+    return stat.S_ISREG(status.st_mode) and (not _HAS_USERS or status.st_uid == os.geteuid())

@@ -53,18 +53,18 @@ def _refusal(path: str | Path, error: OSError, hint: str = "") -> InputError:
 def check_regular(path: str | Path, *, hint: str = "") -> int:
     """Size of a file [byte], if it is one that can be read to its end; the hint is what to do if there is none."""
     try:
-        found = Path(path).stat()
+        status = Path(path).stat()
     except OSError as error:
         raise _refusal(path, error, hint) from None
     except ValueError:  # a null character in the name
         raise InputError(f"{path}: this is not a valid file name") from None
-    if stat.S_ISDIR(found.st_mode):
+    if stat.S_ISDIR(status.st_mode):
         raise InputError(f"{path}: this is a directory; give the name of a file")
-    if not stat.S_ISREG(found.st_mode):
+    if not stat.S_ISREG(status.st_mode):
         raise InputError(
             f"{path}: this is a pipe or a device, not a regular file; save the data to a file first"
         )
-    return found.st_size
+    return status.st_size
 
 
 def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "") -> bytes:

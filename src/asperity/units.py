@@ -133,8 +133,8 @@ def _exact(number: str) -> tuple[int, int]:
     if match is None or not math.isfinite(float(number)):
         raise InputError(f"the number '{number}' is not finite in double precision")
     sign, digits, exponent = match.groups()
-    whole, _, decimals = digits.partition(".")
-    mantissa = int(whole + decimals) * (-1 if sign == "-" else 1)
+    integer_part, _, decimals = digits.partition(".")
+    mantissa = int(integer_part + decimals) * (-1 if sign == "-" else 1)
     if mantissa == 0:
         return 0, 1
     if float(number) == 0.0:

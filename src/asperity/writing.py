@@ -59,7 +59,7 @@ def check_file(path: str | Path | None, *inputs: str | Path) -> None:
     if path is not None and Path(path).exists():
         if not Path(path).is_file():
             raise InputError(f"{path}: this exists and is not a regular file; give another name")
-        if any(Path(each).exists() and Path(path).samefile(each) for each in inputs):
+        if any(Path(input_file).exists() and Path(path).samefile(input_file) for input_file in inputs):
             raise InputError(f"{path}: this is the file that is read; give another name")
     check_folder(path)
 

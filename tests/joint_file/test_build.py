@@ -145,7 +145,7 @@ def test_what_a_radius_does_to_the_contacts(planar_case):
     )
     found = toleranced_tracks(values, (*paths, "load.output_torque", "load.interference"))
     assert [each.path for each in found] == [paths[0], paths[2], paths[3], "load.interference"]
-    assert [each.own for each in found] == [True, False, False, False]
+    assert [each.per_branch for each in found] == [True, False, False, False]
     np.testing.assert_array_equal(
         [each.per_size for each in found],
         [[1, 1, 1, 0, 0], [0, 0, 0, -1, -1], [1, 0, 0, 0, 0], [0, 0, 0, 1, 1]],
@@ -154,14 +154,14 @@ def test_what_a_radius_does_to_the_contacts(planar_case):
         si_values(planar_case("stepped_planet")), ("drive.sun_radius", "drive.planet_second_radius")
     )
     np.testing.assert_array_equal([each.per_size for each in typed], [[1, 0, 0], [0, 0, 1]])
-    assert [each.own for each in typed] == [False, True]
+    assert [each.per_branch for each in typed] == [False, True]
 
 
 def test_both_loading_rollers_of_a_planet_have_one_radius_and_sizes_of_their_own(planar_case):
     radii = tuple(f"drive.{name}_radius" for name in ("sun", "planet", "loading_roller", "ring"))
     found = toleranced_tracks(si_values(planar_case("zou2025")), radii)
     assert [each.path for each in found] == [*radii[:3], *radii[2:]]
-    assert [each.own for each in found] == [False, True, True, True, False]
+    assert [each.per_branch for each in found] == [False, True, True, True, False]
     np.testing.assert_array_equal(
         [each.per_size for each in found],
         [[1, 0, 0, 0, 0], [1, 1, 1, 0, 0], [0, 1, 0, 1, 0], [0, 0, 1, 0, 1], [0, 0, 0, -1, -1]],

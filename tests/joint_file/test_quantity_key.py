@@ -9,7 +9,7 @@ from asperity.unit_table import Dimension
 RADIUS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm")
 DIMENSION = Key(Dimension.DIMENSIONLESS, 1.0, 2.0, open_lower=True, open_upper=True)
 REQUIRED = Key(Dimension.TIME, 0.0, 1e9, "h", open_lower=True, exact=True)
-COUNT = Key(Dimension.DIMENSIONLESS, 2, 100, whole=True)
+COUNT = Key(Dimension.DIMENSIONLESS, 2, 100, integer=True)
 
 
 def test_a_quantity_is_read_in_si_with_its_tolerance_and_its_text():

@@ -8,7 +8,7 @@ from asperity.errors import InputError
 from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.page.joint_request import JointRequest
 from asperity.page.list_changes import (
-    EACH,
+    ONE_PER_BRANCH,
     lists_of,
     places_of_lists,
     rearranged,
@@ -85,7 +85,11 @@ def test_shares_that_do_not_add_up_have_the_message_of_the_file(planetary_text):
 
 
 def test_branches_are_as_many_as_planets(planetary_text):
-    changes = {"branch": EACH, "branch.3.planet_deviation": "2 um", "branch.4.planet_deviation": "1 um"}
+    changes = {
+        "branch": ONE_PER_BRANCH,
+        "branch.3.planet_deviation": "2 um",
+        "branch.4.planet_deviation": "1 um",
+    }
     three = JointRequest("a.toml", planetary_text, changes)
     assert [each.planet_deviation and each.planet_deviation.text for each in three.case().branch] == [
         None, None, "2 um",
@@ -93,24 +97,26 @@ def test_branches_are_as_many_as_planets(planetary_text):
     four = JointRequest("a.toml", planetary_text, {**changes, "drive.planets": "4"})
     assert four.case().branch[3].planet_deviation.text == "1 um"
     assert JointRequest("a.toml", four.file_text()).case() == four.case()
-    fewer = JointRequest("a.toml", four.file_text(), {"branch": EACH, "drive.planets": 3})
+    fewer = JointRequest("a.toml", four.file_text(), {"branch": ONE_PER_BRANCH, "drive.planets": 3})
     assert fewer.case() == three.case()
     equal = JointRequest("a.toml", four.file_text(), {"branch": ""})
     assert equal.case().branch is None
 
 
 def test_another_number_of_planets_alone_is_refused_as_the_file_refuses_it(planetary_text):
-    text = JointRequest("a.toml", planetary_text, {"branch": EACH}).file_text()
+    text = JointRequest("a.toml", planetary_text, {"branch": ONE_PER_BRANCH}).file_text()
     with pytest.raises(InputError, match=r"has 4 planets, but there are 3 sections \[\[branch\]\]"):
         JointRequest("a.toml", text, {"drive.planets": 4}).case()
     with pytest.raises(InputError, match=r"drive\.planets"):
-        JointRequest("a.toml", text, {"branch": EACH, "drive.planets": "many"}).case()
+        JointRequest("a.toml", text, {"branch": ONE_PER_BRANCH, "drive.planets": "many"}).case()
 
 
 def test_branches_of_a_listed_drive_name_their_rollers(zou_file):
     text = zou_file.with_name("planar.toml").read_text(encoding="utf-8")
     preload = {"load.interference": "10 um"}  # which branches need
-    request = JointRequest("a.toml", text, {**preload, "branch": EACH, "branch.1.deviation.left": "1 um"})
+    request = JointRequest(
+        "a.toml", text, {**preload, "branch": ONE_PER_BRANCH, "branch.1.deviation.left": "1 um"}
+    )
     case = request.case()
     lists = stated_lists(case, request.file_tables)
     assert lists["branch"]["keys"] == ["deviation.planet", "deviation.right", "deviation.left"]
@@ -134,7 +140,7 @@ def test_what_the_file_says_of_each_section(planetary_text):
     ("changes", "said"),
     [
         ({"duty": "1,2"}, "wanted as their places"),
-        ({"duty": EACH}, "wanted as their places"),
+        ({"duty": ONE_PER_BRANCH}, "wanted as their places"),
         ({"duty": "1 2 3"}, "the file has no section 3"),
         ({"duty": "1 2" + 60 * " 0"}, "at most 50 loads|share"),
         ({"duty.3.share": 0.1}, "do not fit the sections"),
@@ -152,7 +158,13 @@ def test_a_section_that_is_no_list_is_said(planetary_text):
 
 
 def test_only_changes_beyond_the_branches_wait():
-    changes = {"branch": EACH, "branch.2.a": 1, "branch.3.a": 1, "load.preload": 1, "duty.9.share": 1}
+    changes = {
+        "branch": ONE_PER_BRANCH,
+        "branch.2.a": 1,
+        "branch.3.a": 1,
+        "load.preload": 1,
+        "duty.9.share": 1,
+    }
     places = {"branch": [1, 2]}
     assert set(without_lists(changes, places)) == {"branch.2.a", "load.preload", "duty.9.share"}
     assert places_of_lists({"drive": {"planets": 2}}, changes, WedgeCase) == {"branch": [0, 0]}

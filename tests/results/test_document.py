@@ -50,7 +50,7 @@ def test_alike_surfaces_are_one_entry(case):
     (found,) = surface_averages(joint, stated)
     assert found["contacts"] == ["sp", "pwr", "pwl", "wro", "wlo"]
     expected = corresponding_average(fractal_dimension=1.4, fractal_roughness=1e-11, cut_off=None)
-    assert found["roughness_average_m"] == expected.each
+    assert found["roughness_average_m"] == expected.per_body
     one = joint.surfaces[0]
     other = dataclasses.replace(one, fractal_roughness=1e-12)
     mixed = dataclasses.replace(joint, surfaces=(one, other, other, one, one))

@@ -125,8 +125,8 @@ def test_the_corresponding_ra_is_of_each_of_two_bodies_and_in_its_class():
     found = corresponding_average(fractal_dimension=1.4, fractal_roughness=1e-11, cut_off=None)
     pair = roughness_average(fractal_dimension=1.4, fractal_roughness=1e-11, cut_off=found.cut_off)
     assert found.pair == pytest.approx(pair)
-    assert found.each == pytest.approx(pair / math.sqrt(2.0))
-    assert found.cut_off == standard_cut_off(roughness_average=found.each)
-    assert found.low < found.each < found.high
+    assert found.per_body == pytest.approx(pair / math.sqrt(2.0))
+    assert found.cut_off == standard_cut_off(roughness_average=found.per_body)
+    assert found.low < found.per_body < found.high
     stated = corresponding_average(fractal_dimension=1.4, fractal_roughness=1e-11, cut_off=0.8e-3)
-    assert stated.each / found.each == pytest.approx((0.8 / 0.25) ** 0.6)  # cut-off to the power H
+    assert stated.per_body / found.per_body == pytest.approx((0.8 / 0.25) ** 0.6)  # cut-off to the power H

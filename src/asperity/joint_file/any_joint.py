@@ -49,7 +49,7 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
 def _results_of_structure(structure: str) -> dict[str, Result]:
     values = json.loads(structure)
     shapes = [jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)]
-    drive = jax.eval_shape(lambda *each: drive_with_branches(with_numbers(values, each)), *shapes)
+    drive = jax.eval_shape(lambda *scalars: drive_with_branches(with_numbers(values, scalars)), *shapes)
     pairs = tuple("_to_".join(pair) for pair in neighbours(drive))
     return results_of_drive(
         tuple(contact.name for contact in drive.contacts),
@@ -67,14 +67,16 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
     if present is None or not result.row_shape:
         return tuple(range(len(result.row_names)))
     values = with_tracks(dict(tables))
-    there: list[bool] = []
+    presence: list[bool] = []
     no_result: Any = None
 
-    def ask(*each: Array) -> None:
-        there.extend(present(SolvedJoint(parts_with_branches(with_numbers(values, each)), no_result, None)))
+    def ask(*scalars: Array) -> None:
+        presence.extend(
+            present(SolvedJoint(parts_with_branches(with_numbers(values, scalars)), no_result, None))
+        )
 
     jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)))
-    return tuple(int(row) for row, present in enumerate(there) if present)
+    return tuple(int(row) for row, present in enumerate(presence) if present)
 
 
 def with_nominal_sizes(values: Values) -> Values:
@@ -94,7 +96,7 @@ def evaluated_points(
 
     Shape (points).
     """
-    status, named = _each_point(values, points, results)
+    status, named = _pointwise(values, points, results)
     table = results_of(values)
     # where only the springs of the structure vary, one status serves all points
     return jnp.broadcast_to(status, points), {
@@ -102,7 +104,7 @@ def evaluated_points(
     }
 
 
-def _each_point(
+def _pointwise(
     values: Values, points: tuple[int, ...], results: tuple[str, ...]
 ) -> tuple[Array, dict[str, Array]]:
     """The chain of a drive, which is written for one joint, at every point."""
@@ -110,10 +112,10 @@ def _each_point(
     varied = [0 if leaf.ndim else None for leaf in leaves]
     flat = [jnp.broadcast_to(leaf, points).reshape(-1) if leaf.ndim else leaf for leaf in leaves]
 
-    def one(*each: Array) -> tuple[Array, dict[str, Array]]:
-        joint = joint_with_branches(with_numbers(values, each))
-        found, laws = evaluated_with_laws(joint)
-        return joint_status(joint, found), result_values(results, SolvedJoint(joint, found, laws))
+    def one(*scalars: Array) -> tuple[Array, dict[str, Array]]:
+        joint = joint_with_branches(with_numbers(values, scalars))
+        result, laws = evaluated_with_laws(joint)
+        return joint_status(joint, result), result_values(results, SolvedJoint(joint, result, laws))
 
     if not any(leaf.ndim for leaf in leaves):
         status, named = one(*leaves)

@@ -240,7 +240,7 @@ def _surfaces(case: Case) -> list[str]:
             )
         known = finishes.get(entry.finish or "")
         if known and not known.roughness_average[0] <= average.value <= known.roughness_average[1]:
-            low, high = (format_quantity(each, "um") for each in known.roughness_average)
+            low, high = (format_quantity(bound, "um") for bound in known.roughness_average)
             told.append(
                 f"{path}.roughness_average {format_quantity(average.value, 'um')} lies outside the {low} to {high} "
                 f"that are published for {known.name} surfaces"

@@ -55,10 +55,10 @@ class SteppedPlanetBranch(Section):
     """Radius of the track in the driven ring above planet_second_radius; 0 if absent."""
 
 
-def refuse_branches(found: int, *, count: int, what: str, by_interference: bool) -> None:
+def refuse_branches(section_count: int, *, count: int, what: str, by_interference: bool) -> None:
     """Refuse sections ``[[branch]]`` that do not belong to their drive."""
-    if found != count:
-        raise InputError(f"the drive has {count} {what}, but there are {found} sections [[branch]]")
+    if section_count != count:
+        raise InputError(f"the drive has {count} {what}, but there are {section_count} sections [[branch]]")
     if not by_interference:
         raise InputError(
             "[[branch]] needs load.interference in place of load.preload: sizes make no preload that a spring holds"

@@ -135,8 +135,8 @@ def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:
         stated, tracks = values["drive"], tuple(TRACKS[type_of(values)].values())
         radii = [[stated.get(f"{track}_crown_radius") for track in pair] for pair in tracks]
     else:
-        each = values["contact"].values()
-        radii = [[entry.get(f"{side}_crown_radius") for side in ("first", "second")] for entry in each]
+        contacts = values["contact"].values()
+        radii = [[entry.get(f"{side}_crown_radius") for side in ("first", "second")] for entry in contacts]
     if all(radius is None for pair in radii for radius in pair):
         return None
     return tuple(sum((1.0 / radius for radius in pair if radius is not None), 0.0) for pair in radii)
@@ -202,7 +202,10 @@ def deviations_of(values: Values) -> SectorDeviations:
     drive, *_ = layout_of(values)
     count = len(values.get("branch", ())) or round(float(drive.sectors))
     return SectorDeviations(
-        deviations={name: np.array(each, dtype=float) for name, each in _deviations(values, count).items()},
+        deviations={
+            name: np.array(track_deviations, dtype=float)
+            for name, track_deviations in _deviations(values, count).items()
+        },
         added=np.asarray(added_by_branches(values, count)),
         per_size=np.asarray(_per_size(drive, next(iter(sized_tracks(values).values())))),
         sun_support_stiffness=values.get("compliance", {}).get("sun_support_stiffness", math.inf),
@@ -214,10 +217,10 @@ def added_by_branches(values: Values, count: int) -> Array:
     drive, *_ = layout_of(values)
     parts = [
         jnp.outer(
-            jnp.stack([jnp.asarray(one, dtype=float) for one in each]),
+            jnp.stack([jnp.asarray(one, dtype=float) for one in track_deviations]),
             _per_size(drive, sized_tracks(values)[name]),
         )
-        for name, each in _deviations(values, count).items()
+        for name, track_deviations in _deviations(values, count).items()
     ]
     return jnp.sum(jnp.stack(parts), axis=0)
 
@@ -248,19 +251,19 @@ def _per_size(drive: Drive, sides: Collection[tuple[str, str]]) -> Array:
 class TolerancedTrack(NamedTuple):
     """What a number of a joint file, at a dotted path, does to the interference of the contacts.
 
-    ``own`` tells whether every branch has a part of its own with this size; ``per_size`` is the interference of each
-    contact over it, shape (contacts,) [-].
+    ``per_branch`` tells whether every branch has a part of its own with this size; ``per_size`` is the interference of
+    each contact over it, shape (contacts,) [-].
     """
 
     path: str
-    own: bool
+    per_branch: bool
     per_size: np.ndarray
 
 
 def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[TolerancedTrack]:
     """What numbers of a joint file do to the interference of its contacts, of those that do."""
     drive, _, pattern = layout_of(values)
-    own = sized_tracks(values)
+    sides_of_track = sized_tracks(values)
     off_axis = {body.name for body in drive.bodies if body.place != "axis"}
     known: list[TolerancedTrack] = []
     seen: set[str] = set()
@@ -272,7 +275,8 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[Toleranced
         elif section == "drive" and key.endswith("_radius") and name in size_keys(values):
             parts = [track for track, size in sizes_of_tracks(values).items() if size == name]
             known += [
-                TolerancedTrack(path, True, np.asarray(_per_size(drive, own[track]))) for track in parts
+                TolerancedTrack(path, True, np.asarray(_per_size(drive, sides_of_track[track])))
+                for track in parts
             ]
             if not parts:
                 sides = [
@@ -285,7 +289,7 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[Toleranced
         elif section == "contact" and key.endswith("_radius") and path not in seen:
             same = paths_of_track(values, path)
             seen.update(same)
-            steps = [each.split(".") for each in same]
+            steps = [track_path.split(".") for track_path in same]
             sides = [
                 (values["contact"][number]["name"], side.removesuffix("_radius")) for _, number, side in steps
             ]

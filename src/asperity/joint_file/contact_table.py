@@ -51,7 +51,7 @@ INPUT_COLUMNS: dict[str, Key] = {
     "mu": limits.FRICTION_COEFFICIENT,
     "R1_mm": limits.ROLLER_RADIUS,
     "R2_mm": limits.ROLLER_RADIUS,
-    "sign": Key(Dimension.DIMENSIONLESS, -1, 1, whole=True),
+    "sign": Key(Dimension.DIMENSIONLESS, -1, 1, integer=True),
     "B_mm": limits.CONTACT_LENGTH,
     "E1_MPa": _MODULUS,
     "E2_MPa": _MODULUS,
@@ -253,7 +253,7 @@ def _numbers(
     good = (numbers > low if key.open_lower else numbers >= low) & (
         numbers < high if key.open_upper else numbers <= high
     )
-    if key.whole:
+    if key.integer:
         good &= numbers == np.round(numbers)
     for row in np.flatnonzero(~good):
         shown = written[row].strip()

@@ -65,10 +65,10 @@ def parse_distribution(text: str) -> Distribution:
         return Distribution("uniform", 0.0)
     if words == "triangular":
         return Distribution("triangular", 0.0)
-    found = re.fullmatch(r"normal (\d+(?:\.\d*)?|\.\d+) ?(?:sigmas?|σ)", words)
-    if found is None:
+    match = re.fullmatch(r"normal (\d+(?:\.\d*)?|\.\d+) ?(?:sigmas?|σ)", words)
+    if match is None:
         raise InputError(f"a tolerance can be distributed as {FORMS}, got '{text}'")
-    sigmas = float(found[1])
+    sigmas = float(match[1])
     if not 0.0 < sigmas <= _MOST_SIGMAS:
         raise InputError(
             f"a tolerance is above 0 and at most {_MOST_SIGMAS:g} standard deviations, got '{text}'"

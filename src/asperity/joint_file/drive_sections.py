@@ -23,7 +23,7 @@ from asperity.joint_file.sections import (
 PartName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z][A-Za-z0-9_-]{0,59}$")]
 
 
-def _one_or_each(written: Any) -> str:
+def _number_or_table(written: Any) -> str:
     return ONE_FOR_EACH if isinstance(written, dict) else ONE_FOR_ALL
 
 
@@ -36,11 +36,11 @@ def _table_or_tables(written: Any) -> str:
 
 PartLengths = Annotated[
     Annotated[ContactLength, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, ContactLength], Tag(ONE_FOR_EACH)],
-    Discriminator(_one_or_each),
+    Discriminator(_number_or_table),
 ]
 PartFriction = Annotated[
     Annotated[Friction, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, Friction], Tag(ONE_FOR_EACH)],
-    Discriminator(_one_or_each),
+    Discriminator(_number_or_table),
 ]
 PartSurfaces = Annotated[
     Annotated[SurfaceEntry, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, SurfaceEntry], Tag(ONE_FOR_EACH)],
@@ -48,7 +48,7 @@ PartSurfaces = Annotated[
 ]
 PartSkews = Annotated[
     Annotated[Skew, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, Skew], Tag(ONE_FOR_EACH)],
-    Discriminator(_one_or_each),
+    Discriminator(_number_or_table),
 ]
 Wall = Annotated[Quantity, limits.WALL_THICKNESS]
 Bore = Annotated[Quantity, limits.BORE_DIAMETER]

@@ -75,9 +75,9 @@ def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str
     stated, values = numeric_keys(case), si_values(case)
     kind = type_of(values)
     written = {
-        each: _written(key_at(path, kind), value, stated.get(each))
+        track_path: _written(key_at(path, kind), value, stated.get(track_path))
         for path, value in changes.items()
-        for each in paths_of_track(values, path)
+        for track_path in paths_of_track(values, path)
     }
     wanted = replace_values(values, changes)
     original = case.text or tomlkit.dumps(_texts(case))
@@ -101,7 +101,7 @@ def _written(key: Key, value: float, stated: NumericKey | None) -> float | str:
     """A new value as it stands in the file."""
     tolerance = stated.tolerance if stated else 0.0
     if key.dimension is Dimension.DIMENSIONLESS and not tolerance:
-        return int(value) if key.whole else float(value)
+        return int(value) if key.integer else float(value)
     text = exact_text(value, key)
     if stated is None or not tolerance:
         return text
@@ -120,7 +120,7 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
     surfaces, texts = document["surface"], _texts(case.surface)
     for table, stated in [
         (surfaces, texts),
-        *((surfaces[name], each) for name, each in texts.items() if isinstance(each, dict)),
+        *((surfaces[name], surface) for name, surface in texts.items() if isinstance(surface, dict)),
     ]:
         for depth in (DEPTH, PARTNER_DEPTH):
             if depth not in stated:
@@ -174,7 +174,7 @@ def _new_section(section: str, kind: str) -> Any:
     """A section that the file left out, in which the numbers that it needs are 0 where they may be."""
     table = tomlkit.table()
     annotation = model_of_type(kind).model_fields[section].annotation
-    (model,) = [each for each in annotation.__args__ if issubclass(each, BaseModel)]  # type: ignore[union-attr]
+    (model,) = [member for member in annotation.__args__ if issubclass(member, BaseModel)]  # type: ignore[union-attr]
     for name, field in model.model_fields.items():
         path = f"{section}.{name}"
         if (
@@ -220,7 +220,7 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
 
 def _put(table: Any, name: str, value: Any) -> None:
     """Write a key: in its place, in that of the key that it replaces, or after the last one of its section."""
-    plain = [key for key, each in table.items() if not isinstance(each, Table | AoT)]
+    plain = [key for key, item in table.items() if not isinstance(item, Table | AoT)]
     if name in table or not plain or not isinstance(table, Table):
         table[name] = value
         return
@@ -231,13 +231,13 @@ def _put(table: Any, name: str, value: Any) -> None:
 
 def _says(text: str, wanted: Any) -> bool:
     """Whether a file contains these numbers, and nothing else."""
-    found = si_values(parse_case(text, source="the edited joint file"))
+    edited = si_values(parse_case(text, source="the edited joint file"))
     used = set(wanted["bodies"].values()) & set(wanted["materials"])
-    for tables in (found, wanted):
+    for tables in (edited, wanted):
         tables["materials"] = {name: entry for name, entry in tables["materials"].items() if name in used}
-    return table_structure(found) == table_structure(wanted) and all(
+    return table_structure(edited) == table_structure(wanted) and all(
         math.isclose(one, other, rel_tol=_ROUNDING)
-        for one, other in zip(numbers(found), numbers(wanted), strict=True)
+        for one, other in zip(numbers(edited), numbers(wanted), strict=True)
     )
 
 
@@ -260,7 +260,7 @@ def entered_key_at(path: str, kind: str) -> Key | None:
     """What a dotted path means where such a number stands; None where the path is that of another key."""
     known, parts = keys_by_path(model_of_type(kind), numbers="entered"), path.split(".")
     generic = [".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts) - 1)]
-    return next((known[each] for each in (path, *generic) if each in known), None)
+    return next((known[pattern] for pattern in (path, *generic) if pattern in known), None)
 
 
 def entered_values(case: Case) -> dict[str, tuple[Key, Quantity]]:

@@ -30,14 +30,14 @@ def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[st
     filled = dict(surface)
     for path, entry in _entries(surface):
         try:
-            whole = _whole(entry)
+            filled_entry = _filled_entry(entry)
         except InputError as error:
             refused[path] = f"{path}{error}"
             continue
         if path == "surface":
-            filled = whole
+            filled = filled_entry
         else:
-            filled[path.removeprefix("surface.")] = whole
+            filled[path.removeprefix("surface.")] = filled_entry
     return {**tables, "surface": filled}, refused
 
 
@@ -57,7 +57,7 @@ def _entries(surface: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
         yield "surface", surface
 
 
-def _whole(entry: dict[str, Any]) -> dict[str, Any]:
+def _filled_entry(entry: dict[str, Any]) -> dict[str, Any]:
     for key in entry:
         plain = key.lower()
         if plain in _PEAK_TO_VALLEY:
@@ -97,11 +97,12 @@ def _with_averages(entry: dict[str, Any]) -> dict[str, Any]:
     if PARTNER_DEPTH not in entry:
         return filled
     depth = _read(entry, PARTNER_DEPTH, limits.MEAN_ROUGHNESS_DEPTH)
-    own = depth_cut_off(mean_roughness_depth=depth.value)
-    if "cut_off" not in entry and own != standard:
+    partner_standard = depth_cut_off(mean_roughness_depth=depth.value)
+    if "cut_off" not in entry and partner_standard != standard:
         raise InputError(
-            f".{PARTNER_DEPTH}: ISO 4288 measures this Rz with the cut-off {format_quantity(own, 'mm')} and the other "
-            f"body with {format_quantity(standard, 'mm')}; measure both with one cut-off, and give it as cut_off"
+            f".{PARTNER_DEPTH}: ISO 4288 measures this Rz with the cut-off "
+            f"{format_quantity(partner_standard, 'mm')} and the other body with {format_quantity(standard, 'mm')}; "
+            "measure both with one cut-off, and give it as cut_off"
         )
     return _with_average(filled, PARTNER_DEPTH, depth, _cut_off(entry, standard))
 

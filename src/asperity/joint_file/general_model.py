@@ -240,9 +240,9 @@ def _unlike_crowns(case: GeneralCase) -> Iterator[str]:
         for side in ("first", "second"):
             radius, crown = (getattr(contact, f"{side}_{name}") for name in ("radius", "crown_radius"))
             track = getattr(contact, side), f"{radius.value:.12g}"
-            own = contact.name, None if crown is None else crown.value
-            other = stated.setdefault(track, own)
-            if own[1] != other[1]:
+            statement = contact.name, None if crown is None else crown.value
+            other = stated.setdefault(track, statement)
+            if statement[1] != other[1]:
                 yield (
                     f"contact {contact.name}: {side}_crown_radius: contact {other[0]} says something else of the same "
                     f"track of {track[0]}; a track has one crown: give it in every contact of the track, or in none"

@@ -56,26 +56,26 @@ def keys_by_path(
 
 
 def _notes(model: type[BaseModel]) -> dict[str, Key | Entered]:
-    found: dict[str, Key | Entered] = {}
+    notes_by_path: dict[str, Key | Entered] = {}
     for name, field in model.model_fields.items():
-        found.update(_notes_of(name, field.annotation, tuple(field.metadata)))
-    return found
+        notes_by_path.update(_notes_of(name, field.annotation, tuple(field.metadata)))
+    return notes_by_path
 
 
 def _notes_of(path: str, annotation: Any, metadata: tuple[Any, ...]) -> dict[str, Key | Entered]:
     stated = [note for note in metadata if isinstance(note, Key | Entered)]
-    found: dict[str, Key | Entered] = {path: stated[0]} if stated else {}
+    notes_by_path: dict[str, Key | Entered] = {path: stated[0]} if stated else {}
     origin = get_origin(annotation)
     if origin is Annotated:
         inner, *notes = get_args(annotation)
-        found.update(_notes_of(path, inner, tuple(notes)))
+        notes_by_path.update(_notes_of(path, inner, tuple(notes)))
     elif origin in (Union, types.UnionType):
         for member in get_args(annotation):
-            found.update(_notes_of(path, member, ()))
+            notes_by_path.update(_notes_of(path, member, ()))
     elif origin is tuple:
-        found.update(_notes_of(f"{path}.*", get_args(annotation)[0], ()))
+        notes_by_path.update(_notes_of(f"{path}.*", get_args(annotation)[0], ()))
     elif origin is dict:
-        found.update(_notes_of(f"{path}.*", get_args(annotation)[1], ()))
+        notes_by_path.update(_notes_of(f"{path}.*", get_args(annotation)[1], ()))
     elif isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        found.update({f"{path}.{below}": key for below, key in _notes(annotation).items()})
-    return found
+        notes_by_path.update({f"{path}.{below}": key for below, key in _notes(annotation).items()})
+    return notes_by_path

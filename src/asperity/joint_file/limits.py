@@ -9,7 +9,7 @@ from __future__ import annotations
 from asperity.joint_file.quantity_key import Key
 from asperity.unit_table import Dimension
 
-PLANETS = Key(Dimension.DIMENSIONLESS, 2, 100, whole=True, example="3")
+PLANETS = Key(Dimension.DIMENSIONLESS, 2, 100, integer=True, example="3")
 ROLLER_RADIUS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm")
 WALL_THICKNESS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="10 mm")
 CONTACT_LENGTH = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="5 mm")
@@ -34,7 +34,7 @@ PIN_LENGTH = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="8 mm")
 PIN_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="4 mm")
 
 LOAD_RATING = Key(Dimension.FORCE, 0.0, 1e9, "N", open_lower=True, example="3200 N")
-BEARING_COUNT = Key(Dimension.DIMENSIONLESS, 1, 100, whole=True, example="2")
+BEARING_COUNT = Key(Dimension.DIMENSIONLESS, 1, 100, integer=True, example="2")
 OUTSIDE_FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N", example="200 N")
 
 BORE_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", open_lower=True, example="4 mm")

@@ -49,8 +49,8 @@ class MaterialEntry(Section):
     @model_validator(mode="after")
     def _one_hardness(self) -> MaterialEntry:
         if (self.hardness is None) == (self.hardness_factor is None):
-            found = "neither" if self.hardness is None else "both"
-            raise InputError(f"exactly one of 'hardness' and 'hardness_factor' is needed, got {found}")
+            given = "neither" if self.hardness is None else "both"
+            raise InputError(f"exactly one of 'hardness' and 'hardness_factor' is needed, got {given}")
         return self
 
 
@@ -110,10 +110,10 @@ class SurfaceEntry(Section):
             if getattr(self, name) is None:
                 raise InputError(f".{name}: this key is missing")
         if (self.fractal_roughness is None) == (self.roughness_average is None):
-            found = "neither" if self.fractal_roughness is None else "both"
+            given = "neither" if self.fractal_roughness is None else "both"
             raise InputError(
                 "exactly one of 'fractal_roughness' and 'roughness_average' (or 'mean_roughness_depth') is needed, "
-                f"got {found}"
+                f"got {given}"
             )
         of_average = ("partner_roughness_average", "partner_mean_roughness_depth", "cut_off")
         lonely = [name for name in of_average if getattr(self, name) is not None]

@@ -65,8 +65,8 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
     if kind == "string_type":
         return f"{path}: expected the name of a material, e.g. 'steel', got {quoted(value)}"
     if kind == "tuple_type":
-        each = "planet" if path == "branch" else "load"
-        return f"{path}: expected sections [[{path}]], one for each {each}, got {quoted(value)}"
+        noun = "planet" if path == "branch" else "load"
+        return f"{path}: expected sections [[{path}]], one for each {noun}, got {quoted(value)}"
     if kind == "too_short":
         return f"{path}: the section is empty"
     if kind == "value_error":
@@ -103,12 +103,12 @@ def _unknown_key(
     """What to say of an unknown key or section, and which missing one it was meant to be."""
     path, name, table = ".".join(parts), parts[-1], parts[:-1]
     what = "section" if isinstance(value, dict) else "key"
-    other = closest(name, (each[-1] for each in absent if each[:-1] == table))
+    other = closest(name, (missing[-1] for missing in absent if missing[:-1] == table))
     if other:
         return f"{path}: unknown {what}; did you mean '{other}'?", (*table, other)
-    for each in absent:
-        if each[-1] == name:
-            return f"{path}: unknown {what}; it belongs in [{'.'.join(each[:-1])}]", each
+    for missing in absent:
+        if missing[-1] == name:
+            return f"{path}: unknown {what}; it belongs in [{'.'.join(missing[:-1])}]", missing
     having, known = _drives_with(parts), _known_names(table, model)
     other = _CALLED_HERE.get(name)
     here = f"; for this drive write '{other}'" if other in known else ""
@@ -119,7 +119,9 @@ def _unknown_key(
     if having:
         named = ", ".join(f'"{kind}"' for kind in having)
         return f"{path}: only for drives of type {named}{here}", None
-    sections = sorted({each.split(".")[0] for each in keys_by_path(model) if each.split(".")[-1] == name})
+    sections = sorted(
+        {key_path.split(".")[0] for key_path in keys_by_path(model) if key_path.split(".")[-1] == name}
+    )
     if sections and name not in known:
         # a branch has deviations of what another section states
         meant = nearest(name, known).removeprefix("; ") if parts[0] == "branch" else ""
@@ -144,7 +146,7 @@ def _drives_with(parts: Parts) -> list[str]:
 
 
 def _missing_sections(sections: list[Parts], model: type[BaseModel]) -> str:
-    names = ", ".join(f"[{'.'.join(each)}]" for each in sections)
+    names = ", ".join(f"[{'.'.join(section)}]" for section in sections)
     if len(sections) == 1:
         return f"the section {names} is missing; it contains {_content(sections[0], model)}"
     return f"the sections {names} are missing; 'asperity init' writes a complete example"
@@ -176,41 +178,43 @@ def explained(
     model: type[BaseModel],
 ) -> tuple[list[str], int]:
     """Messages about the errors of a file, one for each mistake."""
-    found = [(_parts(each), each) for each in error.errors(include_url=False)]
+    mistakes = [(_parts(detail), detail) for detail in error.errors(include_url=False)]
     if refused:
-        found = [
-            (parts, each)
-            for parts, each in found
+        mistakes = [
+            (parts, detail)
+            for parts, detail in mistakes
             if not any(".".join(parts[:length]) in refused for length in (1, 2))
         ]
-    more = max(len(found) - _MOST_EXPLAINED, 0)
-    found = found[:_MOST_EXPLAINED]
-    wrong = {parts[:1] for parts, _ in found if len(parts) > 1}
-    found = [(parts, each) for parts, each in found if each["type"] != "too_short" or parts not in wrong]
-    absent = {parts for parts, each in found if each["type"] == "missing"}
-    foreign = [_drives_with(parts) for parts, each in found if each["type"] == "extra_forbidden"]
+    more = max(len(mistakes) - _MOST_EXPLAINED, 0)
+    mistakes = mistakes[:_MOST_EXPLAINED]
+    wrong = {parts[:1] for parts, _ in mistakes if len(parts) > 1}
+    mistakes = [
+        (parts, detail) for parts, detail in mistakes if detail["type"] != "too_short" or parts not in wrong
+    ]
+    absent = {parts for parts, detail in mistakes if detail["type"] == "missing"}
+    foreign = [_drives_with(parts) for parts, detail in mistakes if detail["type"] == "extra_forbidden"]
     likely = set.intersection(*map(set, foreign)) - {"zou2025"} if foreign else set()
     if absent and likely and "type" not in tables:
         kinds = " or ".join(f'type = "{kind}"' for kind in foreign[0] if kind in likely)
-        names = joined([".".join(parts) for parts, each in found if each["type"] == "extra_forbidden"])
+        names = joined([".".join(parts) for parts, detail in mistakes if detail["type"] == "extra_forbidden"])
         sentence = (
             f"{names}: the paper's drive, which a file without a type describes, has no such key; for another drive "
             f"write {kinds} in the first line"
         )
         return [sentence], more
     sentences = list(refused.values())
-    for parts, each in found:
-        if each["type"] == "extra_forbidden":
-            sentence, meant = _unknown_key(parts, each["input"], absent, model)
+    for parts, detail in mistakes:
+        if detail["type"] == "extra_forbidden":
+            sentence, meant = _unknown_key(parts, detail["input"], absent, model)
             sentences.append(sentence)
             absent.discard(meant or parts)
-    sections = [parts for parts, each in found if parts in absent and _is_section(parts, model)]
+    sections = [parts for parts, detail in mistakes if parts in absent and _is_section(parts, model)]
     if sections:
         sentences.append(_missing_sections(sections, model))
-    for parts, each in found:
-        known = each["type"] == "extra_forbidden" or (each["type"] == "missing" and parts not in absent)
+    for parts, detail in mistakes:
+        known = detail["type"] == "extra_forbidden" or (detail["type"] == "missing" and parts not in absent)
         if not known and parts not in sections:
-            sentences += _sentence(parts, each, model).split("\n  ")
-    if () not in [parts for parts, _ in found] and isinstance(tables.get("materials"), dict):
+            sentences += _sentence(parts, detail, model).split("\n  ")
+    if () not in [parts for parts, _ in mistakes] and isinstance(tables.get("materials"), dict):
         sentences += unknown_materials(tables.get("bodies"), tables["materials"])
     return sentences, more

@@ -56,8 +56,8 @@ class Load(Section):
     @model_validator(mode="after")
     def _one_preload(self) -> Self:
         if (self.preload is None) == (self.interference is None):
-            found = "neither" if self.preload is None else "both"
-            raise InputError(f"exactly one of 'preload' and 'interference' is needed, got {found}")
+            given = "neither" if self.preload is None else "both"
+            raise InputError(f"exactly one of 'preload' and 'interference' is needed, got {given}")
         return self
 
 
@@ -266,7 +266,7 @@ class Case(WholeFile):
         return (self.drive.ring_support,)
 
     @model_validator(mode="after")
-    def _whole_duty(self) -> Self:
+    def _complete_duty(self) -> Self:
         refuse_part_of_a_duty(self.duty)
         return self
 

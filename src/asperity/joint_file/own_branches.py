@@ -80,11 +80,13 @@ def joint_with_branches(values: Values) -> Joint:
     if "branch" not in values:
         return joint_from_values(values)
     joint, sizes, sectors, floating = _sectors(values)
-    found = settled_sectors(sectors, floating, joint, sizes)
-    force = jnp.where(found.change < SETTLED, found.sizes.reference_force, jnp.nan)
-    sizes = dataclasses.replace(found.sizes, reference_force=force)
-    whole = unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
-    return dataclasses.replace(whole, rolling=dataclasses.replace(whole.rolling, duty=joint.rolling.duty))
+    settled = settled_sectors(sectors, floating, joint, sizes)
+    force = jnp.where(settled.change < SETTLED, settled.sizes.reference_force, jnp.nan)
+    sizes = dataclasses.replace(settled.sizes, reference_force=force)
+    full_joint = unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
+    return dataclasses.replace(
+        full_joint, rolling=dataclasses.replace(full_joint.rolling, duty=joint.rolling.duty)
+    )
 
 
 def parts_with_branches(values: Values) -> Joint:

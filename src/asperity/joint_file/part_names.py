@@ -123,7 +123,10 @@ def sized_tracks(tables: Mapping[str, Any]) -> dict[str, tuple[tuple[str, str], 
     contacts = tables["contact"].values()
     return {
         roller["name"]: tuple(
-            (each["name"], side) for each in contacts for side in _SIDES if each[side] == roller["name"]
+            (contact["name"], side)
+            for contact in contacts
+            for side in _SIDES
+            if contact[side] == roller["name"]
         )
         for roller in tables["roller"].values()
         if roller["place"] != "axis"
@@ -177,7 +180,9 @@ def track_of(contacts: Iterable[Mapping[str, Any]], entry: Mapping[str, Any], si
     """Name of the track of a roller on which a contact of a drive of type ``planar`` lies."""
     if "tracks" in entry:
         return str(entry["tracks"][side])
-    radii = [each[f"{one}_radius"] for each in contacts for one in _SIDES if each[one] == entry[side]]
+    radii = [
+        contact[f"{one}_radius"] for contact in contacts for one in _SIDES if contact[one] == entry[side]
+    ]
     written = dict.fromkeys(f"{float(radius):.12g}" for radius in radii)
     return str([*written].index(f"{float(entry[f'{side}_radius']):.12g}"))
 
@@ -194,13 +199,13 @@ def paths_of_track(tables: Mapping[str, Any], path: str) -> list[str]:
         side, of_the_track = side.removesuffix("_crown"), "crown_radius"
     if steps[0] != "contact" or side not in _SIDES or steps[1] not in tables.get("contact", {}):
         return [path]
-    own, contacts = tables["contact"][steps[1]], tables["contact"].values()
-    mine = (own[side], track_of(contacts, own, side))
+    given, contacts = tables["contact"][steps[1]], tables["contact"].values()
+    mine = (given[side], track_of(contacts, given, side))
     return [
-        f"contact.{index}.{each}_{of_the_track}"
+        f"contact.{index}.{entry_side}_{of_the_track}"
         for index, entry in tables["contact"].items()
-        for each in _SIDES
-        if (entry[each], track_of(contacts, entry, each)) == mine
+        for entry_side in _SIDES
+        if (entry[entry_side], track_of(contacts, entry, entry_side)) == mine
     ]
 
 
@@ -210,5 +215,5 @@ _COMMON = ("sun", "ring", "driven_ring")  # tracks that all sectors share
 
 def _listed(entries: Any) -> tuple[str, ...]:
     """Names of sections [[roller]] or [[contact]]: a list, or tables by their numbers."""
-    each = entries.values() if isinstance(entries, Mapping) else entries
-    return tuple(str(entry["name"]) for entry in each)
+    sections = entries.values() if isinstance(entries, Mapping) else entries
+    return tuple(str(entry["name"]) for entry in sections)

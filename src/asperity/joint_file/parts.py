@@ -33,18 +33,18 @@ def general_layout(values: Values) -> tuple[Drive, tuple[BodyShape, ...], tuple[
         bodies=tuple(Body(roller["name"], roller["place"]) for roller in rollers),
         contacts=tuple(
             Contact(
-                each["name"],
-                each["first"],
-                each["second"],
-                internal=bool(each["internal"]),
-                sector=int(each["sector"]),
-                tracks=(track_of(contacts, each, "first"), track_of(contacts, each, "second")),
+                contact["name"],
+                contact["first"],
+                contact["second"],
+                internal=bool(contact["internal"]),
+                sector=int(contact["sector"]),
+                tracks=(track_of(contacts, contact, "first"), track_of(contacts, contact, "second")),
             )
-            for each in contacts
+            for contact in contacts
         ),
         centres=xp.stack([_centre(roller) for roller in rollers]),
-        first_radius=xp.stack([xp.asarray(each["first_radius"]) for each in contacts]),
-        second_radius=xp.stack([xp.asarray(each["second_radius"]) for each in contacts]),
+        first_radius=xp.stack([xp.asarray(contact["first_radius"]) for contact in contacts]),
+        second_radius=xp.stack([xp.asarray(contact["second_radius"]) for contact in contacts]),
         push_angles=xp.array(
             [roller.get("push_angle", 0.0) for roller in rollers if roller["place"] == "pin"], dtype=float
         ),
@@ -54,9 +54,9 @@ def general_layout(values: Values) -> tuple[Drive, tuple[BodyShape, ...], tuple[
         grounded=drive["grounded"],
         closure=Closure(
             equal_coefficients=tuple(
-                (each["same_coefficient_as"], each["name"])
-                for each in contacts
-                if "same_coefficient_as" in each
+                (contact["same_coefficient_as"], contact["name"])
+                for contact in contacts
+                if "same_coefficient_as" in contact
             ),
             constant_pins=tuple(
                 roller["name"] for roller in rollers if roller.get("pin_force") == "constant"
@@ -66,7 +66,7 @@ def general_layout(values: Values) -> tuple[Drive, tuple[BodyShape, ...], tuple[
     return (
         closed(made),
         tuple(_shape(roller, housing) for roller in rollers),
-        tuple(1.0 if each["internal"] else 0.0 for each in contacts),
+        tuple(1.0 if contact["internal"] else 0.0 for contact in contacts),
     )
 
 

@@ -44,7 +44,7 @@ class Key:
         Unit of the bounds and of displays.
     open_lower, open_upper : bool
         Whether the bound itself is outside.
-    whole : bool
+    integer : bool
         Whether only whole numbers are allowed.
     exact : bool
         Whether it has no tolerance, because somebody decides it.
@@ -58,7 +58,7 @@ class Key:
     unit: str = "1"
     open_lower: bool = False
     open_upper: bool = False
-    whole: bool = False
+    integer: bool = False
     exact: bool = False
     example: str = ""
 
@@ -72,7 +72,7 @@ class Key:
         """The range in words."""
         low = format_quantity(self._si(self.lower), self.unit)
         high = format_quantity(self._si(self.upper), self.unit)
-        kind = "a whole number, " if self.whole else ""
+        kind = "a whole number, " if self.integer else ""
         above, below = "above" if self.open_lower else "at least", "below" if self.open_upper else "at most"
         return f"{kind}{above} {low} and {below} {high}"
 
@@ -89,7 +89,7 @@ class Key:
         high_side = value < self.upper or (
             not self.open_upper and math.isclose(value, self.upper, rel_tol=1e-12)
         )
-        return low_side and high_side and not (self.whole and value_si != round(value_si))
+        return low_side and high_side and not (self.integer and value_si != round(value_si))
 
     def check(self, value_si: float) -> None:
         """Raise unless a value is inside the range.
@@ -134,7 +134,7 @@ class Key:
             value = parse_quantity(written, self.dimension, example=self.typical)
             tolerance, distribution = 0.0, None
         self.check(value)
-        if self.whole and tolerance != 0.0:
+        if self.integer and tolerance != 0.0:
             raise InputError(f"a whole number has no tolerance, got '{written}'")
         if self.exact and tolerance != 0.0:
             raise InputError(f"what is required has no tolerance, got '{written}'")
@@ -157,8 +157,8 @@ class Key:
             "exclusiveMinimum" if self.open_lower else "minimum": self.lower,
             "exclusiveMaximum" if self.open_upper else "maximum": self.upper,
         }
-        number = {"type": "integer" if self.whole else "number", **bounds}
-        return number if self.whole else {"anyOf": [number, text]}
+        number = {"type": "integer" if self.integer else "number", **bounds}
+        return number if self.integer else {"anyOf": [number, text]}
 
 
 @dataclass(frozen=True, slots=True)

@@ -51,12 +51,12 @@ def _offer_library(schema: Schema) -> None:
 
     bodies = schema["properties"]["bodies"]["patternProperties"]
     for body in bodies.values():
-        own = {
+        name_in_file = {
             "type": body.pop("type"),
             "pattern": body.pop("pattern"),
             "description": "A name of [materials].",
         }
-        body["anyOf"] = [names, own]
+        body["anyOf"] = [names, name_in_file]
 
     entry = schema["$defs"][MaterialEntry.__name__]
     numbers_needed = {

@@ -69,12 +69,12 @@ def _meanings(model: type[Any]) -> dict[str, str]:
         return {}
     (definition,) = ast.parse(inspect.getsource(model)).body
     assert isinstance(definition, ast.ClassDef)
-    found = {}
+    meanings = {}
     for statement, below in itertools.pairwise(definition.body):
         match statement, below:
             case ast.AnnAssign(target=ast.Name(id=name)), ast.Expr(value=ast.Constant(value=str(text))):
-                found[name] = " ".join(text.split())
-    return found
+                meanings[name] = " ".join(text.split())
+    return meanings
 
 
 _Leaf = TypeVar("_Leaf")

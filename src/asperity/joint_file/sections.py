@@ -41,10 +41,10 @@ _Share = Annotated[float, Field(gt=0.0, le=1.0)] | str
 
 def _share(written: object) -> float:
     """A share of the time, as a number or as text in per cent."""
-    found = limits.SHARE.read(written)
-    if found.tolerance:
+    share = limits.SHARE.read(written)
+    if share.tolerance:
         raise InputError(f"a share of the time has no tolerance, got {written!r}")
-    return found.value
+    return share.value
 
 
 class DutyLoad(Section):

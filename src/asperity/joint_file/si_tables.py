@@ -61,7 +61,7 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     "partner_roughness_average": (PARTNER_DEPTH,),
 }
 _NAMED = ("materials", "duty", "branch", "roller", "contact")
-_ONE_OR_EACH = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
+_STATED_PER_CONTACT = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,8 +189,8 @@ def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
     tables: Values = _copied(values)
     for path, value in changes.items():
         key_at(path, type_of(tables))
-        for each in paths_of_track(tables, path):
-            for steps in change_targets(tables, each):
+        for track_path in paths_of_track(tables, path):
+            for steps in change_targets(tables, track_path):
                 _set(tables, steps, value)
     return tables
 
@@ -208,7 +208,7 @@ def change_targets(
     tables: Any, path: str, *, split: Callable[[Any, tuple[str, ...]], Any] = _for_each_contact
 ) -> list[tuple[str, ...]]:
     """Where a change of a number goes in nested tables."""
-    for place in _ONE_OR_EACH:
+    for place in _STATED_PER_CONTACT:
         if path == place or path.startswith(f"{place}."):
             break
     else:
@@ -238,7 +238,7 @@ def contact_in(path: str) -> str | None:
 
     None where the path stands for all contacts, or for a number that has none.
     """
-    for place in _ONE_OR_EACH:
+    for place in _STATED_PER_CONTACT:
         rest = path.removeprefix(f"{place}.").split(".")
         if path.startswith(f"{place}.") and len(rest) == (2 if place == "surface" else 1):
             return rest[0]
@@ -284,7 +284,7 @@ def check_values(changes: Mapping[str, Any]) -> None:
         numbers = np.asarray(value, dtype=float).reshape(-1)
         if numbers.size == 0:
             raise InputError(f"{path}: an empty list of values")
-        broken = numbers[numbers != np.round(numbers)][:1] if key.whole else numbers[:0]
+        broken = numbers[numbers != np.round(numbers)][:1] if key.integer else numbers[:0]
         for number in (numbers.min(), numbers.max(), *broken):  # nan propagates through both
             try:
                 key.check(float(number))

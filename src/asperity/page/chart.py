@@ -196,7 +196,7 @@ def _axis_values(request: ChartRequest, case: AnyCase, key: Key) -> np.ndarray:
         _quantity(text, key, request.over, what)
         for text, what in ((request.start, "start"), (request.stop, "end"))
     )
-    if key.whole:
+    if key.integer:
         low, high = sorted((start, stop))
         values = np.arange(np.ceil(low), np.floor(high) + 1.0)
         if not 1 <= values.size <= MOST_POINTS:

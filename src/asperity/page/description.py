@@ -105,7 +105,7 @@ def _parameters(case_type: type[BaseModel], section: str) -> list[dict[str, Any]
                     "highest": key.upper,
                     "lowest_included": not key.open_lower,
                     "highest_included": not key.open_upper,
-                    "whole": key.whole,
+                    "whole": key.integer,
                     "allowed": key.allowed,
                     "example": key.typical,
                     "example_value": _example(key),

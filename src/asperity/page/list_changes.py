@@ -19,7 +19,7 @@ from asperity.joint_file.si_tables import key_at, si_values
 from asperity.reading import parse_toml
 
 #: The change of a list that has one section for each branch of the drive, however many those are.
-EACH = "each"
+ONE_PER_BRANCH = "each"
 #: The loads of a duty that the page takes.
 MOST_LOADS = 50
 
@@ -57,7 +57,7 @@ def places_of_lists(
         if not isinstance(tables.get(name, []), list):
             raise InputError(f"{name}: expected sections [[{name}]], got {quoted(tables[name])}")
         wanted, have = str(changes[name]).strip(), len(tables.get(name, []))
-        if wanted == EACH and count_path is not None:
+        if wanted == ONE_PER_BRANCH and count_path is not None:
             count = _count(tables, changes, count_path, otherwise=have)
             places[name] = [place if place <= have else 0 for place in range(1, count + 1)]
         elif wanted == "" or _PLACES.fullmatch(wanted):
@@ -65,7 +65,7 @@ def places_of_lists(
         else:
             raise InputError(
                 f"{name}: the sections of [[{name}]] are wanted as their places in the file, e.g. '1 3 0' with 0 for a "
-                f"new one{f', or {EACH!r}' if count_path else ''}; got {quoted(wanted)}"
+                f"new one{f', or {ONE_PER_BRANCH!r}' if count_path else ''}; got {quoted(wanted)}"
             )
     return places
 
@@ -95,7 +95,7 @@ def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -
     def beyond(path: str) -> bool:
         name, _, rest = path.partition(".")
         number = rest.partition(".")[0]
-        return changes.get(name) == EACH and number.isdecimal() and int(number) > len(places[name])
+        return changes.get(name) == ONE_PER_BRANCH and number.isdecimal() and int(number) > len(places[name])
 
     return {path: value for path, value in changes.items() if path not in places and not beyond(path)}
 

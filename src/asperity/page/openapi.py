@@ -11,7 +11,7 @@ from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
 from asperity.page.jobs import FEWEST_SAMPLES, KINDS, MOST_SAMPLES
 from asperity.page.joint_request import MOST_CHANGES
-from asperity.page.list_changes import EACH
+from asperity.page.list_changes import ONE_PER_BRANCH
 from asperity.page.upload import LARGEST_SURFACE, LONGEST_MEASUREMENT
 from asperity.results import SEVERITIES
 
@@ -323,11 +323,11 @@ def _request_schema(**asked: Schema) -> Schema:
         "maxProperties": MOST_CHANGES,
         "description": "Dotted path → value with its unit, or one of the words of a choice; empty to leave a "
         "key out. Name of a list → its sections as their places in the file, '1 3 0' with 0 for a new one, "
-        f"empty for none; for 'branch' also '{EACH}', one for each branch of the drive: changes of sections "
+        f"empty for none; for 'branch' also '{ONE_PER_BRANCH}', one for each branch of the drive: changes of sections "
         "beyond them wait. Sections are counted from 1 in the new arrangement.",
         "examples": [
             {"load.output_torque": "6000 N*mm", "model.closure": "constant_pin_force"},
-            {"branch": EACH, "branch.2.planet_deviation": "2 um", "duty": "2"},
+            {"branch": ONE_PER_BRANCH, "branch.2.planet_deviation": "2 um", "duty": "2"},
         ],
     }
     return _fields(

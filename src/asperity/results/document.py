@@ -291,9 +291,7 @@ def interval_rows(interval: Document) -> list[tuple[str, ...]]:
     """
 
     def cell(ends: list[float]) -> str:
-        return " to ".join(
-            f"{1e-6 * each:.3g}" if 1e-6 * each < 999.5 else f"{1e-6 * each:.0f}" for each in ends
-        )
+        return " to ".join(f"{1e-6 * end:.3g}" if 1e-6 * end < 999.5 else f"{1e-6 * end:.0f}" for end in ends)
 
     rows = []
     for name, contact in interval.get("contacts", {}).items():
@@ -469,7 +467,7 @@ def _entry(names: list[str], dimension: float, roughness: float, cut_off: float 
         "contacts": names,
         "fractal_dimension": dimension,
         "fractal_roughness_m": roughness,
-        "roughness_average_m": average.each,
+        "roughness_average_m": average.per_body,
         "roughness_average_low_m": average.low,
         "roughness_average_high_m": average.high,
         "cut_off_m": average.cut_off,

@@ -178,7 +178,7 @@ def _refuse_count(values: Values, paths: tuple[str, ...]) -> None:
 
 def _outside(key: Key, column: np.ndarray) -> np.ndarray:
     """Which values are outside the range of their key."""
-    if not key.whole and key.admits(float(column.min())) and key.admits(float(column.max())):
+    if not key.integer and key.admits(float(column.min())) and key.admits(float(column.max())):
         return np.zeros(column.size, dtype=bool)
     distinct, where = np.unique(column, return_inverse=True)
     return ~np.array([key.admits(float(value)) for value in distinct])[where]

@@ -187,9 +187,9 @@ def _lobe_distances(
     for axis in (0, 1):
         inside, value = np.moveaxis(lobe, axis, 0), np.moveaxis(correlation, axis, 0)
         for step in (1, -1):
-            here, there = (slice(None, -1), slice(1, None))[::step]
-            places = np.argwhere(inside[here] & ~inside[there])
-            a, b = (value[part][tuple(places.T)] for part in (here, there))
+            inner, outer = (slice(None, -1), slice(1, None))[::step]
+            places = np.argwhere(inside[inner] & ~inside[outer])
+            a, b = (value[part][tuple(places.T)] for part in (inner, outer))
             points = places.astype(np.float64)
             points[:, 0] += (
                 (a - CORRELATION_READ) / (a - b) if step > 0 else 1.0 - (a - CORRELATION_READ) / (a - b)

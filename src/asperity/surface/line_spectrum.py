@@ -82,13 +82,13 @@ def fit_lines(*, profiles: NDArray[np.float64], spacing: float, frequency_ratio:
         return None
     log_f, log_a, error, explained = [], [], [], []
     for profile in sample:
-        found = _amplitudes(profile, spacing, frequency_ratio)
-        if found is None:
+        amplitudes = _amplitudes(profile, spacing, frequency_ratio)
+        if amplitudes is None:
             return None
-        log_f.append(found[0])
-        log_a.append(found[1])
-        error.append(found[2])
-        explained.append(found[3])
+        log_f.append(amplitudes[0])
+        log_a.append(amplitudes[1])
+        error.append(amplitudes[2])
+        explained.append(amplitudes[3])
     if sum(f.size for f in log_f) < 4 or max(f.max() for f in log_f) - min(f.min() for f in log_f) < np.log(
         9.99
     ):
@@ -236,8 +236,8 @@ def _fit_comb(z: NDArray[np.float64], spacing: float, gamma: float, log_start: f
         if kept is None or variance < kept.variance:
             amplitude = np.hypot(A, B)
             k = np.arange(m) + 2
-            own = inverse[k, k] * A**2 + inverse[k + m, k + m] * B**2 + 2.0 * inverse[k, k + m] * A * B
-            error = np.sqrt(variance * np.abs(own)) / np.maximum(amplitude, 1e-300) ** 2
+            propagated = inverse[k, k] * A**2 + inverse[k + m, k + m] * B**2 + 2.0 * inverse[k, k + m] * A * B
+            error = np.sqrt(variance * np.abs(propagated)) / np.maximum(amplitude, 1e-300) ** 2
             kept = _Comb(log_start, f, amplitude, error, variance, float(np.mean(np.diff(residual) ** 2)))
         step = float(solution[-1]) / size if size else 0.0
         limit = 0.3 / (f[-1] * length)

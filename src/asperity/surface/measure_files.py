@@ -78,9 +78,9 @@ class MeasuredFiles:
     def roughness(self) -> MeasuredRoughness:
         """What a joint takes of the surface."""
         fit = self.fit
-        found = None if isinstance(fit, str) else surface_measurement(fit=fit, source=self.source)
+        measurement = None if isinstance(fit, str) else surface_measurement(fit=fit, source=self.source)
         return MeasuredRoughness(
-            found,
+            measurement,
             fit if isinstance(fit, str) else "",
             () if self.spectrum is None else (self.spectrum,),
             self.source,
@@ -89,7 +89,7 @@ class MeasuredFiles:
     @property
     def source(self) -> str:
         """Names of the files."""
-        return " + ".join(each.source for each in self.topographies)
+        return " + ".join(topography.source for topography in self.topographies)
 
 
 def measured_files(
@@ -190,12 +190,12 @@ def measured_files(
 def _spectrum(surfaces: list[MeasuredSurface], direction: str, lay: Lay | None) -> HeightSpectrum | None:
     """The waves of the surfaces; None of surfaces of few points."""
     topographies = [surface.topography for surface in surfaces]
-    if min(min(each.heights.shape) for each in topographies) < FEWEST_POINTS:
+    if min(min(topography.heights.shape) for topography in topographies) < FEWEST_POINTS:
         return None
     if topographies[0].is_map:
         return spectrum_of_map(topography=topographies[0], rolling=direction)
     profiles, spacing, _ = pooled_profiles(surfaces=topographies, direction="x")
-    source = " + ".join(each.source for each in topographies)
+    source = " + ".join(topography.source for topography in topographies)
     return spectrum_of_profiles(profiles=profiles, spacing=spacing, lay=lay, source=source)
 
 

@@ -103,7 +103,7 @@ def _fitted(which: int, fractal_dimension: float, cut_off: float) -> float:
         (ratio for known, ratio in _RATIOS.items() if math.isclose(known, cut_off, rel_tol=1e-9)), None
     )
     if ratio is None:
-        known = ", ".join(format_quantity(each, "mm") for each in _RATIOS)
+        known = ", ".join(format_quantity(tabulated, "mm") for tabulated in _RATIOS)
         raise InputError(
             f"Rz/Ra is known for the cut-offs of ISO 3274, {known}, got {format_quantity(cut_off, 'mm')}"
         )

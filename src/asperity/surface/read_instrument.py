@@ -241,8 +241,8 @@ def _size(description: bytes, source: str) -> tuple[float, float]:
         raise InputError(f"{source} (X3P): its main.xml is not valid XML") from None
 
     def text(place: str) -> str:
-        found = root.find(place)
-        return "" if found is None or found.text is None else found.text.strip()
+        element = root.find(place)
+        return "" if element is None or element.text is None else element.text.strip()
 
     if root.find("Record3/DataList") is not None:
         raise InputError(

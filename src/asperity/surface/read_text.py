@@ -117,7 +117,7 @@ def _decoded(path: Path) -> str:
 
 def _patterns(decimal: str) -> list[tuple[str | None, bool, re.Pattern[str]]]:
     """Line patterns in order of preference: separator (None is white space), decimal comma, pattern."""
-    found: list[tuple[str | None, bool, re.Pattern[str]]] = []
+    patterns: list[tuple[str | None, bool, re.Pattern[str]]] = []
     for comma in (False, True):
         if (decimal == "comma" and not comma) or (decimal == "point" and comma):
             continue
@@ -127,8 +127,8 @@ def _patterns(decimal: str) -> list[tuple[str | None, bool, re.Pattern[str]]]:
                 continue
             empty = "" if separator is None else "?"
             pattern = rf"[ \t]*{value}(?:{sign}{value}{empty})*[ \t]*"
-            found.append((separator, comma, re.compile(pattern)))
-    return found
+            patterns.append((separator, comma, re.compile(pattern)))
+    return patterns
 
 
 def _data_block(lines: list[str], decimal: str, path: Path) -> tuple[int, str | None, bool]:
@@ -218,16 +218,16 @@ def _unit_in_words(text: str) -> str | None:
     return None
 
 
-def _scale(given: str | None, found: str | None, what: str, source: str) -> float:
-    if given is None and found is None:
+def _scale(given: str | None, heading_unit: str | None, what: str, source: str) -> float:
+    if given is None and heading_unit is None:
         raise InputError(
             f"{source} does not name the unit of its {what}s; state it: mm, um, nm or m",
             options=[f"{what}-unit"],
         )
-    scale = metres_per_unit(given if given is not None else str(found))
-    if found is not None and scale != metres_per_unit(found):
+    scale = metres_per_unit(given if given is not None else str(heading_unit))
+    if heading_unit is not None and scale != metres_per_unit(heading_unit):
         raise InputError(
-            f"the heading of {source} gives the unit of its {what}s as {found}, not {given}; do "
+            f"the heading of {source} gives the unit of its {what}s as {heading_unit}, not {given}; do "
             "not state a unit, or correct the file",
             options=[f"{what}-unit"],
         )

@@ -181,13 +181,13 @@ def scatter_of_average(*, fractal_dimension: float, cut_offs: float) -> float:
 class CorrespondingAverage:
     """The Ra [m] that an instrument shows on surfaces with given D and G, behind the cut-off [m] of the profile filter.
 
-    ``pair``: of the equivalent surface of both bodies; ``each``: of each of two like bodies, of which 95 % of
+    ``pair``: of the equivalent surface of both bodies; ``per_body``: of each of two like bodies, of which 95 % of
     measurements over one evaluation length lie between ``low`` and ``high``.
     """
 
     cut_off: float
     pair: float
-    each: float
+    per_body: float
     low: float
     high: float
 
@@ -205,8 +205,10 @@ def corresponding_average(
             fractal_roughness=float(fractal_roughness),
             cut_off=tried,
         )
-        each = pair / math.sqrt(2.0)
-        if each <= largest:
+        per_body = pair / math.sqrt(2.0)
+        if per_body <= largest:
             break
     spread = _NORMAL_95 * scatter_of_average(fractal_dimension=fractal_dimension, cut_offs=CUT_OFFS_EVALUATED)
-    return CorrespondingAverage(tried, pair, each, each * max(1.0 - spread, 0.0), each * (1.0 + spread))
+    return CorrespondingAverage(
+        tried, pair, per_body, per_body * max(1.0 - spread, 0.0), per_body * (1.0 + spread)
+    )

@@ -64,7 +64,7 @@ def structure_line(*, profiles: NDArray[np.float64], spacing: float, fit: Spectr
     blocks = np.array_split(np.arange(pieces.shape[0]), min(_SEGMENTS, pieces.shape[0]))
     sums = np.stack([S[b].sum(axis=0) for b in blocks])
     counts = np.array([b.size for b in blocks], dtype=np.float64)
-    whole = _line(tau, sums.sum(axis=0) / counts.sum())
+    line = _line(tau, sums.sum(axis=0) / counts.sum())
     left_out = [
         _line(tau, (sums.sum(axis=0) - s) / (counts.sum() - c)) for s, c in zip(sums, counts, strict=True)
     ]
@@ -80,10 +80,10 @@ def structure_line(*, profiles: NDArray[np.float64], spacing: float, fit: Spectr
         if not (ratio > 0.0).all():
             raise NoSolutionError("roll-off and noise dominate the structure function: no straight line")
         shifts.append(_line(tau, power * ratio) - np.array([D, _log_roughness(fit)]))
-    shift = max(shifts, key=lambda each: abs(float(each[0])))
+    shift = max(shifts, key=lambda shift: abs(float(shift[0])))
     return StructureLine(
-        fractal_dimension=float(whole[0]),
-        log_roughness=float(whole[1]),
+        fractal_dimension=float(line[0]),
+        log_roughness=float(line[1]),
         covariance=covariance + np.outer(shift, shift),
         shortest_wavelength=2.0 * float(tau[0]),
         longest_wavelength=2.0 * float(tau[-1]),

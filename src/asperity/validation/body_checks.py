@@ -53,7 +53,7 @@ def discs() -> Iterator[Check]:
         quantity="approach of two opposite contacts per force",
         unit="µm/kN",
         expected=1e9 * by_hand,
-        found=1e9 * (c[0, 0] + c[0, 1] + c[1, 0] + c[1, 1]),
+        computed=1e9 * (c[0, 0] + c[0, 1] + c[1, 0] + c[1, 1]),
         tolerance=5e-4,
     )
 
@@ -79,7 +79,7 @@ def rings() -> Iterator[Check]:
             quantity=f"radial displacement per force, outer rim {name}",
             unit="µm/kN",
             expected=1e9 * np.array(expected),
-            found=1e9 * np.array(displacements),
+            computed=1e9 * np.array(displacements),
             tolerance=1e-3,
         )
     counts, wall = (2, 3, 4), 2e-3
@@ -96,6 +96,6 @@ def rings() -> Iterator[Check]:
         quantity="displacement of a load times EI/(P R³)",
         unit="-",
         expected=[0.07438920, 0.01593859, 0.00607931],
-        found=displacements,
+        computed=displacements,
         tolerance=2e-3,
     )

@@ -15,9 +15,9 @@ class Check:
     """A computed quantity, its reference, and whether they agree.
 
     ``model``: what is checked; ``reference``: where the expected value comes from. Of several ``values``, ``expected``
-    and ``found`` [unit] are the pair that differs most; the unit is "-" for a ratio. ``deviation``: relative difference
-    [-], or the difference itself where the tolerance is absolute [unit]; nan if nothing was found, and ``note`` says
-    why.
+    and ``computed`` [unit] are the pair that differs most; the unit is "-" for a ratio. ``deviation``: relative
+    difference [-], or the difference itself where the tolerance is absolute [unit]; nan if nothing was found, and
+    ``note`` says why.
     """
 
     model: str
@@ -25,7 +25,7 @@ class Check:
     quantity: str
     unit: str
     expected: float
-    found: float
+    computed: float
     deviation: float
     tolerance: float
     absolute: bool
@@ -43,9 +43,9 @@ class Check:
         Returns
         -------
         dict
-            The fields and ``passed``.
+            The fields, ``computed`` under the name "found", and ``passed``.
         """
-        fields = {name: getattr(self, name) for name in self.__slots__}
+        fields = {"found" if name == "computed" else name: getattr(self, name) for name in self.__slots__}
         for name in ("expected", "found", "deviation"):
             if not math.isfinite(fields[name]):
                 fields[name] = None
@@ -59,7 +59,7 @@ def compared(
     quantity: str,
     unit: str,
     expected: ArrayLike,
-    found: ArrayLike,
+    computed: ArrayLike,
     tolerance: float,
     absolute: bool = False,
 ) -> Check:
@@ -67,14 +67,14 @@ def compared(
 
     An expected zero is met, relatively, by an exact zero only. A ``ValueError`` is raised if the shapes differ.
     """
-    wanted, computed = (
-        np.atleast_1d(np.asarray(values, dtype=float)).ravel() for values in (expected, found)
+    expected_values, computed_values = (
+        np.atleast_1d(np.asarray(values, dtype=float)).ravel() for values in (expected, computed)
     )
-    if wanted.shape != computed.shape:
-        raise ValueError(f"{computed.size} values instead of {wanted.size}")
-    difference = np.abs(computed - wanted)
+    if expected_values.shape != computed_values.shape:
+        raise ValueError(f"{computed_values.size} values instead of {expected_values.size}")
+    difference = np.abs(computed_values - expected_values)
     if not absolute:
-        size = np.abs(wanted)
+        size = np.abs(expected_values)
         zero = np.where(difference == 0.0, 0.0, np.inf)
         difference = np.where(size > 0.0, difference / np.where(size > 0.0, size, 1.0), zero)
     missing = np.isnan(difference)
@@ -84,12 +84,12 @@ def compared(
         reference=reference,
         quantity=quantity,
         unit=unit,
-        expected=float(wanted[worst]),
-        found=float(computed[worst]),
+        expected=float(expected_values[worst]),
+        computed=float(computed_values[worst]),
         deviation=float(difference[worst]),
         tolerance=tolerance,
         absolute=absolute,
-        values=wanted.size,
+        values=expected_values.size,
         note="the computed value is not a number" if missing.any() else "",
     )
 

@@ -84,7 +84,7 @@ def contact_law() -> Iterator[Check]:
             quantity=quantity,
             unit=unit,
             expected=expected[name],
-            found=computed[name],
+            computed=computed[name],
             tolerance=1e-10,
         )
 
@@ -109,7 +109,7 @@ def hertz() -> Iterator[Check]:
         quantity="half-width",
         unit="µm",
         expected=122.47,
-        found=1e6 * np.asarray(width),
+        computed=1e6 * np.asarray(width),
         tolerance=1e-4,
     )
     yield compared(
@@ -118,7 +118,7 @@ def hertz() -> Iterator[Check]:
         quantity="peak pressure",
         unit="MPa",
         expected=1039.64,
-        found=1e-6 * np.asarray(peak),
+        computed=1e-6 * np.asarray(peak),
         tolerance=1e-5,
     )
 
@@ -143,7 +143,9 @@ def creep() -> Iterator[Check]:
         quantity="creepage at 10, 25, 50, 75 and 100 % of friction",
         unit="-",
         expected=[9.427e-5, 2.4612e-4, 5.3806e-4, 9.1852e-4, 1.8370e-3],
-        found=carter.creepage(slip_ratio=jnp.array([0.1, 0.25, 0.5, 0.75, 1.0]), gross_slip_creepage=limit),
+        computed=carter.creepage(
+            slip_ratio=jnp.array([0.1, 0.25, 0.5, 0.75, 1.0]), gross_slip_creepage=limit
+        ),
         tolerance=6e-5,
     )
     width = hertz_line.half_width(
@@ -158,7 +160,7 @@ def creep() -> Iterator[Check]:
         quantity="traction over friction",
         unit="-",
         expected=0.6480,
-        found=share,
+        computed=share,
         tolerance=0.015,
     )
     yield compared(
@@ -167,7 +169,7 @@ def creep() -> Iterator[Check]:
         quantity="traction over friction",
         unit="-",
         expected=0.64,
-        found=share,
+        computed=share,
         tolerance=1e-4,
     )
     yield compared(
@@ -176,7 +178,7 @@ def creep() -> Iterator[Check]:
         quantity="half-width of the stick zone",
         unit="mm",
         expected=0.6,
-        found=1e3 * np.asarray(carter.stick_half_width(slip_ratio=share, half_width=width)),
+        computed=1e3 * np.asarray(carter.stick_half_width(slip_ratio=share, half_width=width)),
         tolerance=1e-4,
     )
 
@@ -192,7 +194,7 @@ def stresses() -> Iterator[Check]:
         quantity="largest alternating shear stress over the peak pressure, its position and depth over the half-width",
         unit="-",
         expected=[0.25, np.sqrt(0.75), 0.5],
-        found=[float(v[0]) for v in (shear.stress, shear.position, shear.depth)],
+        computed=[float(v[0]) for v in (shear.stress, shear.position, shear.depth)],
         tolerance=1e-9,
     )
     yield compared(
@@ -201,7 +203,7 @@ def stresses() -> Iterator[Check]:
         quantity="largest principal shear stress over the peak pressure, and its depth over the half-width",
         unit="-",
         expected=[0.300, 0.786],
-        found=[float(mises.stress[0]), float(mises.depth[0])],
+        computed=[float(mises.stress[0]), float(mises.depth[0])],
         tolerance=2e-3,
     )
     friction = jnp.array([0.0, 0.02, 0.05, 0.08, 0.10, 0.15, 0.20, 0.25, 0.30, 0.35])
@@ -211,7 +213,7 @@ def stresses() -> Iterator[Check]:
         quantity="peak pressure over the shear yield strength for friction 0 to 0.35",
         unit="-",
         expected=[4.0, 3.906, 3.772, 3.645, 3.564, 3.375, 3.202, 3.044, 2.900, 2.767],
-        found=shakedown.shakedown_limit(friction_coefficient=friction),
+        computed=shakedown.shakedown_limit(friction_coefficient=friction),
         tolerance=2e-4,
     )
 
@@ -226,7 +228,7 @@ def fatigue() -> Iterator[Check]:
         quantity="life with 90 % reliability at 1000 to 2000 MPa",
         unit="1e6 cycles",
         expected=[2.2117e5, 1.6143e5, 1.4491e4, 1.8925e3, 8.0610e2],
-        found=rolling_fatigue.line_contact_life(
+        computed=rolling_fatigue.line_contact_life(
             peak_pressure=peak,
             half_width=2.0 * peak * _RADIUS / modulus,
             contact_length=_LENGTH,

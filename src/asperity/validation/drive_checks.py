@@ -67,7 +67,7 @@ def ratios() -> Iterator[Check]:
             quantity=f"speed ratio of the {name}",
             unit="-",
             expected=expected,
-            found=abs(ratio) if name == "two-row multiroller" else ratio,
+            computed=abs(ratio) if name == "two-row multiroller" else ratio,
             tolerance=1e-12,
         )
 
@@ -120,7 +120,7 @@ def states() -> Iterator[Check]:
             quantity=quantity,
             unit=unit,
             expected=expected,
-            found=np.asarray(computed),
+            computed=np.asarray(computed),
             tolerance=tolerance,
         )
     planetary = planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=3)
@@ -132,7 +132,7 @@ def states() -> Iterator[Check]:
         quantity="carrier force and tangential force of a planet",
         unit="N",
         expected=[by_hand, by_hand / 2.0],
-        found=[np.max(np.abs(loaded.pin_force)), np.max(np.abs(loaded.tangential))],
+        computed=[np.max(np.abs(loaded.pin_force)), np.max(np.abs(loaded.tangential))],
         tolerance=1e-10,
     )
 
@@ -224,7 +224,7 @@ def unlike() -> Iterator[Check]:
         quantity="normal forces of sun and ring on both planets, the sun held",
         unit="N",
         expected=np.repeat(preload, 2),
-        found=np.asarray(held.rest.normal),
+        computed=np.asarray(held.rest.normal),
         tolerance=1e-6,
     )
     yield compared(
@@ -233,7 +233,7 @@ def unlike() -> Iterator[Check]:
         quantity="force on the bearings of the sun",
         unit="N",
         expected=preload[0] - preload[1],
-        found=float(jnp.linalg.norm(centre[0])),
+        computed=float(jnp.linalg.norm(centre[0])),
         tolerance=1e-6,
     )
     soft, _ = _opposed(jnp.asarray(_SOFT))
@@ -244,7 +244,7 @@ def unlike() -> Iterator[Check]:
         quantity="displacement of the sun",
         unit="µm",
         expected=1e6 * moved,
-        found=1e6 * float(jnp.linalg.norm(soft.rest.displacement[0])),
+        computed=1e6 * float(jnp.linalg.norm(soft.rest.displacement[0])),
         tolerance=1e-6,
     )
     both = 0.5 * _TORQUE / (_SUN + _PLANET)
@@ -255,6 +255,6 @@ def unlike() -> Iterator[Check]:
         quantity="tangential forces of both planets in rolling",
         unit="N",
         expected=[first, first, both - first, both - first],
-        found=np.abs(np.asarray(held.rolling.tangential)),
+        computed=np.abs(np.asarray(held.rolling.tangential)),
         tolerance=1e-5,
     )

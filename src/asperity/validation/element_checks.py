@@ -41,7 +41,7 @@ def half_space() -> Iterator[Check]:
             (1.0 - poisson + poisson * x**2 / r**2) / (2.0 * np.pi * shear * r),
             poisson * x * y / r**3 / (2.0 * np.pi * shear),
         ],
-        found=[pressed, *sheared],
+        computed=[pressed, *sheared],
         tolerance=1e-4,
     )
 
@@ -73,7 +73,7 @@ def sliding() -> Iterator[Check]:
         quantity="displacement at 7/8 of sliding",
         unit="µm",
         expected=8.155,
-        found=1e6 * np.asarray(slip.displacement[0]),
+        computed=1e6 * np.asarray(slip.displacement[0]),
         tolerance=3e-3,
     )
     yield compared(
@@ -82,7 +82,7 @@ def sliding() -> Iterator[Check]:
         quantity="work of friction",
         unit="µJ",
         expected=2.750,
-        found=1e6 * np.asarray(slip.friction_work[0]),
+        computed=1e6 * np.asarray(slip.friction_work[0]),
         tolerance=1e-2,
     )
 
@@ -127,7 +127,7 @@ def rolling() -> Iterator[Check]:
         quantity="creepage at 10 to 95 % of friction over that at gross slip, 200 cells",
         unit="-",
         expected=1.0 - np.sqrt(1.0 - shares),
-        found=creepage,
+        computed=creepage,
         tolerance=5e-3,
     )
     strip, pressure = _line_contact(2)
@@ -148,6 +148,6 @@ def rolling() -> Iterator[Check]:
         quantity="creepage over Carter's after 0.02 to 3 half-widths, at half of friction",
         unit="-",
         expected=[0.502, 0.546, 0.604, 0.687, 0.837, 1.222, 1.052, 0.970, 0.998, 1.002],
-        found=np.interp([0.02, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0], middle, ratio),
+        computed=np.interp([0.02, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0], middle, ratio),
         tolerance=0.015,
     )

@@ -28,7 +28,7 @@ def figures() -> Iterator[Check]:
         quantity="fractal dimension of the stiffest pair",
         unit="-",
         expected=1.85,
-        found=numbers["C3"]["peak_fractal_dimension"],
+        computed=numbers["C3"]["peak_fractal_dimension"],
         tolerance=0.02,
         absolute=True,
     )
@@ -39,7 +39,7 @@ def figures() -> Iterator[Check]:
         quantity="fractal dimension of the stiffest joint, 0 to 5 N·m",
         unit="-",
         expected=[1.85] * len(peaks),
-        found=peaks,
+        computed=peaks,
         tolerance=0.02,
         absolute=True,
     )
@@ -49,7 +49,7 @@ def figures() -> Iterator[Check]:
         quantity="tangential force at which the pair slips",
         unit="N",
         expected=120.0,
-        found=numbers["C2"]["slip_force_N"],
+        computed=numbers["C2"]["slip_force_N"],
         tolerance=1e-9,
     )
     yield compared(
@@ -58,7 +58,7 @@ def figures() -> Iterator[Check]:
         quantity="tangential force of the sun at 5 N·m",
         unit="N",
         expected=5.0 / (9.0 * 3.0 * 4e-3),
-        found=numbers["C7"]["T_sp_end_N"],
+        computed=numbers["C7"]["T_sp_end_N"],
         tolerance=1e-9,
     )
     loads = curves.loads
@@ -68,7 +68,7 @@ def figures() -> Iterator[Check]:
         quantity="published torsional stiffness at the output",
         unit="N·m/rad",
         expected=5.0e6,
-        found=float(loads.output_stiffness[0, 0]),
+        computed=float(loads.output_stiffness[0, 0]),
         tolerance=0.01,
     )
 
@@ -84,7 +84,7 @@ def roughness() -> Iterator[Check]:
         quantity="Pa, Pq and Pt for A = 1 µm",
         unit="µm",
         expected=[2.0 / np.pi, np.sqrt(0.5), 2.0],
-        found=1e6 * np.array([profile.arithmetic_mean, profile.root_mean_square, profile.total_height]),
+        computed=1e6 * np.array([profile.arithmetic_mean, profile.root_mean_square, profile.total_height]),
         tolerance=1e-4,
     )
     yield compared(
@@ -93,7 +93,7 @@ def roughness() -> Iterator[Check]:
         quantity="skewness and kurtosis",
         unit="-",
         expected=[0.0, 1.5],
-        found=[profile.skewness, profile.kurtosis],
+        computed=[profile.skewness, profile.kurtosis],
         tolerance=1e-6,
         absolute=True,
     )
@@ -107,7 +107,7 @@ def roughness() -> Iterator[Check]:
         quantity="Ra, Rq and Rz for A = 1 µm",
         unit="µm",
         expected=[1.0 / np.pi, np.sqrt(0.125), 1.0],
-        found=1e6 * np.array([rough.lengths[symbol] for symbol in ("Ra", "Rq", "Rz")]),
+        computed=1e6 * np.array([rough.lengths[symbol] for symbol in ("Ra", "Rq", "Rz")]),
         tolerance=1e-3,
     )
 
@@ -129,6 +129,6 @@ def units() -> Iterator[Check]:
         quantity=", ".join(text for text, _, _ in written),
         unit="SI",
         expected=[value for _, _, value in written],
-        found=[parse_quantity(text, dimension) for text, dimension, _ in written],
+        computed=[parse_quantity(text, dimension) for text, dimension, _ in written],
         tolerance=1e-15,
     )

@@ -55,7 +55,7 @@ def crowns() -> Iterator[Check]:
             quantity=quantity,
             unit="-",
             expected=[1.0, 1.0],
-            found=values,
+            computed=values,
             tolerance=0.02,
         )
     cylinder = crowned_line.crowned_line(
@@ -71,7 +71,7 @@ def crowns() -> Iterator[Check]:
         quantity="load per length without a crown, in the middle and at the ends",
         unit="N/mm",
         expected=[200.0, 200.0],
-        found=[1e-3 * float(cylinder.line_load[0]), 1e-3 * float(cylinder.end_line_load)],
+        computed=[1e-3 * float(cylinder.line_load[0]), 1e-3 * float(cylinder.end_line_load)],
         tolerance=1e-12,
     )
 
@@ -108,7 +108,7 @@ def skewed() -> Iterator[Check]:
         quantity="creep coefficients C11 and C22",
         unit="-",
         expected=[math.pi**2 / (4.0 * (1.0 - _POISSON)), math.pi**2 / 4.0],
-        found=slopes,
+        computed=slopes,
         tolerance=1e-6,
     )
     shares = jnp.array([0.1, 0.25, 0.5, 0.8, 0.95])
@@ -122,7 +122,7 @@ def skewed() -> Iterator[Check]:
         quantity="without skew: creepage at 10 to 95 % of friction over that at gross slip",
         unit="-",
         expected=1.0 - jnp.sqrt(1.0 - shares),
-        found=np.asarray(straight.longitudinal_creepage) / float(along),
+        computed=np.asarray(straight.longitudinal_creepage) / float(along),
         tolerance=1e-12,
     )
     yield compared(
@@ -131,7 +131,7 @@ def skewed() -> Iterator[Check]:
         quantity="skew alone: axial force over friction at the skew that takes 10 to 95 %",
         unit="-",
         expected=shares,
-        found=np.asarray(sideways),
+        computed=np.asarray(sideways),
         tolerance=1e-12,
     )
     # without contraction across, a strip answers alike in every direction of its plane
@@ -144,7 +144,7 @@ def skewed() -> Iterator[Check]:
         quantity="forces over friction at half of the creepage of gross slip, 3 : 4; force left by a skew of 60 %",
         unit="-",
         expected=[0.75 * 0.6, 0.75 * 0.8, 0.8],
-        found=[*map(float, half), float(left)],
+        computed=[*map(float, half), float(left)],
         tolerance=1e-12,
     )
     slides = skew.skewed_slip_ratios(longitudinal_creepage=3.0, lateral_creepage=4.0, **limits)
@@ -154,7 +154,7 @@ def skewed() -> Iterator[Check]:
         quantity="forces over friction",
         unit="-",
         expected=[0.6, 0.8],
-        found=[*map(float, slides)],
+        computed=[*map(float, slides)],
         tolerance=1e-5,
     )
 
@@ -182,7 +182,7 @@ def bearings() -> Iterator[Check]:
         quantity="basic rating life",
         unit="h",
         expected=940.0,
-        found=float(lives.life[0]) / 3600.0,
+        computed=float(lives.life[0]) / 3600.0,
         tolerance=1e-3,
     )
     million_turns = np.array([(8.0 / 0.8) ** (10.0 / 3.0), (8.0 / 1.6) ** (10.0 / 3.0)])
@@ -194,7 +194,7 @@ def bearings() -> Iterator[Check]:
         quantity="life under the first load, and under both for 60 and 40 % of the time",
         unit="h",
         expected=[hours[0], 1.0 / (0.6 / hours[0] + 0.4 / hours[1])],
-        found=np.array([float(lives.life[1]), float(lives.duty_life[1])]) / 3600.0,
+        computed=np.array([float(lives.life[1]), float(lives.duty_life[1])]) / 3600.0,
         tolerance=1e-12,
     )
     yield compared(
@@ -203,6 +203,6 @@ def bearings() -> Iterator[Check]:
         quantity="static safety",
         unit="-",
         expected=[3.15, 5.625],
-        found=np.asarray(lives.static_safety),
+        computed=np.asarray(lives.static_safety),
         tolerance=1e-12,
     )

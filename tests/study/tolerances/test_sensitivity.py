@@ -50,7 +50,7 @@ def test_ratios_are_pure_numbers(homogeneous, found):
 
 def test_derivatives_are_limits_of_differences(homogeneous, found):
     inputs, tables = numeric_keys(homogeneous), si_values(homogeneous)
-    chosen = [path for path, entry in inputs.items() if not entry.key.whole]
+    chosen = [path for path, entry in inputs.items() if not entry.key.integer]
     steps = {path: 1e-5 * (abs(inputs[path].value) or 1.0) for path in chosen}
     count = 2 * len(chosen)
     points = {path: np.full(count, inputs[path].value) for path in chosen}

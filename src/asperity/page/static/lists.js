@@ -2,7 +2,7 @@
 
 import { element } from "/numbers.js";
 
-const EACH = "each"; // the branches are as many as the drive has
+const ONE_PER_BRANCH = "each"; // the branches are as many as the drive has
 const WORDS = {
   duty: { one: "load", add: "Add a load" },
   branch: { one: "branch", add: "Give each branch its own sizes", remove: "Equal branches" },
@@ -41,7 +41,7 @@ export class Lists {
     const { of_file: ofFile, one_for_each: counted, most } = this.stated[name];
     const said = changes[name];
     if (said === undefined) return ofFile.map((_, i) => i + 1);
-    if (said !== EACH) return String(said).split(" ", most).filter(Boolean).map((each) => Number(each) || 0); // links may say anything
+    if (said !== ONE_PER_BRANCH) return String(said).split(" ", most).filter(Boolean).map((each) => Number(each) || 0); // links may say anything
     const count = Number(changes[counted] ?? this.counts[counted]);
     if (!(Number.isInteger(count) && count > 0 && count <= most)) return this.shown.get(name) || [];
     return Array.from({ length: count }, (_, i) => (i < ofFile.length ? i + 1 : 0));
@@ -119,7 +119,7 @@ export class Lists {
 
   add(name) {
     if (this.stated[name].one_for_each) {
-      this.controls.together({ ...Object.fromEntries(this.own(name)), [name]: EACH }, [name]);
+      this.controls.together({ ...Object.fromEntries(this.own(name)), [name]: ONE_PER_BRANCH }, [name]);
       this.bodies.get(name).querySelector("input[type=text]")?.focus();
       return;
     }
@@ -184,7 +184,7 @@ export class Lists {
   /** What follows from a new number of branches. */
   following(path) {
     const found = Object.entries(this.stated).find(([name, { one_for_each: counted }]) => counted === path && this.places(name).length);
-    return found ? { [found[0]]: EACH } : {};
+    return found ? { [found[0]]: ONE_PER_BRANCH } : {};
   }
 
   /** The field that was changed last in the list that a message is about, or else the list itself. */

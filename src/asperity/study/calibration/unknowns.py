@@ -184,7 +184,7 @@ def _of_joint(path: str, sides: list[str], case: AnyCase) -> Variable:
     key = key_at(path, case.type)
     if path == "load.output_torque":
         raise InputError("load.output_torque is measured here, it cannot be unknown")
-    if key.whole:
+    if key.integer:
         raise InputError(f"'{path}' is a whole number and cannot be calibrated")
     stated = numeric_keys(case).get(path)
     linear = path.rsplit(".", 1)[-1].endswith(_LINEAR_KINDS)

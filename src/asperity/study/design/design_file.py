@@ -198,7 +198,7 @@ def _variable(path: str, entry: dict[str, Any], kind: str) -> Variable:
     except InputError as error:
         raise InputError(f"{where}: {error}") from None
     _only(entry, ("lower", "upper", "scale", "finish", "step"), where)
-    if key.whole:
+    if key.integer:
         raise InputError(
             f"{where}: whole numbers cannot be free variables; run a separate design for each value"
         )

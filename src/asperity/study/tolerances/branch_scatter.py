@@ -89,13 +89,13 @@ def branch_scatter(
     joint = joint_from_case(case)
     count = round(float(joint.drive.sectors))
     tracks = toleranced_tracks(values, tuple(tolerances))
-    if not any(track.own for track in tracks):
+    if not any(track.per_branch for track in tracks):
         raise InputError("no roller off the axis has a tolerance of its radius: the branches are equal")
     base, random = deviations_of(values), np.random.default_rng(seed)
     added = np.tile(base.added, (draws, 1, 1))
     for track in tracks:
         entry, scatter = tolerances[track.path]
-        uniform = random.random((draws, count if track.own else 1))
+        uniform = random.random((draws, count if track.per_branch else 1))
         added += (quantiles(entry, scatter, uniform) - entry.value)[:, :, None] * track.per_size
     solution = solve_joint(joint)
     forward = float(joint.output_torque) >= 0.0
