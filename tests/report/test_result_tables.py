@@ -77,7 +77,9 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     assert held[1:] == ("108", "8748", "2.545")  # over 9²; times pi/10 800
     unknown, law, whole = (b.text for b in blocks if isinstance(b, Paragraph))
     assert unknown == "No value: it slips."
-    assert law == "Asperities alone: outside the range of that level, largest spot up to 2; choose another law."
+    assert (
+        law == "Asperities alone: outside the range of that level, largest spot up to 2; choose another law."
+    )
     assert whole.endswith("a free ring's bending, for example.")
     assert found["Stiffness budget: shares of the compliance of the assembled joint"] == [
         ("sp asperity", "50"), ("bodies", "25"), ("pins", "12.5"),
