@@ -56,6 +56,18 @@ def discs() -> Iterator[Check]:
         computed=1e9 * (c[0, 0] + c[0, 1] + c[1, 0] + c[1, 1]),
         tolerance=5e-4,
     )
+    # of a half-space, by the same derivative: (2 ln(2d/b) - nu/(1 - nu) - 1) in place of (2 ln(4R/b) - 2)
+    half = 0.5 * (c[0, 0] + c[0, 1] + c[1, 0] + c[1, 1]) * math.pi * _MODULUS * _LENGTH / (1.0 - _POISSON**2)
+    depth = 0.5 * 80e-6 * math.exp(0.5 * (half + _POISSON / (1.0 - _POISSON) + 1.0))
+    yield compared(
+        model=_MODEL,
+        reference="measured: three quarters of the diameter, J. Tribol. 110(2) 285 (1988)",
+        quantity="depth at which a half-space moves as the middle of a roller, over the diameter",
+        unit="-",
+        expected=0.75,
+        computed=depth / (2.0 * 13.5e-3),
+        tolerance=0.02,
+    )
 
 
 def rings() -> Iterator[Check]:
