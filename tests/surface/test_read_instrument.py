@@ -10,6 +10,7 @@ import pytest
 from asperity.errors import InputError, MissingExtraError
 from asperity.surface import read_instrument
 from asperity.surface.height_parameters import height_parameters
+from asperity.surface.input_file import MEBIBYTE
 from asperity.surface.levelling import levelled
 from asperity.surface.measure_files import read_surface
 
@@ -214,6 +215,31 @@ def test_x3p_variants_are_named(tmp_path):
     ):
         with pytest.raises(InputError, match=says):
             read_surface(path=x3p(tmp_path / "a.x3p", **arguments))
+
+
+def test_an_x3p_with_more_heights_than_its_description_says_is_refused(tmp_path):
+    """A small container of zeros would fill the memory; entries that the description does not name are not read."""
+    pytest.importorskip("SurfaceTopography")
+    file = x3p(tmp_path / "a.x3p")
+    with zipfile.ZipFile(file, "a", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("more/clutter.bin", bytes(8 * MEBIBYTE))
+    assert read_surface(path=file).heights.shape == (6, 8)
+    with zipfile.ZipFile(file) as archive:
+        description = archive.read("main.xml")
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("main.xml", description)
+        archive.writestr("bindata/data.bin", bytes(8 * MEBIBYTE))
+    with pytest.raises(InputError, match=r"holds 8 MiB of heights; its main.xml speaks of 48 points, 1 MiB"):
+        read_surface(path=file)
+
+
+def test_a_file_of_zeros_is_refused_at_once(tmp_path):
+    """Sparse, of 1 GiB: no reader has to go through it."""
+    file = tmp_path / "a.dat"
+    with file.open("wb") as stream:
+        stream.truncate(1024 * MEBIBYTE)
+    with pytest.raises(InputError, match=r"a\.dat begins with 4096 zeros"):
+        read_surface(path=file)
 
 
 def test_a_size_that_is_not_that_of_the_header_is_refused(tmp_path, monkeypatch):

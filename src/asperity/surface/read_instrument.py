@@ -60,6 +60,10 @@ def text_format(beginning: bytes) -> str | None:
 def instrument_topography(*, path: Path, beginning: bytes, height_unit: str | None) -> Topography:
     """Heights of an instrument file in metres, by its first bytes; a unit for formats that do not store one."""
     name = _format_name(path, beginning)
+    if not beginning.strip(b"\0"):
+        raise InputError(
+            f"{path.name} begins with {len(beginning)} zeros: it is no surface file, or a damaged one"
+        )
     if name == "XML":
         raise InputError(
             f"{path.name} is XML, not a table of numbers; of an X3P measurement give the .x3p file itself"
@@ -191,29 +195,32 @@ def is_x3p(path: Path) -> bool:
 def x3p_container(path: Path) -> tuple[str | io.BytesIO, tuple[float, float]]:
     """The container as the reader wants it, and its size along x and y [m], points times increment.
 
-    A copy has the entries on top, is without clutter, and empty offsets are written as zero.
+    A copy has the entries on top, only those that its main.xml names, and empty offsets are written as zero.
     """
     try:
         with zipfile.ZipFile(path) as archive:
-            names = _entries(archive)
             main = _descriptions(archive)[0]
-            if sum(archive.getinfo(n).file_size for n in names) > LARGEST_CONTENT:
-                raise InputError(
-                    f"{path.name}: its content is larger than {LARGEST_CONTENT / MEBIBYTE:g} MiB"
-                )
             if archive.getinfo(main).file_size > LARGEST_DESCRIPTION:
                 raise InputError(
                     f"{path.name}: its main.xml is larger than {LARGEST_DESCRIPTION / MEBIBYTE:g} MiB"
                 )
             description = archive.read(main)
-            size = _size(description, path.name)
+            size, points, links = _described(description, path.name)
             repaired = re.sub(rb"<Offset\s*/>|<Offset>\s*</Offset>", b"<Offset>0.0</Offset>", description)
             folder = main[: -len("main.xml")]
-            if not folder and repaired == description:
+            names = [main, *(name for name in archive.namelist() if name.removeprefix(folder) in links)]
+            content, most = sum(archive.getinfo(name).file_size for name in names[1:]), _content(points)
+            if content > min(most, LARGEST_CONTENT):
+                raise InputError(
+                    f"{path.name} (X3P) holds {content / MEBIBYTE:.4g} MiB of heights; its main.xml speaks of "
+                    f"{points} points, {most / MEBIBYTE:.4g} MiB, and {LARGEST_CONTENT / MEBIBYTE:g} MiB are the most "
+                    "that is read"
+                )
+            if not folder and repaired == description and set(names) == set(archive.namelist()):
                 return str(path), size
             rebuilt = io.BytesIO()
             with zipfile.ZipFile(rebuilt, "w") as copy:
-                for name in (n for n in names if n.startswith(folder)):
+                for name in names:
                     copy.writestr(name[len(folder) :], repaired if name == main else archive.read(name))
     except InputError:
         raise
@@ -233,8 +240,13 @@ def _descriptions(archive: zipfile.ZipFile) -> list[str]:
     return [n for n in _entries(archive) if n.rsplit("/", 1)[-1] == "main.xml"]
 
 
-def _size(description: bytes, source: str) -> tuple[float, float]:
-    """Size along x and y [m] from main.xml."""
+def _content(points: int) -> int:
+    """Most bytes of the heights of so many points, of their flags, and of what surrounds them."""
+    return 9 * points + MEBIBYTE
+
+
+def _described(description: bytes, source: str) -> tuple[tuple[float, float], int, set[str]]:
+    """Size along x and y [m], number of points, and entries with the data and the checksum, from main.xml."""
     try:
         root = ElementTree.fromstring(description)
     except (ElementTree.ParseError, ValueError, LookupError):
@@ -255,14 +267,14 @@ def _size(description: bytes, source: str) -> tuple[float, float]:
             f"{source} (X3P) is of the feature type '{kind}'; only equally spaced surfaces (SUR) are read: "
             "export it as text"
         )
-    sizes = []
+    sizes, points = [], 1
     for axis in "XY":
         count, increment = (
             text(f"Record3/MatrixDimension/Size{axis}"),
             text(f"Record1/Axes/C{axis}/Increment"),
         )
         try:
-            size = int(count) * float(increment)
+            points, size = points * int(count), int(count) * float(increment)
         except (ValueError, OverflowError):
             size = math.nan
         if not (size > 0.0 and math.isfinite(size)):
@@ -271,4 +283,7 @@ def _size(description: bytes, source: str) -> tuple[float, float]:
                 f"{axis.lower()}; both must be positive"
             )
         sizes.append(size)
-    return sizes[0], sizes[1]
+    layers = text("Record3/MatrixDimension/SizeZ")
+    points *= int(layers) if layers.isdecimal() else 1
+    links = {text(f"Record3/DataLink/{link}").lstrip("./") for link in ("PointDataLink", "ValidPointsLink")}
+    return (sizes[0], sizes[1]), points, {*links - {""}, text("Record4/ChecksumFile") or "md5checksum.hex"}
