@@ -68,6 +68,16 @@ def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
     refusal(paper_joint(output_torque=capacity * 1.001))
 
 
+@pytest.mark.parametrize("torque", [30.0, -16.0])
+def test_the_message_on_the_torque_tells_the_preload_that_carries_it(paper_joint, torque):
+    """About as many times the preload as the torque is times the capacity."""
+    message = refusal(paper_joint(output_torque=torque))
+    preload = float(message.split("raise the preload to ")[1].split(" ")[0])
+    assert preload == pytest.approx(1000.0 * abs(torque) / 13.16, rel=0.03)
+    solve_joint(paper_joint(output_torque=torque, preload=preload))
+    assert "beyond the torque capacity" in refusal(paper_joint(output_torque=torque, preload=0.98 * preload))
+
+
 def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_joint):
     capacities = [solve_joint(paper_joint(output_torque=torque)).capacity for torque in (0.0, 5.0, 13.0)]
     assert {int(found.limiting_contact) for found in capacities} == {0}

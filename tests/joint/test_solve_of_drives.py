@@ -122,8 +122,11 @@ def test_a_torque_beyond_the_capacity_is_refused(planar_case):
     slow = planar_case("planetary", replaced={'"10 N*m"': '"13 N*m"'})
     with pytest.raises(
         InputError, match=r"13 N·m is beyond the torque capacity 12\.1\d N·m, at which contact sp slips"
-    ):
+    ) as refused:
         solve_case(slow)
+    interference = str(refused.value).split("raise the interference to ")[1].split(",")[0]
+    tighter = planar_case("planetary", replaced={'"10 N*m"': '"13 N*m"', '"30 um"': f'"{interference}"'})
+    assert float(solve_case(tighter)[0].solution.capacity.output_torque) == pytest.approx(13.0, rel=0.01)
 
 
 def test_an_interference_without_a_balance_is_told(planar_case):

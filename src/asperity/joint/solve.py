@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -26,6 +27,8 @@ from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.precision import require_double_precision
 from asperity.units import format_quantity
+
+_TRIES = 12  # of a preload that carries a torque
 
 
 class Solution(eqx.Module):
@@ -243,11 +246,11 @@ def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
         return
     if bool(result.solved) or (math.isfinite(limit) and abs(torque) >= limit):
         words = limit_words(capacity, contacts=result.contact_names)
-        remedy = (
-            "lower the torque, or change preload, friction coefficient or contact lengths"
-            if limit > 0.0
-            else "raise the preload, or lower the speed"
-        )
+        remedy = "raise the preload, or lower the speed"
+        if limit > 0.0:
+            pressed = _press_that_carries(joint, torque)
+            change = "" if pressed else "preload, "
+            remedy = f"lower the torque{pressed}, or change {change}friction coefficient or contact lengths"
         raise InputError(
             f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity "
             f"{format_quantity(math.copysign(limit, torque), 'N*m')}, at which {words}; {remedy}"
@@ -256,6 +259,31 @@ def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
         f"no balance under {format_quantity(torque, 'N*m')} was found (residual "
         f"{float(result.forces.balance_residual):.3g}); lower the torque or the speed"
     )
+
+
+def _press_that_carries(joint: Joint, torque: float) -> str:
+    """The preload or interference whose torque capacity is larger than a torque, in words; "" where none is known.
+
+    The capacity is about proportional to it: it is scaled by the missing share until the capacity agrees to a
+    thousandth, rounded up to three digits, and tried.
+    """
+    key, unit = ("preload", "N") if joint.interference is None else ("interference", "um")
+    if joint.cam is not None or joint.fit is not None or joint.unlike is not None:
+        return ""
+    size = float(np.asarray(getattr(joint, key)))
+    for _ in range(_TRIES):
+        step = 10.0 ** (math.floor(math.log10(size)) - 2)
+        rounded = step * math.ceil(size / step - 1e-9)
+        change: dict[str, Any] = {key: np.asarray(rounded)}
+        solution = solution_of(dataclasses.replace(joint, **change))
+        capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
+        limit = float(capacity.output_torque)
+        if LIMIT_KINDS[int(capacity.limit)] not in ("gross_slip", "lift_off", "none") or not limit > 0.0:
+            return ""
+        if abs(torque) < limit < 1.01 * abs(torque) + step / size * limit:
+            return f", raise the {key} to {format_quantity(rounded, unit)}"
+        size = rounded * abs(torque) / limit * (1.0 + 1e-3)
+    return ""
 
 
 def refuse_not_pressed(joint: Joint, *assembled: DriveState) -> None:
