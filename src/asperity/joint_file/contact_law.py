@@ -32,8 +32,8 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -
         )
     if stated == "measured":
         raise InputError(
-            'model.contact_law = "measured" needs a measured map: asperity surface measure MAP --hardness "7 GPa" '
-            "--json > map.json, and then --surface map.json; or surface.decay_length in the file"
+            'model.contact_law = "measured" needs a measured map that was pressed with a hardness, such as '
+            '"7 GPa" (asperity surface measure), beside the file, or surface.decay_length in it'
         )
     if by_height and stated == "zou_2025":
         raise InputError(

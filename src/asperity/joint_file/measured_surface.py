@@ -175,7 +175,7 @@ def _refuse_without_elements(measured: MeasuredRoughness) -> None:
     if not measured.spectra or any(spectrum.pressed is None for spectrum in measured.spectra):
         raise InputError(
             f'{measured.source}: a measurement without boundary elements, which model.contact_law = "measured" takes: '
-            'measure the map again with --hardness, such as "7 GPa", that of the softer body'
+            'measure the map again with a hardness, such as "7 GPa", that of the softer body'
         )
 
 
