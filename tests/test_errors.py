@@ -13,6 +13,7 @@ from asperity.errors import (
     MissingExtraError,
     NoSolutionError,
     PrecisionError,
+    nearest,
     printable,
     quoted,
 )
@@ -76,3 +77,15 @@ def test_no_message_names_an_option_which_only_the_command_line_has():
         ]
         found += [f"{file.name}: {text}" for text in texts if re.search(r"(^|[\s('])--[a-z]", text)]
     assert found == []
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("push_angle", "; did you mean 'left_push_angle' or 'right_push_angle'?"),  # likeness 0.80 and 0.77
+        ("right_push_angel", "; did you mean 'right_push_angle'?"),
+        ("viscosity", ""),
+    ],
+)
+def test_names_as_alike_as_the_best_one_are_told_beside_it(name, told):
+    assert nearest(name, ("left_push_angle", "right_push_angle", "ring_radius")) == told

@@ -10,6 +10,8 @@ from contextvars import ContextVar
 LONGEST_QUOTE = 80
 #: Errors of one file that are told; the others are counted.
 MOST_ERRORS = 20
+#: Names whose likeness to a given one, 0 to 1, is less below that of the best one are told beside it.
+_AS_ALIKE = 0.05
 _LONGEST_SENTENCE = 1000
 
 #: What runs, in words, where the command line has set it; messages name it.
@@ -79,9 +81,20 @@ def closest(name: str, known: Iterable[str]) -> str | None:
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """``"; did you mean 'x'?"`` for the known name most like the given one, or nothing."""
-    other = closest(name, known)
-    return f"; did you mean '{other}'?" if other else ""
+    """``"; did you mean 'x' or 'y'?"`` for the known names most like the given one, or nothing."""
+    import difflib
+
+    names = list(known)
+    best = closest(name, names)
+    if best is None:
+        return ""
+    if sorted(best) == sorted(name):  # letters in the wrong order leave no doubt
+        return f"; did you mean '{best}'?"
+    given = name[:200]
+    alike = difflib.SequenceMatcher(b=given, a=best).ratio() - _AS_ALIKE
+    others = difflib.get_close_matches(given, names, n=3, cutoff=max(alike, 0.5))
+    told = " or ".join(f"'{other}'" for other in dict.fromkeys([best, *others]))
+    return f"; did you mean {told}?"
 
 
 def listed(sentences: Sequence[str], *, more: int = 0) -> str:
