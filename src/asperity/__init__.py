@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from asperity import errors
     from asperity.api.calibration import calibrate
+    from asperity.api.comparison import compare
     from asperity.api.design import design
     from asperity.api.export import export_joint
     from asperity.api.joint import load
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 #: Where the functions for scripts are; the names stand here so that importing the package loads none of them.
 _OFFERED = {
     "calibrate": "asperity.api.calibration",
+    "compare": "asperity.api.comparison",
     "design": "asperity.api.design",
     "export_joint": "asperity.api.export",
     "load": "asperity.api.joint",
@@ -35,6 +37,7 @@ _OFFERED = {
 
 __all__ = [
     "calibrate",
+    "compare",
     "design",
     "errors",
     "export_joint",

@@ -23,6 +23,7 @@ from asperity.errors import RUNNING, AsperityError
 #: Command name → one-line help, shown without importing the module of the command, which has its name.
 COMMANDS: dict[str, str] = {
     "joint": "Forces, stiffness and warnings of a joint file.",
+    "compare": "Two joint files side by side: what differs, and what comes of it.",
     "sweep": "Evaluate a joint file on a grid of any of its numbers.",
     "sensitivity": "Influence of every number of a joint file, by exact derivatives.",
     "uncertainty": "Intervals of the results from the tolerances of a joint file.",
