@@ -56,3 +56,26 @@ def test_a_search_for_unknowns_that_are_not_determined_is_given_up():
         longest=1e4,
     )
     assert not float(last) < 1e4
+
+
+@pytest.mark.parametrize(
+    ("equation", "start", "steps"),
+    [
+        # x^2 = 2: after 1e-4 a step of 1e-8/(2 sqrt 2), and the next one would be 4e-18
+        (lambda x: x * x - 2.0, 2.0**0.5 + 1e-4, 2),
+        # x^2 = 0: every step is half as long as the one before, until a quarter of one is below 1e-13
+        (lambda x: x * x, 1.0, 42),
+    ],
+)
+def test_a_search_ends_where_the_next_step_would_be_rounding(equation, start, steps):
+    count = []
+
+    def step_at(x):
+        jax.debug.callback(lambda _: count.append(1), x[0])
+        return step_of(equation)(x)
+
+    x, _ = newton(step_at, jnp.array([start]), positive=1)
+    jax.block_until_ready(x)
+    jax.effects_barrier()
+    assert len(count) == steps
+    assert abs(float(equation(x[0]))) < 1e-15
