@@ -38,6 +38,8 @@ def test_the_papers_joint(solved_paper, paper_joint):
         ({"ring_radius": 30e-3}, "planet and ring overlap by 1 mm"),
         ({"ring_radius": 60e-3}, "there is no place for right_loading_roller"),
         ({"loading_roller_radius": 50e-3}, "there is no place for right_loading_roller"),
+        # as large as the ring
+        ({"loading_roller_radius": 40e-3}, "there is no place for right_loading_roller"),
         ({"planet_count": 5.0}, r"neighbours of planet overlap by 6\.42752 mm"),
         # OW sin(alpha) against R_w, both from the radii by hand
         ({"ring_radius": 40.9e-3}, "right_loading_roller and left_loading_roller overlap"),

@@ -272,6 +272,8 @@ def _press_that_carries(joint: Joint, torque: float) -> str:
         return ""
     size = float(np.asarray(getattr(joint, key)))
     for _ in range(_TRIES):
+        if not 0.0 < size < math.inf:
+            return ""
         step = 10.0 ** (math.floor(math.log10(size)) - 2)
         rounded = step * math.ceil(size / step - 1e-9)
         change: dict[str, Any] = {key: np.asarray(rounded)}

@@ -97,8 +97,9 @@ def triangle(geometry: DriveGeometry) -> Triangle:
     planet_orbit = geometry.sun_radius + geometry.planet_radius
     roller_distance = geometry.planet_radius + geometry.loading_roller_radius
     roller_orbit = geometry.ring_radius - geometry.loading_roller_radius
-    cos_polar = (planet_orbit**2 + roller_orbit**2 - roller_distance**2) / (2.0 * planet_orbit * roller_orbit)
-    xp = namespace(cos_polar)
+    legs = 2.0 * planet_orbit * roller_orbit  # none where the loading roller is as large as the ring
+    xp = namespace(legs)
+    cos_polar = (planet_orbit**2 + roller_orbit**2 - roller_distance**2) / xp.where(legs == 0.0, xp.nan, legs)
     closes = xp.abs(cos_polar) < 1.0
     sin_polar = xp.sqrt(xp.where(closes, 1.0 - cos_polar**2, xp.nan))
     cos_direction = (roller_orbit * cos_polar - planet_orbit) / roller_distance
