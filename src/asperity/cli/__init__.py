@@ -43,9 +43,9 @@ COMMANDS: dict[str, str] = {
     "schema": "Print the JSON schema of joint files, for editors.",
     "completion": "Print a shell completion script.",
     "reproduce": "Recompute the paper's figures and check its claims.",
-    "surface": "Measure D and G of rough surfaces, make and combine them.",
+    "surface": "Measure roughness, spectrum, D and G of surfaces, make and combine them.",
     "validate": "Evidence that this installation computes correctly.",
-    "verify-contact": "Compare the fractal contact law with boundary elements.",
+    "verify-contact": "Compare contact laws with boundary elements, also on a measured map.",
 }
 #: Commands that share a module.
 _MODULES = dict.fromkeys(("init", "schema", "completion"), "start")
