@@ -13,7 +13,7 @@ from asperity.drive.layout.drive import speed_ratio
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.study import batch
 from asperity.study.batch import derivatives_at, evaluate_points, numbers, point_kernel
 
@@ -117,6 +117,29 @@ def test_slopes_are_the_derivatives(values):
             difference = (ends[0][name] - ends[1][name]) / (2.0 * step)
             scale = np.abs(found[name]).max() / value
             assert slopes[name][..., index] == pytest.approx(difference, rel=1e-5, abs=1e-7 * scale), name
+
+
+@pytest.mark.slow
+def test_derivatives_in_reverse_are_those_forwards(planar_case, monkeypatch):
+    case = planar_case("planetary")
+    tables, numeric = si_values(case), numeric_keys(case)
+    results = ("assembly_stiffness_output", "torque_capacity")
+    paths = (
+        "load.output_torque",
+        "drive.ring_wall_thickness",
+        "drive.sun_radius",
+        "surface.fractal_dimension",
+    )
+    point = {"load.output_torque": np.array([4.0, 8.0])}
+    point |= {path: np.full(2, numeric[path].value) for path in paths[1:]}
+    monkeypatch.setattr(batch, "_REVERSE_BLOCKS", 0)
+    backwards = derivatives_at(tables, point, results, paths, block=4)
+    monkeypatch.setattr(batch, "_REVERSE_BLOCKS", 100)
+    forwards = derivatives_at(tables, point, results, paths, block=4)
+    for name in results:
+        assert backwards[1][name] == pytest.approx(forwards[1][name], rel=1e-12)
+        assert backwards[2][name] == pytest.approx(forwards[2][name], rel=1e-9, abs=1e-9)
+        assert np.count_nonzero(forwards[2][name]) >= 6
 
 
 @pytest.mark.slow

@@ -14,7 +14,8 @@ those of the unloaded machine: in a batch of loads they are found once.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -115,26 +116,64 @@ def closed_kernel(*, angle: Array, plus: Real, minus: Real, sectors: Array) -> R
     ----------
     Equations (E1) and (E2) of :doc:`/equations`.
     """
-    shape = jnp.broadcast_shapes(jnp.shape(angle), jnp.shape(plus), jnp.shape(minus), jnp.shape(sectors))
-    zero = jnp.zeros((_CLOSED, *shape))
-    turn = 2.0 * math.pi / sectors
+    numbers = jnp.broadcast_arrays(*(jnp.asarray(number, float) for number in (angle, plus, minus, sectors)))
+    zero = jnp.zeros((_CLOSED, *numbers[0].shape))
 
-    def one_more(total: tuple[Array, Array], sector: Array) -> tuple[tuple[Array, Array], None]:
-        def added(total: tuple[Array, Array]) -> tuple[Array, Array]:
-            separated = (sector < sectors) & ((sector > 0.0) | (angle != 0.0))
-            sums = separated_derivatives(jnp.where(separated, angle + turn * sector, math.pi))
-            straight = plus * sums.cosine_plus + minus * sums.cosine_minus
-            crossed = plus * sums.sine_plus - minus * sums.sine_minus
-            return total[0] + jnp.where(separated, straight, 0.0), total[1] + jnp.where(
-                separated, crossed, 0.0
-            )
+    def of_sector(
+        index: Array, angle: Array, plus: Array, minus: Array, sectors: Array
+    ) -> tuple[Array, Array]:
+        separated = (index < sectors) & ((index > 0) | (angle != 0.0))
+        turn = 2.0 * math.pi / sectors
+        sums = separated_derivatives(jnp.where(separated, angle + turn * index, math.pi))
+        straight = plus * sums.cosine_plus + minus * sums.cosine_minus
+        crossed = plus * sums.sine_plus - minus * sums.sine_minus
+        return jnp.where(separated, straight, 0.0), jnp.where(separated, crossed, 0.0)
 
-        return jax.lax.cond(jnp.any(sector < sectors), added, lambda total: total, total), None
+    def unfinished(index: Array, angle: Array, plus: Array, minus: Array, sectors: Array) -> Array:
+        return (index < MOST_SECTORS) & (index < sectors)
 
-    (straight, crossed), _ = jax.lax.scan(one_more, (zero, zero), jnp.arange(MOST_SECTORS, dtype=float))
-    none = jnp.zeros((MOMENTS - _CLOSED, *shape))
+    straight, crossed = _summed(of_sector, unfinished, (zero, zero), numbers)
+    none = jnp.zeros((MOMENTS - _CLOSED, *numbers[0].shape))
     straight, crossed = jnp.concatenate([straight, none]), jnp.concatenate([crossed, none])
     return RimKernel(straight, straight, crossed)
+
+
+def _summed(
+    term: Callable[..., tuple[Array, ...]],
+    unfinished: Callable[..., Array],
+    zero: tuple[Array, ...],
+    numbers: Sequence[Array],
+) -> tuple[Array, ...]:
+    """Sums of terms 0, 1, ... while any is unfinished, of numbers of one shape, with derivatives in both modes.
+
+    The sums at one place depend on the numbers at that place only.
+    """
+
+    def total(*numbers: Array) -> tuple[Array, ...]:
+        def going(state: tuple[Array, tuple[Array, ...]]) -> Array:
+            return jnp.any(unfinished(state[0], *numbers))
+
+        def added(state: tuple[Array, tuple[Array, ...]]) -> tuple[Array, tuple[Array, ...]]:
+            index, sums = state
+            parts = term(index, *numbers)
+            return index + 1.0, tuple(one + part for one, part in zip(sums, parts, strict=True))
+
+        return jax.lax.while_loop(going, added, (jnp.zeros(()), zero))[1]
+
+    of_numbers = jax.custom_jvp(total)
+
+    @of_numbers.defjvp
+    def derivative(primals: tuple[Array, ...], tangents: tuple[Array, ...]) -> tuple[Any, Any]:
+        def by(number: Array) -> tuple[Any, Any]:
+            one = tuple(
+                jnp.where(number == i, jnp.ones_like(primal), 0.0) for i, primal in enumerate(primals)
+            )
+            return jax.jvp(total, primals, one)
+
+        sums, slopes = jax.vmap(by, out_axes=(None, 0))(jnp.arange(len(primals)))
+        return sums, jax.tree.map(lambda slope: sum(map(jnp.multiply, slope, tangents)), slopes)
+
+    return of_numbers(*numbers)
 
 
 def walls_resolved(*, ratio: Real, sectors: Real, one_sector: bool) -> Array:
@@ -192,36 +231,35 @@ def other_rim(*, wall: Wall, angle: Array, sectors: Array, one_sector: np.ndarra
     ----------
     Equation (E2) of :doc:`/equations`.
     """
-    first = jnp.where(one_sector, 2.0, sectors)
-    rate = wall.ratio**wall.side
-    shapes = [jnp.shape(leaf) for leaf in jax.tree.leaves((wall, rate, first))]
+    shapes = [jnp.shape(leaf) for leaf in (*jax.tree.leaves(wall), sectors, one_sector)]
     shape = jnp.broadcast_shapes(angle.shape, *shapes)
-    zero = jnp.zeros((MOMENTS, *shape))
+    given = (angle, sectors, wall.ratio, wall.kolosov, *wall.radial, *wall.tangential)
+    numbers = [jnp.broadcast_to(jnp.asarray(number, float), shape) for number in given]
 
-    def left(chunk: Array) -> Array:
+    def first_of(sectors: Array) -> Array:
+        return jnp.where(one_sector, 2.0, sectors)
+
+    def left(chunk: Array, _: Array, sectors: Array, ratio: Array, *others: Array) -> Array:
         """Share of the first mode of a chunk."""
-        return jnp.asarray(_omitted(first + sectors * (_CHUNK * chunk), rate))
+        return jnp.asarray(_omitted(first_of(sectors) + sectors * (_CHUNK * chunk), ratio**wall.side))
 
-    def one_mode(total: RimKernel, index: Array) -> tuple[RimKernel, None]:
-        mode = first + sectors * index
-        added = added_compliance(mode=mode, decay=rate**mode, wall=wall)
+    def unfinished(chunk: Array, *numbers: Array) -> Array:
+        return (chunk < _CHUNKS) & (left(chunk, *numbers) > _OMITTED)
+
+    def of_chunk(chunk: Array, angle: Array, sectors: Array, *of_wall: Array) -> tuple[Array, Array, Array]:
+        ratio, kolosov, radial, radial_fixed, tangential, tangential_fixed = of_wall
+        index = chunk * _CHUNK + np.arange(float(_CHUNK)).reshape((-1,) + (1,) * len(shape))
+        mode = first_of(sectors) + sectors * index
+        walls = Wall(wall.side, ratio, kolosov, (radial, radial_fixed), (tangential, tangential_fixed))
+        added = added_compliance(mode=mode, decay=ratio ** (wall.side * mode), wall=walls)
         square = -(mode**2)
         power = jnp.stack([square**order for order in range(MOMENTS)])
         cosine, sine = jnp.cos(mode * angle), jnp.sin(mode * angle)
-        return RimKernel(
-            total.radial + power * (added.radial * cosine),
-            total.tangential + power * (added.tangential * cosine),
-            total.coupling + power * (added.coupling * sine),
-        ), None
+        parts = (added.radial * cosine, added.tangential * cosine, added.coupling * sine)
+        return jnp.sum(power * parts[0], 1), jnp.sum(power * parts[1], 1), jnp.sum(power * parts[2], 1)
 
-    def one_chunk(total: RimKernel, chunk: Array) -> tuple[RimKernel, None]:
-        def summed(total: RimKernel) -> RimKernel:
-            return jax.lax.scan(one_mode, total, chunk * _CHUNK + jnp.arange(_CHUNK, dtype=float))[0]
-
-        return jax.lax.cond(jnp.any(left(chunk) > _OMITTED), summed, lambda total: total, total), None
-
-    total, _ = jax.lax.scan(one_chunk, RimKernel(zero, zero, zero), jnp.arange(_CHUNKS, dtype=float))
-    converged = left(jnp.asarray(float(_CHUNKS))) <= _OMITTED
+    total = _summed(of_chunk, unfinished, (jnp.zeros((MOMENTS, *shape)),) * 3, numbers)
+    converged = left(jnp.asarray(float(_CHUNKS)), *numbers) <= _OMITTED
     total = RimKernel(*(jnp.where(converged, sectors * part, jnp.nan) for part in total))
     if not one_sector.any():
         return total

@@ -11,6 +11,7 @@ from __future__ import annotations
 import functools
 import itertools
 import json
+import math
 import threading
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -48,6 +49,8 @@ BATCH = 1_024
 QUICK_POINTS = 20_000
 #: Most points of one call of the program with derivatives; more points are more calls.
 DERIVATIVE_BATCH = 64
+#: Calls in forward mode beyond which reverse mode, whose program takes half as long again to compile, finishes sooner.
+_REVERSE_BLOCKS = 4
 #: Held by a program that solves linear equations: XLA runs LAPACK on a large batch in its pool of threads, and as many
 #: such calls at once as the pool has threads, from threads of ours, wait for each other for ever (jaxlib 0.10).
 _ALONE = threading.Lock()
@@ -184,18 +187,35 @@ def _outside(key: Key, column: np.ndarray) -> np.ndarray:
     return ~np.array([key.admits(float(value)) for value in distinct])[where]
 
 
-def _directional(
-    structure: str, results: tuple[str, ...], table: Array, directions: Array
-) -> tuple[dict[str, Array], dict[str, Array], Array]:
-    """Results, their derivatives along a direction and the status, for columns of numbers of files of one structure."""
+def _evaluated(structure: str, results: tuple[str, ...]) -> Callable[[Array], tuple[dict[str, Array], Array]]:
+    """Results and status of columns of numbers, for files of one structure."""
     tables = json.loads(structure)
 
     def results_and_status(rows: Array) -> tuple[dict[str, Array], Array]:
         status, values = evaluated_points(with_numbers(tables, rows), rows.shape[1:], results)
         return values, status
 
-    values, slopes, status = jax.jvp(results_and_status, (table,), (directions,), has_aux=True)
+    return results_and_status
+
+
+def _directional(
+    structure: str, results: tuple[str, ...], table: Array, directions: Array
+) -> tuple[dict[str, Array], dict[str, Array], Array]:
+    """Results, their derivatives along a direction and the status, for columns of numbers of files of one structure."""
+    evaluated = _evaluated(structure, results)
+    values, slopes, status = jax.jvp(evaluated, (table,), (directions,), has_aux=True)
     return values, slopes, status
+
+
+def _gradients(structure: str, results: tuple[str, ...], table: Array, rows: Array) -> tuple[Any, Any, Array]:
+    """Results, derivatives of one of their rows by all numbers, shape (numbers, points), and the status."""
+    values, pull, status = jax.vjp(_evaluated(structure, results), table, has_aux=True)
+    weights, start = {}, 0
+    for name in sorted(values):
+        shape = values[name].shape[:-1]
+        places = np.arange(start, start + math.prod(shape)).reshape(*shape, 1)
+        weights[name], start = (places == rows[0]).astype(table.dtype), start + places.size
+    return values, pull(weights)[0], status
 
 
 def derivatives_at(
@@ -219,8 +239,8 @@ def derivatives_at(
     variables : tuple of str, optional
         Dotted paths by which to differentiate.
     block : int, optional
-        Points, repeated for each variable, of one call of the program, :func:`derivative_block`. Calls with the same
-        one share a program.
+        Points, repeated for each row or variable, of one call of the program, :func:`derivative_block`. Calls with
+        the same one share a program.
 
     Returns
     -------
@@ -232,29 +252,56 @@ def derivatives_at(
 
     Notes
     -----
-    Forward-mode automatic differentiation; the points are repeated once for each variable along the batch axis.
+    Forward-mode automatic differentiation, the points repeated along the batch axis once for each variable. Where that
+    is many calls and there are fewer rows of results than variables: reverse mode, the points repeated for each row.
     """
     _refuse_count(values, variables)
     points = max((np.size(value) for value in changes.values()), default=1)
     filled = replace_values(with_tracks(values), changes)
     table = np.stack([np.broadcast_to(np.asarray(number, float), (points,)) for number in numbers(filled)])
     nothing = with_numbers(filled, itertools.repeat(0.0))
-    count = max(len(variables), 1)
-    directions = np.zeros((len(table), count))
+    directions = np.zeros((len(table), len(variables)))
     for index, path in enumerate(variables):
         directions[:, index] = numbers(replace_values(nothing, {path: 1.0}))
-    result_values, slopes, status = _in_blocks(
-        (table_structure(filled), results),
-        block,
-        np.tile(table, (1, count)),
-        np.repeat(directions, points, axis=1),
+    options = (table_structure(filled), results)
+    rows = sum(math.prod(results_of(values)[name].row_shape) for name in results)
+    if rows < len(variables) and points * len(variables) > _REVERSE_BLOCKS * block:
+        return _backwards(options, block, table, directions, rows)
+    return _forwards(options, block, table, directions)
+
+
+_Derivatives = tuple[np.ndarray, dict[str, np.ndarray], dict[str, np.ndarray]]
+
+
+def _forwards(
+    options: tuple[Any, ...], block: int, table: np.ndarray, directions: np.ndarray
+) -> _Derivatives:
+    """What :func:`derivatives_at` returns, along one direction after the other."""
+    (_, points), count = table.shape, max(directions.shape[1], 1)
+    along = directions if directions.size else np.zeros((len(table), 1))
+    values, slopes, status = _in_blocks(
+        _directional, options, block, np.tile(table, (1, count)), np.repeat(along, points, axis=1)
     )
-    first = {name: value.reshape(-1, count, points)[:, 0] for name, value in result_values.items()}
+    first = {name: value.reshape(-1, count, points)[:, 0] for name, value in values.items()}
     by_variable = {
-        name: np.moveaxis(value.reshape(-1, count, points), 1, 2)[..., : len(variables)]
+        name: np.moveaxis(value.reshape(-1, count, points), 1, 2)[..., : directions.shape[1]]
         for name, value in slopes.items()
     }
     return status[:points], first, by_variable
+
+
+def _backwards(
+    options: tuple[Any, ...], block: int, table: np.ndarray, directions: np.ndarray, rows: int
+) -> _Derivatives:
+    """What :func:`derivatives_at` returns, from one row of the results after the other."""
+    _, points = table.shape
+    values, gradients, status = _in_blocks(
+        _gradients, options, block, np.tile(table, (1, rows)), np.repeat(np.arange(rows), points)[None]
+    )
+    by_rows = np.einsum("nrp,nv->rpv", gradients.reshape(-1, rows, points), directions)
+    first = {name: values[name].reshape(-1, rows, points)[:, 0] for name in sorted(values)}
+    ends = np.cumsum([value.shape[0] for value in first.values()])
+    return status[:points], first, dict(zip(first, np.split(by_rows, ends[:-1]), strict=True))
 
 
 def derivative_block(points: int) -> int:
@@ -262,14 +309,14 @@ def derivative_block(points: int) -> int:
     return min(DERIVATIVE_BATCH, 1 << max(points - 1, 0).bit_length())
 
 
-def _in_blocks(options: tuple[Any, ...], size: int, *tables: np.ndarray) -> Any:
-    """Call the compiled program block by block; the last block is filled up with copies of its last point."""
+def _in_blocks(function: Callable[..., Any], options: tuple[Any, ...], size: int, *tables: np.ndarray) -> Any:
+    """Call a compiled function block by block; the last block is filled up with copies of its last point."""
     points = tables[0].shape[1]
     parts = []
     for start in range(0, points, size):
         block = [table[:, start : start + size] for table in tables]
         missing = size - block[0].shape[1]
         padded = [np.pad(part, ((0, 0), (0, missing)), mode="edge") for part in block]
-        program = compile_fast(_directional, *padded, options=options)
+        program = compile_fast(function, *padded, options=options)
         parts.append(jax.tree.map(np.asarray, program(*padded)))
     return jax.tree.map(lambda *pieces: np.concatenate(pieces, axis=-1)[..., :points], *parts)
