@@ -12,8 +12,7 @@ from asperity.joint.evaluation import evaluate
 from asperity.joint.fit import refuse_loose
 from asperity.joint.solve import solution_of, solve_joint
 from asperity.joint.status import STATUS_NAMES, joint_status
-from asperity.joint.temperature import at_temperature, contact_expansion
-from asperity.joint.temperature_curves import temperature_curves
+from asperity.joint.temperature import at_temperature, contact_expansion, temperature_curves
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.results.document import joint_document

@@ -9,8 +9,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.fit import Fit
 from asperity.joint.solve import solution_of, solve_joint
-from asperity.joint.temperature import at_temperature
-from asperity.joint.temperature_curves import temperature_curves
+from asperity.joint.temperature import at_temperature, temperature_curves
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 

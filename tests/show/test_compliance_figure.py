@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from asperity.branches.size_errors import SizeErrorCurves
 from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.joint.fit import Fit
-from asperity.joint.temperature_curves import TemperatureCurves
+from asperity.joint.temperature import TemperatureCurves
 from asperity.results import RESULTS
 from asperity.results.margins import Margin
 from asperity.results.solved import SolvedJoint

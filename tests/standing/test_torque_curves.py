@@ -8,7 +8,7 @@ import pytest
 
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
-from asperity.standing.torque_curves import torque_curves
+from asperity.standing.standing import torque_curves
 
 
 @pytest.mark.slow
@@ -77,7 +77,7 @@ def test_columns_of_another_drive_are_those_of_its_own_sense(planar_case, monkey
             **shown,
         )
 
-    monkeypatch.setattr("asperity.standing.torque_curves.over_torque", made_up)
+    monkeypatch.setattr("asperity.standing.standing.over_torque", made_up)
     joint = dataclasses.replace(joint_from_case(planar_case("planetary")), output_torque=4.0 * way)
     found = torque_curves(joint=joint, torque_capacity=10.0)
     size = np.abs(asked[0])

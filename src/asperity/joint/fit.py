@@ -11,7 +11,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.arrays import namespace
-from asperity.drive.layout.thermal_expansion import loosening_rise
+from asperity.drive.layout.expansion import loosening_rise
 from asperity.errors import InputError
 from asperity.types import Real
 from asperity.units import format_quantity

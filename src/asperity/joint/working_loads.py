@@ -7,8 +7,7 @@ import numpy as np
 from jax import Array
 
 from asperity.arrays import namespace
-from asperity.drive.layout.creeping import creeping_speeds
-from asperity.drive.layout.drive import CARRIER, Drive
+from asperity.drive.layout.drive import CARRIER, Drive, creeping_speeds
 from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.loads import MemberLoads, member_loads
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress

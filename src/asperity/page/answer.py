@@ -29,7 +29,7 @@ from asperity.results.solved import SolvedJoint
 from asperity.results.windup_document import windup_columns
 from asperity.rolling.curves import creep_curves
 from asperity.show.free_bodies import BodyForce, body_forces
-from asperity.standing.torque_curves import torque_curves
+from asperity.standing.standing import torque_curves
 from asperity.standing.windup import windup
 from asperity.units import from_si
 

@@ -21,8 +21,7 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift
 from asperity.contact.rolling_swing import still_stroke, swing_drift_share
-from asperity.drive.layout.creeping import creeping_speeds
-from asperity.drive.layout.drive import Drive, speeds
+from asperity.drive.layout.drive import Drive, creeping_speeds, speeds
 from asperity.drive.state.creep import drift_per_turn
 from asperity.errors import InputError
 from asperity.joint.description import Joint

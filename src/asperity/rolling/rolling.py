@@ -18,8 +18,8 @@ from asperity.contact.rolling_fatigue import life_at_reliability
 from asperity.contact.skew import axial_force, stick_fraction
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import leading_sense
-from asperity.drive.state.bearings import friction_moments, friction_power
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
+from asperity.drive.state.loads import friction_moments, friction_power
 from asperity.drive.state.state import BodiesOfContacts, DriveState, RollingSpeeds, surface_speeds
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, bodies_of_contacts, places

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.joint.fit import Fit, loose_temperature
-from asperity.joint.temperature_curves import TemperatureCurves, temperature_curves
+from asperity.joint.temperature import TemperatureCurves, temperature_curves
 from asperity.results import LEVELS, RESULTS
 from asperity.results.document import NO_SHARE, budget_words
 from asperity.results.margins import Margin, margins

@@ -12,7 +12,7 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.drive.layout.creeping import creeping_speeds
+from asperity.drive.layout.drive import creeping_speeds
 from asperity.drive.state.creep import drift_per_turn
 from asperity.drive.state.first_limit import slip_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from asperity.drive.layout.creeping import creeping_speeds
-from asperity.drive.layout.drive import speeds
+from asperity.drive.layout.drive import creeping_speeds, speeds
 from asperity.drive.state.state import surface_speeds
 from asperity.rolling.turning import driving_sense
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from asperity.drive.layout.thermal_expansion import loosening_rise, ring_expansion
+from asperity.drive.layout.expansion import loosening_rise, ring_expansion
 
 
 def lame(ring, housing, inner, wall, young, poisson, support, plane_state):

@@ -7,8 +7,8 @@ import pytest
 
 from asperity.drive.layout.drive import speeds
 from asperity.drive.mechanism import Bearings
-from asperity.drive.state.bearings import friction_moments, friction_power
 from asperity.drive.state.equations import ASSEMBLED, ROLLING, STANDING, Task, machine_of, moments_of
+from asperity.drive.state.loads import friction_moments, friction_power
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import DriveLoad
 from asperity.drive.state.states import drive_states

@@ -13,9 +13,8 @@ from jax import Array
 
 from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
 from asperity.drive.mechanism import leading_sense
-from asperity.drive.state.bearings import friction_moments
 from asperity.drive.state.creep import creepages
-from asperity.drive.state.loads import member_moments
+from asperity.drive.state.loads import friction_moments, member_moments
 from asperity.drive.state.state import (
     ContactLaws,
     CreepOf,

@@ -90,7 +90,7 @@ class DriveLoad(eqx.Module):
     pin_compliance : Real, optional
         Of each pin along its push, its bore in series, shape () or (pins,) [m/N].
     bearings : Bearings or None, optional
-        Friction of the bearings, as in :mod:`asperity.drive.state.bearings`; None for none.
+        Friction of the bearings, as in :mod:`asperity.drive.state.loads`; None for none.
     support_stiffness : Array or None, optional
         Radial stiffness of the bearings of each floating body, shape (floating,) [N/m]; None for none.
     rotation, standing_rotation : Real, optional
