@@ -49,6 +49,7 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     check_image(plot_file)
     case = read_case(file)
     prepare_computation()
+    from asperity.joint_file.side_by_side import laws_of_file
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
@@ -57,8 +58,12 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
         if measured is not None:
             document["assumptions"] += measured.assumed
             document |= measured.document(solved.joint)
+            laws = measured.laws(solved.joint, solved.result)
         else:
             document |= _interval(case)
+            laws = laws_of_file(case, solved.joint, solved.result)
+        if laws:
+            document["contact_laws"] = laws
     if plot_file:
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title

@@ -13,10 +13,10 @@ from asperity.bem import ElasticPair
 from asperity.bem.pressed_map import map_patches, mirrored, pressed_map
 from asperity.contact.exponential import decay_length
 from asperity.contact.fractal import Surface
+from asperity.contact.persson_2007 import interfacial_stiffness, wave_spectrum
 from asperity.surface.measure_files import MeasuredFiles
 from asperity.surface.pressed_map import PressedMap, plain_numbers
 from asperity.verify.comparison import flat_fractal_contact
-from asperity.verify.persson import interfacial_stiffness, wave_spectrum
 
 if TYPE_CHECKING:
     from collections.abc import Callable
