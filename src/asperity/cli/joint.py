@@ -42,7 +42,8 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured surface takes the
     place of the file's: the rms of the heights that each contact feels, or with model.contact_law = "zou_2025" D and
     G. What is not certain about it, and the error of the contact law, come out as an interval of stiffness and drift.
-    So does what Ra leaves open where the file states surfaces by their Ra.
+    So does what Ra leaves open where the file states surfaces by their Ra. If the surface serves several contact laws,
+    stiffness and drift by each of them stand side by side.
     """
     from asperity.joint_file.reader import read_case
 

@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
+import jax
 import numpy as np
+from jax import Array
 
+from asperity.compilation import call_compiled
 from asperity.contact.persson_2007 import (
     PERSSON_OVER_BOUNDARY_ELEMENTS,
+    WaveSpectrum,
     contact_fraction,
     persson_decay_length,
     sorted_waves,
 )
 from asperity.errors import InputError
 from asperity.joint_file import limits
-from asperity.joint_file.drawn_surface import Ends
-from asperity.joint_file.felt_heights import Felt, Solved
+from asperity.joint_file.contact_law import ContactLaw
+from asperity.joint_file.drawn_surface import Ends, exponential_ratios
+from asperity.joint_file.felt_heights import Felt, FeltContacts
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.units import format_quantity
@@ -49,61 +55,65 @@ def refuse_without_elements(measured: MeasuredRoughness) -> None:
         )
 
 
-def ratios_by_persson(
-    measured: MeasuredRoughness, felt: dict[str, Felt], solved: Solved
-) -> tuple[Ends, list[str]]:
-    """Decay length over the heights by Persson's theory at the mean pressure of every contact, and what was taken."""
-    ends, parts, widest = {}, [], 0.0
+def _by_persson(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[Ends, list[str]]:
     low, high = PERSSON_OVER_BOUNDARY_ELEMENTS
-    for (name, one), pressure, moduli in zip(felt.items(), solved.pressures, solved.moduli, strict=True):
-        waves = sorted_waves(
-            *np.concatenate(
-                [
-                    spectrum.waves(rolling=1.0 / one.width, axial=1.0 / limit)
-                    for spectrum, limit in zip(measured.spectra, one.axial, strict=True)
-                ],
-                axis=1,
-            )
-        )
-        state = {"mean_pressure": pressure, "contact_modulus": float(moduli.contact_modulus)}
-        length = float(persson_decay_length(spectrum=waves, **state))
-        fraction = float(contact_fraction(rms_slope=waves.rms_slope, **state))
+    spectra = []
+    for one in contacts.felt.values():
+        bodies = zip(measured.spectra, one.axial, strict=True)
+        parts = [body.waves(rolling=1.0 / one.width, axial=1.0 / limit) for body, limit in bodies]
+        spectra.append(sorted_waves(*np.concatenate(parts, axis=1)))
+    waves = jax.tree.map(lambda *leaves: np.stack(leaves), *spectra)
+    moduli = np.array([float(moduli.contact_modulus) for moduli in contacts.moduli])
+    lengths, fractions = call_compiled(_theory, waves, contacts.pressures, moduli)
+    ends, told = {}, []
+    for (name, one), pressure, length, share in zip(
+        contacts.felt.items(), contacts.pressures, lengths, 100.0 * fractions, strict=True
+    ):
         if not length > 1e-6 * limits.DECAY_LENGTH.lower:
             raise InputError(
-                f"{measured.source}: {100.0 * fraction:.4g} % of the contact {name} touches by Persson's theory: in "
-                "complete contact an interface has no stiffness that counts; leave contact_law out, the exponential "
-                "law is its soft bound"
+                f"{measured.source}: {share:.4g} % of the contact {name} touches by Persson's theory: in complete "
+                "contact an interface has no stiffness that counts; leave contact_law out, the exponential law is its "
+                "soft bound"
             )
-        ratio = length / one.rms_height
+        ratio = float(length) / one.rms_height
         ends[f"surface.{name}"] = (low * ratio, ratio, high * ratio)
-        widest = max(widest, fraction)
-        parts.append(
-            f"{name} {format_quantity(length, 'um', 3)} ({ratio:.3f} of the heights, at "
-            f"{format_quantity(pressure, 'MPa', 3)}, where {100.0 * fraction:.2g} % of the area touch)"
+        told.append(
+            f"{name} {format_quantity(float(length), 'um', 3)} ({ratio:.3f} of the heights, at "
+            f"{format_quantity(pressure, 'MPa', 3)}, where {share:.2g} % of the area touch)"
         )
-    told = [
+    taken = (
         "contact law persson_2007: the decay length by Persson's theory of the waves above, elastic, under the mean "
-        f"pressure of each contact, at the torque of the file; it stays at other torques: {'; '.join(parts)}"
-    ]
-    return ends, told
+        f"pressure of each contact, at the torque of the file; it stays at other torques: {'; '.join(told)}"
+    )
+    return ends, [taken]
 
 
-def ratios_by_elements(
-    measured: MeasuredRoughness, felt: dict[str, Felt], solved: Solved
-) -> tuple[Ends, list[str]]:
-    """Decay length over the heights by boundary elements at the mean pressure of every contact, and what was taken."""
+def _theory(waves: WaveSpectrum, pressure: Array, modulus: Array) -> tuple[Array, Array]:
+    """Decay length [m] and share of the area in contact [-]; the contacts are the first axis."""
+
+    def one(spectrum: WaveSpectrum, p: Array, contact_modulus: Array) -> tuple[Array, Array]:
+        state = {"mean_pressure": p, "contact_modulus": contact_modulus}
+        return (
+            persson_decay_length(spectrum=spectrum, **state),
+            contact_fraction(rms_slope=spectrum.rms_slope, **state),
+        )
+
+    return jax.vmap(one)(waves, pressure, modulus)
+
+
+def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[Ends, list[str]]:
     refuse_without_elements(measured)
-    pressed = _pressed(measured.spectra, felt, solved)
+    pressed = _pressed(measured.spectra, contacts)
     ratios = {f"surface.{name}": contact.ratios for name, contact in pressed.items()}
-    return ratios, _assumed_of_elements(felt, pressed)
+    return ratios, _assumed_of_elements(contacts.felt, pressed)
 
 
-def _pressed(
-    spectra: tuple[HeightSpectrum, ...], felt: dict[str, Felt], solved: Solved
-) -> dict[str, _Pressed]:
+def _pressed(spectra: tuple[HeightSpectrum, ...], contacts: FeltContacts) -> dict[str, _Pressed]:
     """What boundary elements on the maps tell of every contact at its mean pressure, where it is widest."""
     made = {}
-    for (name, one), pressure, moduli in zip(felt.items(), solved.pressures, solved.moduli, strict=True):
+    for (name, one), pressure, moduli in zip(
+        contacts.felt.items(), contacts.pressures, contacts.moduli, strict=True
+    ):
         for spectrum in spectra:
             if one.width > spectrum.rolling_length:
                 raise InputError(
@@ -171,3 +181,12 @@ def _assumed_of_elements(felt: dict[str, Felt], pressed: dict[str, _Pressed]) ->
             f"{hardest}"
         )
     return told
+
+
+#: Law → function of a measurement and of what its contacts feel: path of a surface → decay length over the rms of the
+#: heights, lower end, itself and upper end [-]; and what was taken. An ``InputError`` where it does not serve the law.
+RATIOS_OF: dict[ContactLaw, Callable[[MeasuredRoughness, FeltContacts], tuple[Ends, list[str]]]] = {
+    "exponential": lambda _, contacts: (exponential_ratios(f"surface.{name}" for name in contacts.felt), []),
+    "persson_2007": _by_persson,
+    "measured": _by_elements,
+}

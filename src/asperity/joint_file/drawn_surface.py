@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import jax
@@ -169,11 +169,11 @@ def _ends_of_heights(case: Case) -> Ends:
     return ends
 
 
-def exponential_ratios(heights: Ends) -> Ends:
-    """Decay length over the rms of the heights by the exponential law, with the ends of its error [-]."""
+def exponential_ratios(paths: Iterable[str]) -> Ends:
+    """Decay length over the rms of the heights of surfaces by the exponential law, with the ends of its error [-]."""
     low, high = OVER_BOUNDARY_ELEMENTS
     ratios = (low * DECAY_LENGTH_RATIO, DECAY_LENGTH_RATIO, high * DECAY_LENGTH_RATIO)
-    return dict.fromkeys(heights, ratios)
+    return dict.fromkeys(paths, ratios)
 
 
 def interval_of_heights(case: Case, heights: Ends, ratios: Ends) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from asperity.errors import InputError
+from asperity.joint.description import Joint
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.material_entries import SurfaceEntry
@@ -36,16 +37,16 @@ class Felt(NamedTuple):
     squares: tuple[float, ...]  #: mean square of the heights of each body
 
 
-class Solved(NamedTuple):
-    """The contacts of a joint, shape (contacts,), crowned ones where they are widest."""
+class FeltContacts(NamedTuple):
+    """The contacts of a joint on a measured surface, crowned ones where they are widest."""
 
-    widths: Any  #: Hertzian [m]
-    pressures: Any  #: mean Hertzian pressures [Pa]
+    felt: dict[str, Felt]
+    pressures: Any  #: mean Hertzian pressures, shape (contacts,) [Pa]
     moduli: tuple[ContactPair, ...]
 
 
-def settled_heights(case: Case, spectra: tuple[HeightSpectrum, ...]) -> tuple[dict[str, Felt], Solved]:
-    """What each contact feels at the width that it has in the joint with these surfaces, and that joint."""
+def settled_heights(case: Case, spectra: tuple[HeightSpectrum, ...]) -> FeltContacts:
+    """What each contact feels at the width that it has in the joint with these surfaces."""
     names = contacts_of(si_values(case))
     lengths = entries(si_values(case)["drive"]["contact_length"], names)
     lengths = lengths * len(names) if len(lengths) == 1 else lengths
@@ -59,27 +60,22 @@ def settled_heights(case: Case, spectra: tuple[HeightSpectrum, ...]) -> tuple[di
     felt = at([math.inf] * len(names))
     settles = not any(spectrum.needs_width for spectrum in spectra)
     for _ in range(_MOST_PASSES):
-        solved = _solved(with_heights(case, felt))
-        before, felt = felt, at(solved.widths)
+        joint = joint_from_case(with_heights(case, felt))
+        diagnostics = solve_joint(joint).result.diagnostics
+        before, felt = felt, at(2.0 * np.asarray(diagnostics.hertz_half_width))
         if settles or all(
             abs(felt[name].rms_height - before[name].rms_height) <= _SETTLED * felt[name].rms_height
             for name in names
         ):
-            return felt, solved
+            return FeltContacts(felt, 0.25 * math.pi * np.asarray(diagnostics.hertz_pressure), _moduli(joint))
     raise InputError(
         "the heights that the contacts feel and the widths of the contacts do not settle: state surface.rms_height"
     )
 
 
-def _solved(case: Case) -> Solved:
-    joint = joint_from_case(case)
-    diagnostics = solve_joint(joint).result.diagnostics
+def _moduli(joint: Joint) -> tuple[ContactPair, ...]:
     bodies = {body.name: material for body, material in zip(joint.drive.bodies, joint.materials, strict=True)}
-    return Solved(
-        2.0 * np.asarray(diagnostics.hertz_half_width),
-        0.25 * math.pi * np.asarray(diagnostics.hertz_pressure),
-        tuple(pair(bodies[contact.first], bodies[contact.second]) for contact in joint.drive.contacts),
-    )
+    return tuple(pair(bodies[contact.first], bodies[contact.second]) for contact in joint.drive.contacts)
 
 
 def with_heights(case: Case, felt: dict[str, Felt]) -> Case:

@@ -9,21 +9,25 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 
 from asperity.contact.exponential import RandomRoughness
-from asperity.contact.roller_pairs import Roughness
-from asperity.errors import InputError
+from asperity.errors import AsperityError, InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.contact_law import BY_DECAY_LENGTH, ContactLaw
-from asperity.joint_file.decay_ratios import ratios_by_elements, ratios_by_persson, refuse_without_elements
+from asperity.joint_file.contact_law import BY_DECAY_LENGTH
+from asperity.joint_file.decay_ratios import RATIOS_OF, refuse_without_elements
 from asperity.joint_file.drawn_surface import (
     Ends,
-    exponential_ratios,
     interval_of_heights,
     with_measured_surface,
 )
-from asperity.joint_file.felt_heights import assumed_heights, settled_heights, with_heights, with_surfaces
+from asperity.joint_file.felt_heights import (
+    FeltContacts,
+    assumed_heights,
+    settled_heights,
+    with_heights,
+    with_surfaces,
+)
 from asperity.joint_file.model import Case
 from asperity.joint_file.side_by_side import laws_side_by_side, with_law
 from asperity.surface.height_spectrum import HeightSpectrum
@@ -46,16 +50,18 @@ class MeasuredCase(NamedTuple):
     heights : dict of str to tuple, or None
         Path of a surface → lower end, middle and upper end of the rms of its heights [m], 95 % of measurements; None
         where D and G went in.
-    ratios : dict of str to dict
-        Law → path of a surface → decay length over these heights, its lower end, itself and its upper end [-]: of all
-        laws that take one and that the measurement serves.
+    ratios : dict of str to tuple, or None
+        Path of a surface → decay length over these heights by the contact law, lower end, itself and upper end [-].
+    contacts : FeltContacts or None
+        What the contacts feel, and their pressures.
     """
 
     case: Case
     measured: MeasuredRoughness
     assumed: tuple[str, ...]
-    heights: Ends | None
-    ratios: dict[ContactLaw, Ends]
+    heights: Ends | None = None
+    ratios: Ends | None = None
+    contacts: FeltContacts | None = None
 
     def document(self, joint: Joint) -> dict[str, Any]:
         """What the measurement adds to the document of the solved joint."""
@@ -66,27 +72,29 @@ class MeasuredCase(NamedTuple):
 
     def laws(self, joint: Joint, result: JointResult) -> list[dict[str, Any]]:
         """The solved joint by every law that the measurement serves, as :func:`laws_side_by_side`."""
-        surfaces: dict[ContactLaw, tuple[Roughness, ...]] = {}
-        by_heights, used = self, self.case.contact_law()
+        used, by_heights = self.case.contact_law(), self
+        surfaces = {used: joint.surfaces}
         if self.heights is None:
-            surfaces[used] = joint.surfaces
-            with suppress(InputError):  # the profile may have no lay
+            with suppress(AsperityError):  # the profile may have no lay
                 by_heights = case_with_surface(with_law(self.case, "exponential"), self.measured)
         elif self.measured.fractal is not None:
             fractal = with_law(with_measured_surface(self.case, self.measured.fractal), "zou_2025")
             surfaces["zou_2025"] = joint_from_case(fractal).surfaces
-        for law, ratios in by_heights.ratios.items():
-            assert by_heights.heights is not None
-            surfaces[law] = tuple(
-                RandomRoughness(jnp.asarray(ratio * by_heights.heights[path][1]))
-                for path, (_, ratio, _) in ratios.items()
-            )
+        contacts = by_heights.contacts
+        for law, ratios_of in RATIOS_OF.items():
+            if contacts is not None and law != used:
+                with suppress(InputError):  # a law that the measurement does not serve
+                    ratios, _ = ratios_of(self.measured, contacts)
+                    surfaces[law] = tuple(
+                        RandomRoughness(jnp.asarray(ratio * one.rms_height))
+                        for (_, ratio, _), one in zip(ratios.values(), contacts.felt.values(), strict=True)
+                    )
         return laws_side_by_side(joint, result, used=used, surfaces=surfaces)
 
     def interval(self, joint: Joint) -> dict[str, Any]:
         """Intervals of stiffness and drift: from the law and the heights, or from the scatter of D and G."""
-        if self.heights is not None:
-            return interval_of_heights(self.case, self.heights, self.ratios[self.case.contact_law()])
+        if self.heights is not None and self.ratios is not None:
+            return interval_of_heights(self.case, self.heights, self.ratios)
         assert self.measured.fractal is not None
         return stiffness_interval(joint, self.measured.fractal)
 
@@ -123,11 +131,11 @@ def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
             raise InputError(_lacks(measured, law))
         old = "measured surface: a document of an earlier release, without a spectrum; its D and G go in"
         surface = with_measured_surface(case, measured.fractal)
-        return MeasuredCase(surface, measured, () if measured.spectra else (old,), None, {})
+        return MeasuredCase(surface, measured, () if measured.spectra else (old,))
     for spectrum in measured.spectra:
         if not spectrum.is_map and spectrum.lay is None:
             raise InputError(_without_lay(spectrum, measured))
-    felt, solved = settled_heights(
+    contacts = settled_heights(
         with_law(case, "exponential") if law in BY_DECAY_LENGTH else case, measured.spectra
     )
     heights = {
@@ -136,30 +144,17 @@ def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
             contact.rms_height,
             contact.rms_height * math.exp(_NORMAL_95 * contact.deviation),
         )
-        for name, contact in felt.items()
+        for name, contact in contacts.felt.items()
     }
-    told = assumed_heights(measured, felt)
-    ratios: dict[ContactLaw, Ends] = {"exponential": exponential_ratios(heights)}
-    laws: tuple[tuple[ContactLaw, Any], ...] = (
-        ("persson_2007", ratios_by_persson),
-        ("measured", ratios_by_elements),
-    )
-    for other, ratios_of in laws:
-        try:
-            ratios[other], assumed = ratios_of(measured, felt, solved)
-        except InputError:
-            if other == law:
-                raise
-            continue
-        if other == law:
-            told += assumed
+    ratios, assumed = RATIOS_OF[law or "exponential"](measured, contacts)
+    told = (*assumed_heights(measured, contacts.felt), *assumed)
     if law not in BY_DECAY_LENGTH:
-        return MeasuredCase(with_heights(case, felt), measured, tuple(told), heights, ratios)
+        return MeasuredCase(with_heights(case, contacts.felt), measured, told, heights, ratios, contacts)
     lengths = {
-        name: {"decay_length": f"{ratios[law][f'surface.{name}'][1] * contact.rms_height!r} m"}
-        for name, contact in felt.items()
+        name: {"decay_length": f"{ratios[f'surface.{name}'][1] * contact.rms_height!r} m"}
+        for name, contact in contacts.felt.items()
     }
-    return MeasuredCase(with_surfaces(case, lengths), measured, tuple(told), heights, ratios)
+    return MeasuredCase(with_surfaces(case, lengths), measured, told, heights, ratios, contacts)
 
 
 def _lacks(measured: MeasuredRoughness, law: str | None) -> str:
