@@ -60,7 +60,7 @@ def main() -> None:
     use_double_precision()
     from asperity.bem import PeriodicHalfSpace, elastic_pair, normal_contact, normal_stiffness
     from asperity.contact.exponential import decay_length
-    from asperity.contact.persson_2007 import interfacial_stiffness, wave_spectrum
+    from asperity.contact.persson_2007 import persson_decay_length, wave_spectrum
     from asperity.errors import InputError, NoSolutionError
     from asperity.surface.measure_files import read_surface
 
@@ -97,7 +97,7 @@ def main() -> None:
                     left_out += 1
                     continue
                 sides = tuple(count * size for count, size in zip(heights.shape, pixel, strict=True))
-                theory = interfacial_stiffness(
+                theory = pressure / persson_decay_length(
                     spectrum=wave_spectrum(heights, sides=sides),
                     mean_pressure=pressure,
                     contact_modulus=steel.contact_modulus,

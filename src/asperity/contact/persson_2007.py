@@ -24,10 +24,16 @@ ENERGY_FACTOR = 0.45
 
 
 class WaveSpectrum(eqx.Module):
-    """The waves of one surface, from long to short; arrays of shape (waves,).
+    """The waves of one surface, from long to short.
 
-    ``wavenumber`` q [rad/m], rising; ``slope_variance``, mean square gradient of this wave and all longer ones [-];
-    root mean square height [m] and gradient [-].
+    Parameters
+    ----------
+    wavenumber : Array
+        q, shape (waves,), rising [rad/m].
+    slope_variance : Array
+        Mean square gradient of each wave and all longer ones, shape (waves,) [-].
+    rms_height, rms_slope : Array
+        Root mean square of heights [m] and gradient [-].
     """
 
     wavenumber: Array
@@ -37,7 +43,24 @@ class WaveSpectrum(eqx.Module):
 
 
 def wave_spectrum(heights: NDArray[np.float64], *, sides: tuple[float, ...]) -> WaveSpectrum:
-    """The waves of a periodic height map or profile, without those of rounding; its sides along all axes [m]."""
+    """The waves of a periodic surface, without those of rounding.
+
+    Parameters
+    ----------
+    heights : array
+        Map or profile [m].
+    sides : tuple of float
+        Its lengths along all axes [m].
+
+    Returns
+    -------
+    WaveSpectrum
+        Every wave of the Fourier transform.
+
+    References
+    ----------
+    :func:`numpy.fft.fftn`; Parseval's theorem.
+    """
     axes = [2.0 * math.pi * np.fft.fftfreq(n, side / n) for n, side in zip(heights.shape, sides, strict=True)]
     q = np.sqrt(sum(axis**2 for axis in np.meshgrid(*axes, indexing="ij"))).ravel()
     variance = np.abs(np.fft.fftn(heights).ravel()) ** 2 / float(heights.size) ** 2
@@ -46,7 +69,22 @@ def wave_spectrum(heights: NDArray[np.float64], *, sides: tuple[float, ...]) -> 
 
 
 def sorted_waves(wavenumber: NDArray[np.float64], variance: NDArray[np.float64]) -> WaveSpectrum:
-    """Waves in any order, their wavenumbers [rad/m] and shares in the mean square height [m^2], from long to short."""
+    """Waves in any order, from long to short.
+
+    Parameters
+    ----------
+    wavenumber, variance : array, shape (waves,)
+        Positive wavenumbers [rad/m] and shares in the mean square height [m^2].
+
+    Returns
+    -------
+    WaveSpectrum
+        All of them.
+
+    References
+    ----------
+    Elementary: a wave has the mean square gradient :math:`q^2` times that of its heights.
+    """
     order = np.argsort(wavenumber)
     slope = np.cumsum(variance[order] * wavenumber[order] ** 2)
     return WaveSpectrum(
@@ -133,13 +171,3 @@ def persson_decay_length(*, spectrum: WaveSpectrum, mean_pressure: Real, contact
     wp = math.sqrt(2.0) * p / (contact_modulus * jnp.where(inside > 0.0, inside, 1.0))
     energy = ENERGY_FACTOR + 3.0 * (1.0 - ENERGY_FACTOR) * erf(wp) ** 2
     return math.sqrt(2.0 / math.pi) * jnp.sum(energy * jnp.exp(-(wp**2)) * measure, axis=(-2, -1))
-
-
-def interfacial_stiffness(*, spectrum: WaveSpectrum, mean_pressure: Real, contact_modulus: Real) -> Array:
-    """Normal stiffness per nominal area [Pa/m]: the pressure over :func:`persson_decay_length`, with its arguments.
-
-    Infinite where the contact is complete.
-    """
-    return jnp.asarray(mean_pressure) / persson_decay_length(
-        spectrum=spectrum, mean_pressure=mean_pressure, contact_modulus=contact_modulus
-    )

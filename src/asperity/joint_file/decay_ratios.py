@@ -32,9 +32,7 @@ class _Pressed(NamedTuple):
     """What boundary elements tell of a contact."""
 
     pressure: float  #: mean pressure [Pa]
-    ratios: tuple[
-        float, float, float
-    ]  #: decay length over the rms of the heights: capped, elastic, upper end
+    ratios: tuple[float, float, float]  #: decay length over the heights: capped, elastic, upper end
     outside: bool  #: whether the boundary elements do not have the pressure
     hardness: float  #: of the softer body [Pa]
     taken: float  #: hardness of the capped boundary elements on these bodies [Pa]
@@ -103,14 +101,8 @@ def _theory(waves: WaveSpectrum, pressure: Array, modulus: Array) -> tuple[Array
 
 def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[Ends, list[str]]:
     refuse_without_elements(measured)
-    pressed = _pressed(measured.spectra, contacts)
-    ratios = {f"surface.{name}": contact.ratios for name, contact in pressed.items()}
-    return ratios, _assumed_of_elements(contacts.felt, pressed)
-
-
-def _pressed(spectra: tuple[HeightSpectrum, ...], contacts: FeltContacts) -> dict[str, _Pressed]:
-    """What boundary elements on the maps tell of every contact at its mean pressure, where it is widest."""
-    made = {}
+    spectra = measured.spectra
+    made: dict[str, _Pressed] = {}
     for (name, one), pressure, moduli in zip(
         contacts.felt.items(), contacts.pressures, contacts.moduli, strict=True
     ):
@@ -138,7 +130,8 @@ def _pressed(spectra: tuple[HeightSpectrum, ...], contacts: FeltContacts) -> dic
             float(moduli.hardness),
             min(spectrum.pressed.hardness * modulus for spectrum in spectra if spectrum.pressed),
         )
-    return made
+    ratios = {f"surface.{name}": one.ratios for name, one in made.items()}
+    return ratios, _assumed_of_elements(contacts.felt, made)
 
 
 def _decay_ratio(

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from typing import Any
-
-import numpy as np
 
 from asperity.contact.roller_pairs import Roughness
 from asperity.errors import AsperityError
@@ -46,9 +45,17 @@ def laws_side_by_side(
     """
     entries = []
     for law in sorted(surfaces, key=_ORDER.index) if len(surfaces) > 1 else ():
-        stiffness, drift = _numbers(
-            result if law == used else _solved(dataclasses.replace(joint, surfaces=surfaces[law]))
-        )
+        one: JointResult | None = result
+        if law != used:
+            try:
+                one = solve_joint(dataclasses.replace(joint, surfaces=surfaces[law])).result
+            except AsperityError:  # by this law it does not carry the torque
+                one = None
+        if one is None or not bool(one.contact_law_holds):
+            numbers = [math.nan, math.nan]
+        else:
+            numbers = [float(one.assembly.stiffness.output), float(one.rolling.drift_per_output_turn)]
+        stiffness, drift = (number if math.isfinite(number) else None for number in numbers)
         entries.append(
             {
                 "law": law,
@@ -58,21 +65,3 @@ def laws_side_by_side(
             }
         )
     return entries
-
-
-def _solved(joint: Joint) -> JointResult | None:
-    try:
-        return solve_joint(joint).result
-    except AsperityError:  # by this law it does not carry the torque
-        return None
-
-
-def _numbers(result: JointResult | None) -> tuple[float | None, float | None]:
-    """Stiffness [N m/rad] and drift [rad per output turn]."""
-    if result is None or not bool(result.contact_law_holds):
-        return None, None
-    stiffness, drift = (
-        float(np.asarray(number)) if np.isfinite(number) else None
-        for number in (result.assembly.stiffness.output, result.rolling.drift_per_output_turn)
-    )
-    return stiffness, drift
