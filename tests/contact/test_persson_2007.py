@@ -177,3 +177,18 @@ def test_stiffness_of_boundary_elements(pressure):
     )
     low, high = PERSSON_OVER_BOUNDARY_ELEMENTS
     assert low < 0.8 < float(theory) / stiffness < high
+
+
+def test_waves_of_two_bodies_in_any_order_are_those_of_one():
+    """The mean squares of like bodies add, also where their waves are as long as each other."""
+    wavenumber, variance = np.geomspace(1.0, 100.0, 40), np.geomspace(1.0, 1e-4, 40)
+    half = np.concatenate([0.5 * variance[::-1], 0.5 * variance])
+    waves = (
+        sorted_waves(wavenumber, variance),
+        sorted_waves(np.concatenate([wavenumber[::-1], wavenumber]), half),
+    )
+    one, both = (
+        float(persson_decay_length(spectrum=spectrum, mean_pressure=1.0, contact_modulus=1.0))
+        for spectrum in waves
+    )
+    assert both == pytest.approx(one, rel=1e-3)
