@@ -180,15 +180,16 @@ def test_stiffness_of_boundary_elements(pressure):
 
 
 def test_waves_of_two_bodies_in_any_order_are_those_of_one():
-    """The mean squares of like bodies add, also where their waves are as long as each other."""
+    """The mean squares of like bodies add, to what three points of Gauss make of a first wave with half of it all."""
     wavenumber, variance = np.geomspace(1.0, 100.0, 40), np.geomspace(1.0, 1e-4, 40)
     half = np.concatenate([0.5 * variance[::-1], 0.5 * variance])
     waves = (
         sorted_waves(wavenumber, variance),
         sorted_waves(np.concatenate([wavenumber[::-1], wavenumber]), half),
     )
-    one, both = (
-        float(persson_decay_length(spectrum=spectrum, mean_pressure=1.0, contact_modulus=1.0))
-        for spectrum in waves
-    )
-    assert both == pytest.approx(one, rel=1e-3)
+    for pressure in (0.01, 0.1, 1.0):
+        one, both = (
+            float(persson_decay_length(spectrum=spectrum, mean_pressure=pressure, contact_modulus=1.0))
+            for spectrum in waves
+        )
+        assert both == pytest.approx(one, rel=0.03)
