@@ -1,12 +1,13 @@
-"""The law of randomly rough surfaces over boundary elements on measured surfaces, as flat patches.
+"""The laws of randomly rough surfaces over boundary elements on measured surfaces, as flat patches.
 
     python benchmarks/measured_contact.py PROFILE_OR_MAP... [--position-unit mm] [--height-unit um] [--hardness 5.6]
 
 The units are those of text files. Cuts each surface into patches, removes a parabola, mirrors them so that they are
 periodic, and presses them on steel with 30 to 1000 MPa; with a hardness [GPa] no pressure exceeds it. Prints
-p/(0.48 h_rms) over the incremental stiffness of the boundary elements per area, with the largest contact fraction, and
-the range that holds nine patches in ten, each surface with the same weight. Patches in contact with more than half of
-their area, to which the law does not apply, and states that do not converge are left out, and counted.
+p/(0.48 h_rms) and Persson's theory over the incremental stiffness of the boundary elements per area, with the largest
+contact fraction, and the ranges that hold nine patches in ten, each surface with the same weight. Patches in contact
+with more than half of their area, to which the laws do not apply, and states that do not converge are left out, and
+counted.
 """
 
 from __future__ import annotations
@@ -59,13 +60,14 @@ def main() -> None:
     use_double_precision()
     from asperity.bem import PeriodicHalfSpace, elastic_pair, normal_contact, normal_stiffness
     from asperity.contact.exponential import decay_length
+    from asperity.contact.persson_2007 import persson_decay_length, wave_spectrum
     from asperity.errors import InputError, NoSolutionError
     from asperity.surface.measure_files import read_surface
 
     steel = elastic_pair(
         youngs_modulus_1=206e9, youngs_modulus_2=206e9, poisson_ratio_1=0.3, poisson_ratio_2=0.3
     )
-    every: list[float] = []
+    every: list[tuple[float, float]] = []  # by the exponential law and by Persson's theory
     weights: list[float] = []
     left_out = 0
     for file in asked.files:
@@ -94,20 +96,29 @@ def main() -> None:
                 if float(contact.contact_fraction) > LARGEST_FRACTION:
                     left_out += 1
                     continue
-                ratios.append(pressure / float(decay_length(rms_height=heights.std())) / stiffness)
+                sides = tuple(count * size for count, size in zip(heights.shape, pixel, strict=True))
+                theory = pressure / persson_decay_length(
+                    spectrum=wave_spectrum(heights, sides=sides),
+                    mean_pressure=pressure,
+                    contact_modulus=steel.contact_modulus,
+                )
+                law = pressure / float(decay_length(rms_height=heights.std()))
+                ratios.append((law / stiffness, float(theory) / stiffness))
                 fractions.append(float(contact.contact_fraction))
             if ratios:
+                told = ", ".join(f"{min(law):.2f} to {max(law):.2f}" for law in zip(*ratios, strict=True))
                 print(
-                    f"  {pressure / 1e6:5.0f} MPa  law over boundary elements {min(ratios):.2f} to {max(ratios):.2f}, "
-                    f"contact {max(fractions):.2f}"
+                    f"  {pressure / 1e6:5.0f} MPa  exponential, Persson over boundary elements {told}, "
+                    f"contact {max(fractions):.2f}",
+                    flush=True,
                 )
             every += ratios
         count = len(every) - known
         weights += [1.0 / count] * count if count else []
-    low, high = np.quantile(every, [0.05, 0.95], weights=weights, method="inverted_cdf")
-    print(
-        f"{len(every)} states, {left_out} left out: nine in ten between {low:.2f} and {high:.2f}, surfaces alike"
-    )
+    print(f"{len(every)} states, {left_out} left out; nine in ten, surfaces alike:")
+    for law, values in zip(("exponential", "Persson"), zip(*every, strict=True), strict=True):
+        low, high = np.quantile(values, [0.05, 0.95], weights=weights, method="inverted_cdf")
+        print(f"  {law} between {low:.2f} and {high:.2f}")
 
 
 if __name__ == "__main__":

@@ -6,9 +6,10 @@ FOLDER has the measured files of the tests (``ASPERITY_SHARED_DATA``). Presses a
 directions, a polynomial of second degree removed, with line loads whose Hertzian width the map holds two and a half
 times and more; with a hardness [GPa] no pressure exceeds it. The interface has the compliance of the rough contact less
 that of the smooth one on the same grid. Prints N/(0.48 h) over its stiffness, with the h that a joint takes of the map
-at this width, and how many lie in the interval of a joint: the error of the law with the scatter of the spectrum.
-Below, the same with the decay length of flat patches of the map by boundary elements, model.contact_law = "measured",
-whose interval reaches from elastic patches to those with a hardness (5.6 GPa, or the given one).
+at this width, and how many lie in the interval of a joint: the error of the law with the scatter of the spectrum; then
+the same by Persson's theory of the same waves, model.contact_law = "persson_2007". Below, with the decay length of flat
+patches of the map by boundary elements, model.contact_law = "measured", whose interval reaches from elastic patches to
+those with a hardness (5.6 GPa, or the given one).
 """
 
 from __future__ import annotations
@@ -47,6 +48,11 @@ def main() -> None:
     from asperity.bem import FreeHalfSpace, elastic_pair, normal_contact, normal_stiffness
     from asperity.bem.pressed_map import pressed_map
     from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS, decay_length
+    from asperity.contact.persson_2007 import (
+        PERSSON_OVER_BOUNDARY_ELEMENTS,
+        persson_decay_length,
+        sorted_waves,
+    )
     from asperity.errors import AsperityError
     from asperity.surface.height_spectrum import spectrum_of_map
     from asperity.surface.levelling import levelled
@@ -59,6 +65,7 @@ def main() -> None:
     modulus = 206e9 / (2.0 * 0.91)
     hardness = None if asked.hardness is None else 1e9 * asked.hardness
     inside: list[bool] = []
+    by_theory: list[bool] = []
     by_patches: list[bool] = []
     for name, (radius, loads, coarser) in MAPS.items():
         unit = {"height_unit": "um"} if name.endswith("tmd") else {}
@@ -126,9 +133,21 @@ def main() -> None:
                 print(
                     f"{told}  law over elements {ratio:5.2f}{'' if inside[-1] else '  outside'}", flush=True
                 )
+                pressure = load / width / modulus
+                length_of_theory = persson_decay_length(
+                    spectrum=sorted_waves(*spectrum.waves(rolling=1.0 / width, axial=1.0 / limit)),
+                    mean_pressure=pressure,
+                    contact_modulus=1.0,
+                )
+                theory = load * length / float(length_of_theory) * (compliance[0] - compliance[1])
+                low, high = PERSSON_OVER_BOUNDARY_ELEMENTS
+                by_theory.append(low / scatter <= theory <= high * scatter)
+                print(
+                    f"{'':16} Persson over elements {theory:5.2f}{'' if by_theory[-1] else '  outside'}",
+                    flush=True,
+                )
                 if pressed is None:
                     continue
-                pressure = load / width / modulus
                 (elastic, wide), (capped, deep) = (
                     pressed.decay_ratio(pressure=pressure, capped=each) for each in (False, True)
                 )
@@ -141,6 +160,7 @@ def main() -> None:
                     flush=True,
                 )
     print(f"{sum(inside)} of {len(inside)} in the interval")
+    print(f"{sum(by_theory)} of {len(by_theory)} in that of Persson's theory")
     print(f"{sum(by_patches)} of {len(by_patches)} in that of the patches")
 
 

@@ -257,6 +257,22 @@ def test_the_interval_of_a_measured_surface(document, shown):
     assert "2 had a D outside 1 to 2, 0 had no solution and 0 had plastic spots only" in text
 
 
+def test_laws_side_by_side_have_a_line_each(document, shown):
+    assert "side by side" not in " ".join(shown(document))
+    document["contact_laws"] = [
+        {"law": "zou_2025", "used": False, "assembly_Nm_per_rad": None, "drift_rad_per_output_turn": None},
+        {
+            "law": "exponential",
+            "used": True,
+            "assembly_Nm_per_rad": 7000.0,
+            "drift_rad_per_output_turn": math.pi / 5400.0,
+        },
+    ]
+    lines = [line.split() for line in shown(document)]
+    assert ["zou_2025", "-", "-"] in lines
+    assert ["exponential", "7000", "2", "used", "here"] in lines
+
+
 def test_bearings_and_bodies_that_bend_have_a_row_each(shown, document):
     assert not any(line.startswith(("  bearings", "  bending")) for line in shown(document))
     document["bearings"] = [

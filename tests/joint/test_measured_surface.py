@@ -109,6 +109,7 @@ def test_the_command_runs_a_joint_from_two_measured_files(zou_file, write):
     )
     document = json.loads(shown.output)
     assert document["input"]["surface"]["fractal_dimension"] == pytest.approx(1.4, abs=1e-9)
+    assert "contact_laws" not in document
     interval = document["stiffness_interval"]["assembly"]
     nominal = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     assert interval["low_Nm_per_rad"] < nominal < interval["high_Nm_per_rad"]
@@ -140,6 +141,12 @@ def test_the_command_runs_a_joint_from_a_measured_spectrum(zou_file, tmp_path):
     assert document["measured_surface"]["spectra"][0]["lay"] == "axis"
     assert "no power law" in document["measured_surface"]["no_power_law"]
     assert set(document["stiffness_interval"]["parts"]) == {"contact_law", "rms_height"}
+    exponential, persson = document["contact_laws"]
+    assert (exponential["law"], exponential["used"]) == ("exponential", True)
+    assert (persson["law"], persson["used"]) == ("persson_2007", False)
+    stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    assert exponential["assembly_Nm_per_rad"] == pytest.approx(stiffness, rel=1e-9)
+    assert persson["assembly_Nm_per_rad"] == pytest.approx(stiffness, rel=0.1)
     text = " ".join(CliRunner().invoke(command, asked, catch_exceptions=False).output.split())
     assert "Interval of the contact law, and of the rms of the heights" in text
     assert "by the error of the law alone" in text

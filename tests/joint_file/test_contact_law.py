@@ -3,13 +3,14 @@
 import math
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from asperity.contact.exponential import RandomRoughness
 from asperity.contact.fractal import Surface
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, joint_from_values
@@ -17,6 +18,7 @@ from asperity.joint_file.contact_law import contact_law_of
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.si_tables import replace_values, si_values
+from asperity.joint_file.side_by_side import laws_of_file, with_law
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FRACTAL = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
@@ -46,6 +48,7 @@ def case_of(surface, law=None, name="zou2025"):
         (HEIGHT, "exponential", "exponential"),
         (LENGTH, None, "measured"),
         (LENGTH, "measured", "measured"),
+        (LENGTH, "persson_2007", "persson_2007"),
     ],
 )
 def test_the_law_of_every_surface(surface, law, chosen):
@@ -75,6 +78,49 @@ def test_a_contradiction_is_one_message_with_the_remedy(surface, law, remedy):
     assert str(caught.value).count(remedy) == 1
     with pytest.raises(InputError, match=remedy):
         contact_law_of([surface.get("sp", surface)], stated=law)
+
+
+@pytest.mark.parametrize("surface", [FRACTAL, AVERAGE, HEIGHT])
+def test_perssons_theory_needs_more_than_a_file_states(surface):
+    with pytest.raises(
+        InputError, match=r"needs the spectrum of a measured surface .*neither Ra nor D and G"
+    ):
+        joint_from_case(case_of(surface, "persson_2007"))
+
+
+@pytest.mark.slow
+def test_both_laws_of_an_average_side_by_side():
+    """Those of joints with each law; a file that states no Ra, or a G beside it, has one law only."""
+    case = case_of(AVERAGE, name="planetary")
+    joints = {law: joint_from_case(with_law(case, law)) for law in ("zou_2025", "exponential")}
+    results = {law: solve_joint(joint).result for law, joint in joints.items()}
+    entries = laws_of_file(case, joints["exponential"], results["exponential"])
+    assert [(entry["law"], entry["used"]) for entry in entries] == [
+        ("zou_2025", False),
+        ("exponential", True),
+    ]
+    for entry in entries:
+        assembly = results[entry["law"]].assembly.stiffness.output
+        assert entry["assembly_Nm_per_rad"] == pytest.approx(float(assembly), rel=1e-9)
+        drift = results[entry["law"]].rolling.drift_per_output_turn
+        assert entry["drift_rad_per_output_turn"] == pytest.approx(float(drift), rel=1e-9)
+    for surface in (FRACTAL, HEIGHT, LENGTH, {"sp": AVERAGE, "pr": FRACTAL}):
+        one_law = case_of(surface, name="planetary")
+        assert laws_of_file(one_law, joints["exponential"], results["exponential"]) == []
+
+
+def test_a_law_that_has_no_stiffness_has_no_numbers(monkeypatch):
+    """All spots plastic by one law, no balance by the other: null, not an error."""
+    plastic = SimpleNamespace(contact_law_holds=np.array(False))
+    monkeypatch.setattr("asperity.joint_file.side_by_side.solve_joint", refuse)
+    joint = joint_from_case(case_of(AVERAGE))
+    entries = laws_of_file(case_of(AVERAGE), joint, plastic)
+    assert [entry["assembly_Nm_per_rad"] for entry in entries] == [None, None]
+    assert [entry["drift_rad_per_output_turn"] for entry in entries] == [None, None]
+
+
+def refuse(joint):
+    raise NoSolutionError("no balance")
 
 
 def test_a_study_cannot_leave_the_stated_law():

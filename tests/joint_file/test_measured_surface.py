@@ -7,6 +7,7 @@ import tomllib
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from scipy.special import erf
 
 from asperity.errors import InputError
 from asperity.joint.solve import solve_joint
@@ -263,13 +264,13 @@ def test_the_measured_law_by_hand(example_case, isotropic_map):
     np.testing.assert_allclose(result.contacts.normal_stiffness, force / (ratio * heights), rtol=1e-3)
     ends = made.interval(None)["contacts"]["sp"]["asperity_normal_stiffness_N_per_m"]
     low, middle, high = made.heights["surface.sp"]
+    stiff, here, soft = made.ratios["surface.sp"]
     for part, lengths in {
-        "contact_law": (middle * made.ratios["surface.sp"][0], middle * made.ratios["surface.sp"][2]),
+        "contact_law": (middle * stiff, middle * soft),
         "rms_height": (low * ratio[0], high * ratio[0]),
-        "both": (low * made.ratios["surface.sp"][0], high * made.ratios["surface.sp"][2]),
+        "both": (low * stiff, high * soft),
     }.items():
         assert ends[part] == pytest.approx([force[0] / lengths[1], force[0] / lengths[0]], rel=0.03)
-    stiff, here, soft = made.ratios["surface.sp"]
     scatter = (
         12.706 * math.sqrt(3.0) * math.log(0.51 / 0.5)
     )  # Student's, one degree of freedom; both loads scatter alike
@@ -308,6 +309,100 @@ def test_a_map_narrower_than_the_contact_is_refused(example_case):
         InputError, match=r"small: 0\.064 mm in the rolling direction, less than the contact .* wide"
     ):
         case_with_surface(stated(example_case, "measured"), roughness(pressed(small)))
+
+
+def decay_length_by_hand(waves, pressure):
+    """sqrt(2/pi) int [.45 + 1.65 P^2] exp(-x^2)/q dh', x = sqrt(2) p/(E h'), P = erf x, by the rule of trapezoids."""
+    wavenumber, square = waves[:, np.argsort(waves[0])]
+    slopes = np.sqrt(np.cumsum(square * wavenumber**2))
+    slope = np.linspace(0.0, slopes[-1], 200_001)[1:]
+    x = math.sqrt(2.0) * pressure / slope
+    at = wavenumber[np.searchsorted(slopes, slope).clip(max=len(slopes) - 1)]
+    return math.sqrt(2.0 / math.pi) * np.trapezoid((0.45 + 1.65 * erf(x) ** 2) * np.exp(-(x**2)) / at, slope)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("kind", "replaced"),
+    [
+        ("planetary", ()),
+        ("planetary", (("[load]", 'planet_crown_radius = "20 m"\n\n[load]'),)),
+        ("planar", ()),
+        ("multiroller", ()),
+    ],
+)
+def test_perssons_theory_in_every_drive(planar_case, isotropic_map, kind, replaced):
+    """K_n = N/u, u by hand of the waves that each contact feels, at its mean pressure where it is widest."""
+    case = stated(planar_case(kind, *replaced), "persson_2007")
+    made = case_with_surface(case, roughness(isotropic_map))
+    assert made.case.contact_law() == "persson_2007"
+    joint = joint_from_case(made.case)
+    result = solve_joint(joint).result
+    widths = 2.0 * np.asarray(result.diagnostics.hertz_half_width)
+    pressure = 0.25 * math.pi * np.asarray(result.diagnostics.hertz_pressure)
+    steel = joint.materials[0]
+    modulus = float(steel.youngs_modulus) / (2.0 * (1.0 - float(steel.poisson_ratio) ** 2))
+    lengths = [
+        decay_length_by_hand(isotropic_map.waves(rolling=1.0 / width, axial=0.0), p / modulus)
+        for width, p in zip(widths, pressure, strict=True)
+    ]
+    expected = np.asarray(result.forces.normal) / lengths
+    np.testing.assert_allclose(result.contacts.normal_stiffness, expected, rtol=5e-3)
+    told = " ".join(made.assumed)
+    assert "contact law persson_2007: the decay length by Persson's theory of the waves above" in told
+    first = made.case.surface[joint.contact_names[0]]
+    assert set(first.stated_keys()) == {"decay_length"}
+    if kind == "planetary" and not replaced:
+        ends = made.interval(joint)
+        part = ends["contacts"]["sp"]["asperity_normal_stiffness_N_per_m"]["contact_law"]
+        assert part == pytest.approx([expected[0] / 1.14, expected[0] / 0.43], rel=0.03)
+        assert "The law is 0.43 to 1.14 times as stiff as boundary elements" in ends["words"]
+
+
+def test_perssons_theory_needs_a_spectrum(example_case):
+    case = stated(example_case, "persson_2007")
+    with pytest.raises(InputError, match=r"\"persson_2007\" needs one: measure the surface again"):
+        case_with_surface(case, roughness(fractal=measured()))
+    with pytest.raises(InputError, match=r"needs the spectrum of a measured surface .* beside the file"):
+        joint_from_case(case)
+
+
+@pytest.mark.slow
+def test_complete_contact_is_refused_where_the_exponential_law_holds(example_case):
+    smooth = roughness(profile_spectrum("rolling", 0.03))
+    with pytest.raises(InputError, match=r"100 % of the contact \w+ touches .* leave contact_law out"):
+        case_with_surface(stated(example_case, "persson_2007"), smooth)
+    made = case_with_surface(example_case, smooth)
+    joint = joint_from_case(made.case)
+    assert made.laws(joint, solve_joint(joint).result) == []
+
+
+@pytest.mark.slow
+def test_all_laws_side_by_side_are_those_of_joints_with_each(planar_case, isotropic_map):
+    surface = roughness(pressed(isotropic_map), fractal=measured(fractal_dimension=1.5))
+    case = planar_case("planetary")
+    order = ["zou_2025", "exponential", "persson_2007", "measured"]
+    expected = {}
+    for law in order:
+        made = case_with_surface(stated(case, law), surface)
+        joint = joint_from_case(made.case)
+        result = solve_joint(joint).result
+        expected[law] = (
+            float(result.assembly.stiffness.output),
+            float(result.rolling.drift_per_output_turn),
+        )
+        entries = made.laws(joint, result)
+        assert [entry["law"] for entry in entries] == order
+        assert [entry["law"] for entry in entries if entry["used"]] == [law]
+        last = {
+            entry["law"]: (entry["assembly_Nm_per_rad"], entry["drift_rad_per_output_turn"])
+            for entry in entries
+        }
+    assert len(set(expected.values())) == 4
+    for law in order:
+        assert last[law] == pytest.approx(expected[law], rel=1e-6)
+    alone = case_with_surface(stated(case, "zou_2025"), roughness(profile_spectrum(None), fractal=measured()))
+    assert alone.laws(joint, result) == []  # a profile without a lay has one law only
 
 
 def test_the_measured_law_needs_boundary_elements(example_case, isotropic_map):

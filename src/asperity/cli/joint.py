@@ -42,13 +42,15 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured surface takes the
     place of the file's: the rms of the heights that each contact feels, or with model.contact_law = "zou_2025" D and
     G. What is not certain about it, and the error of the contact law, come out as an interval of stiffness and drift.
-    So does what Ra leaves open where the file states surfaces by their Ra.
+    So does what Ra leaves open where the file states surfaces by their Ra. If the surface serves several contact laws,
+    stiffness and drift by each of them stand side by side.
     """
     from asperity.joint_file.reader import read_case
 
     check_image(plot_file)
     case = read_case(file)
     prepare_computation()
+    from asperity.joint_file.side_by_side import laws_of_file
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
@@ -57,8 +59,12 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
         if measured is not None:
             document["assumptions"] += measured.assumed
             document |= measured.document(solved.joint)
+            laws = measured.laws(solved.joint, solved.result)
         else:
             document |= _interval(case)
+            laws = laws_of_file(case, solved.joint, solved.result)
+        if laws:
+            document["contact_laws"] = laws
     if plot_file:
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title

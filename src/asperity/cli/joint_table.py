@@ -31,6 +31,8 @@ from asperity.results.document import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from rich.console import Console
 
 Document = dict[str, Any]
@@ -71,6 +73,7 @@ def _show_stiffness(target: Console, document: Document) -> None:
     if document["stiffness_unknown_because"]:
         print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
     show_law_range(target, document)
+    _show_laws(target, document.get("contact_laws", ()))
     interval = document.get("stiffness_interval")
     if interval is None:
         return
@@ -107,6 +110,23 @@ def _show_stiffness(target: Console, document: Document) -> None:
             "contact law has no stiffness; these are left out, and from one draw in twenty on there is no interval",
             indent=2,
         )
+
+
+def _show_laws(target: Console, laws: Sequence[Document]) -> None:
+    """The joint by every contact law that its surfaces allow, one line each."""
+    if not laws:
+        return
+    shown = table(
+        target, "Contact laws side by side", "law", "assembled, output\nN·m/rad", "drift per turn\narcmin", ""
+    )
+    for entry in laws:
+        shown.add_row(
+            entry["law"],
+            number(entry["assembly_Nm_per_rad"]),
+            in_unit(entry["drift_rad_per_output_turn"], "arcmin").removesuffix(" arcmin"),
+            "used here" if entry["used"] else "",
+        )
+    target.print(shown)
 
 
 def _interval_title(document: Document) -> str:

@@ -9,6 +9,7 @@ from asperity.joint.bodies import hollow_stepped
 from asperity.joint.description import Joint
 from asperity.joint.rims import bends
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.contact_law import BY_DECAY_LENGTH
 from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_average
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.material_entries import MaterialEntry
@@ -31,6 +32,7 @@ _LAWS = {
     "zou_2025": "the published law, from the D and G of the surfaces",
     "exponential": "the law of randomly rough elastic surfaces, from the rms of their heights",
     "measured": "that of randomly rough elastic surfaces, from their decay_length",
+    "persson_2007": "that of randomly rough elastic surfaces, from their spectrum",
 }
 RANDOM_ROUGHNESS = (
     "contact law exponential: of randomly rough elastic surfaces, K_n = N/(0.48 h) and K_t in proportion to "
@@ -38,7 +40,7 @@ RANDOM_ROUGHNESS = (
     "are wide, along the axes of the rollers up to the roll-off: longer ones make the joint look softer than it is"
 )
 DECAY_LENGTH = (
-    "contact law measured: K_n = N/u with the decay_length u of each contact, whatever its force, and K_t in "
+    "contact law {}: K_n = N/u with the decay_length u of each contact, whatever its force, and K_t in "
     "proportion to 1 - T/(mu N)"
 )
 #: What the rms of the heights is where a file states Ra.
@@ -165,8 +167,8 @@ def assumptions(case: Case) -> tuple[str, ...]:
             )
     if case.model.contact_law is None:
         told.append(f"contact law {law}, since the file does not state model.contact_law: {_LAWS[law]}")
-    if law == "measured":
-        told.append(DECAY_LENGTH)
+    if law in BY_DECAY_LENGTH:
+        told.append(DECAY_LENGTH.format(law))
     if law == "exponential":
         told.append(RANDOM_ROUGHNESS)
         if surfaces_by_average(case):

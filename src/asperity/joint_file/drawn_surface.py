@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 
-from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS
+from asperity.contact.exponential import DECAY_LENGTH_RATIO, OVER_BOUNDARY_ELEMENTS, RandomRoughness
+from asperity.contact.persson_2007 import PERSSON_OVER_BOUNDARY_ELEMENTS
 from asperity.joint.evaluation import JointResult
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.joint_file import limits
@@ -32,18 +34,21 @@ DIMENSIONS, AVERAGES = 15, 5
 _OF_LAW = (
     "The law is {:g} to {:g} times as stiff as boundary elements on measured surfaces, elastic, in nine cases of ten; "
     "plastic spots make contacts stiffer, up to four times at a hardness of 1.26 GPa."
-).format(*OVER_BOUNDARY_ELEMENTS)
-_OF_ELEMENTS = (
-    "The law is that of boundary elements on the map: its soft end elastic, its stiff end capped at the hardness, each "
-    "with the scatter between patches of the map."
 )
+#: Law → its error in words.
+_ERRORS = {
+    "exponential": _OF_LAW.format(*OVER_BOUNDARY_ELEMENTS),
+    "persson_2007": _OF_LAW.format(*PERSSON_OVER_BOUNDARY_ELEMENTS),
+    "measured": "The law is that of boundary elements on the map: its soft end elastic, its stiff end capped at the "
+    "hardness, each with the scatter between patches of the map.",
+}
 _AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
 _NORMAL_95 = 1.959963984540054
 
 
 def surfaces_by_average(case: Case) -> dict[str, SurfaceEntry]:
     """The surfaces of a joint file that are stated by their Ra."""
-    return {path: entry for path, entry in _entries(case) if entry.roughness_average is not None}
+    return {path: entry for path, entry in surface_entries(case) if entry.roughness_average is not None}
 
 
 def depth_assumptions(case: Case) -> list[str]:
@@ -68,7 +73,8 @@ def depth_assumptions(case: Case) -> list[str]:
     return told
 
 
-def _entries(case: Case) -> Iterator[tuple[str, SurfaceEntry]]:
+def surface_entries(case: Case) -> Iterator[tuple[str, SurfaceEntry]]:
+    """Path of every surface of a joint file, and the surface."""
     if isinstance(case.surface, SurfaceEntry):
         yield "surface", case.surface
     else:
@@ -98,7 +104,8 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
     that of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
     """
     if case.contact_law() == "exponential":
-        return interval_of_heights(case, _ends_of_heights(case))
+        heights = _ends_of_heights(case)
+        return interval_of_heights(case, heights, exponential_ratios(heights))
     entries = surfaces_by_average(case)
     if not entries:
         return None
@@ -142,7 +149,7 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
 def _ends_of_heights(case: Case) -> Ends:
     """Lower end, middle and upper end of the rms of the heights of every surface [m]."""
     ends: Ends = {}
-    for path, entry in _entries(case):
+    for path, entry in surface_entries(case):
         values = si_values(entry)
         if entry.rms_height is not None:
             middle, half = entry.rms_height.value, entry.rms_height.tolerance
@@ -162,25 +169,34 @@ def _ends_of_heights(case: Case) -> Ends:
     return ends
 
 
-def interval_of_heights(case: Case, heights: Ends, ratios: Ends | None = None) -> dict[str, Any]:
-    """Intervals of stiffness and drift by the exponential contact law, from its error and that of the heights.
+def exponential_ratios(paths: Iterable[str]) -> Ends:
+    """Decay length over the rms of the heights of surfaces by the exponential law, with the ends of its error [-]."""
+    low, high = OVER_BOUNDARY_ELEMENTS
+    ratios = (low * DECAY_LENGTH_RATIO, DECAY_LENGTH_RATIO, high * DECAY_LENGTH_RATIO)
+    return dict.fromkeys(paths, ratios)
+
+
+def interval_of_heights(case: Case, heights: Ends, ratios: Ends) -> dict[str, Any]:
+    """Intervals of stiffness and drift by a law with a decay length, from its error and that of the heights.
 
     ``heights``: path of a surface → lower end, middle and upper end of the rms of its heights [m]; ``ratios`` the same
-    of the decay length over them [-], by boundary elements on a map; without it those of the law. As
-    :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law`` and
-    ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
+    of the decay length over them [-]. As :func:`drawn_interval`, the ends of both errors together; ``parts`` has those
+    of each alone, ``contact_law`` and ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
     """
-    key = "rms_height" if ratios is None else "decay_length"
-    changes = {}
+    lengths = {}
     for path, (low, middle, high) in heights.items():
-        least, here, most = (
-            (OVER_BOUNDARY_ELEMENTS[0], 1.0, OVER_BOUNDARY_ELEMENTS[1]) if ratios is None else ratios[path]
-        )
-        changes[f"{path}.{key}"] = np.array(
+        least, here, most = ratios[path]
+        lengths[path] = np.array(
             [least * low, most * high, least * middle, most * middle, here * low, here * high]
         )
-    values = replace_values(si_values(case), changes)
-    result = over_surfaces(joint_from_case(case), joint_from_values(values).surfaces, shape=(6,))
+    names, which = contacts_of(si_values(case)), case.contact_law()
+    surfaces = [lengths[path] for path in (f"surface.{name}" for name in names) if path in lengths]
+    result = over_surfaces(
+        joint_from_case(case),
+        tuple(RandomRoughness(jnp.asarray(of_surface)) for of_surface in surfaces or lengths.values()),
+        shape=(6,),
+    )
+    key, unit = ("rms_height_m", DECAY_LENGTH_RATIO) if which == "exponential" else ("decay_length_m", 1.0)
     both, law, roughness = (
         result_ends(
             jax.tree.map(lambda leaf, k=k: leaf[k : k + 2], result),
@@ -199,12 +215,12 @@ def interval_of_heights(case: Case, heights: Ends, ratios: Ends | None = None) -
         "states": 2,
         **both,
         "parts": {"contact_law": law, "rms_height": roughness},
-        "contacts": _asperity_ends(result, contacts_of(values)),
-        "surfaces": {path: {f"{key}_m": changes[f"{path}.{key}"][:2].tolist()} for path in heights},
+        "contacts": _asperity_ends(result, names),
+        "surfaces": {path: {key: (lengths[path][:2] / unit).tolist()} for path in heights},
         "title": "Interval of the contact law, and of the rms of the heights",
         "words": f"Of the assembled stiffness {_ends_in_words(law)} by the error of the law alone, "
         f"{_ends_in_words(roughness)} by that of the heights alone. The rms of the heights: {', '.join(told)}. "
-        f"{_OF_LAW if ratios is None else _OF_ELEMENTS} All other values are those of the file.",
+        f"{_ERRORS[which]} All other values are those of the file.",
     }
 
 

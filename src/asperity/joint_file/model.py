@@ -10,7 +10,7 @@ from pydantic import AfterValidator, Field, model_validator
 from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
 from asperity.joint_file.branch_sections import refuse_branches
-from asperity.joint_file.contact_law import ContactLaw, contact_law_of
+from asperity.joint_file.contact_law import BY_DECAY_LENGTH, ContactLaw, contact_law_of
 from asperity.joint_file.drive_sections import BENT, PartFriction, PartName, PartSkews, PartSurfaces
 from asperity.joint_file.material_entries import (
     MaterialEntry,
@@ -144,8 +144,9 @@ class ModelChoice(Section):
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
     contact_law: ContactLaw | None = None
     """Law of the asperities: zou_2025, the published one of D and G, or exponential, that of randomly rough elastic
-    surfaces, from the rms of their heights: rms_height, or that of normally distributed heights with the stated Ra; or
-    measured, the same by boundary elements on a measured map. If absent, exponential for rms_height, a finish with its
+    surfaces, from the rms of their heights: rms_height, or that of normally distributed heights with the stated Ra;
+    measured, the same by boundary elements on a measured map; or persson_2007, the same by Persson's theory from the
+    spectrum of a measured surface. If absent, exponential for rms_height, a finish with its
     Ra and a measured surface, measured for decay_length, zou_2025 for D with G or an Ra."""
     closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
     """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
@@ -205,7 +206,7 @@ class Case(WholeFile):
 
     @model_validator(mode="after")
     def _law_of_every_surface(self) -> Self:
-        if self.model.contact_law != "measured":  # a measured surface takes the place of those of the file
+        if self.model.contact_law not in BY_DECAY_LENGTH:  # a measured surface takes the place of the file's
             self.contact_law()
         return self
 

@@ -11,7 +11,7 @@ from asperity.contact.roller_pairs import Roughness
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint_file.contact_law import ContactLaw
+from asperity.joint_file.contact_law import BY_DECAY_LENGTH, ContactLaw
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -131,7 +131,7 @@ def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
 
 def surface_of(entry: Values, *, asperity_base: AsperityBase, contact_law: ContactLaw) -> Roughness:
     """The equivalent surface of both bodies of a contact, as the law of its asperities takes it."""
-    if contact_law == "measured":
+    if contact_law in BY_DECAY_LENGTH:
         return RandomRoughness(entry["decay_length"])
     if contact_law == "exponential":
         height = entry["rms_height"] if "rms_height" in entry else rms_height_of_average(entry)

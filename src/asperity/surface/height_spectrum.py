@@ -101,13 +101,38 @@ class HeightSpectrum:
         tuple of float
             Both [m^2]; the deviation is that of a normally distributed surface with this spectrum.
         """
+        part = self._part(rolling, axial)
+        return float(part.sum()), float(np.sqrt(np.sum(part**2 / self.independent)))
+
+    def _part(self, rolling: float, axial: float) -> NDArray[np.float64]:
+        """Mean square of the waves of each bin that :meth:`felt` counts, shape (rolling, axial) [m^2]."""
         low = [
             _below(edges, max(frequency, _lowest(edges)))
             for edges, frequency in ((self.rolling_edges, rolling), (self.axial_edges, axial))
         ]
-        kept = 1.0 - np.outer(*low)
-        part = kept * self.mean_square
-        return float(part.sum()), float(np.sqrt(np.sum(part**2 / self.independent)))
+        return np.asarray((1.0 - np.outer(*low)) * self.mean_square)
+
+    def waves(self, *, rolling: float, axial: float) -> NDArray[np.float64]:
+        """The waves that :meth:`felt` counts, one for each bin.
+
+        Parameters
+        ----------
+        rolling, axial : float
+            Frequencies along the rolling direction and along the axis [1/m].
+
+        Returns
+        -------
+        array, shape (2, waves)
+            Wavenumber [rad/m], the rms of those in the bin, and mean square of the heights [m^2]. The waves of a
+            surface without grooves are sqrt(2) times as steep as its profiles show.
+        """
+        first, second = (
+            (edges[:-1] ** 2 + edges[:-1] * edges[1:] + edges[1:] ** 2) / 3.0
+            for edges in (self.rolling_edges, self.axial_edges)
+        )
+        steeper = 2.0 if self.lay == "isotropic" else 1.0
+        wavenumber = 2.0 * math.pi * np.sqrt(steeper * np.add.outer(first, second))
+        return np.stack([wavenumber.ravel(), self._part(rolling, axial).ravel()])
 
     def cut_off(self) -> float:
         """Cut-off [m] that ISO 4288 takes for the Ra of this surface along the axis; longer waves are no roughness.

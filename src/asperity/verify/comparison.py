@@ -13,10 +13,10 @@ from jax import Array
 from asperity.bem import ElasticPair, PeriodicHalfSpace
 from asperity.bem.pressed_map import loaded_state
 from asperity.contact.fractal import Surface, fractal_contact
+from asperity.contact.persson_2007 import contact_fraction, persson_decay_length, wave_spectrum
 from asperity.contact.rough_contact import RoughContact
 from asperity.errors import InputError
 from asperity.verify.periodic_weierstrass import periodic_weierstrass_surface
-from asperity.verify.persson import contact_fraction, interfacial_stiffness, wave_spectrum
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -186,7 +186,10 @@ def compare(
         ]
     )
     theory_normal = nominal * jnp.stack(
-        [interfacial_stiffness(spectrum=s, mean_pressure=mean_pressure, contact_modulus=E) for s in spectra]
+        [
+            mean_pressure / persson_decay_length(spectrum=s, mean_pressure=mean_pressure, contact_modulus=E)
+            for s in spectra
+        ]
     )
     return Comparison(
         normal_force=force,

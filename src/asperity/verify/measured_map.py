@@ -13,10 +13,10 @@ from asperity.bem import ElasticPair
 from asperity.bem.pressed_map import map_patches, mirrored, pressed_map
 from asperity.contact.exponential import decay_length
 from asperity.contact.fractal import Surface
+from asperity.contact.persson_2007 import persson_decay_length, wave_spectrum
 from asperity.surface.measure_files import MeasuredFiles
 from asperity.surface.pressed_map import PressedMap, plain_numbers
 from asperity.verify.comparison import flat_fractal_contact
-from asperity.verify.persson import interfacial_stiffness, wave_spectrum
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -125,7 +125,8 @@ def compare_map(
     pressure = pressed.pressure * modulus
     height = pressed.rms_height[:, None]
     theory = [
-        interfacial_stiffness(
+        pressure
+        / persson_decay_length(
             spectrum=wave_spectrum(full, sides=(full.shape[0] * cell[0], full.shape[1] * cell[1])),
             mean_pressure=jnp.asarray(pressure),
             contact_modulus=modulus,

@@ -1,0 +1,185 @@
+"""Decay length over the heights of every contact on a measured surface: by Persson's theory, by boundary elements."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import jax
+import numpy as np
+from jax import Array
+
+from asperity.compilation import call_compiled
+from asperity.contact.persson_2007 import (
+    PERSSON_OVER_BOUNDARY_ELEMENTS,
+    WaveSpectrum,
+    contact_fraction,
+    persson_decay_length,
+    sorted_waves,
+)
+from asperity.errors import InputError
+from asperity.joint_file import limits
+from asperity.joint_file.contact_law import ContactLaw
+from asperity.joint_file.drawn_surface import Ends, exponential_ratios
+from asperity.joint_file.felt_heights import Felt, FeltContacts
+from asperity.surface.height_spectrum import HeightSpectrum
+from asperity.surface.measured_roughness import MeasuredRoughness
+from asperity.units import format_quantity
+
+
+class _Pressed(NamedTuple):
+    """What boundary elements tell of a contact."""
+
+    pressure: float  #: mean pressure [Pa]
+    ratios: tuple[float, float, float]  #: decay length over the heights: capped, elastic, upper end
+    outside: bool  #: whether the boundary elements do not have the pressure
+    hardness: float  #: of the softer body [Pa]
+    taken: float  #: hardness of the capped boundary elements on these bodies [Pa]
+
+
+def refuse_without_elements(measured: MeasuredRoughness) -> None:
+    """Refuse surfaces that were not pressed by boundary elements."""
+    for spectrum in measured.spectra:
+        if not spectrum.is_map:
+            raise InputError(
+                f'{spectrum.source}: a profile; model.contact_law = "measured" needs a map of the surface. Leave '
+                "contact_law out: the exponential law takes the spectrum of the profile"
+            )
+    if not measured.spectra or any(spectrum.pressed is None for spectrum in measured.spectra):
+        raise InputError(
+            f'{measured.source}: a measurement without boundary elements, which model.contact_law = "measured" takes: '
+            'measure the map again with a hardness, such as "7 GPa", that of the softer body'
+        )
+
+
+def _by_persson(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[Ends, list[str]]:
+    low, high = PERSSON_OVER_BOUNDARY_ELEMENTS
+    spectra = []
+    for one in contacts.felt.values():
+        bodies = zip(measured.spectra, one.axial, strict=True)
+        parts = [body.waves(rolling=1.0 / one.width, axial=1.0 / limit) for body, limit in bodies]
+        spectra.append(sorted_waves(*np.concatenate(parts, axis=1)))
+    waves = jax.tree.map(lambda *leaves: np.stack(leaves), *spectra)
+    moduli = np.array([float(moduli.contact_modulus) for moduli in contacts.moduli])
+    lengths, fractions = call_compiled(_theory, waves, contacts.pressures, moduli)
+    ends, told = {}, []
+    for (name, one), pressure, length, share in zip(
+        contacts.felt.items(), contacts.pressures, lengths, 100.0 * fractions, strict=True
+    ):
+        if not length > 1e-6 * limits.DECAY_LENGTH.lower:
+            raise InputError(
+                f"{measured.source}: {share:.4g} % of the contact {name} touches by Persson's theory: in complete "
+                "contact an interface has no stiffness that counts; leave contact_law out, the exponential law is its "
+                "soft bound"
+            )
+        ratio = float(length) / one.rms_height
+        ends[f"surface.{name}"] = (low * ratio, ratio, high * ratio)
+        told.append(
+            f"{name} {format_quantity(float(length), 'um', 3)} ({ratio:.3f} of the heights, at "
+            f"{format_quantity(pressure, 'MPa', 3)}, where {share:.2g} % of the area touch)"
+        )
+    taken = (
+        "contact law persson_2007: the decay length by Persson's theory of the waves above, elastic, under the mean "
+        f"pressure of each contact, at the torque of the file; it stays at other torques: {'; '.join(told)}"
+    )
+    return ends, [taken]
+
+
+def _theory(waves: WaveSpectrum, pressure: Array, modulus: Array) -> tuple[Array, Array]:
+    """Decay length [m] and share of the area in contact [-]; the contacts are the first axis."""
+
+    def one(spectrum: WaveSpectrum, p: Array, contact_modulus: Array) -> tuple[Array, Array]:
+        state = {"mean_pressure": p, "contact_modulus": contact_modulus}
+        return (
+            persson_decay_length(spectrum=spectrum, **state),
+            contact_fraction(rms_slope=spectrum.rms_slope, **state),
+        )
+
+    return jax.vmap(one)(waves, pressure, modulus)
+
+
+def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[Ends, list[str]]:
+    refuse_without_elements(measured)
+    spectra = measured.spectra
+    made: dict[str, _Pressed] = {}
+    for (name, one), pressure, moduli in zip(
+        contacts.felt.items(), contacts.pressures, contacts.moduli, strict=True
+    ):
+        for spectrum in spectra:
+            if one.width > spectrum.rolling_length:
+                raise InputError(
+                    f"{spectrum.source}: {format_quantity(spectrum.rolling_length, 'mm', 3)} in the rolling "
+                    f"direction, less than the contact {name} is wide, {format_quantity(one.width, 'mm', 3)}: "
+                    'measure a larger map, or leave model.contact_law = "measured" out'
+                )
+        modulus = float(moduli.contact_modulus)
+        (elastic, wide), (capped, deep) = (
+            _decay_ratio(spectra, one.squares, pressure / modulus, capped=capped) for capped in (False, True)
+        )
+        ends = [
+            spectrum.pressed.range(capped=capped)
+            for spectrum in spectra
+            if spectrum.pressed is not None
+            for capped in (False, True)
+        ]
+        made[name] = _Pressed(
+            pressure,
+            (capped * math.exp(-deep), elastic, elastic * math.exp(wide)),
+            not all(low <= pressure / modulus <= high for low, high in ends),
+            float(moduli.hardness),
+            min(spectrum.pressed.hardness * modulus for spectrum in spectra if spectrum.pressed),
+        )
+    ratios = {f"surface.{name}": one.ratios for name, one in made.items()}
+    return ratios, _assumed_of_elements(contacts.felt, made)
+
+
+def _decay_ratio(
+    spectra: tuple[HeightSpectrum, ...], squares: tuple[float, ...], pressure: float, *, capped: bool
+) -> tuple[float, float]:
+    """Decay length over the rms of the heights, and the half-width of its logarithm; squares of bodies add."""
+    parts, errors = [], []
+    for spectrum, square in zip(spectra, squares, strict=True):
+        assert spectrum.pressed is not None
+        ratio, error = spectrum.pressed.decay_ratio(pressure=pressure, capped=capped)
+        parts.append(ratio**2 * square)
+        errors.append(parts[-1] * error)
+    return math.sqrt(sum(parts) / sum(squares)), math.hypot(*errors) / sum(parts)
+
+
+def _assumed_of_elements(felt: dict[str, Felt], pressed: dict[str, _Pressed]) -> list[str]:
+    """What was taken of boundary elements."""
+    parts = [
+        f"{name} {format_quantity(one.ratios[1] * felt[name].rms_height, 'um', 3)} ({one.ratios[1]:.3f} of the "
+        f"heights, at {format_quantity(one.pressure, 'MPa', 3)})"
+        for name, one in pressed.items()
+    ]
+    told = [
+        "contact law measured: the decay length over the rms of the heights is that of elastic boundary elements on "
+        "patches of the map under the mean pressure of each contact, at the torque of the file; it stays at other "
+        f"torques: {'; '.join(parts)}"
+    ]
+    outside = [name for name, one in pressed.items() if one.outside]
+    if outside:
+        told.append(
+            f"contact law measured: the pressure of {', '.join(outside)} is outside of what boundary elements have "
+            "for this map; the decay length is that of the nearest pressure"
+        )
+    other = [name for name, one in pressed.items() if abs(one.taken - one.hardness) > 0.1 * one.hardness]
+    if other:
+        hardest = "; ".join(f"{name} {format_quantity(pressed[name].hardness, 'GPa', 3)}" for name in other)
+        told.append(
+            "contact law measured: the stiff end of the interval is that of boundary elements with the hardness "
+            f"{format_quantity(pressed[other[0]].taken, 'GPa', 3)} of the measurement, while the softer body has: "
+            f"{hardest}"
+        )
+    return told
+
+
+#: Law → function of a measurement and of what its contacts feel: path of a surface → decay length over the rms of the
+#: heights, lower end, itself and upper end [-]; and what was taken. An ``InputError`` where it does not serve the law.
+RATIOS_OF: dict[ContactLaw, Callable[[MeasuredRoughness, FeltContacts], tuple[Ends, list[str]]]] = {
+    "exponential": lambda _, contacts: (exponential_ratios(f"surface.{name}" for name in contacts.felt), []),
+    "persson_2007": _by_persson,
+    "measured": _by_elements,
+}

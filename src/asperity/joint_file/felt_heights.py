@@ -1,0 +1,151 @@
+"""What the contacts of a joint feel of a measured surface: the rms of the heights, at the width that each has."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.joint.description import Joint
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.material_entries import SurfaceEntry
+from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import contacts_of
+from asperity.joint_file.section_build import entries
+from asperity.joint_file.si_tables import si_values
+from asperity.materials import ContactPair, pair
+from asperity.surface.height_spectrum import HeightSpectrum
+from asperity.surface.measured_roughness import MeasuredRoughness
+from asperity.units import format_quantity
+
+#: The rms of the heights changes the width of the contacts by less than this share of it changes: the search ends.
+_SETTLED = 1e-3
+_MOST_PASSES = 6
+
+
+class Felt(NamedTuple):
+    """What a contact feels of a measured surface."""
+
+    rms_height: float
+    deviation: float  #: standard deviation of its logarithm
+    width: float
+    axial: tuple[float, ...]  #: longest waves along the axis, for each body
+    longest: float  #: share of the mean square in waves longer than half of the longest one
+    squares: tuple[float, ...]  #: mean square of the heights of each body
+
+
+class FeltContacts(NamedTuple):
+    """The contacts of a joint on a measured surface, crowned ones where they are widest."""
+
+    felt: dict[str, Felt]
+    pressures: Any  #: mean Hertzian pressures, shape (contacts,) [Pa]
+    moduli: tuple[ContactPair, ...]
+
+
+def settled_heights(case: Case, spectra: tuple[HeightSpectrum, ...]) -> FeltContacts:
+    """What each contact feels at the width that it has in the joint with these surfaces."""
+    names = contacts_of(si_values(case))
+    lengths = entries(si_values(case)["drive"]["contact_length"], names)
+    lengths = lengths * len(names) if len(lengths) == 1 else lengths
+
+    def at(widths: Any) -> dict[str, Felt]:
+        return {
+            name: _felt(spectra, width=float(width), length=float(length))
+            for name, width, length in zip(names, widths, lengths, strict=True)
+        }
+
+    felt = at([math.inf] * len(names))
+    settles = not any(spectrum.needs_width for spectrum in spectra)
+    for _ in range(_MOST_PASSES):
+        joint = joint_from_case(with_heights(case, felt))
+        diagnostics = solve_joint(joint).result.diagnostics
+        before, felt = felt, at(2.0 * np.asarray(diagnostics.hertz_half_width))
+        if settles or all(
+            abs(felt[name].rms_height - before[name].rms_height) <= _SETTLED * felt[name].rms_height
+            for name in names
+        ):
+            return FeltContacts(felt, 0.25 * math.pi * np.asarray(diagnostics.hertz_pressure), _moduli(joint))
+    raise InputError(
+        "the heights that the contacts feel and the widths of the contacts do not settle: state surface.rms_height"
+    )
+
+
+def _moduli(joint: Joint) -> tuple[ContactPair, ...]:
+    bodies = {body.name: material for body, material in zip(joint.drive.bodies, joint.materials, strict=True)}
+    return tuple(pair(bodies[contact.first], bodies[contact.second]) for contact in joint.drive.contacts)
+
+
+def with_heights(case: Case, felt: dict[str, Felt]) -> Case:
+    """The joint file with the heights that each contact feels."""
+    return with_surfaces(
+        case, {name: {"rms_height": f"{contact.rms_height!r} m"} for name, contact in felt.items()}
+    )
+
+
+def with_surfaces(case: Case, lengths: dict[str, dict[str, str]]) -> Case:
+    """The joint file with the surface of each contact, from keys of a joint file."""
+    surface = {name: SurfaceEntry.model_validate(entry) for name, entry in lengths.items()}
+    return case.model_copy(update={"surface": surface}).with_text("")
+
+
+def _felt(spectra: tuple[HeightSpectrum, ...], *, width: float, length: float) -> Felt:
+    """The waves of all bodies that a contact of a width and a length feels [m]."""
+    rolling, axial = 1.0 / width if width > 0.0 else math.inf, []
+    square = variance = long = 0.0
+    squares = []
+    for spectrum in spectra:
+        limit = min(length, spectrum.cut_off())
+        one, deviation = spectrum.felt(rolling=rolling, axial=1.0 / limit)
+        longest = min(limit, spectrum.longest_wave)
+        short, _ = spectrum.felt(rolling=max(rolling, 2.0 / longest), axial=2.0 / longest)
+        square, variance, long = square + one, variance + deviation**2, long + one - short
+        axial.append(limit)
+        squares.append(one)
+    if not square > 0.0:
+        sources = " + ".join(spectrum.source for spectrum in spectra)
+        raise InputError(
+            f"{sources}: all heights are equal, there is no roughness of which a contact law knows"
+        )
+    return Felt(
+        math.sqrt(square),
+        0.5 * math.sqrt(variance) / square,
+        width,
+        tuple(axial),
+        long / square,
+        tuple(squares),
+    )
+
+
+def assumed_heights(measured: MeasuredRoughness, felt: dict[str, Felt]) -> list[str]:
+    """What was taken of a measurement."""
+    power = "" if measured.fractal is not None else f"; {measured.no_power_law}"
+    told = [f"measured surface {measured.source}: the joint uses the measured spectrum{power}"]
+    parts = []
+    for name, contact in felt.items():
+        limits = " and ".join(format_quantity(limit, "mm", 3) for limit in contact.axial)
+        height, width = format_quantity(contact.rms_height, "um", 3), format_quantity(contact.width, "mm", 3)
+        parts.append(f"{name} {height} (2b {width}, along the axis {limits})")
+    told.append(
+        "measured surface: the rms of the heights of all waves but those that are longer than the Hertzian width 2b of "
+        "the contact, under the torque of the file, in the rolling direction and, along the axis, longer than its "
+        f"contact line or than the cut-off of ISO 4288 for the Ra of the surface: {'; '.join(parts)}"
+    )
+    for number, spectrum in enumerate(measured.spectra):
+        if spectrum.lay is not None:
+            told.append(f"{spectrum.source}: a profile across its lay, which is stated as {spectrum.lay}")
+        if any(spectrum.longest_wave < contact.axial[number] for contact in felt.values()):
+            size = format_quantity(spectrum.longest_wave, "mm", 3)
+            told.append(
+                f"{spectrum.source}: nothing is known of waves longer than {size}, its size; if there are any that "
+                "count, the contacts are softer"
+            )
+    share = max(contact.longest for contact in felt.values())
+    if share > 0.5:
+        told.append(
+            f"measured surface: {100.0 * share:.0f} % of the mean square of the heights lie in the longest octave of "
+            "waves that counts: there is no roll-off, and the result depends on where the waves are cut off"
+        )
+    return told
