@@ -24,6 +24,7 @@ ARGUMENTS = {
     "outliers": "outlier_threshold",
     "short_cut_off": "short_cutoff",
     "cut_off": "long_cutoff",
+    "material_ratio": "material_depth",
     "gamma": "frequency_ratio",
     "shortest": "shortest_wavelength",
     "longest": "longest_wavelength",
@@ -112,6 +113,11 @@ def _stress(context: click.Context, parameter: click.Parameter, value: str | Non
     "--short-cut-off",
     callback=_length,
     help="Cut-off lambda_s, or nesting index of the S-filter of a map.  [default: that of ISO 3274; none for maps]",
+)
+@click.option(
+    "--material-ratio",
+    callback=_length,
+    help="Depth below the level of 5 % material at which the material ratio Rmr of a profile is given besides Rz/4.",
 )
 @click.option(
     "--direction",

@@ -7,8 +7,8 @@ Values of a profile without a filter are not these: they are Pa, Pq, Pt (:mod:`a
 
 References
 ----------
-Parameters: ISO 21920-2:2021 (Ra, Rq, Rsk, Rku and Rt of the evaluation length, Rz, Rp and Rv as means of the sections);
-cut-offs by Ra: ISO 4288:1996, table 1, and ISO 21920-3:2021; :math:`\lambda_s` and the largest spacing: ISO 3274:1996,
+Parameters: ISO 21920-2:2021 (Ra, Rq, Rsk, Rku, Rt and Rmr of the evaluation length, Rz, Rp and Rv as means of the
+sections); cut-offs by Ra: ISO 4288:1996, table 1, and ISO 21920-3:2021; :math:`\lambda_s` and the largest spacing: ISO 3274:1996,
 table 1; filter: ISO 16610-21:2011; Rk, Rpk, Rvk: ISO 13565-2:1996.
 """
 
@@ -34,6 +34,8 @@ FEWEST_POINTS = 10
 POINTS_IN_SHORT_CUT_OFF = 5
 #: Share of the material ratio curve that the secant of the core spans (ISO 13565-2).
 SECANT = 0.4
+#: Material ratio of the level from which the depths of relative material ratios count.
+REFERENCE_RATIO = 0.05
 #: Cut-off [m] → lambda_s [m] of ISO 3274; of others it is a three-hundredth.
 SHORT_CUT_OFFS = {0.08e-3: 2.5e-6, 0.25e-3: 2.5e-6, 0.8e-3: 2.5e-6, 2.5e-3: 8e-6, 8e-3: 25e-6}
 
@@ -55,7 +57,8 @@ class Roughness:
     lengths : dict
         Symbol → value [m]: Ra, Rq, Rz, Rp, Rv, Rt, Rk, Rpk, Rvk, and RSm where there is a full profile element.
     numbers : dict
-        Symbol → value [-]: Rsk, Rku (nan of a flat profile), Rmrk1, Rmrk2 (Mr1 and Mr2 of ISO 13565-2).
+        Symbol → value [-]: Rsk, Rku (nan of a flat profile), Rmrk1, Rmrk2 (Mr1 and Mr2 of ISO 13565-2), and relative
+        material ratios Rmr(p, dc), dc below the height of the ratio p: a quarter of Rz, and the stated depth.
     """
 
     cut_off: float
@@ -67,7 +70,11 @@ class Roughness:
 
 
 def roughness(
-    *, topography: Topography, cut_off: float | None, short_cut_off: float | None
+    *,
+    topography: Topography,
+    cut_off: float | None,
+    short_cut_off: float | None,
+    material_depth: float | None = None,
 ) -> Roughness | str:
     """Roughness parameters of a levelled profile, or the reason why there are none.
 
@@ -79,6 +86,8 @@ def roughness(
         lambda_c [m]; None for the smallest of 0.08, 0.25, 0.8, 2.5 and 8 mm whose class holds the Ra behind it.
     short_cut_off : float or None
         lambda_s [m]; None for that of ISO 3274, or for no such filter if the spacing is more than a fifth of it.
+    material_depth : float or None
+        Depth [m] of a further relative material ratio.
 
     Returns
     -------
@@ -88,7 +97,7 @@ def roughness(
     Raises
     ------
     InputError
-        If the profile has missing points or the given cut-offs do not suit it.
+        If the profile has missing points, the given cut-offs do not suit it, or the depth is not positive.
 
     Notes
     -----
@@ -97,9 +106,14 @@ def roughness(
     """
     if topography.missing_points:
         raise InputError(f"{topography.source}: roughness parameters need a profile without missing points")
+    if material_depth is not None and not 0.0 < material_depth < math.inf:
+        raise InputError(
+            f"the depth of the material ratio is {material_depth} m; it must be a positive length",
+            options=["material-ratio"],
+        )
     if cut_off is not None:
         _check_cut_off(topography, cut_off)
-        return _behind(topography, cut_off, short_cut_off, "as chosen")
+        return _behind(topography, cut_off, short_cut_off, material_depth, "as chosen")
     shortest, tried = max(FEWEST_POINTS * topography.spacing, 1.001 * (short_cut_off or 0.0)), None
     choice = "the class of ISO 21920-3 for this Ra"
     if shortest > STANDARD_CUT_OFFS[0][1]:
@@ -109,7 +123,7 @@ def roughness(
             continue
         if _sections(topography, standard) < 1:
             break
-        tried = _behind(topography, standard, short_cut_off, choice)
+        tried = _behind(topography, standard, short_cut_off, material_depth, choice)
         if tried.lengths["Ra"] <= largest:
             return tried
         choice = "the class of ISO 21920-3 for this Ra"
@@ -172,6 +186,24 @@ def material_ratio_parameters(*, heights: NDArray[np.float64]) -> tuple[float, f
     )
 
 
+def relative_material_ratio(*, heights: NDArray[np.float64], depth: float) -> float:
+    """Rmr(p, dc) [-]: share of the heights above a level dc = ``depth`` below the one above which the share p is.
+
+    p is :data:`REFERENCE_RATIO`; the depth is in the unit of the heights.
+
+    References
+    ----------
+    ISO 21920-2:2021, relative material ratio; ISO 4287:1997, 4.5.4.
+
+    Examples
+    --------
+    >>> relative_material_ratio(heights=np.linspace(0.0, 1.0, 1001), depth=0.25).__round__(2)
+    0.3
+    """
+    reference = np.quantile(heights, 1.0 - REFERENCE_RATIO, method="hazen")
+    return float(np.mean(heights >= reference - depth))
+
+
 def _sections(topography: Topography, cut_off: float) -> int:
     """Sections that fit between run-in and run-out of half a cut-off, five at most; not positive if none does."""
     return min(CUT_OFFS_EVALUATED, math.floor(topography.size[0] / cut_off - 1.0 + 1e-6))
@@ -188,7 +220,13 @@ def _check_cut_off(topography: Topography, cut_off: float) -> None:
         )
 
 
-def _behind(topography: Topography, cut_off: float, short_cut_off: float | None, choice: str) -> Roughness:
+def _behind(
+    topography: Topography,
+    cut_off: float,
+    short_cut_off: float | None,
+    material_depth: float | None,
+    choice: str,
+) -> Roughness:
     """The parameters behind the filters of one cut-off."""
     z, spacing = topography.heights, topography.spacing
     if short_cut_off is None:
@@ -225,6 +263,9 @@ def _behind(topography: Topography, cut_off: float, short_cut_off: float | None,
         "Rvk": Rvk,
     }
     width = element_width(heights=z, spacing=spacing)
+    depths = {"Rz/4": 0.25 * (peak - valley)}
+    if material_depth is not None:
+        depths[format_quantity(material_depth, "um")] = material_depth
     return Roughness(
         cut_off,
         choice,
@@ -236,5 +277,9 @@ def _behind(topography: Topography, cut_off: float, short_cut_off: float | None,
             "Rku": float(np.mean(square * square)) / rms**4 if rms > 0.0 else math.nan,
             "Rmrk1": Rmrk1,
             "Rmrk2": Rmrk2,
+            **{
+                f"Rmr({100 * REFERENCE_RATIO:g} %, {name})": relative_material_ratio(heights=z, depth=depth)
+                for name, depth in depths.items()
+            },
         },
     )
