@@ -8,8 +8,8 @@ Values of a profile without a filter are not these: they are Pa, Pq, Pt (:mod:`a
 References
 ----------
 Parameters: ISO 21920-2:2021 (Ra, Rq, Rsk, Rku, Rt and Rmr of the evaluation length, Rz, Rp and Rv as means of the
-sections); cut-offs by Ra: ISO 4288:1996, table 1, and ISO 21920-3:2021; :math:`\lambda_s` and the largest spacing: ISO 3274:1996,
-table 1; filter: ISO 16610-21:2011; Rk, Rpk, Rvk: ISO 13565-2:1996.
+sections); cut-offs by Ra: ISO 4288:1996, table 1, and ISO 21920-3:2021; :math:`\lambda_s` and the largest spacing:
+ISO 3274:1996, table 1; filter: ISO 16610-21:2011; Rk, Rpk, Rvk: ISO 13565-2:1996.
 """
 
 from __future__ import annotations
