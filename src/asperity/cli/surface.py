@@ -248,9 +248,15 @@ def _parameters(s: MeasuredSurface, axial: bool) -> Iterator[str]:
         for symbol, value in rough.numbers.items():
             words.append(f"{symbol} {100 * value:.3g} %" if "mr" in symbol else f"{symbol} {value:.4g}")
         yield f"  {', '.join(words)}"
-    crown = s.crown
+    crown, log = s.crown, s.logarithmic
     if crown is None:
         return
+    if log is not None and log.stands_out(crown):
+        yield (
+            f"logarithmic profile: coefficient {1e6 * log.coefficient:.3g} um (by ISO/TS 16281 that of a roller of "
+            f"{1e3 * log.roller_diameter:.3g} mm), length {1e3 * log.length:.4g} mm, {1e6 * log.drop:.4g} um from "
+            f"middle to end, misfit {1e6 * log.misfit:.3g} um rms; joint files know circular crowns only"
+        )
     shape = (
         f"radius {abs(crown.radius):.4g} m ({abs(crown.middle_radius):.4g} m of the middle half), "
         f"{1e6 * abs(crown.drop):.4g} um from middle to end, misfit {1e6 * crown.misfit:.3g} um rms"

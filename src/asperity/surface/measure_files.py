@@ -273,6 +273,14 @@ def _file_entry(surface: MeasuredSurface) -> dict[str, Any]:
             "misfit_m": crown.misfit,
             "is_circular": crown.stands_out,
         }
+        shape = surface.logarithmic
+        entry["logarithmic_profile"] = shape and {
+            "coefficient_m": shape.coefficient,
+            "length_m": shape.length,
+            "drop_m": shape.drop,
+            "misfit_m": shape.misfit,
+            "stands_out": shape.stands_out(crown),
+        }
     return entry
 
 
