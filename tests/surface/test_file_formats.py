@@ -14,14 +14,14 @@ ELSEWHERE = {"x3p", "nms", "npy", "asc", "xyz", "hgt"}
 
 def test_every_format_of_the_package_is_in_the_table():
     readers = pytest.importorskip("SurfaceTopography.IO").readers
-    named = {name for known in FORMATS for name in known.package_names}
+    named = {name for known in FORMATS for name in known.package.split()}
     assert named | ELSEWHERE == {reader.format() for reader in readers}
 
 
 def test_a_format_is_read_or_says_what_to_do():
     for known in FORMATS:
         assert bool(known.reader) != bool(known.export), known.name
-        assert (known.reader == "package") <= bool(known.package_names), known.name
+        assert (known.reader == "package") <= bool(known.package), known.name
 
 
 def test_no_two_formats_have_one_signature():

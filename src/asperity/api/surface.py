@@ -28,7 +28,6 @@ _LENGTHS = (
     "stop",
     "short_cutoff",
     "long_cutoff",
-    "material_depth",
     "shortest_wavelength",
     "longest_wavelength",
 )
@@ -49,7 +48,6 @@ def measure_surface(
     outlier_threshold: float | None = None,
     short_cutoff: str | None = None,
     long_cutoff: str | None = None,
-    material_depth: str | None = None,
     direction: str = "x",
     lay: Lay | None = None,
     estimator: str = "automatic",
@@ -73,8 +71,8 @@ def measure_surface(
         Accept sizes that are unlikely for a rough surface.
     start, stop : str, optional
         Section of a profile, such as ``"468 um"``.
-    form, degree, missing, outlier_threshold, short_cutoff, long_cutoff, material_depth : optional
-        Treatment before the evaluation, as :class:`asperity.surface.measure.Conditioning` describes it; lengths carry
+    form, degree, missing, outlier_threshold, short_cutoff, long_cutoff : optional
+        Treatment before the evaluation, as :class:`asperity.surface.measure.Conditioning` describes it; cutoffs carry
         their units. By default a line is removed from a profile and a plane from a map.
     direction : {"x", "y"}, optional
         Direction in a map of D and G, and in which the contact rolls.

@@ -24,7 +24,6 @@ ARGUMENTS = {
     "outliers": "outlier_threshold",
     "short_cut_off": "short_cutoff",
     "cut_off": "long_cutoff",
-    "material_ratio": "material_depth",
     "gamma": "frequency_ratio",
     "shortest": "shortest_wavelength",
     "longest": "longest_wavelength",
@@ -113,11 +112,6 @@ def _stress(context: click.Context, parameter: click.Parameter, value: str | Non
     "--short-cut-off",
     callback=_length,
     help="Cut-off lambda_s, or nesting index of the S-filter of a map.  [default: that of ISO 3274; none for maps]",
-)
-@click.option(
-    "--material-ratio",
-    callback=_length,
-    help="Depth below the level of 5 % material at which the material ratio Rmr of a profile is given besides Rz/4.",
 )
 @click.option(
     "--direction",
@@ -253,9 +247,8 @@ def _parameters(s: MeasuredSurface, axial: bool) -> Iterator[str]:
         return
     if log is not None and log.stands_out(crown):
         yield (
-            f"logarithmic profile: coefficient {1e6 * log.coefficient:.3g} um (by ISO/TS 16281 that of a roller of "
-            f"{1e3 * log.roller_diameter:.3g} mm), length {1e3 * log.length:.4g} mm, {1e6 * log.drop:.4g} um from "
-            f"middle to end, misfit {1e6 * log.misfit:.3g} um rms; joint files know circular crowns only"
+            f"logarithmic profile (Lundberg): A {1e6 * log.coefficient:.3g} um, length {1e3 * log.length:.4g} mm, "
+            f"misfit {1e6 * log.misfit:.3g} um rms; joint files know circular crowns only"
         )
     shape = (
         f"radius {abs(crown.radius):.4g} m ({abs(crown.middle_radius):.4g} m of the middle half), "

@@ -13,8 +13,6 @@ from asperity.surface.topography import Topography
 
 #: Fewest points of a form.
 FEWEST_POINTS = 16
-#: Coefficient of the standard's logarithmic profile over the diameter of the roller [-].
-STANDARD_COEFFICIENT = 0.00035
 # points to which a profile is averaged for the search
 _SEARCHED = 512
 # of the middle, and of the logarithm of the excess length, both over half of the profile
@@ -73,12 +71,8 @@ class LogarithmicProfile:
 
     Attributes
     ----------
-    coefficient : float
-        A [m]; 0.00035 times the diameter of a roller by the standard.
-    length : float
-        L [m], at whose ends the profile falls without bound.
-    drop : float
-        From its middle to the farther end of what was measured [m].
+    coefficient, length : float
+        A and L [m]; by the standard A is 0.00035 times the roller's diameter.
     misfit : float
         Rms of the heights about it [m].
 
@@ -89,13 +83,7 @@ class LogarithmicProfile:
 
     coefficient: float
     length: float
-    drop: float
     misfit: float
-
-    @property
-    def roller_diameter(self) -> float:
-        """Diameter of the roller that has this coefficient by the standard [m]."""
-        return self.coefficient / STANDARD_COEFFICIENT
 
     def stands_out(self, circle: Crown) -> bool:
         """Whether the profile is this one: misfit up to a tenth of the circle's drop, and to 0.8 of its misfit."""
@@ -127,13 +115,8 @@ def logarithmic_profile(*, topography: Topography) -> LogarithmicProfile | None:
     fit, coefficient, length = _logarithmic(x, z, *best.x)
     if not coefficient > 0.0:
         return None
-    end = 2.0 * (1.0 + abs(best.x[0])) / length
-    return LogarithmicProfile(
-        coefficient,
-        length * 0.5 * (z.size - 1) * topography.spacing,
-        -coefficient * math.log1p(-(end**2)),
-        float(np.std(z - fit)),
-    )
+    half_length = 0.5 * (z.size - 1) * topography.spacing
+    return LogarithmicProfile(coefficient, length * half_length, float(np.std(z - fit)))
 
 
 def _logarithmic(

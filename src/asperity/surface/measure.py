@@ -27,7 +27,7 @@ class Conditioning:
     ``outlier_threshold``: robust standard deviations beyond which a point counts as missing, None keeps all. The
     cut-offs [m] are, of a profile, lambda_s and lambda_c of the R parameters, None for those of the standard; of a map,
     the nesting indices of the S-filter and the L-filter, None for none. They are for these parameters only: a filter
-    would bend the spectrum that D and G come from. ``material_depth`` [m]: of a further material ratio of a profile.
+    would bend the spectrum that D and G come from.
     """
 
     form: str
@@ -36,7 +36,6 @@ class Conditioning:
     outlier_threshold: float | None
     short_cutoff: float | None
     long_cutoff: float | None
-    material_depth: float | None = None
 
 
 @dataclass(frozen=True)
@@ -90,10 +89,6 @@ def conditioned(*, topography: Topography, conditioning: Conditioning) -> Measur
     flat = levelled(topography=complete, form=conditioning.form, degree=conditioning.degree)
     step = height_step(profiles=complete.profiles(direction="x")[0])
     if flat.is_map:
-        if conditioning.material_depth is not None:
-            raise InputError(
-                "the material ratio is given of profiles, not of maps", options=["material-ratio"]
-            )
         filters = conditioning.short_cutoff, conditioning.long_cutoff
         rough = filtered(topography=flat, short_cutoff=filters[0], long_cutoff=filters[1])
         return MeasuredSurface(flat, height_parameters(topography=rough), step, filters=filters)
@@ -115,9 +110,7 @@ def _roughness(profile: Topography, conditioning: Conditioning, gaps: bool) -> R
         if long is None and short is None:
             return reason
         raise InputError(f"{profile.source}: no filter, because {reason}", options=["missing"])
-    return roughness(
-        topography=profile, cut_off=long, short_cut_off=short, material_depth=conditioning.material_depth
-    )
+    return roughness(topography=profile, cut_off=long, short_cut_off=short)
 
 
 def pooled_profiles(*, surfaces: list[Topography], direction: str) -> tuple[NDArray[np.float64], float, bool]:

@@ -117,7 +117,6 @@ def measured_files(
     frequency_ratio: float,
     shortest_wavelength: float | None,
     longest_wavelength: float | None,
-    material_depth: float | None = None,
 ) -> MeasuredFiles:
     """Read files of one surface, condition them, and fit D and G to all of them.
 
@@ -131,7 +130,7 @@ def measured_files(
         Section of a profile [m]; None for its ends.
     form : str or None
         Form to remove; None for the line of a profile and the plane of a map.
-    degree, missing, outlier_threshold, short_cutoff, long_cutoff, material_depth
+    degree, missing, outlier_threshold, short_cutoff, long_cutoff
         As for :class:`asperity.surface.measure.Conditioning`.
     direction : {"x", "y"}
         Direction in a map that counts as the result, and in which the contact rolls.
@@ -173,7 +172,6 @@ def measured_files(
             outlier_threshold=outlier_threshold,
             short_cutoff=short_cutoff,
             long_cutoff=long_cutoff,
-            material_depth=material_depth,
         )
         surfaces.append(conditioned(topography=topography, conditioning=conditioning))
     if direction == "y" and not surfaces[0].topography.is_map:
@@ -277,7 +275,6 @@ def _file_entry(surface: MeasuredSurface) -> dict[str, Any]:
         entry["logarithmic_profile"] = shape and {
             "coefficient_m": shape.coefficient,
             "length_m": shape.length,
-            "drop_m": shape.drop,
             "misfit_m": shape.misfit,
             "stands_out": shape.stands_out(crown),
         }

@@ -57,7 +57,7 @@ def _opened(path: Path, name: str) -> tuple[Any, Any, NDArray[np.float64]]:
         try:
             reader = SurfaceTopography.open_topography(str(path))
             if reader.format() not in {
-                name for known in FORMATS if known.reader for name in known.package_names
+                name for known in FORMATS if known.reader for name in known.package.split()
             }:
                 raise InputError(
                     f"{path.name} ({name}) cannot be read: its format is not known; export it as X3P or text"
@@ -90,7 +90,7 @@ def _reason(error: Exception) -> str:
 def _in_metres(
     reader: Any, measured: Any, heights: NDArray[np.float64], height_unit: str | None, source: str
 ) -> Topography:
-    unitless = {name for known in FORMATS if known.stated for name in known.package_names}
+    unitless = {name for known in FORMATS if known.stated for name in known.package.split()}
     unit = None if reader.format() in unitless else measured.unit
     if unit is None:
         if height_unit is None:

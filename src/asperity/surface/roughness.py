@@ -57,8 +57,7 @@ class Roughness:
     lengths : dict
         Symbol → value [m]: Ra, Rq, Rz, Rp, Rv, Rt, Rk, Rpk, Rvk, and RSm where there is a full profile element.
     numbers : dict
-        Symbol → value [-]: Rsk, Rku (nan of a flat profile), Rmrk1, Rmrk2 (Mr1 and Mr2 of ISO 13565-2), and relative
-        material ratios Rmr(p, dc), dc below the height of the ratio p: a quarter of Rz, and the stated depth.
+        Symbol → value [-]: Rsk, Rku (nan of a flat profile), Rmrk1, Rmrk2 (Mr1 and Mr2 of ISO 13565-2), Rmr(5 %, Rz/4).
     """
 
     cut_off: float
@@ -70,11 +69,7 @@ class Roughness:
 
 
 def roughness(
-    *,
-    topography: Topography,
-    cut_off: float | None,
-    short_cut_off: float | None,
-    material_depth: float | None = None,
+    *, topography: Topography, cut_off: float | None, short_cut_off: float | None
 ) -> Roughness | str:
     """Roughness parameters of a levelled profile, or the reason why there are none.
 
@@ -86,8 +81,6 @@ def roughness(
         lambda_c [m]; None for the smallest of 0.08, 0.25, 0.8, 2.5 and 8 mm whose class holds the Ra behind it.
     short_cut_off : float or None
         lambda_s [m]; None for that of ISO 3274, or for no such filter if the spacing is more than a fifth of it.
-    material_depth : float or None
-        Depth [m] of a further relative material ratio.
 
     Returns
     -------
@@ -97,7 +90,7 @@ def roughness(
     Raises
     ------
     InputError
-        If the profile has missing points, the given cut-offs do not suit it, or the depth is not positive.
+        If the profile has missing points or the given cut-offs do not suit it.
 
     Notes
     -----
@@ -106,14 +99,9 @@ def roughness(
     """
     if topography.missing_points:
         raise InputError(f"{topography.source}: roughness parameters need a profile without missing points")
-    if material_depth is not None and not 0.0 < material_depth < math.inf:
-        raise InputError(
-            f"the depth of the material ratio is {material_depth} m; it must be a positive length",
-            options=["material-ratio"],
-        )
     if cut_off is not None:
         _check_cut_off(topography, cut_off)
-        return _behind(topography, cut_off, short_cut_off, material_depth, "as chosen")
+        return _behind(topography, cut_off, short_cut_off, "as chosen")
     shortest, tried = max(FEWEST_POINTS * topography.spacing, 1.001 * (short_cut_off or 0.0)), None
     choice = "the class of ISO 21920-3 for this Ra"
     if shortest > STANDARD_CUT_OFFS[0][1]:
@@ -123,7 +111,7 @@ def roughness(
             continue
         if _sections(topography, standard) < 1:
             break
-        tried = _behind(topography, standard, short_cut_off, material_depth, choice)
+        tried = _behind(topography, standard, short_cut_off, choice)
         if tried.lengths["Ra"] <= largest:
             return tried
         choice = "the class of ISO 21920-3 for this Ra"
@@ -220,13 +208,7 @@ def _check_cut_off(topography: Topography, cut_off: float) -> None:
         )
 
 
-def _behind(
-    topography: Topography,
-    cut_off: float,
-    short_cut_off: float | None,
-    material_depth: float | None,
-    choice: str,
-) -> Roughness:
+def _behind(topography: Topography, cut_off: float, short_cut_off: float | None, choice: str) -> Roughness:
     """The parameters behind the filters of one cut-off."""
     z, spacing = topography.heights, topography.spacing
     if short_cut_off is None:
@@ -263,9 +245,7 @@ def _behind(
         "Rvk": Rvk,
     }
     width = element_width(heights=z, spacing=spacing)
-    depths = {"Rz/4": 0.25 * (peak - valley)}
-    if material_depth is not None:
-        depths[format_quantity(material_depth, "um")] = material_depth
+    ratio = relative_material_ratio(heights=z, depth=0.25 * (peak - valley))
     return Roughness(
         cut_off,
         choice,
@@ -277,9 +257,6 @@ def _behind(
             "Rku": float(np.mean(square * square)) / rms**4 if rms > 0.0 else math.nan,
             "Rmrk1": Rmrk1,
             "Rmrk2": Rmrk2,
-            **{
-                f"Rmr({100 * REFERENCE_RATIO:g} %, {name})": relative_material_ratio(heights=z, depth=depth)
-                for name, depth in depths.items()
-            },
+            f"Rmr({100 * REFERENCE_RATIO:g} %, Rz/4)": ratio,
         },
     )
