@@ -27,7 +27,7 @@ from scipy.stats import norm
 LARGEST_SKEWNESS = 3.3
 #: Chance with which one of all curvatures of normally distributed heights may be larger than those that are accepted.
 CHANCE = 0.001
-#: Change along the band of the logarithm of the power over its robust estimate a map may have: D shifts by 0.04 over a decade.
+#: Largest change of the logarithm of the power over its robust estimate along the band of a map (0.04 in D a decade).
 LARGEST_BEND = 0.2
 #: Rows of a map that are looked at.
 _ROWS = 32
