@@ -100,6 +100,13 @@ def instrument(effect: str, heights: np.ndarray, spacing: float, random: np.rand
         half = min(int(np.sqrt(2.0 * radius * 8.0 * rms) / spacing) + 1, 400)
         x = np.arange(-half, half + 1) * spacing
         return np.array([scipy.ndimage.grey_dilation(z, structure=-(x**2) / (2.0 * radius)) for z in heights])
+    if kind == "scratches":  # twelve valleys of 1 to 4 um width in each profile
+        x, heights = np.arange(heights.shape[1]) * spacing, heights.copy()
+        for z in heights:
+            for width, place in zip(
+                random.uniform(1e-6, 4e-6, 12), random.uniform(0.0, x[-1], 12), strict=True
+            ):
+                z -= size * rms * np.maximum(1.0 - 2.0 * np.abs(x - place) / width, 0.0)
     return heights
 
 
@@ -173,7 +180,13 @@ def main() -> None:
         ("self-affine", "structure_function", POINTS),
         ("band-limited", "power_spectrum", POINTS),
     ]
-    sizes = {"none": (0,), "noise": (0.001, 0.01, 0.1), "quantised": (0.01, 0.1), "tip": (2, 10)}
+    sizes = {
+        "none": (0,),
+        "noise": (0.001, 0.01, 0.1),
+        "quantised": (0.01, 0.1),
+        "tip": (2, 10),
+        "scratches": (0.03, 0.1, 0.3),
+    }
     effects = [f"{kind} {size}" for kind, all_sizes in sizes.items() for size in all_sizes]
     with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
         if arguments.table in (None, "recovery"):

@@ -223,3 +223,11 @@ def test_wrong_input(tmp_path):
         "--spacing", "1 um", "--seed", 1,
     )  # fmt: skip
     assert isinstance(bad.exception, InputError)
+
+
+def test_formats_are_listed_with_what_to_do_with_others():
+    got = run("formats")
+    assert got.exit_code == 0
+    assert "NanoFocus NMS" in got.output
+    assert re.search(r"TIFF\s+\.tif \.tiff\s+grey images, 8 to 32 bit\s+height unit, spacing", got.output)
+    assert "Mahr (.pcd .pra .s2p, MarSurf, Perthometer): export the profile as text" in got.output

@@ -38,8 +38,9 @@ def test_what_is_not_a_file(tmp_path):
 
 def test_units_are_those_of_the_package():
     assert metres_per_unit("um") == metres_per_unit("µm") == metres_per_unit("\u03bcm") == 1e-6
+    assert metres_per_unit(" 2.5 nm") == 2.5e-9
     assert metres_per_unit("Mm") == 1e6  # not a millimetre
     assert metres_per_unit("Å") == metres_per_unit("angstrom") == 1e-10
-    for unit in ("NM", "parsec", "", "kg", "3 mm"):
+    for unit in ("NM", "parsec", "", "kg", "0 mm", "-3 mm", "3"):
         with pytest.raises(InputError):
             metres_per_unit(unit)

@@ -5,7 +5,6 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.surface.levelling import (
-    crown,
     default_form,
     filtered,
     gaussian_lowpass,
@@ -146,25 +145,3 @@ def test_band_between_both_cutoffs():
     np.testing.assert_allclose(got.heights[middle], waves[100e-6][middle], atol=0.09)
     assert "lambda_s = 2e-05 m" in got.notes[0]
     assert "lambda_c = 0.0006 m" in got.notes[1]
-
-
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_crown_of_a_circle(sign):
-    """Radius 2 m over 10 mm, tilted, with a wave of 0.1 um: a drop of B^2/8R = 6.25 um, a misfit of 0.1/sqrt(2) um."""
-    x = np.linspace(-5e-3, 5e-3, 10_001)
-    circle = sign * (np.sqrt(4.0 - x**2) - 2.0) + 1e-3 * x
-    got = crown(topography=Topography(circle + 1e-7 * np.sin(2 * np.pi * x / 1e-4), 1e-6))
-    assert got.radius == pytest.approx(2.0 * sign, rel=1e-3)
-    assert got.middle_radius == pytest.approx(2.0 * sign, rel=5e-3)
-    assert got.drop == pytest.approx(6.25e-6 * sign, rel=1e-3)
-    assert got.misfit == pytest.approx(1e-7 / np.sqrt(2.0), rel=1e-3)
-    assert got.stands_out
-
-
-def test_chamfers_and_noise_are_no_crown():
-    x = np.linspace(-1.0, 1.0, 2001)
-    chamfered = Topography(-1e-5 * np.maximum(np.abs(x) - 0.8, 0.0), 1e-6)
-    noise = Topography(1e-7 * np.random.default_rng(0).standard_normal(2001), 1e-6)
-    assert not crown(topography=chamfered).stands_out
-    assert not crown(topography=noise).stands_out
-    assert crown(topography=Topography(np.zeros(15), 1e-6)) is None

@@ -6,7 +6,12 @@ import pytest
 from asperity.errors import InputError
 from asperity.surface.measure import Conditioning, conditioned
 from asperity.surface.measure_files import read_surface
-from asperity.surface.roughness import material_ratio_parameters, roughness, standard_short_cut_off
+from asperity.surface.roughness import (
+    material_ratio_parameters,
+    relative_material_ratio,
+    roughness,
+    standard_short_cut_off,
+)
 from asperity.surface.topography import Topography
 
 
@@ -89,6 +94,16 @@ def test_plateau_and_triangle_wave():
     Rk, Rpk, Rvk, first, second = material_ratio_parameters(heights=np.linspace(0.0, 3.0, 30_001))
     assert (Rk, Rpk, Rvk) == pytest.approx((3.0, 0.0, 0.0), abs=1e-3)
     assert (first, second) == pytest.approx((0.0, 1.0), abs=1e-3)
+
+
+def test_relative_material_ratio_by_hand():
+    """Ten heights 9..0: 5 % of them lie above 9 (each stands for a tenth, its middle at 5 %), so 2.5 below it are 9, 8
+    and 7: 30 %. Of a sine of amplitude A, dc below the level of 5 %: arccos[cos(0.05 pi) - dc/A]/pi."""
+    assert relative_material_ratio(heights=np.arange(10.0), depth=2.5) == pytest.approx(0.3)
+    assert relative_material_ratio(heights=np.arange(10.0), depth=100.0) == 1.0
+    got = roughness(topography=sine(80e-6), cut_off=0.8e-3, short_cut_off=None)
+    expected = np.arccos(np.cos(0.05 * np.pi) - 0.5) / np.pi
+    assert got.numbers["Rmr(5 %, Rz/4)"] == pytest.approx(expected, abs=0.01)
 
 
 @pytest.mark.parametrize(

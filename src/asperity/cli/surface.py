@@ -61,7 +61,10 @@ def _stress(context: click.Context, parameter: click.Parameter, value: str | Non
     "--plot", type=click.Path(path_type=Path, dir_okay=False), help="Write a figure (PNG, PDF or SVG)."
 )
 @click.option("--position-unit", help="Unit of the positions, if a text file does not name it.")
-@click.option("--height-unit", help="Unit of the heights, if the file does not name it.")
+@click.option(
+    "--height-unit",
+    help="Unit of the heights, or height of one count such as '1.5 nm', if the file does not name it.",
+)
 @click.option(
     "--spacing", callback=_length, help="Distance of the points, such as '0.5 um', if the file has none."
 )
@@ -239,9 +242,14 @@ def _parameters(s: MeasuredSurface, axial: bool) -> Iterator[str]:
         for symbol, value in rough.numbers.items():
             words.append(f"{symbol} {100 * value:.3g} %" if "mr" in symbol else f"{symbol} {value:.4g}")
         yield f"  {', '.join(words)}"
-    crown = s.crown
+    crown, log = s.crown, s.logarithmic
     if crown is None:
         return
+    if log is not None and log.stands_out(crown):
+        yield (
+            f"logarithmic profile (Lundberg): A {1e6 * log.coefficient:.3g} um, length {1e3 * log.length:.4g} mm, "
+            f"misfit {1e6 * log.misfit:.3g} um rms; joint files know circular crowns only"
+        )
     shape = (
         f"radius {abs(crown.radius):.4g} m ({abs(crown.middle_radius):.4g} m of the middle half), "
         f"{1e6 * abs(crown.drop):.4g} um from middle to end, misfit {1e6 * crown.misfit:.3g} um rms"
@@ -318,6 +326,30 @@ def _print(measured: MeasuredFiles) -> None:
             )
         if not measured.spectrum.is_map and measured.spectrum.lay is None:
             click.echo("a joint needs the lay of a profile: --lay rolling, axis or isotropic")
+
+
+@surface.command("formats")
+def formats() -> None:
+    """List the formats of surface files: what writes them, and what has to be stated.
+
+    Formats with a * need the optional package SurfaceTopography.
+    """
+    from asperity.cli.terminal import console, table
+    from asperity.surface.file_formats import FORMATS
+
+    target = console()
+    read = table(target, "Formats that are read", "format", "files", "from", "to be stated")
+    for column in read.columns:
+        column.justify = "left"
+    for known in FORMATS:
+        if known.reader:
+            name = f"{known.name}{' *' if known.reader == 'package' else ''}"
+            read.add_row(name, known.file_names, known.instruments, known.stated)
+    target.print(read)
+    click.echo("Not read:")
+    for known in FORMATS:
+        if not known.reader:
+            click.echo(f"  {known.title}: {known.export}")
 
 
 @surface.command("synthesize")

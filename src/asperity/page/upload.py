@@ -14,8 +14,8 @@ from asperity.page.child import Child, file_name
 from asperity.page.computation import Computations
 from asperity.page.joint_request import LONGEST_NAME, refuse_named_files
 from asperity.reading import LARGEST_FILE, parse_toml
+from asperity.surface.file_formats import signed_format
 from asperity.surface.measurement import SCHEMA
-from asperity.surface.read_instrument import text_format
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -39,7 +39,7 @@ def recognised(content: bytes, name: str) -> Kind:
     beginning = content[:4096].removeprefix(b"\xef\xbb\xbf")
     text = b"\0" not in beginning
     if name.lower().endswith(".toml") or (
-        text and text_format(beginning) is None and _TOML_LINE.search(beginning)
+        text and signed_format(beginning) is None and _TOML_LINE.search(beginning)
     ):
         return "design" if re.search(rb"^[ \t]*\[variables[\].]", content, re.MULTILINE) else "joint"
     if text and beginning.lstrip().startswith(b"{"):

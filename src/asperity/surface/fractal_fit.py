@@ -13,6 +13,7 @@ from scipy.stats import norm
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface.input_file import LARGEST_SPAN
 from asperity.surface.line_spectrum import fit_lines
+from asperity.surface.scratches import scratches
 from asperity.surface.self_affine_band import NARROWEST_DECADES, BandSearch, widest_power_law
 from asperity.surface.spectral_likelihood import SpectralFit
 from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum, without_line
@@ -132,7 +133,7 @@ def fractal_fit(
     InputError
         If an argument is out of range.
     NoSolutionError
-        If there is no power law over at least one decade; the message says why.
+        If there is no power law over at least one decade, or scratches or spikes bend it; the message says why.
 
     Notes
     -----
@@ -197,6 +198,19 @@ def fractal_fit(
         else resolved_frequency(profiles=profiles, step=step, spacing=spacing),
     )
     fit = _accepted(search, step)
+    low, high = fit.usable_band
+    blemish = scratches(
+        profiles=profiles,
+        spacing=spacing,
+        shortest_wavelength=1.0 / high,
+        longest_wavelength=1.0 / low,
+        rows_of_a_map=rows_of_a_map,
+    )
+    if blemish:
+        raise NoSolutionError(
+            f"no D and G, because the heights are not normally distributed: {blemish}; measure another section, or "
+            "begin the band at longer waves"
+        )
     common = {
         "frequency_ratio": frequency_ratio,
         "profiles": profiles.shape[0],

@@ -44,16 +44,20 @@ def file_bytes(*, path: str | Path, largest: int, first: int = -1) -> bytes:
 
 
 def metres_per_unit(unit: str) -> float:
-    """Metres in one unit of length.
+    """Metres in one unit of length, or in one count of stated length.
 
     Raises
     ------
     InputError
-        If this is not a unit of length.
+        If this is not a unit of length, or the length is not positive.
 
     Examples
     --------
-    >>> metres_per_unit("um")
-    1e-06
+    >>> metres_per_unit("um"), metres_per_unit("2.5 um")
+    (1e-06, 2.5e-06)
     """
-    return parse_quantity(f"1 {unit.strip()}", Dimension.LENGTH)
+    text = unit.strip()
+    length = parse_quantity(text if text[:1] in tuple("+-.0123456789") else f"1 {text}", Dimension.LENGTH)
+    if not length > 0.0:
+        raise InputError(f"one count is '{text}'; it must be a positive length", options=["height-unit"])
+    return length

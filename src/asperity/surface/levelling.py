@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 import scipy.ndimage
@@ -115,52 +114,6 @@ def _fitted(
     for (i, j), c in zip(powers, solution, strict=True):
         coefficients[j, i] = c
     return np.asarray(across @ coefficients @ along.T)
-
-
-@dataclass(frozen=True)
-class Crown:
-    r"""The circle of least squares along a profile, as the parabola :math:`z = z_0 + bx - x^2/2R`.
-
-    Attributes
-    ----------
-    radius : float
-        R [m]; negative where the profile is hollow, infinite where it is straight.
-    drop : float
-        B^2/8R [m] at the ends of the length B; negative where hollow.
-    misfit : float
-        Rms of the heights about the parabola [m].
-    middle_radius : float
-        Radius of the circle of the middle half alone [m], the same of a circular crown.
-    """
-
-    radius: float
-    drop: float
-    misfit: float
-    middle_radius: float
-
-    @property
-    def stands_out(self) -> bool:
-        """Whether the profile is this crown: misfit up to a tenth of the drop, the middle's radius within 20 %."""
-        bends_alike = abs(self.radius / self.middle_radius - 1.0) <= 0.2
-        return bends_alike and self.misfit <= 0.1 * abs(self.drop)
-
-
-def crown(*, topography: Topography) -> Crown | None:
-    """The crown of a profile without missing points, slopes taken as small; None of fewer than sixteen points."""
-    z = topography.heights
-    if z.size < 16:
-        return None
-    quarter = z.size // 4
-    middle_radius, _, _ = _circle(z[quarter : z.size - quarter], topography.spacing)
-    return Crown(*_circle(z, topography.spacing), middle_radius)
-
-
-def _circle(z: NDArray[np.float64], spacing: float) -> tuple[float, float, float]:
-    """Radius, drop at the ends and misfit [m] of the parabola of least squares."""
-    x = np.linspace(-1.0, 1.0, z.size)
-    fit = np.polynomial.Polynomial.fit(x, z, 2, domain=[-1.0, 1.0])
-    drop, half_length = -float(fit.coef[2]), 0.5 * (z.size - 1) * spacing
-    return 0.5 * half_length**2 / drop if drop else math.inf, drop, float(np.std(z - fit(x)))
 
 
 def without_outliers(*, topography: Topography, threshold: float, window: int) -> Topography:

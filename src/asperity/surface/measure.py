@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.surface.crown import Crown, LogarithmicProfile, crown, logarithmic_profile
 from asperity.surface.fractal_fit import FractalFit, fractal_fit
 from asperity.surface.height_parameters import HeightParameters, height_parameters
-from asperity.surface.levelling import Crown, crown, filtered, levelled, without_outliers
+from asperity.surface.levelling import filtered, levelled, without_outliers
 from asperity.surface.roughness import Roughness, roughness
 from asperity.surface.structure_function import height_step
 from asperity.surface.topography import Topography, without_missing
@@ -53,6 +54,8 @@ class MeasuredSurface:
         R parameters of a profile, or why there are none; None of a map.
     crown : Crown or None
         Circle along a profile before levelling; None of a map and of fewer than sixteen points.
+    logarithmic : LogarithmicProfile or None
+        Logarithmic profile along a profile before levelling, where one that is high in the middle fits.
     filters : tuple
         Nesting indices of the S-filter and the L-filter [m] of the S parameters of a map; None for no such filter.
     """
@@ -62,6 +65,7 @@ class MeasuredSurface:
     height_step: float | None
     roughness: Roughness | str | None = None
     crown: Crown | None = None
+    logarithmic: LogarithmicProfile | None = None
     filters: tuple[float | None, float | None] = (None, None)
 
     @property
@@ -94,6 +98,7 @@ def conditioned(*, topography: Topography, conditioning: Conditioning) -> Measur
         step,
         _roughness(flat, conditioning, gaps=surface.missing_points > 0),
         crown(topography=complete),
+        logarithmic_profile(topography=complete),
     )
 
 

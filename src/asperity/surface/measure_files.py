@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError
+from asperity.surface.file_formats import file_format, signed_format
 from asperity.surface.fractal_fit import FractalFit
 from asperity.surface.height_spectrum import (
     FEWEST_POINTS,
@@ -19,7 +20,7 @@ from asperity.surface.height_spectrum import (
     spectrum_of_map,
     spectrum_of_profiles,
 )
-from asperity.surface.input_file import LARGEST_SPAN, MEBIBYTE, checked_file, file_bytes
+from asperity.surface.input_file import LARGEST_SPAN, MEBIBYTE, checked_file, file_bytes, metres_per_unit
 from asperity.surface.levelling import default_form
 from asperity.surface.measure import (
     Conditioning,
@@ -31,8 +32,10 @@ from asperity.surface.measure import (
 )
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 from asperity.surface.measurement import surface_measurement
-from asperity.surface.read_instrument import instrument_topography, text_format
+from asperity.surface.read_instrument import instrument_topography
+from asperity.surface.read_raster import nanofocus_topography, tiff_topography
 from asperity.surface.read_text import looks_like_text, numpy_topography, text_topography
+from asperity.surface.read_x3p import x3p_topography
 from asperity.surface.topography import Topography
 
 #: Larger files are refused before they are opened [bytes].
@@ -268,6 +271,13 @@ def _file_entry(surface: MeasuredSurface) -> dict[str, Any]:
             "misfit_m": crown.misfit,
             "is_circular": crown.stands_out,
         }
+        shape = surface.logarithmic
+        entry["logarithmic_profile"] = shape and {
+            "coefficient_m": shape.coefficient,
+            "length_m": shape.length,
+            "misfit_m": shape.misfit,
+            "stands_out": shape.stands_out(crown),
+        }
     return entry
 
 
@@ -286,8 +296,8 @@ def read_surface(
 ) -> Topography:
     """Profile or map from any supported file, heights and positions in metres; missing points are NaN and counted.
 
-    Text (columns of numbers) and ``.npy`` are read without further packages; X3P, SDF, SUR, AL3D, OPD, OPDX, Zygo,
-    FRT, TMD, NetCDF and some 35 more need the extra ``surface``. Units are needed only where the file does not name
+    The formats are those of :data:`asperity.surface.file_formats.FORMATS`; those of reader ``package`` need the extra
+    ``surface``. Units are needed only where the file does not name
     them, and refused where they contradict it; the spacing [m] for files that hold heights only. ``any_size`` accepts
     sizes outside :data:`EXPECTED_SIZES`, and heights larger than the longest side. Nothing is filled, levelled or
     filtered.
@@ -296,18 +306,7 @@ def read_surface(
     if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
         raise InputError(f"the spacing is {spacing} m; it must be a positive length")
     beginning = file_bytes(path=path, largest=LARGEST_FILE, first=4096)
-    if beginning.startswith(b"\x93NUMPY"):
-        topography = numpy_topography(path=path, height_unit=height_unit, spacing=spacing)
-    elif looks_like_text(beginning) and text_format(beginning) is None:
-        topography = text_topography(
-            path=path,
-            position_unit=position_unit,
-            height_unit=height_unit,
-            spacing=spacing,
-            decimal=decimal,
-        )
-    else:
-        topography = instrument_topography(path=path, beginning=beginning, height_unit=height_unit)
+    topography = _read(path, beginning, position_unit, height_unit, spacing, decimal)
     if np.isnan(topography.heights).all():
         raise InputError(
             f"{path.name} holds no valid height: all {topography.heights.size} points are missing"
@@ -316,6 +315,36 @@ def read_surface(
         raise InputError(f"{path.name} holds {topography.heights.size} point(s); a profile needs more")
     _check_plausibility(topography, any_size)
     return topography
+
+
+def _read(
+    path: Path,
+    beginning: bytes,
+    position_unit: str | None,
+    height_unit: str | None,
+    spacing: float | None,
+    decimal: str,
+) -> Topography:
+    """The surface as its file has it."""
+    if looks_like_text(beginning) and signed_format(beginning) is None:
+        return text_topography(
+            path=path, position_unit=position_unit, height_unit=height_unit, spacing=spacing, decimal=decimal
+        )
+    known = file_format(path, beginning)
+    if known.reader == "npy":
+        return numpy_topography(path=path, height_unit=height_unit, spacing=spacing)
+    if known.reader == "tiff":
+        topography = tiff_topography(path=path, height_unit=height_unit, spacing=spacing)
+        if topography is not None:
+            return topography
+    if known.reader in ("x3p", "nanofocus"):
+        if height_unit is not None and metres_per_unit(height_unit) != 1.0:
+            raise InputError(
+                f"{path.name} ({known.name}) has its units, not {height_unit}; do not state a unit",
+                options=["height-unit"],
+            )
+        return x3p_topography(path=path) if known.reader == "x3p" else nanofocus_topography(path=path)
+    return instrument_topography(path=path, beginning=beginning, known=known, height_unit=height_unit)
 
 
 def _check_plausibility(topography: Topography, any_size: bool) -> None:

@@ -7,9 +7,9 @@ Values of a profile without a filter are not these: they are Pa, Pq, Pt (:mod:`a
 
 References
 ----------
-Parameters: ISO 21920-2:2021 (Ra, Rq, Rsk, Rku and Rt of the evaluation length, Rz, Rp and Rv as means of the sections);
-cut-offs by Ra: ISO 4288:1996, table 1, and ISO 21920-3:2021; :math:`\lambda_s` and the largest spacing: ISO 3274:1996,
-table 1; filter: ISO 16610-21:2011; Rk, Rpk, Rvk: ISO 13565-2:1996.
+Parameters: ISO 21920-2:2021 (Ra, Rq, Rsk, Rku, Rt and Rmr of the evaluation length, Rz, Rp and Rv as means of the
+sections); cut-offs by Ra: ISO 4288:1996, table 1, and ISO 21920-3:2021; :math:`\lambda_s` and the largest spacing:
+ISO 3274:1996, table 1; filter: ISO 16610-21:2011; Rk, Rpk, Rvk: ISO 13565-2:1996.
 """
 
 from __future__ import annotations
@@ -34,6 +34,8 @@ FEWEST_POINTS = 10
 POINTS_IN_SHORT_CUT_OFF = 5
 #: Share of the material ratio curve that the secant of the core spans (ISO 13565-2).
 SECANT = 0.4
+#: Material ratio of the level from which the depths of relative material ratios count.
+REFERENCE_RATIO = 0.05
 #: Cut-off [m] → lambda_s [m] of ISO 3274; of others it is a three-hundredth.
 SHORT_CUT_OFFS = {0.08e-3: 2.5e-6, 0.25e-3: 2.5e-6, 0.8e-3: 2.5e-6, 2.5e-3: 8e-6, 8e-3: 25e-6}
 
@@ -55,7 +57,7 @@ class Roughness:
     lengths : dict
         Symbol → value [m]: Ra, Rq, Rz, Rp, Rv, Rt, Rk, Rpk, Rvk, and RSm where there is a full profile element.
     numbers : dict
-        Symbol → value [-]: Rsk, Rku (nan of a flat profile), Rmrk1, Rmrk2 (Mr1 and Mr2 of ISO 13565-2).
+        Symbol → value [-]: Rsk, Rku (nan of a flat profile), Rmrk1, Rmrk2 (Mr1 and Mr2 of ISO 13565-2), Rmr(5 %, Rz/4).
     """
 
     cut_off: float
@@ -172,6 +174,24 @@ def material_ratio_parameters(*, heights: NDArray[np.float64]) -> tuple[float, f
     )
 
 
+def relative_material_ratio(*, heights: NDArray[np.float64], depth: float) -> float:
+    """Rmr(p, dc) [-]: share of the heights above a level dc = ``depth`` below the one above which the share p is.
+
+    p is :data:`REFERENCE_RATIO`; the depth is in the unit of the heights.
+
+    References
+    ----------
+    ISO 21920-2:2021, relative material ratio; ISO 4287:1997, 4.5.4.
+
+    Examples
+    --------
+    >>> relative_material_ratio(heights=np.linspace(0.0, 1.0, 1001), depth=0.25).__round__(2)
+    0.3
+    """
+    reference = np.quantile(heights, 1.0 - REFERENCE_RATIO, method="hazen")
+    return float(np.mean(heights >= reference - depth))
+
+
 def _sections(topography: Topography, cut_off: float) -> int:
     """Sections that fit between run-in and run-out of half a cut-off, five at most; not positive if none does."""
     return min(CUT_OFFS_EVALUATED, math.floor(topography.size[0] / cut_off - 1.0 + 1e-6))
@@ -225,6 +245,7 @@ def _behind(topography: Topography, cut_off: float, short_cut_off: float | None,
         "Rvk": Rvk,
     }
     width = element_width(heights=z, spacing=spacing)
+    ratio = relative_material_ratio(heights=z, depth=0.25 * (peak - valley))
     return Roughness(
         cut_off,
         choice,
@@ -236,5 +257,6 @@ def _behind(topography: Topography, cut_off: float, short_cut_off: float | None,
             "Rku": float(np.mean(square * square)) / rms**4 if rms > 0.0 else math.nan,
             "Rmrk1": Rmrk1,
             "Rmrk2": Rmrk2,
+            f"Rmr({100 * REFERENCE_RATIO:g} %, Rz/4)": ratio,
         },
     )
