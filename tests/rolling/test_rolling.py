@@ -249,7 +249,7 @@ def test_thrusts_balance(rolled):
 
 @pytest.mark.slow
 def test_no_skew_is_skew_zero(rolled):
-    plain, zero = rolled(), rolled(conditions(skew=(0.0,) * 5))
+    plain, zero = rolled(conditions(skew=None)), rolled(conditions())
     np.testing.assert_allclose(zero.creepage, plain.creepage, rtol=1e-9)
     np.testing.assert_array_equal(zero.axial_force, 0.0)
 
@@ -312,7 +312,7 @@ def test_miners_sum_over_a_duty(rolled):
     damage = 0.0
     for torque, speed, share in loads:
         if speed > 0.0:
-            alone = rolled(output_torque=torque, sun_speed=speed, **HARD)
+            alone = rolled(conditions(), output_torque=torque, sun_speed=speed, **HARD)
             # every track by itself: Miner's sum is linear
             seconds = alone.cycles / (alone.cycles_per_turn * alone.output_speed / TURN)
             damage = damage + share / np.asarray(seconds)

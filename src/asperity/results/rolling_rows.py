@@ -25,6 +25,11 @@ def _crown_factor(solved: SolvedJoint) -> Any:
     return jnp.full_like(rolling.normal, jnp.nan) if factor is None else factor
 
 
+def _oil_drag(solved: SolvedJoint) -> Any:
+    rolling = solved.result.rolling
+    return jnp.where(jnp.isnan(rolling.power.oil), jnp.nan, rolling.drag)
+
+
 ROWS = (
     _per_contact(
         "creepage",
@@ -73,6 +78,15 @@ ROWS = (
         "result.rolling.tangential",
         positive=False,
         note="the split that the creepages decide",
+    ),
+    _per_contact(
+        "oil_drag",
+        "drag of the oil on each surface of the contact in rolling",
+        Dimension.FORCE,
+        "N",
+        _oil_drag,
+        positive=False,
+        note=f"besides the tangential force; nan without lubrication.viscosity; {_STANDING}",
     ),
     _per_contact(
         "layer_ratio",
