@@ -25,11 +25,6 @@ def _crown_factor(solved: SolvedJoint) -> Any:
     return jnp.full_like(rolling.normal, jnp.nan) if factor is None else factor
 
 
-def _oil_drag(solved: SolvedJoint) -> Any:
-    rolling = solved.result.rolling
-    return jnp.where(jnp.isnan(rolling.power.oil), jnp.nan, rolling.drag)
-
-
 ROWS = (
     _per_contact(
         "creepage",
@@ -84,9 +79,9 @@ ROWS = (
         "drag of the oil on each surface of the contact in rolling",
         Dimension.FORCE,
         "N",
-        _oil_drag,
+        "result.rolling.drag",
         positive=False,
-        note=f"besides the tangential force; nan without lubrication.viscosity; {_STANDING}",
+        note="besides the tangential force; 0 without lubrication.viscosity, and where the input stands",
     ),
     _per_contact(
         "layer_ratio",
