@@ -8,9 +8,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError, listed, nearest, quoted
 from asperity.joint_file.any_joint import results_of, rows_of_file
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
+from asperity.joint_file.parts import layout_of
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import Values, key_at, numeric_keys, si_values
 from asperity.library import read_finishes
@@ -311,6 +313,8 @@ def _constraint(
             except InputError as error:
                 raise InputError(f"{where}.{side}: {error}") from None
             _check_limit(result, limit, f"{where}.{side}: {entry[side]}")
+            if full == "speed_ratio" and values:
+                _refuse_other_sense(values, limit, f"{where}.{side}: {entry[side]}")
             yield Constraint(full, side == "at_most", limit, rows)
 
 
@@ -340,6 +344,17 @@ def _check_limit(result: Result, limit: float, written: str) -> None:
         words += [f"at most {format_quantity(high, result.display_unit)}"] * math.isfinite(high)
         note = f" ({result.note})" if result.note else ""
         raise InputError(f"{written} is not allowed; it must be {' and '.join(words)}{note}")
+
+
+def _refuse_other_sense(values: Values, limit: float, written: str) -> None:
+    """Refuse a limit of the speed ratio whose sign is not that of the drive."""
+    ratio = float(speed_ratio(layout_of(values)[0]))
+    if ratio * limit < 0.0:
+        turn = "the same direction" if ratio > 0.0 else "opposite directions"
+        raise InputError(
+            f"{written} is not allowed; input and output of this drive turn in {turn}, its speed_ratio is {ratio:.4g}; "
+            "limit absolute_speed_ratio, which has no sign"
+        )
 
 
 def _implied(stated: Sequence[Constraint], results: Mapping[str, Result]) -> Iterator[Constraint]:
