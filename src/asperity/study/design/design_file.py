@@ -121,7 +121,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     with errors.gathered():
         for name, entry in _table(tables.get("constraints", {}), "constraints").items():
             with errors.gathered():
-                constraints.extend(_constraint(name, entry, level, values, known))
+                constraints.extend(constraint_of(name, entry, level, values, known))
     worst_case, starts, seed = WorstCase((), "none", 1, 0), 1, 0
     with errors.gathered():
         worst_case = _worst_case(_table(tables.get("worst_case", {}), "worst_case"))
@@ -285,9 +285,10 @@ def _result(name: Any, level: StiffnessLevel, where: str, results: Mapping[str, 
         raise InputError(f"{where}: {error}") from None
 
 
-def _constraint(
+def constraint_of(
     name: str, table: Any, level: StiffnessLevel, values: Values, results: Mapping[str, Result]
 ) -> Iterator[Constraint]:
+    """The limits of one result: its name, and a table of ``at_most``, ``at_least`` and the rows that are meant."""
     where = f"constraints.{name}"
     full = _result(name, level, where, results)
     result, entry = results[full], _table(table, where)
