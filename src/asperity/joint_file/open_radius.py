@@ -170,7 +170,8 @@ def refuse_output_speed(case: Case) -> None:
 
     if case.load.output_speed is None:
         return
-    speed, written = float(joint_from_case(case).sun_speed), case.load.output_speed.text
+    with np.errstate(all="ignore"):  # an output that stands: judged by what it makes
+        speed, written = float(joint_from_case(case).sun_speed), case.load.output_speed.text
     if not math.isfinite(speed):
         raise InputError(
             f"load.output_speed: {quoted(written)}: this drive has no finite speed ratio, from which the speed of the "
