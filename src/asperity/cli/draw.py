@@ -9,13 +9,16 @@ import click
 
 from asperity.cli.terminal import about, prepare_computation, say, say_written
 from asperity.errors import InputError
-from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
+from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_pages, write_text
 
 if TYPE_CHECKING:
     from asperity.joint.evaluation import JointResult
     from asperity.joint_file.model import Case
     from asperity.joint_file.si_tables import AnyCase
     from asperity.show.sheet import Sheet
+    from asperity.show.title_block import Title
+
+_LONGEST = 60  # of what the title block says
 
 
 @click.command()
@@ -29,13 +32,26 @@ if TYPE_CHECKING:
 @click.option(
     "--forces", is_flag=True, help="Draw the forces of one branch too, under the torque of the file."
 )
-def draw(file: str, out: str, forces: bool) -> None:
-    """Draw the drive described in FILE to scale: rollers, ring, axes and pins, with diameters and clearances in mm.
+@click.option(
+    "--parts",
+    is_flag=True,
+    help="A sheet for each kind of roller and ring too: further pages of a PDF file, otherwise files beside it.",
+)
+@click.option(
+    "--project", default="", help="Project for the title block; a dash without it, as for the next three."
+)
+@click.option("--part", default="", help="Number or name of the part for the title block.")
+@click.option("--revision", default="", help="Revision for the title block.")
+@click.option("--date", default="", help="Date for the title block.")
+def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
+    """Draw the drive described in FILE to scale: view, section along the axis, parts, tolerances and title block.
 
-    The scale is the largest standard one that fits the sheet (A4, with --forces A3); print it in full size. A wall of
-    the ring that is thicker than half the inner radius is broken off, and the drawing says so. The bore of a ring is
-    the one to be made, smaller by the interference that makes the preload, which is stated. A DXF file contains the
-    true sizes in mm; it needs the optional package ezdxf.
+    The sheet is A3, that of a part A4; the scale is the largest standard one that fits; print it in full size. A wall
+    of the ring that is thicker than half the inner radius is broken off, and the drawing says so. The bore of a ring
+    is the one to be made, smaller by the interference that makes the preload, which is stated. Diameters have the
+    tolerances of the file, twice those of the radii, and the coarsest grade of ISO 286-1 within them. What the file
+    does not state is a dash, or is said not to be stated. With --forces there is no section. A DXF file contains the
+    true sizes in mm, with DIMENSION entities; it needs the optional package ezdxf.
     """
     from asperity.cli.terminal import read_case_of_branches
     from asperity.joint_file.reader import read_case
@@ -43,6 +59,9 @@ def draw(file: str, out: str, forces: bool) -> None:
     suffix = Path(out).suffix.lower()
     if suffix not in (*IMAGE_SUFFIXES, ".dxf"):
         raise InputError(f"{out}: the name of a drawing must end in .svg, .pdf, .png or .dxf")
+    for name, text in stated.items():
+        if len(text) > _LONGEST:
+            raise InputError(f"--{name}: at most {_LONGEST} characters, got {len(text)}")
     check_file(out, file)
     if suffix == ".dxf":
         from asperity.show.sheet_dxf import require_ezdxf
@@ -50,24 +69,42 @@ def draw(file: str, out: str, forces: bool) -> None:
         require_ezdxf()
     case = read_case_of_branches(file) if forces else read_case(file)
     prepare_computation()
+    from asperity.show.title_block import Title
+
     with about(file):
-        sheet = _sheet(case, file, forces)
-    if suffix == ".dxf":
+        sheets = _sheets(case, file, forces, parts, Title(**stated))
+    if suffix == ".pdf" and parts:
+        from asperity.show.sheet_figure import sheet_figure
+
+        write_pages([sheet_figure(sheet) for sheet in sheets.values()], out)
+        say_written(out)
+        return
+    for name, sheet in sheets.items():
+        path = Path(out) if not name else Path(out).with_stem(f"{Path(out).stem}_{name}")
+        check_file(path, file)
+        _write(sheet, path)
+        say_written(str(path))
+
+
+def _write(sheet: Sheet, path: Path) -> None:
+    if path.suffix.lower() == ".dxf":
         from asperity.show.sheet_dxf import sheet_dxf
 
-        write_text(sheet_dxf(sheet), out)
+        write_text(sheet_dxf(sheet), path)
     else:
         from asperity.show.sheet_figure import sheet_figure
 
-        write_image(sheet_figure(sheet), out)
-    say_written(out)
+        write_image(sheet_figure(sheet), path)
 
 
-def _sheet(case: Case, file: str, forces: bool) -> Sheet:
+def _sheets(case: Case, file: str, forces: bool, parts: bool, title: Title) -> dict[str, Sheet]:
+    """The sheet of the assembly, and those of the parts by their names."""
     from asperity.drive.layout.existence import refuse_impossible
     from asperity.joint_file.build import joint_from_case
     from asperity.joint_file.own_branches import with_own_branches
+    from asperity.joint_file.stated_parts import stated_parts
     from asperity.show.drive_sheet import drive_sheet
+    from asperity.show.part_sheets import part_sheets
 
     joint = joint_from_case(case)
     refuse_impossible(joint.drive)
@@ -77,8 +114,14 @@ def _sheet(case: Case, file: str, forces: bool) -> Sheet:
 
         loaded = with_own_branches(case)
         result = solve_joint(loaded).result
-    made = _interference(case, result, file)
-    return drive_sheet(joint, name=file, result=result, loaded=loaded, interference=made)
+    made, stated = _interference(case, result, file), stated_parts(case, joint)
+    name = Path(file).name
+    of_parts = part_sheets(joint, name=name, stated=stated, title=title, interference=made) if parts else {}
+    title = title._replace(sheet=f"1 of {len(of_parts) + 1}")
+    drawing = drive_sheet(
+        joint, name=name, result=result, loaded=loaded, interference=made, stated=stated, title=title
+    )
+    return {"": drawing} | of_parts
 
 
 def _interference(case: AnyCase, result: JointResult | None, file: str) -> float | None:
