@@ -11,12 +11,14 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.stated_parts import stated_parts
 from asperity.show.drive_sheet import drive_sheet, wrapped
 from asperity.show.drive_sizes import drive_clearances, sizes
 from asperity.show.sheet import Circle, Line, Text
 from asperity.show.sheet_dxf import dxf_text, sheet_dxf
 from asperity.show.sheet_figure import sheet_figure, text_width
 from asperity.show.taken import Box, distance, text_box
+from asperity.show.title_block import Title
 
 EXAMPLES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025")
 LONG = "the_right_hand_loading_roller_of_hardened_steel"
@@ -58,8 +60,13 @@ ODD = {
 def sheet(planar_case):
     def draw(name, forces=False):
         example, replaced = ODD.get(name, (name, {}))
-        joint = joint_from_case(planar_case(example, replaced=replaced))
+        case = planar_case(example, replaced=replaced)
+        joint = joint_from_case(case)
         refuse_impossible(joint.drive)
+        if forces == "section":
+            return drive_sheet(
+                joint, name=name, stated=stated_parts(case, joint), title=Title(project="Wrist")
+            )
         count, pins = len(joint.drive.contacts), len(joint.drive.pinned)
         made_up = SimpleNamespace(
             normal=np.full(count, 1234.5),
@@ -85,7 +92,7 @@ def sizes_of(name, planar_case):
     return sizes(joint, 1.0), drive_clearances(joint)
 
 
-@pytest.mark.parametrize("forces", [False, True])
+@pytest.mark.parametrize("forces", [False, True, "section"])
 @pytest.mark.parametrize("name", [*EXAMPLES, *ODD])
 def test_every_text_is_inside_the_frame_and_covers_no_other(sheet, name, forces):
     figure = sheet_figure(sheet(name, forces))
@@ -104,7 +111,7 @@ def test_every_text_is_inside_the_frame_and_covers_no_other(sheet, name, forces)
         ], text
 
 
-@pytest.mark.parametrize("forces", [False, True])
+@pytest.mark.parametrize("forces", [False, True, "section"])
 @pytest.mark.parametrize("name", [*EXAMPLES, *ODD])
 def test_no_leader_runs_through_a_text_or_an_arrow_of_a_force(sheet, name, forces):
     drawn = sheet(name, forces)
@@ -123,7 +130,7 @@ def test_no_leader_runs_through_a_text_or_an_arrow_of_a_force(sheet, name, force
             assert all(distance(part, arrow) > 0.0 for arrow in arrows)
 
 
-@pytest.mark.parametrize("forces", [False, True])
+@pytest.mark.parametrize("forces", [False, True, "section"])
 @pytest.mark.parametrize("name", [*EXAMPLES, *ODD])
 def test_every_size_is_said_once(sheet, planar_case, name, forces):
     """In the view, or in the list; the list may break a line."""
@@ -151,6 +158,36 @@ def test_words_of_the_list(sheet):
     assert "pins of the carrier: planet" in texts
     assert {"Contacts, length 10", "sp: sun – planet"} <= set(texts)
     assert "tracks of stepped rollers lie in different planes" not in joined(texts)
+
+
+TOLERANCED = {
+    'sun_radius = "10 mm"': 'sun_radius = "10 mm +- 2 um"',
+    'planet_radius = "20 mm"': 'planet_radius = "20 mm +- 3 um"\nplanet_crown_radius = "4 m"',
+    'contact_length = "10 mm"': 'contact_length = "10 mm +- 50 um"',
+    'interference = "30 um"': 'interference = "30 um +- 2 um"',
+    'fractal_roughness = "1.3e-7 mm"': 'roughness_average = "0.2 um"\npartner_roughness_average = "0.1 um"',
+}
+
+
+def test_a_sheet_states_tolerances_materials_crowns_and_surfaces(planar_case):
+    """Widths of 4 t on the diameter: 8, 12 and 8 µm; IT4 of 20 mm is 6, IT5 of 40 mm 11, IT3 of 99.94 mm 6 µm."""
+    case = planar_case("planetary", replaced=TOLERANCED)
+    joint = joint_from_case(case)
+    drawn = drive_sheet(joint, name="a.toml", stated=stated_parts(case, joint), title=Title(revision="B"))
+    assert (drawn.width, drawn.height) == (420.0, 297.0)
+    assert {
+        "sun ⌀20.0000 ±0.0040 (IT4)",
+        "3 × planet ⌀40.0000 ±0.0060 (IT5)",
+        "ring inside ⌀99.9400 ±0.0040 (IT3)",
+        "axes of planet ⌀60",
+        "sp, pr: 10.000 ±0.050",
+        "3 × planet: 52100, hardness 7.32 GPa",
+        "Section along the axis,",
+        "B",
+    } <= set(drawn.texts)
+    said = joined(drawn.texts)
+    assert "crown of track sp, pr: radius 4000 along the axis" in said
+    assert "surface of all contacts: Ra 0.2 µm, its partner Ra 0.1 µm" in said
 
 
 def test_words_of_a_drive_with_wedges(planar_case):

@@ -79,9 +79,10 @@ def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
         write_pages([sheet_figure(sheet) for sheet in sheets.values()], out)
         say_written(out)
         return
-    for name, sheet in sheets.items():
-        path = Path(out) if not name else Path(out).with_stem(f"{Path(out).stem}_{name}")
+    files = {Path(out).with_stem(Path(out).stem + name): sheet for name, sheet in sheets.items()}
+    for path in files:
         check_file(path, file)
+    for path, sheet in files.items():
         _write(sheet, path)
         say_written(str(path))
 
@@ -98,7 +99,7 @@ def _write(sheet: Sheet, path: Path) -> None:
 
 
 def _sheets(case: Case, file: str, forces: bool, parts: bool, title: Title) -> dict[str, Sheet]:
-    """The sheet of the assembly, and those of the parts by their names."""
+    """End of the name of each file → its sheet: the assembly, then the parts."""
     from asperity.drive.layout.existence import refuse_impossible
     from asperity.joint_file.build import joint_from_case
     from asperity.joint_file.own_branches import with_own_branches
@@ -121,7 +122,7 @@ def _sheets(case: Case, file: str, forces: bool, parts: bool, title: Title) -> d
     drawing = drive_sheet(
         joint, name=name, result=result, loaded=loaded, interference=made, stated=stated, title=title
     )
-    return {"": drawing} | of_parts
+    return {"": drawing} | {f"_{part}": sheet for part, sheet in of_parts.items()}
 
 
 def _interference(case: AnyCase, result: JointResult | None, file: str) -> float | None:

@@ -45,9 +45,8 @@ def part_sheets(
     for number, kind in enumerate(alike, start=2):
         own = title._replace(material=stated.bodies[kind[0]].material, sheet=f"{number} of {len(alike) + 1}")
         words = counted_name(joint, kind)
-        sheets[words.rpartition(" × ")[2].replace(" ", "_")] = _part_sheet(
-            joint, kind[0], words, name, stated, own, interference
-        )
+        first = joint.drive.bodies[kind[0]].name
+        sheets[first] = _part_sheet(joint, kind[0], words, name, stated, own, interference)
     return sheets
 
 
