@@ -173,7 +173,9 @@ def test_a_sheet_states_tolerances_materials_crowns_and_surfaces(planar_case):
     """Widths of 4 t on the diameter: 8, 12 and 8 µm; IT4 of 20 mm is 6, IT5 of 40 mm 11, IT3 of 99.94 mm 6 µm."""
     case = planar_case("planetary", replaced=TOLERANCED)
     joint = joint_from_case(case)
-    drawn = drive_sheet(joint, name="a.toml", stated=stated_parts(case, joint), title=Title(revision="B"))
+    drawn = drive_sheet(
+        joint, name="a.toml", stated=stated_parts(case, joint), title=Title(revision="B"), section=True
+    )
     assert (drawn.width, drawn.height) == (420.0, 297.0)
     assert {
         "sun ⌀20.0000 ±0.0040 (IT4)",

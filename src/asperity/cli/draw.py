@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from asperity.cli.terminal import about, prepare_computation, say, say_written
+from asperity.cli.title_options import title_of, title_options
 from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_pages, write_text
 
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
     from asperity.joint_file.si_tables import AnyCase
     from asperity.show.sheet import Sheet
     from asperity.show.title_block import Title
-
-_LONGEST = 60  # of what the title block says
 
 
 @click.command()
@@ -37,12 +36,7 @@ _LONGEST = 60  # of what the title block says
     is_flag=True,
     help="A sheet for each kind of roller and ring too: further pages of a PDF file, otherwise files beside it.",
 )
-@click.option(
-    "--project", default="", help="Project for the title block; a dash without it, as for the next three."
-)
-@click.option("--part", default="", help="Number or name of the part for the title block.")
-@click.option("--revision", default="", help="Revision for the title block.")
-@click.option("--date", default="", help="Date for the title block.")
+@title_options
 def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
     """Draw the drive described in FILE to scale: view, section along the axis, parts, tolerances and title block.
 
@@ -59,9 +53,7 @@ def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
     suffix = Path(out).suffix.lower()
     if suffix not in (*IMAGE_SUFFIXES, ".dxf"):
         raise InputError(f"{out}: the name of a drawing must end in .svg, .pdf, .png or .dxf")
-    for name, text in stated.items():
-        if len(text) > _LONGEST:
-            raise InputError(f"--{name}: at most {_LONGEST} characters, got {len(text)}")
+    title = title_of(stated)
     check_file(out, file)
     if suffix == ".dxf":
         from asperity.show.sheet_dxf import require_ezdxf
@@ -69,10 +61,8 @@ def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
         require_ezdxf()
     case = read_case_of_branches(file) if forces else read_case(file)
     prepare_computation()
-    from asperity.show.title_block import Title
-
     with about(file):
-        sheets = _sheets(case, file, forces, parts, Title(**stated))
+        sheets = _sheets(case, file, forces, parts, title)
     if suffix == ".pdf" and parts:
         from asperity.show.sheet_figure import sheet_figure
 
@@ -120,7 +110,14 @@ def _sheets(case: Case, file: str, forces: bool, parts: bool, title: Title) -> d
     of_parts = part_sheets(joint, name=name, stated=stated, title=title, interference=made) if parts else {}
     title = title._replace(sheet=f"1 of {len(of_parts) + 1}")
     drawing = drive_sheet(
-        joint, name=name, result=result, loaded=loaded, interference=made, stated=stated, title=title
+        joint,
+        name=name,
+        result=result,
+        loaded=loaded,
+        interference=made,
+        stated=stated,
+        title=title,
+        section=True,
     )
     return {"": drawing} | {f"_{part}": sheet for part, sheet in of_parts.items()}
 

@@ -93,6 +93,7 @@ def drive_sheet(
     interference: float | None = None,
     stated: StatedParts | None = None,
     title: Title | None = None,
+    section: bool = False,
 ) -> Sheet:
     """Draw a drive to scale.
 
@@ -111,16 +112,18 @@ def drive_sheet(
     stated : StatedParts, optional
         Tolerances, materials, crowns and surfaces of its parts; without them the drawing shows sizes alone.
     title : Title, optional
-        What the title block says. With it the sheet has a section and lists its parts, unless it has forces.
+        What the title block says; dashes if absent.
+    section : bool, optional
+        Whether the sheet has a section along the axis, unless it has forces.
 
     Returns
     -------
     Sheet
-        A4 across, or A3 across with a title or with forces, at the largest standard scale that fits. Tracks of a
+        A4 across, or A3 across with a section or with forces, at the largest standard scale that fits. Tracks of a
         stepped roller are circles about one centre, although they lie in different planes. A size for which the view
         has no room is said beside it. Rings are drawn at the radii at which all contacts just touch.
     """
-    with_section = result is None and title is not None
+    with_section = section and result is None
     width, height, room, column, aside = (
         WITH_FORCES if result is not None else WITH_SECTION if with_section else PLAIN
     )
@@ -135,13 +138,13 @@ def drive_sheet(
     paper = Paper(width, height, column, middle, scale)
     view = drive_view(joint, scale)
     outlines = [item for item in view if isinstance(item, Circle) and item.style == "outline"]
-    section, measured = list[Item](), list[Dimension]()
+    cut, measured = list[Item](), list[Dimension]()
     if with_section:
         x, _ = paper.at(MARGIN + 8.0, 0.0)
         along = drive_section(joint, scale, lengths)
-        section, measured = draw_section(along, x, low=-2.0 / scale, scale=scale)
+        cut, measured = draw_section(along, x, low=-2.0 / scale, scale=scale)
         above = along.height + (2.0 * _SPACING + 2.0) / scale
-        section += [
+        cut += [
             Text((x - 4.0 / scale, above - row * _SPACING / scale), words)
             for row, words in enumerate(_CAPTION)
         ]
@@ -154,7 +157,7 @@ def drive_sheet(
         letters = dict.fromkeys(range(len(clearances)), "C")
         lines = _lines(joint, all_sizes, clearances, listed, letters, interference, parts)
         if with_section:
-            taken.add_areas(section)
+            taken.add_areas(cut)
             taken.add_areas(item for dimension in measured for item in dimension.items)
             taken.add_box(paper.box(MARGIN, MARGIN + 12.0 + along.width * scale, 0.0, height))
         beside = _beside(loaded or joint, result, lines, paper)
@@ -168,7 +171,7 @@ def drive_sheet(
         listed |= placed.unplaced
     lines = _lines(joint, all_sizes, clearances, listed, placed.letters, interference, parts)
     beside = _beside(loaded or joint, result, lines, paper)
-    items = [*view, *placed.items, *names, *section, *beside]
+    items = [*view, *placed.items, *names, *cut, *beside]
     items += [item for dimension in measured for item in dimension.items]
     items += paper.block(_kind(joint), name, title or Title())
     return Sheet(width, height, scale, middle, tuple(items), (*placed.measured, *measured))
