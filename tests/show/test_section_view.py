@@ -67,6 +67,11 @@ def test_lengths_are_those_of_contacts_and_of_longer_bodies(joint):
     assert section.width == pytest.approx(14.0)
 
 
+def test_names_that_are_too_long_for_a_length_are_counted(joint):
+    made = joint("planar", {'"pwr"': f'"{"x" * 60}"'})
+    assert [length.words for length in drive_section(made, 1.0).lengths] == ["5 contacts: 5"]
+
+
 def test_a_ring_is_cut_twice_and_a_bore_is_seen(joint):
     made = joint("planetary_hollow")
     ring = body_section(made, 2, 1.0)

@@ -13,9 +13,11 @@ from asperity.joint.description import Joint, contact_values, places, track_leng
 from asperity.show.dimension_lines import toleranced, width_below
 from asperity.show.drive_view import rings_of
 from asperity.show.sheet import Dimension, Item, Line
+from asperity.show.sheet_figure import text_width
 
 _BETWEEN = 2.0  # planes whose distance nobody states [mm on paper]
 _HATCHING = 2.5  # between two lines [mm on paper]
+_LONGEST_NAMES = 32.0  # of the contacts at a length [mm on paper]
 
 
 class Block(NamedTuple):
@@ -109,6 +111,7 @@ def drive_section(joint: Joint, scale: float, tolerances: Sequence[float] | None
         for length, tolerance in dict.fromkeys((lengths[n], tolerances[n]) for n in contacts):
             alike = [n for n in contacts if (lengths[n], tolerances[n]) == (length, tolerance)]
             names = ", ".join(joint.contact_names[n] for n in alike)
+            names = names if text_width(names) <= _LONGEST_NAMES else f"{len(alike)} contacts"
             words = f"{names}: {toleranced(length, 1e3 * tolerance)}"
             stated.append(Length(middle - 0.5 * length, middle + 0.5 * length, words))
         right += wide + _BETWEEN / scale
