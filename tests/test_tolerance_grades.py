@@ -9,11 +9,12 @@ from asperity.errors import InputError
 from asperity.library.tolerance_grades import grade_within, standard_tolerances
 
 ENDS = (1, 3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500)
-MULTIPLES = {"IT5": 7, "IT6": 10, "IT7": 16, "IT8": 25, "IT9": 40, "IT10": 64, "IT11": 100}
+UNITS = (7, 10, 16, 25, 40, 64, 100, 160, 250, 400, 640, 1000, 1600, 2500)
+MULTIPLES = {f"IT{grade}": units for grade, units in enumerate(UNITS, start=5)}
 
 
 @pytest.mark.parametrize(("low", "high"), list(itertools.pairwise(ENDS)))
-def test_grades_5_to_11_are_rounded_multiples_of_the_unit(low, high):
+def test_grades_from_5_on_are_rounded_multiples_of_the_unit(low, high):
     """The standard rounds by its own series, in the first range by more than 10 %."""
     mean = math.sqrt(low * high)
     unit = 0.45 * mean ** (1 / 3) + 0.001 * mean
@@ -58,5 +59,6 @@ def test_the_coarsest_grade_within_a_width():
     assert grade_within(0.045, 16e-6) == "IT6"
     assert grade_within(0.045, 15.9e-6) == "IT5"
     assert grade_within(0.045, 1e-8) == ""
+    assert grade_within(0.002, 20e-3) == "IT18"
     with pytest.raises(InputError, match="up to 500 mm, got 600 mm"):
         standard_tolerances(0.6)
