@@ -16,7 +16,7 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.arrays import namespace
+from asperity.types import namespace
 
 
 def product(matrix: ArrayLike, vector: ArrayLike) -> Array:

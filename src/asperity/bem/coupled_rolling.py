@@ -6,8 +6,9 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax.typing import ArrayLike
 
-from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace
+from asperity.bem.half_space import field_on_grid
 from asperity.bem.normal_contact import NormalContact, normal_contact
 from asperity.bem.steady_rolling import SteadyRolling, steady_rolling
 from asperity.errors import NoSolutionError

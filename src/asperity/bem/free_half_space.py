@@ -11,9 +11,8 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.bem.checks import grid, positive
-from asperity.bem.elastic_pair import ElasticPair
-from asperity.bem.half_space import HalfSpace, filtered, mixed, wavenumber_magnitude
+from asperity.bem.elastic_pair import ElasticPair, positive
+from asperity.bem.half_space import HalfSpace, filtered, grid, mixed, wavenumber_magnitude
 from asperity.errors import InputError
 from asperity.precision import require_double_precision
 

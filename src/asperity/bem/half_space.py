@@ -18,10 +18,12 @@ import math
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
+from jax.typing import ArrayLike
 
-from asperity.bem.checks import grid
-from asperity.bem.elastic_pair import ElasticPair
+from asperity.bem.elastic_pair import ElasticPair, positive
+from asperity.errors import InputError
 from asperity.precision import require_double_precision
 
 
@@ -255,3 +257,26 @@ class PeriodicHalfSpace(HalfSpace):
     def traction_estimate(self, displacement: Array) -> Array:
         """See :class:`HalfSpace`."""
         return weighted_neighbours(displacement, self._neighbours)
+
+
+def field_on_grid(name: str, field: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
+    """The field as a double-precision array; an ``InputError`` if it does not fit the grid or a value is not finite."""
+    array = np.asarray(field, dtype=np.float64)
+    if array.shape != shape:
+        raise InputError(f"{name} has shape {array.shape}: the grid of the half-space has {shape}")
+    bad = int(np.size(array) - np.count_nonzero(np.isfinite(array)))
+    if bad:
+        raise InputError(f"{name} has {bad} of {array.size} values that are not finite numbers")
+    return array
+
+
+def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> tuple[tuple[int, ...], Array]:
+    """Points and spacing [m] of a grid of one axis (a strip, plane strain) or two; an ``InputError`` for any other."""
+    points = tuple(int(n) for n in shape)
+    spacing = tuple(positive("pixel_size", d, "m") for d in pixel_size)
+    if len(points) not in (1, 2) or len(points) != len(spacing) or min(points) < 2:
+        raise InputError(
+            f"shape {points} with pixel_size of {len(spacing)} values: a grid has one or two axes, at least "
+            "2 points along each and one pixel size per axis"
+        )
+    return points, jnp.asarray(spacing, dtype=jnp.float64)

@@ -8,8 +8,8 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.bem.bounded_problem import BoundedSolution, bounded_solution
-from asperity.bem.checks import field_on_grid, positive
-from asperity.bem.half_space import HalfSpace
+from asperity.bem.elastic_pair import positive
+from asperity.bem.half_space import HalfSpace, field_on_grid
 from asperity.errors import InputError, NoSolutionError
 
 #: Largest relative difference between the sum of the pressure and the load that is accepted.

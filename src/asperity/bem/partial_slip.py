@@ -10,9 +10,9 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.bem.bounded_problem import BoundedSolution, bounded_solution
-from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace
-from asperity.bem.half_space import HalfSpace
+from asperity.bem.half_space import HalfSpace, field_on_grid
 from asperity.bem.normal_contact import pressure_weighted_displacement, refuse_unconverged
 from asperity.errors import InputError, NoSolutionError
 

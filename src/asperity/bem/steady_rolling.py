@@ -11,8 +11,9 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace, strip_integral
+from asperity.bem.half_space import field_on_grid
 from asperity.bem.transient_rolling import layer_on_grid
 from asperity.errors import InputError, NoSolutionError
 

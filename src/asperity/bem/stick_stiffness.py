@@ -10,7 +10,7 @@ import jax.numpy as jnp
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.bem.checks import positive
+from asperity.bem.elastic_pair import positive
 from asperity.bem.half_space import HalfSpace
 from asperity.errors import InputError, NoSolutionError
 

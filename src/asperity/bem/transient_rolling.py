@@ -8,8 +8,8 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.bem.checks import field_on_grid
 from asperity.bem.free_half_space import FreeHalfSpace
+from asperity.bem.half_space import field_on_grid
 from asperity.bem.partial_slip import PartialSlip, solved_shear
 from asperity.errors import InputError
 

@@ -113,7 +113,7 @@ def _table(content: ExportContent, suffix: str) -> Exported:
 
 
 def _mujoco(content: ExportContent, suffix: str) -> Exported:
-    from asperity.export.elements import fitted_elements
+    from asperity.export.content import fitted_elements
     from asperity.export.mjcf import mjcf_file
 
     fitted = fitted_elements(content, program="MuJoCo")
@@ -128,7 +128,7 @@ def _fmu(content: ExportContent, suffix: str) -> Exported:
 
 
 def _modelica(content: ExportContent, suffix: str) -> Exported:
-    from asperity.export.elements import fitted_elements
+    from asperity.export.content import fitted_elements
     from asperity.export.modelica import modelica_file
 
     fitted = fitted_elements(content, program="the Modelica model")

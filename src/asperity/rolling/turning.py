@@ -8,7 +8,6 @@ from collections.abc import Callable
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, speeds
 from asperity.drive.state.states import loaded_states
 from asperity.joint.assembled import Pressed
@@ -17,6 +16,7 @@ from asperity.joint.description import Joint, body_masses, places
 from asperity.joint.laws import creep_law, creep_under, drive_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.rolling.rolling import RollingResult, turning
+from asperity.types import namespace
 
 
 def driving_sense(drive: Drive) -> Array:

@@ -11,14 +11,18 @@ from scipy.special import digamma
 from scipy.stats import norm
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.surface.input_file import LARGEST_SPAN
+from asperity.surface.file_formats import LARGEST_SPAN
 from asperity.surface.line_spectrum import fit_lines
 from asperity.surface.scratches import scratches
 from asperity.surface.self_affine_band import NARROWEST_DECADES, BandSearch, widest_power_law
 from asperity.surface.spectral_likelihood import SpectralFit
 from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum, without_line
-from asperity.surface.structure_function import height_step, quantisation_noise_density, resolved_frequency
-from asperity.surface.structure_line import structure_line
+from asperity.surface.structure_function import (
+    height_step,
+    quantisation_noise_density,
+    resolved_frequency,
+    structure_line,
+)
 
 #: ``automatic`` takes ``lines`` where the spectrum is a Weierstrass-Mandelbrot comb, else ``likelihood``.
 ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")

@@ -11,7 +11,15 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.surface.file_formats import file_format, signed_format
+from asperity.surface.file_formats import (
+    LARGEST_SPAN,
+    MEBIBYTE,
+    checked_file,
+    file_bytes,
+    file_format,
+    metres_per_unit,
+    signed_format,
+)
 from asperity.surface.fractal_fit import FractalFit
 from asperity.surface.height_spectrum import (
     FEWEST_POINTS,
@@ -20,7 +28,6 @@ from asperity.surface.height_spectrum import (
     spectrum_of_map,
     spectrum_of_profiles,
 )
-from asperity.surface.input_file import LARGEST_SPAN, MEBIBYTE, checked_file, file_bytes, metres_per_unit
 from asperity.surface.levelling import default_form
 from asperity.surface.measure import (
     Conditioning,
@@ -32,8 +39,7 @@ from asperity.surface.measure import (
 )
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 from asperity.surface.measurement import surface_measurement
-from asperity.surface.read_instrument import instrument_topography
-from asperity.surface.read_raster import nanofocus_topography, tiff_topography
+from asperity.surface.read_instrument import instrument_topography, nanofocus_topography, tiff_topography
 from asperity.surface.read_text import looks_like_text, numpy_topography, text_topography
 from asperity.surface.read_x3p import x3p_topography
 from asperity.surface.topography import Topography

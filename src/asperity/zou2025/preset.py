@@ -11,8 +11,8 @@ import numpy as np
 from jax.typing import ArrayLike
 
 from asperity.contact.fractal import Surface
+from asperity.contact.interface import RoughContact
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
-from asperity.contact.rough_contact import RoughContact
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
