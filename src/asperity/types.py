@@ -12,16 +12,5 @@ Real: TypeAlias = Array | float
 
 
 def namespace(*numbers: Any) -> Any:
-    """The module of array functions for numbers: NumPy where no JAX array is among them, else :mod:`jax.numpy`.
-
-    Parameters
-    ----------
-    *numbers
-        Numbers, arrays or modules of them.
-
-    Returns
-    -------
-    module
-        NumPy computes a single joint's small sums at once; JAX would compile a program for each function.
-    """
+    """NumPy, which computes small sums at once, where no JAX array is among the numbers; else :mod:`jax.numpy`."""
     return jnp if any(isinstance(leaf, jax.Array) for leaf in jax.tree.leaves(numbers)) else np

@@ -15,17 +15,7 @@ from asperity.errors import NoSolutionError
 
 
 class CoupledSteadyRolling(eqx.Module):
-    """Steady rolling with its pressure.
-
-    Parameters
-    ----------
-    rolling : SteadyRolling
-        Tangential state.
-    contact : NormalContact
-        Normal state under that traction.
-    alternations : int
-        Number of alternating solutions of the two problems.
-    """
+    """Steady rolling with its pressure: both states, each under the other's, after so many alternating solutions."""
 
     rolling: SteadyRolling
     contact: NormalContact

@@ -59,24 +59,10 @@ class ElasticPair(eqx.Module):
 def elastic_pair(
     *, youngs_modulus_1: float, youngs_modulus_2: float, poisson_ratio_1: float, poisson_ratio_2: float
 ) -> ElasticPair:
-    """The pair of two isotropic bodies.
+    """The pair of two isotropic bodies, from Young's moduli [Pa], infinite for a rigid body, and Poisson's ratios [-].
 
-    Parameters
-    ----------
-    youngs_modulus_1, youngs_modulus_2 : float
-        Young's moduli [Pa], positive; ``float("inf")`` is a rigid body.
-    poisson_ratio_1, poisson_ratio_2 : float
-        Poisson's ratios [-], above -1 and at most 0.5.
-
-    Returns
-    -------
-    ElasticPair
-        Their common constants.
-
-    Raises
-    ------
-    InputError
-        For a modulus that is not positive, a ratio outside its range, or two rigid bodies.
+    An ``InputError`` for a modulus that is not positive, a ratio outside -1 to 0.5 (0.5 is allowed), or two rigid
+    bodies.
 
     Examples
     --------

@@ -40,21 +40,10 @@ def filtered(field: Array, symbol: Array) -> Array:
 
 
 def mixed(field: Array, symbols: Array, shape: tuple[int, ...]) -> Array:
-    """Filter the two components of a vector field by a symmetric 2 x 2 symbol (xx, yy, xy).
+    r"""A vector field, shape (2, \*grid), filtered by a symmetric 2 x 2 symbol: xx, yy and, on grids with two axes, xy.
 
-    Parameters
-    ----------
-    field : array, shape (2, *grid)
-        Vector field on the grid, zero-padded here if ``shape`` is larger.
-    symbols : array, shape (3, *half-spectrum) or (2, *half-spectrum)
-        xx, yy and, on grids with two axes, xy.
-    shape : tuple of int
-        Grid on which the symbols live.
-
-    Returns
-    -------
-    array, shape of ``field``
-        The filtered field.
+    ``shape`` is the grid on which the symbols, shape (3 or 2, \*half-spectrum), live; the field is padded with zeros to
+    it.
     """
     axes = tuple(range(1, field.ndim))
     waves = jnp.fft.rfftn(field, s=shape, axes=axes)
@@ -197,30 +186,16 @@ def _periodic_operators(
 
 
 class PeriodicHalfSpace(HalfSpace):
-    r"""Half-spaces whose surface repeats with the period of the grid.
+    """Half-spaces of a pair whose surface repeats with the period of the grid.
 
-    Displacements are relative to the mean plane of the surface: a uniform traction causes no displacement.
-
-    Parameters
-    ----------
-    pair : ElasticPair
-        The two bodies.
-    shape : tuple of int
-        Points along each axis; one axis is a strip in plane strain with x across it and y along it.
-    pixel_size : tuple of float
-        Spacing along each axis [m].
-
-    Raises
-    ------
-    InputError
-        If shape and pixel size do not describe a grid.
-    PrecisionError
-        If JAX computes in single precision.
+    ``shape``: points along each axis; one axis is a strip in plane strain with x across it and y along it.
+    ``pixel_size``: spacing along each axis [m]. Displacements are relative to the mean plane of the surface: a uniform
+    traction causes no displacement. An ``InputError`` for what is no grid, a ``PrecisionError`` if JAX computes in
+    single precision.
 
     References
     ----------
-    H. M. Stanley and T. Kato, J. Tribol. 119 (1997) 481; K. L. Johnson, Contact Mechanics, 1985, section
-    13.2.
+    H. M. Stanley and T. Kato, J. Tribol. 119 (1997) 481; K. L. Johnson, Contact Mechanics, 1985, section 13.2.
     """
 
     pair: ElasticPair

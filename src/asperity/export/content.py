@@ -111,32 +111,11 @@ def export_content(
     largest_torque: float | None,
     level: StiffnessLevel,
 ) -> ExportContent:
-    """Compute what is exported.
+    """What is exported of one joint up to a torque [N·m] of either sign, None for the joint's own.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    inertias : Inertias or None
-        Motor and load; None if the joint file has none.
-    source : str
-        Name of the joint file.
-    largest_torque : float or None
-        Largest output torque, of either sign [N·m]; None for the joint's own.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness is integrated into the wind-up.
-
-    Returns
-    -------
-    ExportContent
-        Curves.
-
-    Raises
-    ------
-    InputError
-        If the joint cannot exist, or the torque is zero or beyond the capacity of a direction.
-    NoSolutionError
-        If the force balance does not close.
+    ``inertias`` are None if the joint file, called ``source``, has none; ``level`` is the stiffness that is integrated
+    into the wind-up. An ``InputError`` if the joint cannot exist, or the torque is zero or beyond the capacity of a
+    direction; a ``NoSolutionError`` if the force balance does not close.
     """
     curve, (forward, _) = examined_windup(joint, largest_torque=largest_torque, level=level)
     curves = both_senses(joint=joint, torque=curve.torque)
@@ -165,20 +144,7 @@ def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -
 
 
 def heading(content: ExportContent, *, what: str) -> list[str]:
-    """Sentences that stand at the head of every exported file.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-    what : str
-        What the file is, such as "MuJoCo model".
-
-    Returns
-    -------
-    list of str
-        One line each, in ASCII.
-    """
+    """Sentences in ASCII, one line each, at the head of every exported file; ``what`` it is, such as "MuJoCo model"."""
     torque = format_quantity(content.largest_torque, "N*m")
     lines = [
         f"{what} of the joint in {printable(content.source)}, written by asperity {asperity.__version__}",

@@ -209,20 +209,7 @@ def errors_by_key(message: str, *, source: str) -> dict[str, str]:
 
 
 def problem(error: AsperityError, *, source: str) -> JSONResponse:
-    """The answer to a request that cannot be fulfilled.
-
-    Parameters
-    ----------
-    error : AsperityError
-        Why.
-    source : str
-        Name of the file at the beginning of its message.
-
-    Returns
-    -------
-    JSONResponse
-        Message, kind, and keys of the joint file.
-    """
+    """The answer to a request that cannot be fulfilled: message, kind, and keys of the joint file called ``source``."""
     if isinstance(error, BusyError):
         return refusal(503, str(error), "busy")
     kind = "no_solution" if isinstance(error, NoSolutionError) else "input"

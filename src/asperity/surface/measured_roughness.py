@@ -27,18 +27,10 @@ from asperity.surface.measurement import (
 
 @dataclass(frozen=True)
 class MeasuredRoughness:
-    """A measured surface, or two that meet.
+    """A measured surface, or two that meet, with the files measured.
 
-    Attributes
-    ----------
-    fractal : SurfaceMeasurement or None
-        D and G of both together; None without a power law.
-    no_power_law : str
-        Why there is none; empty where there is one.
-    spectra : tuple of HeightSpectrum
-        Of each body; empty in documents of earlier releases.
-    source : str
-        Files measured.
+    ``fractal``: D and G of both together, None without a power law, for the reason ``no_power_law``; ``spectra`` of
+    each body, empty in documents of earlier releases.
     """
 
     fractal: SurfaceMeasurement | None
@@ -104,15 +96,7 @@ def read_roughness(*, path: str | Path) -> MeasuredRoughness:
 def two_bodies(first: MeasuredRoughness, second: MeasuredRoughness) -> MeasuredRoughness:
     """Two measured surfaces that meet: the mean squares of their waves add, and their structure functions.
 
-    Parameters
-    ----------
-    first, second : MeasuredRoughness
-        The two bodies.
-
-    Returns
-    -------
-    MeasuredRoughness
-        Without D and G where one of them has none, or both together have none.
+    Without D and G where one of them has none, or both together have none.
     """
     source = f"{first.source} + {second.source}"
     complete = bool(first.spectra) and bool(second.spectra)

@@ -124,18 +124,10 @@ class OperatingPoint(eqx.Module):
 
 
 def operating_grid(**varied: ArrayLike) -> OperatingPoint:
-    """The paper's operating point with some fields varied over the grid of their values.
+    """The paper's operating point with some fields varied over the grid of their values, each of shape (n,).
 
-    Parameters
-    ----------
-    **varied : array_like
-        Field of :class:`OperatingPoint` → its values, shape (n,). All other fields keep the values of Tables 1
-        and 2 at the full output torque.
-
-    Returns
-    -------
-    OperatingPoint
-        All fields in the shape (n_1, n_2, ...), in the order of the arguments.
+    All other fields keep the values of Tables 1 and 2 at the full output torque. All have the shape (n_1, n_2, ...), in
+    the order of the arguments.
 
     Examples
     --------
