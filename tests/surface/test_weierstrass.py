@@ -1,7 +1,6 @@
 """The W-M sums against the equation written out term by term."""
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -11,7 +10,6 @@ from asperity.surface.conventions import areal_roughness_from_profile
 from asperity.surface.weierstrass import (
     periodic_weierstrass_surface,
     weierstrass_mandelbrot_profile,
-    weierstrass_mandelbrot_surface,
 )
 
 L, D, G, GAMMA = 1e-3, 1.4, 1e-11, 1.5
@@ -46,48 +44,6 @@ def test_gradient_in_dimension_agrees_with_finite_differences():
     h = 1e-6
     numeric = (profile(x, phases, 0, D=1.4 + h) - profile(x, phases, 0, D=1.4 - h))[0] / (2 * h)
     np.testing.assert_allclose(slope, numeric, rtol=1e-6)
-
-
-def test_surface_is_the_double_sum_and_vanishes_at_the_origin():
-    random = np.random.default_rng(1)
-    phases = random.uniform(0, 2 * np.pi, (5, 8))
-    x, y = np.linspace(0, L, 7), np.linspace(0, 0.5 * L, 6)
-    got = np.asarray(
-        weierstrass_mandelbrot_surface(
-            position_x=x,
-            position_y=y,
-            profile_length=L,
-            fractal_dimension=D,
-            fractal_roughness=G,
-            frequency_ratio=GAMMA,
-            phases=phases,
-            lowest_index=-1,
-        )
-    )
-    expected = np.zeros((6, 7))
-    for m in range(1, 6):
-        theta = np.pi * m / 5
-        along = x * np.cos(theta) + y[:, None] * np.sin(theta)
-        for j, n in enumerate(range(-1, 7)):
-            phi = phases[m - 1, j]
-            a = L * (G / L) ** (D - 1) * np.sqrt(np.log(GAMMA) / 5) * GAMMA ** ((D - 2) * n)
-            expected += a * (np.cos(phi) - np.cos(2 * np.pi * GAMMA**n / L * along - phi))
-    np.testing.assert_allclose(got, expected, atol=1e-12 * np.abs(expected).max())
-    assert abs(got[0, 0]) < 1e-12 * np.abs(expected).max()
-
-
-def test_wrong_shapes_are_refused():
-    with pytest.raises(InputError, match="ridges, terms"):
-        weierstrass_mandelbrot_surface(
-            position_x=jnp.zeros(3),
-            position_y=jnp.zeros(3),
-            profile_length=L,
-            fractal_dimension=D,
-            fractal_roughness=G,
-            frequency_ratio=GAMMA,
-            phases=jnp.zeros(4),
-            lowest_index=0,
-        )
 
 
 @pytest.mark.parametrize("dimension", [1.2, 1.5, 1.8])

@@ -1,4 +1,4 @@
-r"""The Weierstrass-Mandelbrot surface: a profile (equation (6)), an areal map, and a periodic one.
+r"""The Weierstrass-Mandelbrot surface: a profile (equation (6)), and a periodic map.
 
 With :math:`f_n = \gamma^n / L` the term of index n has the amplitude
 :math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{D-2}`: the profile length L only fixes where the frequencies sit, and
@@ -95,84 +95,6 @@ def weierstrass_mandelbrot_profile(
 
     height, _ = jax.lax.scan(add_term, jnp.zeros_like(x), (amplitude, wavenumber, phi))
     return height
-
-
-def weierstrass_mandelbrot_surface(
-    *,
-    position_x: Float[ArrayLike, " columns"],
-    position_y: Float[ArrayLike, " rows"],
-    profile_length: Float[ArrayLike, ""],
-    fractal_dimension: Float[ArrayLike, ""],
-    fractal_roughness: Float[ArrayLike, ""],
-    frequency_ratio: Float[ArrayLike, ""],
-    phases: Float[ArrayLike, "ridges terms"],
-    lowest_index: int,
-) -> Float[Array, "rows columns"]:
-    r"""Height map of the isotropic Weierstrass-Mandelbrot surface on a rectangular grid.
-
-    .. math::
-        z(x, y) = L \left(\frac{G}{L}\right)^{D-1} \left(\frac{\ln\gamma}{M}\right)^{1/2} \sum_{m=1}^{M}
-        \sum_n \gamma^{(D-2)n} \left[\cos\phi_{mn} - \cos\left(\frac{2\pi\gamma^n}{L}
-        (x\cos\theta_m + y\sin\theta_m) - \phi_{mn}\right)\right], \quad \theta_m = \pi m / M
-
-    Parameters
-    ----------
-    position_x, position_y : arrays, shapes (columns,) and (rows,)
-        Grid lines [m].
-    profile_length, fractal_roughness : scalar
-        L and G [m].
-    fractal_dimension : scalar
-        D [-] of a *profile*, 1 to 2; the dimension of the surface is D + 1.
-    frequency_ratio : scalar
-        gamma [-], above 1.
-    phases : array, shape (ridges, terms)
-        phi_mn [rad]; the number of rows is the number M of superposed ridges.
-    lowest_index : int
-        Index n of the first column of ``phases``.
-
-    Returns
-    -------
-    array, shape (rows, columns)
-        Height z [m]; zero at the origin.
-
-    Notes
-    -----
-    Each plane wave is the real part of a product of a function of x and one of y, so the double sum is one
-    matrix product: 4096 by 4096 points with 10 ridges take a second or two. The G of a straight profile of
-    this surface is smaller than its areal G, see
-    :func:`asperity.surface.conventions.profile_roughness_from_areal`.
-
-    References
-    ----------
-    Yan & Komvopoulos, J. Appl. Phys. 84 (1998) 3617, equation (6), with their surface dimension D + 1.
-    """
-    require_double_precision()
-    x = jnp.asarray(position_x, dtype=jnp.float64)
-    y = jnp.asarray(position_y, dtype=jnp.float64)
-    phi = jnp.asarray(phases, dtype=jnp.float64)
-    if phi.ndim != 2 or x.ndim != 1 or y.ndim != 1:
-        raise InputError(
-            f"phases must have shape (ridges, terms) and positions one axis, not {phi.shape}, "
-            f"{x.shape}, {y.shape}"
-        )
-    L = jnp.asarray(profile_length, dtype=jnp.float64)
-    D = jnp.asarray(fractal_dimension, dtype=jnp.float64)
-    G = jnp.asarray(fractal_roughness, dtype=jnp.float64)
-    gamma = jnp.asarray(frequency_ratio, dtype=jnp.float64)
-    ridges, terms = phi.shape
-    n = jnp.asarray(lowest_index, dtype=jnp.float64) + jnp.arange(terms, dtype=jnp.float64)
-    theta = jnp.pi * jnp.arange(1, ridges + 1, dtype=jnp.float64)[:, None] / float(ridges)
-
-    a = L * (G / L) ** (D - 1.0) * jnp.sqrt(jnp.log(gamma) / float(ridges)) * gamma ** ((D - 2.0) * n)
-    a = jnp.broadcast_to(a, phi.shape).ravel()
-    q = 2.0 * jnp.pi * gamma**n / L
-    qx, qy, p = (q * jnp.cos(theta)).ravel(), (q * jnp.sin(theta)).ravel(), phi.ravel()
-
-    along_x = qx[:, None] * x - p[:, None]
-    along_y = y[:, None] * qy
-    left = jnp.concatenate([a * jnp.cos(along_y), -a * jnp.sin(along_y)], axis=1)
-    right = jnp.concatenate([jnp.cos(along_x), jnp.sin(along_x)], axis=0)
-    return jnp.sum(a * jnp.cos(p)) - left @ right
 
 
 #: Waves per frequency; low frequencies have fewer directions.

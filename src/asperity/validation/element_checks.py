@@ -103,13 +103,7 @@ def _line_contact(margin: int) -> tuple[FreeHalfSpace, np.ndarray]:
 
 
 def rolling() -> Iterator[Check]:
-    """A line contact that rolls, steadily and from rest.
-
-    Yields
-    ------
-    Check
-        Creepage over friction.
-    """
+    """A line contact that rolls, steadily and from rest."""
     shares = np.array([0.1, 0.25, 0.5, 0.8, 0.95])
     strip, pressure = _line_contact(0)
     load = float(pressure.sum() * strip.pixel_size[0])

@@ -28,7 +28,6 @@ CONTACT_LENGTH_RANGE = (5e-3, 30e-3)  # m, Table 1 case f
 PAIR_NORMAL_FORCE = 1000.0  # N, Table 1
 PAIR_RADII = (10e-3, 20e-3)  # m, Table 1
 SECOND_RADIUS_RANGE = (10e-3, 50e-3)  # m, Table 1 case e
-TANGENTIAL_RANGE = (0.0, 119.0)  # N, Table 1 case b
 SUN_RADIUS = 4e-3  # m, Table 2
 PLANET_RADIUS = 13.5e-3  # m, Table 2
 LOADING_ROLLER_RADIUS = 5e-3  # m, Table 2
