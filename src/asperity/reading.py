@@ -131,9 +131,9 @@ def parse_toml(text: str, *, source: str) -> dict[str, Any]:
     return tables
 
 
-def read_toml(path: str | Path) -> dict[str, Any]:
+def read_toml(path: str | Path, *, largest: int = LARGEST_FILE) -> dict[str, Any]:
     """Nested tables of a TOML file; an ``InputError`` as by :func:`read_text` and :func:`parse_toml`."""
-    return parse_toml(read_text(path), source=str(path))
+    return parse_toml(read_text(path, largest=largest), source=str(path))
 
 
 def read_json(path: str | Path, *, largest: int = LARGEST_FILE) -> Any:

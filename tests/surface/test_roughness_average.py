@@ -16,6 +16,7 @@ from asperity.surface.roughness_average import (
     depth_cut_off,
     depth_over_average,
     fractal_roughness_from_average,
+    pair_average,
     passed_variance,
     roughness_average,
     scatter_of_average,
@@ -120,6 +121,10 @@ def test_derivatives_are_exact():
 def test_cut_offs_are_those_of_the_standard(average, cut_off):
     assert standard_cut_off(roughness_average=average) == cut_off
     assert standard_cut_off(roughness_average=np.array([average]))[0] == cut_off
+
+
+def test_two_bodies_add_their_mean_squares():
+    assert pair_average(first=3e-7, second=4e-7) == pytest.approx(5e-7)
 
 
 def test_the_corresponding_ra_is_of_each_of_two_bodies_and_in_its_class():

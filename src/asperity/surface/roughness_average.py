@@ -169,6 +169,11 @@ def fractal_roughness_from_average(*, roughness_average: Any, cut_off: Any, frac
     return ratio ** (0.5 / (d - 1.0))
 
 
+def pair_average(*, first: Any, second: Any) -> Any:
+    r"""Ra of the equivalent surface of two bodies, :math:`\sqrt{R_{a1}^2 + R_{a2}^2}` [m]: their mean squares add."""
+    return (first**2 + second**2) ** 0.5
+
+
 def scatter_of_average(*, fractal_dimension: float, cut_offs: float) -> float:
     r"""Relative standard deviation [-] of an Ra that is measured over n cut-offs (5 by the standards).
 
