@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import tempfile
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -91,6 +91,15 @@ def write_image(figure: Figure, path: str | Path) -> None:
 
     with replacing(path) as part, rc_context({"svg.hashsalt": "asperity"}):
         figure.savefig(part, dpi=_DOTS_PER_INCH, metadata=_NO_DATE.get(Path(path).suffix.lower()))
+
+
+def write_pages(figures: Sequence[Figure], path: str | Path) -> None:
+    """Write figures as the pages of one PDF file; the same figures make the same file."""
+    from matplotlib.backends.backend_pdf import PdfPages
+
+    with replacing(path) as part, PdfPages(part, metadata=_NO_DATE[".pdf"]) as pages:
+        for figure in figures:
+            pages.savefig(figure)
 
 
 def write_columns(columns: Mapping[str, Any], path: str) -> None:

@@ -56,14 +56,18 @@ def planetary_of_three(planar_joint):
 def test_sectors_pass_what_they_carry_to_the_output(planetary_of_three):
     """Pins of 14, 28 and 0 N at 30 mm, or forces of 7, 14 and -7 N at the ring of 50 mm."""
     _, unfolded = planetary_of_three()
-    loaded = SimpleNamespace(pin_force=jnp.array([14.0, 28.0, 0.0]), tangential=jnp.ones(6))
+    loaded = SimpleNamespace(pin_force=jnp.array([14.0, 28.0, 0.0]), tangential=jnp.ones(6), drag=jnp.ones(6))
     moments = np.asarray(_output_moments(unfolded, loaded, 3))
     np.testing.assert_allclose(np.abs(moments), [0.42, 0.84, 0.0], atol=1e-12)
     assert moments[0] * moments[1] > 0.0
     _, unfolded = planetary_of_three({'output = "carrier"': 'output = "ring"'})
-    loaded = SimpleNamespace(tangential=jnp.array([1.0, 7.0, 2.0, 14.0, 3.0, -7.0]), pin_force=jnp.ones(3))
+    loaded = SimpleNamespace(
+        tangential=jnp.array([1.0, 7.0, 2.0, 14.0, 3.0, -7.0]),
+        pin_force=jnp.ones(3),
+        drag=jnp.array([9.0, 2.0, 9.0, 0.0, 9.0, -1.0]),  # of the oil, against the planets
+    )
     moments = np.asarray(_output_moments(unfolded, loaded, 3))
-    np.testing.assert_allclose(np.sign(moments[0]) * moments, [0.35, 0.7, -0.35], atol=1e-12)
+    np.testing.assert_allclose(np.sign(moments[0]) * moments, [0.25, 0.7, -0.3], atol=1e-12)
 
 
 def test_a_floating_sun_takes_interference_from_the_planets_it_moves_to(planetary_of_three):
@@ -85,17 +89,25 @@ def test_forces_on_the_members_in_the_middle_by_hand(planetary_of_three):
     joint, unfolded = planetary_of_three()
     normal = np.array([[100.0, 110.0], [200.0, 190.0], [150.0, 130.0]])
     pressed = SimpleNamespace(
-        normal=jnp.asarray(normal.ravel()), tangential=jnp.zeros(6), pin_force=jnp.array([10.0, -4.0, 7.0])
+        normal=jnp.asarray(normal.ravel()),
+        tangential=jnp.zeros(6),
+        pin_force=jnp.array([10.0, -4.0, 7.0]),
+        drag=jnp.zeros(6),
     )
     sun, ring, carrier = np.asarray(_forces_on_axis(joint, unfolded, pressed))
     np.testing.assert_allclose(sun, -normal[:, 0] @ TOWARDS, rtol=1e-12)
     np.testing.assert_allclose(ring, normal[:, 1] @ TOWARDS, rtol=1e-12)
     pins = np.array([10.0, -4.0, 7.0]) @ ACROSS
     np.testing.assert_allclose(np.sign(carrier[0] * pins[0]) * carrier, pins, rtol=1e-12)
-    drag = SimpleNamespace(
-        normal=jnp.zeros(6), tangential=jnp.array([5.0, 0.0, 2.0, 0.0, -1.0, 0.0]), pin_force=jnp.zeros(3)
+    pushed = SimpleNamespace(
+        normal=jnp.zeros(6),
+        tangential=jnp.array([7.0, 0.0, 2.0, 0.0, -1.0, 0.0]),
+        pin_force=jnp.zeros(3),
+        drag=jnp.array(
+            [6.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+        ),  # shear of 6 N, pressure of 2 x 6 x 20/30 N against it
     )
-    sun = np.asarray(_forces_on_axis(joint, unfolded, drag))[0]
+    sun = np.asarray(_forces_on_axis(joint, unfolded, pushed))[0]
     along = np.array([5.0, 2.0, -1.0]) @ ACROSS
     np.testing.assert_allclose(np.sign(sun[0] * along[0]) * sun, along, rtol=1e-12)
 

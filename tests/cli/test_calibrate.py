@@ -59,7 +59,9 @@ def test_preload_is_recovered_and_written(folder):
     assert plot.stat().st_size > 10_000
     table = invoke(folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--starts", 1)
     # symmetric in the logarithm: what the table says of the one unknown is its interval in the document
-    share = 100.0 * (found["upper"] / found["value"] - 1.0)
+    share = 100.0 * (found["scatter_upper"] / found["value"] - 1.0)
+    assert found["upper"] > found["scatter_upper"]
+    assert "an error of the model: 5 % of the joint's compliance" in " ".join(table.stdout.split())
     assert f": identifiable, load.preload to ±{share:.2g} % (95 %)" in " ".join(table.stdout.split())
 
 

@@ -53,7 +53,8 @@ def test_numbers_have_four_digits_and_what_is_absent_is_a_dash():
 
 def test_the_heading_states_the_load_in_its_units():
     document = {
-        "input": {"drive": {"planets": 3}, "load": {"sun_speed": 628.3185307179587, "output_torque": 5.0}},
+        "input": {"drive": {"planets": 3}, "load": {"output_torque": 5.0}},
+        "input_speed_rad_per_s": 628.3185307179587,
         "geometry": {"input": "driving_ring"},
         "preload": {"force_N": 1000.0, "interference_m": 1.25e-6, "at_assembly": None, "loading_cam": None},
     }

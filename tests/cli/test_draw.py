@@ -41,6 +41,11 @@ def test_dxf_has_the_radii_and_forces_of_the_file(call, joint_file, tmp_path):
         (('"5 mm"\nring', '"3 mm"\nring'), ("--out", "d.svg"), "there is no place for right_loading_roller"),
         (("planets = 3", "planets = 4"), ("--out", "d.svg"), "neighbours of planet overlap by 2.25126 mm"),
         (("5 N*m", "50 N*m"), ("--forces", "--out", "d.svg"), "beyond the torque capacity"),
+        (
+            ("5 N*m", "5 N*m"),
+            ("--project", "x" * 61, "--out", "d.svg"),
+            "--project: at most 60 characters, got 61",
+        ),
     ],
 )
 def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change, arguments, said):
@@ -49,6 +54,31 @@ def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change,
     assert outcome.code == 2
     assert said in outcome.err
     assert not list(tmp_path.glob("d.*"))
+
+
+def test_parts_are_pages_of_a_pdf_and_files_of_their_own_otherwise(call, joint_file, tmp_path):
+    file = joint_file(('"13.5 mm"', '"13.5 mm +- 2 um"'))
+    assert call("draw", file, "--parts", "--out", tmp_path / "d.pdf").code == 0
+    assert (tmp_path / "d.pdf").read_bytes().count(b"/Type /Page ") == 5
+    outcome = call(
+        "draw", file, "--parts", "--out", tmp_path / "d.svg", "--project", "Wrist", "--revision", "B"
+    )
+    assert outcome.code == 0
+    assert {path.name for path in tmp_path.glob("*.svg")} == {
+        "d.svg", "d_sun.svg", "d_planet.svg", "d_right_loading_roller.svg", "d_ring.svg",
+    }  # fmt: skip
+    planet = texts_of(tmp_path / "d_planet.svg")
+    for text in ("Wrist", "3 of 5", "⌀27.0000 ±0.0040", "3 × planet"):
+        assert text in planet
+    assert "Wrist" in texts_of(tmp_path / "d.svg")
+
+
+def test_a_part_does_not_replace_the_file_that_is_read(call, joint_file, tmp_path):
+    file = joint_file().rename(tmp_path / "d_sun.svg")
+    outcome = call("draw", file, "--parts", "--out", tmp_path / "d.svg")
+    assert outcome.code == 2
+    assert "this is the file that is read" in outcome.err
+    assert not (tmp_path / "d.svg").exists()
 
 
 def texts_of(path):

@@ -28,6 +28,7 @@ def test_the_document_has_every_key_in_si(document):
     assert set(forces["pin_N"]) == {"left_loading_roller", "right_loading_roller"}
     assert set(forces["body_mass_kg"]) == {"sun", "planet", *forces["pin_N"], "ring"}
     assert set(forces) >= {"input_torque_Nm", "output_speed_rad_per_s"}
+    assert document["input_speed_rad_per_s"] == document["input"]["load"]["sun_speed"]
     for contact in document["standing"]["contacts"].values():
         assert set(contact) >= {
             "largest_area_m2",

@@ -33,8 +33,9 @@ DOCUMENT = {
     "life_hours": None,
     "input": {
         "drive": {"planets": 3.0},
-        "load": {"friction_coefficient": 0.12, "sun_speed": 600.0, "output_torque": 5.0},
+        "load": {"friction_coefficient": 0.12, "output_torque": 5.0},
     },
+    "input_speed_rad_per_s": 600.0,
     "assumptions": [],
     "geometry": {
         "speed_ratio": 6.0,

@@ -41,6 +41,18 @@ def test_shares_of_the_compliance_add_up_to_one():
     assert math.isnan(float(compliance_share(0.0, 0.0)))
 
 
+def test_friction_used_by_half_adds_the_logarithm_of_two():
+    """Compliances 3 and 2 ln(1/(1 - 0.5)) nm/N."""
+    stiffness = bulk_tangential_stiffness(
+        normal_compliance=3e-9,
+        logarithmic_compliance=2e-9,
+        normal_force=1000.0,
+        tangential_force=60.0,
+        friction_coefficient=0.12,
+    )
+    assert 1.0 / float(stiffness) == pytest.approx(3e-9 + 2e-9 * math.log(2.0), rel=1e-12)
+
+
 def test_gradient_is_finite_where_a_spring_is_gone():
     slope = jax.grad(lambda k: jnp.sum(series_stiffness(k, jnp.array([0.0, 1e8]))))(jnp.zeros(2))
     assert bool(jnp.all(jnp.isfinite(slope)))

@@ -173,6 +173,101 @@ def drawn(values, torque, random):
     return tables
 
 
+def numbers_of_joint(joint, sense):
+    """All numbers of a joint by their place, those of a drive that turns clockwise mirrored."""
+    drive = joint.drive
+    mirrored = dataclasses.replace(
+        drive,
+        centres=np.asarray(drive.centres) * np.array([sense, 1.0]),
+        push_angles=sense * np.asarray(drive.push_angles),
+        motion=None,
+    )
+    found, _ = jax.tree.flatten_with_path(dataclasses.replace(joint, drive=mirrored))
+    return {jax.tree_util.keystr(path): np.asarray(value, dtype=float) for path, value in found}
+
+
+def words_of_joint(joint):
+    """All choices of a joint by name, and what its drive is made of."""
+    drive = joint.drive
+    names = [field.name for field in dataclasses.fields(joint) if field.metadata.get("static")]
+    choices = {name: getattr(joint, name) for name in names if name != "type"}
+    return choices | {
+        "bodies": [(body.name, body.place) for body in drive.bodies],
+        "contacts": [
+            (each.name, each.first, each.second, each.internal, each.sector) for each in drive.contacts
+        ],
+        "ends": (drive.input, drive.output, drive.grounded),
+        "closure": drive.closure,
+        "shapes": [(shape.kind, shape.support) for shape in joint.shapes],
+    }
+
+
+#: Tables in the place of those of each example, in SI units.
+FEATURES = {
+    "held ring at a temperature, crowns, skew, oil": {
+        "drive": {"ring_support": "rigid_housing"},
+        "temperature": {"assembly": 20.0, "working": 45.0, "housing_expansion": 23.6e-6},
+        "load": {"interference": 3e-5},
+        "rolling": {"skew": 2e-4, "hysteresis_factor": 0.01},
+        "lubrication": {"viscosity": 0.05, "pressure_coefficient": 2e-8},
+    },
+    "elastic housing, cam, hollow rollers, pins that bend, backwards": {
+        "drive": {"ring_support": "elastic_housing"},
+        "compliance": {"ring_housing_stiffness": 4e11, "pin_stiffness": 1e8},
+        "load": {"cam_force_per_torque": 40.0, "interference": 3e-5, "sun_speed": -50.0},
+        "bearings": {"pin_diameter": 3e-3, "pin_length": 20e-3, "pin_support": "both_ends"},
+    },
+    "thin free ring, planets and pins held": {
+        "drive": {"ring_support": "free", "ring_wall_thickness": 4e-3},
+        "compliance": {
+            "planet_support_stiffness": 2e7,
+            "pin_transverse_stiffness": 3e7,
+            "ring_bending_stiffness": 4e8,
+            "output_shaft_stiffness": 5e4,
+        },
+    },
+    "thick free ring, cam on a preload, springs": {
+        "drive": {"ring_support": "free", "ring_wall_thickness": 60e-3},
+        "load": {"cam_force_per_torque": 40.0, "preload": 800.0},
+        "model": {"bodies": "springs", "closure_springs": "bulk_and_asperities"},
+    },
+}
+#: Bores of hollow rollers [m], and a key that has no effect, and is refused, where all rollers are on pins.
+BORES = {
+    "planetary": {"planet_bore_diameter": 20e-3},
+    "stepped_planet": {"planet_bore_diameter": 15e-3},
+    "multiroller": {"first_row_bore_diameter": 8e-3, "second_row_bore_diameter": 7e-3},
+    "zou2025": {"loading_roller_bore_diameter": 4e-3},
+}
+ALL_ON_PINS, WITHOUT_PINS = ("planetary", "stepped_planet"), "planet_support_stiffness"
+
+
+@pytest.mark.parametrize("features", FEATURES)
+@pytest.mark.parametrize("name", BORES)
+def test_a_drive_and_its_listed_twin_are_one_joint(planar_case, name, features):
+    """The same numbers and choices, of which all that is computed follows."""
+    values = si_values(planar_case(name))
+    for material in values.get("materials", {}).values():
+        material["thermal_expansion"] = 11.5e-6
+    for section, table in FEATURES[features].items():
+        values[section] = values.get(section, {}) | table
+    values["load"].pop("interference" if "preload" in FEATURES[features].get("load", {}) else "preload", None)
+    values["load"] |= {} if "preload" in values["load"] else {"interference": 3e-5}
+    if name in ALL_ON_PINS:
+        values.get("compliance", {}).pop(WITHOUT_PINS, None)
+    if "hollow" in features:
+        values["drive"] |= BORES[name]
+    if "crowns" in features:
+        tracks = dict.fromkeys(track for pair in TRACKS[type_of(values)].values() for track in pair)
+        values["drive"] |= {f"{track}_crown_radius": 1.0 + place for place, track in enumerate(tracks)}
+    one, other = joint_of(values), joint_of(listed(values))
+    assert words_of_joint(one) == words_of_joint(other)
+    numbers, others = (numbers_of_joint(joint, joint.drive.sense) for joint in (one, other))
+    assert numbers.keys() == others.keys()
+    for place, number in numbers.items():
+        np.testing.assert_allclose(others[place], number, rtol=1e-9, atol=1e-13, err_msg=place)
+
+
 CASES = [
     ("planetary", False),
     pytest.param("zou2025", True, marks=pytest.mark.slow),

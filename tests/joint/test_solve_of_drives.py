@@ -38,6 +38,13 @@ def test_forces_of_the_planetary_by_hand(planetary):
     assert float(solution.result.forces.balance_residual) < 1e-9
 
 
+def oiled_planet(contacts):
+    """Tangential forces of both contacts along the orbit, and what turns the planet against its oil [N]."""
+    one, two = (contacts[name]["oil_drag_N"] for name in ("sp", "pr"))
+    force = 10.0 / (COUNT * ORBIT)
+    return force + one * (1.0 - 2.0 * 10.0 / 30.0) + two * (2.0 * 50.0 / 30.0 - 1.0), one + two
+
+
 @pytest.mark.slow
 def test_thrust_and_loss_of_skewed_axes_by_hand(skewed_planetary):
     _, solution, document = skewed_planetary
@@ -45,7 +52,8 @@ def test_thrust_and_loss_of_skewed_axes_by_hand(skewed_planetary):
     one, two = (found[name]["axial_force_N"] for name in ("sp", "pr"))
     assert one > 1.0
     assert two < -1.0
-    assert found["sp"]["tangential_N"] == pytest.approx(10.0 / (COUNT * ORBIT) / 2.0, rel=1e-9)
+    along, drags = oiled_planet(found)
+    assert found["sp"]["tangential_N"] == pytest.approx(0.5 * (along + drags), rel=1e-9)
     thrust = document["rolling"]["axial_thrust_N"]
     assert thrust == pytest.approx({"sun": -3.0 * one, "planet": one - two, "ring": 3.0 * two}, rel=1e-12)
     # sideways friction takes from the torque: force times angle times rolling speed
@@ -76,20 +84,37 @@ def test_drift_and_power_of_the_planetary(planetary):
     assert one > two > 0.0
     # seen from the carrier the ring's surface is slower than the sun's by both creepages
     assert rolling["speed_loss"] == pytest.approx((one + two) * 50.0 / 60.0, rel=2e-3)
-    losses = rolling["losses_W"]
     assert rolling["efficiency"] == pytest.approx(
         rolling["output_power_W"] / rolling["input_power_W"], rel=1e-12
     )
-    # creep takes from the speed, the rest from the torque
-    assert losses["creep"] == pytest.approx(
-        10.0 / 6.0 * 1500.0 * math.pi / 30.0 * rolling["speed_loss"], rel=1e-9
-    )
+    # creep takes from the speed of what passes the contacts, the oil from the torque on both sides of each
+    speed = 1500.0 * math.pi / 30.0
+    for name, contact in rolling["contacts"].items():
+        rolled = contact["losses_W"]["creep"] / (COUNT * contact["tangential_N"] * contact["creepage"])
+        assert rolled == pytest.approx(speed * 5.0 / 6.0 * 10e-3, rel=2e-3), name
+        assert contact["losses_W"]["oil"] == pytest.approx(
+            2.0 * COUNT * contact["oil_drag_N"] * rolled, rel=1e-9
+        )
     turns = rolling["output_power_W"] / 10.0 / (2.0 * math.pi)
     assert rolling["life_hours"] * 3600.0 * turns == pytest.approx(rolling["life_output_turns"], rel=1e-9)
     assert list(rolling["body_life_hours"]) == ["sun", "planet", "ring"]
     # the motor feeds all of it: without losses 10 N·m/6, over the efficiency and the speed that creep takes
     share = rolling["efficiency"] / (1.0 - rolling["speed_loss"])
     assert rolling["input_torque_Nm"] == pytest.approx(10.0 / 6.0 / share, rel=1e-9)
+
+
+def test_the_oil_brakes_the_drive_at_its_contacts(planetary):
+    """What the motor feeds by the powers is what the contacts and their oil do to the sun, by its moment balance."""
+    _, solution, document = planetary
+    rolling, found = solution.result.rolling, document["rolling"]
+    tangential, drag = np.asarray(rolling.tangential), np.asarray(rolling.drag)
+    assert np.all(drag > 0.0)
+    along, drags = oiled_planet(found["contacts"])
+    np.testing.assert_allclose(tangential, [0.5 * (along + drags), 0.5 * (along - drags)], rtol=1e-9)
+    assert found["input_torque_Nm"] == pytest.approx(COUNT * 10e-3 * (tangential[0] + drag[0]), rel=1e-9)
+    # Biboulet and Houpert's force where the bodies deform, 1.47 U^(3/4) E' R a length
+    scale, speed = 2.0 * 206e9 / 1.82 * 20e-3 / 3.0, 1500.0 * math.pi / 30.0 * (5.0 / 6.0) * 10e-3
+    assert drag[0] == pytest.approx(10e-3 * 1.47 * (2.0 * 0.03 * speed / scale) ** 0.75 * scale, rel=0.02)
 
 
 def test_the_tables_name_contacts_members_and_bodies(planetary, tmp_path):

@@ -19,6 +19,7 @@ def test_every_number_of_a_joint_file_has_a_path():
 def test_an_rz_and_a_share_are_entered_and_no_study_varies_them():
     entered = keys_by_path(WedgeCase, numbers="entered")
     assert {path for path in entered if path.count(".") == 1} == {
+        "drive.ratio",
         "surface.mean_roughness_depth",
         "surface.partner_mean_roughness_depth",
     }

@@ -11,8 +11,9 @@ from asperity.joint_file.reader import parse_case
 from asperity.page.upload import refuse_downloads
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.html import report_html
-from asperity.report.joint_report import ReportSource, choices_table, inputs_table, joint_report
+from asperity.report.joint_report import ReportSource, choices_table, inputs_table, joint_report, label_of
 from asperity.report.typst_source import typst_source
+from asperity.show.title_block import Title
 
 TEXT = (Path(__file__).parents[2] / "examples" / "zou2025.toml").read_text(encoding="utf-8")
 
@@ -84,8 +85,8 @@ def test_the_report_follows_from_the_file_that_it_contains(made):
 @pytest.mark.slow
 def test_a_joint_without_torque_has_a_report_that_says_what_is_absent():
     text = TEXT.replace('"5 N*m"', '"0 N*m"').replace('"6000 rpm"', '"0 rpm"')
-    report = report_of(text, date="2026-03-01")
-    assert ("date", "2026-03-01") in tables(report)["Document"].rows
+    report = report_of(text, title=Title(project="Wrist", date="2026-03-01"))
+    assert tables(report)["Document"].rows[:2] == [("project", "Wrist"), ("date", "2026-03-01")]
     place = report.blocks.index(Heading("Wind-up"))
     assert report.blocks[place + 1].text.startswith("No wind-up: a wind-up needs a torque that is not zero")
     assert report_html(report)
@@ -153,13 +154,28 @@ def test_a_torque_that_only_the_branches_of_the_file_carry():
 def test_numbers_have_their_units_and_tolerances(joint_text):
     text = joint_text.replace('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 5 um"')
     rows = {row[0]: tuple(row[1:]) for row in inputs_table(parse_case(text, source="x")).rows}
-    assert rows["drive.planet_radius"] == ("13.5 mm", "± 0.005 mm")
-    assert rows["load.output_torque"] == ("5 N·m", "")
-    assert rows["surface.fractal_roughness"] == ("1e-8 mm", "")
+    assert rows["drive: planet radius"] == ("13.5 mm", "± 0.005 mm")
+    assert rows["load: output torque"] == ("5 N·m", "")
+    assert rows["surface: fractal roughness"] == ("1e-8 mm", "")
+
+
+@pytest.mark.parametrize(
+    ("path", "label"),
+    [
+        ("materials.52100.youngs_modulus", "materials 52100: Young's modulus"),
+        ("materials.steel.poisson_ratio", "materials steel: Poisson's ratio"),
+        ("drive.contact_length.sp", "drive: contact length, sp"),
+        ("surface.sp.roughness_average", "surface sp: roughness average"),
+        ("branch.1.deviation.left", "branch 1: deviation, left"),
+        ("type", "type"),
+    ],
+)
+def test_keys_have_labels_in_words(path, label):
+    assert label_of(path) == label
 
 
 def test_choices_are_listed_with_their_keys(case):
-    assert ("model.closure", "elastic") in [tuple(row) for row in choices_table(case).rows]
+    assert ("model: closure", "elastic") in [tuple(row) for row in choices_table(case).rows]
 
 
 def test_shares_of_a_duty_are_numbers_of_the_file(joint_text):
@@ -169,5 +185,5 @@ def test_shares_of_a_duty_are_numbers_of_the_file(joint_text):
     )
     table = inputs_table(parse_case(joint_text.replace("[model]", f"{duty}[model]"), source="x"))
     rows = {row[0]: row[1] for row in table.rows}
-    assert (rows["duty.1.share"], rows["duty.2.share"]) == ("0.25", "0.75")
-    assert rows["duty.2.output_torque"] == "2 N·m"
+    assert (rows["duty 1: share"], rows["duty 2: share"]) == ("0.25", "0.75")
+    assert rows["duty 2: output torque"] == "2 N·m"

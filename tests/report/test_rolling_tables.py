@@ -12,7 +12,7 @@ def document(**changes):
     contact = {
         "creepage": 1.5e-3, "traction_coefficient": 0.046, "shakedown_ratio": 0.9, "life_output_turns": 2e6,
         "axial_force_N": 0.0, "losses_W": {"creep": 1.0, "skew": 0.0, "hysteresis": None, "oil": None, "total": 1.0},
-        "capacity_loss": 0.0,
+        "capacity_loss": 0.0, "flash_temperature_K": None, "film_thickness_m": None, "film_ratio": None,
     }  # fmt: skip
     found = {
         "unknown_because": [], "contacts": {"sp": contact}, "axial_thrust_N": {"sun": 0.0, "planet": 0.0},
@@ -47,6 +47,17 @@ def test_drift_stands_beside_the_stiffness():
         ("torque over stiffness", "2.5 arcmin"),
         ("torque capacity, rolling", "12.5 N·m"),
     ]
+
+
+def test_film_and_flash_temperature_where_they_are_known():
+    """Between half and three times the roughness both carry the load; nothing of it known is no table."""
+    assert "Surfaces in rolling" not in tables(rolling(document()))
+    of_contact = document()["rolling"]["contacts"]["sp"]
+    known = of_contact | {"flash_temperature_K": 12.5, "film_thickness_m": 4e-7, "film_ratio": 1.6}
+    found = tables(rolling(document(contacts={"sp": known, "pr": of_contact})))
+    assert found["Surfaces in rolling"] == [
+        ("sp", "12.5", "0.4", "1.6", "mixed"), ("pr", "–", "–", "–", "–"),
+    ]  # fmt: skip
 
 
 def test_losses_by_contact_and_in_all():

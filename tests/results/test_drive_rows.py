@@ -26,6 +26,7 @@ def test_angles(value):
 
 def test_speeds(value):
     assert value("speed_ratio") == pytest.approx(-9.0, rel=1e-12)
+    assert value("absolute_speed_ratio") == pytest.approx(9.0, rel=1e-12)
     assert abs(value("output_speed")) == pytest.approx(6000.0 * math.pi / 30.0 / 9.0, rel=1e-12)
 
 

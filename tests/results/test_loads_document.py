@@ -24,19 +24,26 @@ def values(planetary):
     }
 
 
-def test_pins_and_torques_by_hand(values):
-    """10 N·m at the carrier with a ratio of 6: three pins on a circle of 30 mm."""
+def test_pins_and_torques_by_hand(planetary, values):
+    """10 N·m at the carrier with a ratio of 6: three pins on a circle of 30 mm; the oil drags on every surface."""
+    _, solution, _ = planetary
+    (sun, ring), drag = (
+        np.asarray(part) for part in (solution.result.rolling.tangential, solution.result.rolling.drag)
+    )
+    assert sun - ring == pytest.approx(drag.sum(), rel=1e-9)  # a planet
+    assert 0.0 < drag.sum() < 2.0
     pin, unit = values["carrier pin", "planet", "tangential force"]
     assert unit == "N"
     assert pin == pytest.approx([0.0, 10.0 / (3.0 * 30e-3)], rel=1e-9, abs=1e-9)
     for part, position, quantity, expected in (
         ("carrier", "on the axis, output", "torque of all pins", 10.0),
-        ("sun", "on the axis, input", "torque of the rollers", -10.0 / 6.0),
-        ("ring", "on the axis, grounded", "torque of the rollers", -10.0 * 5.0 / 6.0),
+        ("sun", "on the axis, input", "torque of the rollers", -3.0 * 10e-3 * (sun + drag[0])),
+        ("ring", "on the axis, grounded", "torque of the rollers", -3.0 * 50e-3 * (ring - drag[1])),
     ):
         found, unit = values[part, position, quantity]
         assert unit == "N*m"
         assert found == pytest.approx([0.0, expected], rel=1e-9, abs=1e-9)
+    assert 3.0 * (10e-3 * (sun + drag[0]) + 50e-3 * (ring - drag[1])) == pytest.approx(10.0, rel=1e-9)
 
 
 def test_speeds_are_those_of_a_drive_that_creeps(planetary, values):
@@ -56,7 +63,7 @@ def test_speeds_are_those_of_a_drive_that_creeps(planetary, values):
 
 @pytest.mark.slow
 def test_the_loads_of_a_duty_are_cases_of_their_own(planar_case):
-    """Torque of the ring over that of the carrier 5/6, at every load; speeds in proportion."""
+    """Torque of the ring over that of the carrier 5/6 without a drag of the oil; speeds in proportion."""
     duty = "".join(
         f'[[duty]]\noutput_torque = "{torque} N*m"\nsun_speed = "{speed} rpm"\nshare = {share}\n\n'
         for torque, speed, share in ((11, 3000, 0.25), (-5, 0, 0.75))
@@ -71,9 +78,11 @@ def test_the_loads_of_a_duty_are_cases_of_their_own(planar_case):
     ]
     assert [case["share"] for case in document["cases"]] == [None, None, 0.25, 0.75]
     rows = {(row["part"], row["quantity"]): row["values"] for row in document["loads"]}
-    assert rows["ring", "torque of the rollers"] == pytest.approx(
-        [0.0, -50.0 / 6.0, -55.0 / 6.0, 25.0 / 6.0], rel=1e-9, abs=1e-9
-    )
+    ring, sun = (np.array(rows[body, "torque of the rollers"]) for body in ("ring", "sun"))
+    assert ring[[0, 3]] == pytest.approx([0.0, 25.0 / 6.0], rel=1e-9, abs=1e-9)  # nothing turns
+    assert ring + sun == pytest.approx([0.0, -10.0, -11.0, 5.0], rel=1e-9, abs=1e-9)
+    dragged = 6.0 * ring[1:3] / np.array([-50.0, -55.0])
+    assert np.all((dragged > 0.98) & (dragged < 1.0))
     one = 1500.0 * math.pi / 30.0
     assert rows["sun", "speed in the housing"] == pytest.approx([0.0, one, 2.0 * one, 0.0], rel=1e-9)
 

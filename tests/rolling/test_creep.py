@@ -106,26 +106,56 @@ def test_skew_adds_creep_and_takes_friction(creep):
 
 
 def test_skewed_contacts_on_a_soft_layer_carry_their_force(creep):
-    """The law's creepage gives back the slip ratio; bodies are softer across in the ratio 1/(1 - nu)."""
-    q, skew = 0.4, 5e-4
+    """The zone that slips is that of both forces together, and so is the layer's factor: a fixed point by hand."""
+    q, skew, elastic = 0.4, 1e-3, 1.0 / 0.7
     found = creep(3e9, skew=(skew,))
-    layer, elastic = np.asarray(found.layer_factor), 1.0 / 0.7
-    softer = layer_creepage_factor(
-        layer_ratio=found.layer_ratio, slip_ratio=q, stiffness_ratio=KAPPA * elastic
-    )
-    lateral = elastic * softer / layer
-    np.testing.assert_allclose(found.lateral_ratio, lateral, rtol=1e-12)
-    along = carter.creepage(slip_ratio=q, gross_slip_creepage=found.law.gross_slip_scale * np.sqrt(NORMAL))
-    ratio, _ = skewed_slip_ratios(
-        longitudinal_creepage=along,
-        lateral_creepage=skew,
-        gross_slip_creepage=CARTER * layer,
-        lateral_gross_slip_creepage=CARTER * layer * lateral,
-    )
-    np.testing.assert_allclose(ratio, q, rtol=1e-9)
-    np.testing.assert_allclose(
-        found.law.gross_slip_scale * np.sqrt(NORMAL), CARTER * layer * found.skew_factor, rtol=1e-12
-    )
+    for contact, width in enumerate(CARTER):
+        combined = q
+        for _ in range(40):
+            layer, softer = (
+                float(
+                    layer_creepage_factor(
+                        layer_ratio=found.layer_ratio[contact], slip_ratio=combined, stiffness_ratio=stiffness
+                    )
+                )
+                for stiffness in (KAPPA, KAPPA * elastic)
+            )
+            limits = {
+                "gross_slip_creepage": width * layer,
+                "lateral_gross_slip_creepage": width * softer * elastic,
+            }
+
+            def forces(along, limits=limits):
+                return skewed_slip_ratios(longitudinal_creepage=along, lateral_creepage=skew, **limits)
+
+            along = brentq(lambda creepage: float(forces(creepage)[0]) - q, 0.0, 10.0 * width, xtol=1e-15)
+            combined = math.hypot(*map(float, forces(along)))
+        assert combined > 1.03 * q
+        assert float(found.layer_factor[contact]) == pytest.approx(layer, rel=1e-4)
+        assert float(found.lateral_ratio[contact]) == pytest.approx(elastic * softer / layer, rel=1e-4)
+        scale = float(found.law.gross_slip_scale[contact]) * math.sqrt(NORMAL[contact])
+        assert float(carter.creepage(slip_ratio=q, gross_slip_creepage=scale)) == pytest.approx(
+            along, rel=1e-4
+        )
+
+
+def test_across_alone_the_layer_is_that_of_the_axial_force(creep):
+    """Without a force along, skew is Carter's problem turned by a quarter: same law, softer bodies."""
+    skew, elastic = 2e-3, 1.0 / 0.7
+    found = creep(3e9, skew=(skew,), slip_ratio=0.0)
+    for contact, width in enumerate(CARTER):
+
+        def too_much(axial, contact=contact, width=width):
+            factor = layer_creepage_factor(
+                layer_ratio=found.layer_ratio[contact], slip_ratio=axial, stiffness_ratio=KAPPA * elastic
+            )
+            return float(width * elastic * factor * (1.0 - math.sqrt(1.0 - axial))) - skew
+
+        axial = brentq(too_much, 1e-3, 0.999)
+        limits = {"friction_coefficient": FRICTION, "width_over_radius": width / FRICTION}
+        got = lateral_slip_ratio(creep=found, creepage=jnp.zeros(5), **limits)[contact]
+        assert axial > 0.3
+        assert float(got) == pytest.approx(axial, abs=4e-4)  # the law repeats its factors twice
 
 
 @pytest.mark.slow

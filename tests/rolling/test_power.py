@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from asperity.rolling.conditions import PLAIN_ROLLING
-from asperity.rolling.power import rolling_input_torque, rolling_power
+from asperity.rolling.power import oil_drag, rolling_input_torque, rolling_power
 
 NORMAL = jnp.array([1000.0, 660.0, 465.0, 647.0, 449.0])
 TANGENTIAL = jnp.array([46.0, 25.0, 21.0, 25.0, 21.0])
 CREEPAGE = jnp.array([7e-4, 4.6e-4, 3.9e-4, 3.7e-4, 3.1e-4])
+DRAG = jnp.array([-3.0, 2.0, 2.0, -1.0, -1.0])  # of the oil, with the sign of the rotation
 AXIAL, SKEW = jnp.array([40.0, 0.0, 0.0, -10.0, 0.0]), jnp.array([1e-3, 0.0, 0.0, -2e-3, 0.0])
 ROLLING = jnp.array([2.0, 2.0, 2.0, 2.0, 2.0])  # the speed at which every contact rolls [m/s]
 WIDTH = jnp.array([8e-5, 7e-5, 6e-5, 9e-5, 8e-5])
@@ -25,6 +26,7 @@ def budget(*, output_torque=5.0, rolling=ROLLING, carrier=CARRIER, **conditions)
         normal=NORMAL,
         tangential=TANGENTIAL,
         creepage=CREEPAGE,
+        drag=DRAG,
     )
     speeds = SimpleNamespace(
         rolling=rolling, body=jnp.array([660.0, 200.0, 540.0, 530.0, 60.0]), output=jnp.asarray(carrier)
@@ -55,18 +57,11 @@ def test_creep_and_skew_are_force_times_creepage_times_speed():
 
 
 def test_hysteresis_and_oil_count_where_they_are_asked_for():
-    """alpha 2 N a V / (3 pi R) (Johnson 1985, section 9.6); the oil by Biboulet and Houpert's force in full."""
+    """alpha 2 N a V / (3 pi R) (Johnson 1985, section 9.6); the oil drags both surfaces."""
     found = budget(hysteresis_loss_factor=0.01, viscosity=0.03)
     expected = COUNT * 0.01 * NORMAL * 2.0 * WIDTH * 2.0 / (3.0 * np.pi * RADIUS)
     np.testing.assert_allclose(found.hysteresis, expected, rtol=1e-12)
-    modulus = 2.0 * 1.13e11
-    speed = 2.0 * 0.03 * 2.0 / (modulus * RADIUS)
-    load = NORMAL / 5e-3 / (modulus * RADIUS)
-    ratio = load / np.sqrt(speed)
-    force = (
-        1.42 * np.sqrt(speed * load) / (1.0 + ((1.4 / 1.45) * np.sqrt(ratio)) ** 10) ** 0.1 * modulus * RADIUS
-    )
-    np.testing.assert_allclose(found.oil, COUNT * 2.0 * force * 5e-3 * 2.0, rtol=1e-12)
+    np.testing.assert_allclose(found.oil, COUNT * 2.0 * np.abs(DRAG) * 2.0, rtol=1e-12)
     np.testing.assert_allclose(
         found.contact, found.creep + found.skew + found.hysteresis + found.oil, rtol=1e-12
     )
@@ -90,10 +85,25 @@ def test_a_torque_that_drives_less_than_the_losses_leaves_nothing():
     assert float(budget(output_torque=-2.0 * losses / CARRIER).efficiency) == pytest.approx(0.5, rel=1e-9)
 
 
-def test_oil_of_a_contact_that_stands_or_is_open_takes_no_power():
-    standing = budget(rolling=ROLLING.at[1].set(0.0), viscosity=0.03)
-    assert float(standing.oil[1]) == 0.0
-    assert np.all(np.asarray(standing.oil)[[0, 2, 3, 4]] > 0.0)
+def test_the_oil_drags_by_biboulet_and_houperts_force():
+    """In full; nothing where nothing rolls."""
+    pairs = SimpleNamespace(
+        effective_radius=RADIUS, contact_length=5e-3, moduli=SimpleNamespace(contact_modulus=1.13e11)
+    )
+    found = oil_drag(
+        pairs=pairs, viscosity=0.03, normal_force=NORMAL, rolling_speed=ROLLING.at[1].set(0.0), lines=None
+    )
+    modulus = 2.0 * 1.13e11
+    speed = 2.0 * 0.03 * 2.0 / (modulus * RADIUS)
+    load = NORMAL / 5e-3 / (modulus * RADIUS)
+    stiffness = (1.4 / 1.45) * np.sqrt(load / np.sqrt(speed))
+    force = 1.42 * np.sqrt(speed * load) / (1.0 + stiffness**10) ** 0.1 * modulus * RADIUS
+    np.testing.assert_allclose(found, 5e-3 * force * np.array([1.0, 0.0, 1.0, 1.0, 1.0]), rtol=1e-12)
+    slices = SimpleNamespace(
+        line_load=jnp.stack([NORMAL, NORMAL]) / 5e-3, length_share=jnp.array([[0.3], [0.7]])
+    )
+    sliced = oil_drag(pairs=pairs, viscosity=0.03, normal_force=NORMAL, rolling_speed=ROLLING, lines=slices)
+    np.testing.assert_allclose(sliced, 5e-3 * force, rtol=1e-12)
 
 
 def test_the_motor_feeds_or_is_fed_all_that_passes_the_input():

@@ -28,11 +28,11 @@ SIZES = {
         "wall of held ring 10", "driven ring inside ⌀95.94", "wall of driven ring 10",
     ],
     "planar": [
-        "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "3 × right and left ⌀10", "axes of right and left ⌀70",
+        "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "6 × right and left ⌀10", "axes of right and left ⌀70",
         "ring inside ⌀80 less 2 × interference", "wall of ring 20",
     ],
     "zou2025": [
-        "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "3 × right and left loading roller ⌀10",
+        "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "6 × right and left loading roller ⌀10",
         "axes of right and left loading roller ⌀70", "ring inside ⌀80 less 2 × interference",
         "wall of ring 60",
     ],
@@ -54,7 +54,7 @@ def test_pins_are_drawn_where_the_file_gives_their_diameter(planar_case):
     pins += 'loading_roller_torque = "0 N*m"\ncarrier_torque = "0 N*m"\n\n[model]'
     joint = joint_from_case(planar_case("zou2025", replaced={"[model]": pins}))
     (pin,) = (size for size in sizes(joint, 1.0) if "pin" in size.label)
-    assert pin.label == "3 × right and left loading roller, pin ⌀3"
+    assert pin.label == "6 × right and left loading roller, pin ⌀3"
     circles = [item for item in drive_view(joint, 1.0) if isinstance(item, Circle)]
     drawn = [
         circle for circle in circles if circle.style == "outline" and circle.radius == pytest.approx(1.5)

@@ -64,6 +64,8 @@ def test_nonsense_is_refused_with_a_reason(text, told):
         ("surface.fractal_dimension", "surface.sp.fractal_dimension"),
         ("load.friction_coefficient.pwr", "load.friction_coefficient"),
         ("materials.steel.hardness", "materials.steel.hardness_factor"),
+        ("load.preload", "load.interference"),
+        ("load.output_speed", "load.sun_speed"),
     ],
 )
 def test_two_axes_for_one_number_are_refused(case, paths):

@@ -16,7 +16,7 @@ from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.si_tables import key_at
 from asperity.results import LEVELS, known_result
 from asperity.standing.windup import StiffnessLevel
-from asperity.study.calibration.calibrate import Calibration
+from asperity.study.calibration.calibrate import MODEL_ERROR, Calibration, model_error_words
 from asperity.study.calibration.calibrate import calibrate as fit
 from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
 from asperity.study.calibration.fitted_curve import residual_sentences
@@ -40,6 +40,7 @@ def calibrate(
     history: History = "virgin",
     starts: int = 4,
     seed: int = 1,
+    model_error: float = MODEL_ERROR,
 ) -> CalibratedJoint:
     """Fit numbers of a joint to a measured curve, or to a curve at rest and a drift curve together.
 
@@ -60,6 +61,8 @@ def calibrate(
         Starts of the search.
     seed : int, optional
         Of the starts.
+    model_error : float, optional
+        Standard deviation of the relative error of the joint's compliance, 0 for the scatter of the data alone [-].
 
     Returns
     -------
@@ -91,6 +94,7 @@ def calibrate(
         history=history,
         starts=starts,
         seed=seed,
+        model_error=model_error,
     )
     return CalibratedJoint(joint, calibration)
 
@@ -191,6 +195,10 @@ class CalibratedJoint(Shown):
             f"{len(rows)} unknown{'s'[: len(rows) - 1]} from {' and '.join(sources)}",
             Table(("unknown", "estimate", "95 % from", "to", ""), rows),
         ]
-        parts += residual_sentences(curves)
+        parts += [*residual_sentences(curves), model_error_words(self.calibration.model_error)]
         worst = "\n".join(direction.words for direction in self.calibration.directions)
-        return [*parts, f"Combinations of unknowns, the least well determined first:\n{worst}"]
+        parts.append(
+            f"Combinations of unknowns by the scatter of the data, the least well determined first:\n{worst}"
+        )
+        alike = "\n".join(alternative.words for alternative in self.calibration.alternatives)
+        return [*parts, f"What would explain the data as well:\n{alike}"] if alike else parts

@@ -17,6 +17,7 @@ from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import CARRIER, incidence
 from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.loads import member_moments
+from asperity.drive.state.oil import drag_levers, drag_pairs
 from asperity.drive.state.state import STATE_TOLERANCE, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.joint.description import Joint
@@ -162,7 +163,7 @@ def _forces_on_axis(equal: Joint, joint: Joint, state: DriveState) -> Array:
         drive=joint.drive,
         bodies=_axis_bodies(equal),
         normal=state.normal,
-        tangential=state.tangential,
+        tangential=state.tangential + drag_pairs(joint.drive, state.drag),
         pin_force=state.pin_force,
     )
 
@@ -171,13 +172,15 @@ def _moments_on_axis(equal: Joint, joint: Joint, state: DriveState) -> Array:
     """Moments that all sectors put on the bodies on the axis and on the carrier, counter-clockwise [N·m]."""
     drive = joint.drive
     moments = member_moments(drive, incidence(drive), state.tangential, state.pin_force)
+    moments = moments + drag_levers(drive) @ state.drag
     return moments[np.array([drive.members.index(name) for name in (*_axis_bodies(equal), CARRIER)])]
 
 
 def _output_moments(joint: Joint, state: DriveState, sectors: int) -> Array:
     """Moments that the sectors pass to the output [N·m]."""
     drive, matrices = joint.drive, incidence(joint.drive)
-    moments = -matrices.turning[:, drive.members.index(drive.output)] * state.tangential
+    output = drive.members.index(drive.output)
+    moments = drag_levers(drive)[output] * state.drag - matrices.turning[:, output] * state.tangential
     if drive.output == CARRIER:
         moments = matrices.levers * state.pin_force
     return jnp.sum(moments.reshape(sectors, -1), axis=1)

@@ -27,6 +27,7 @@ COMMANDS: dict[str, str] = {
     "sweep": "Evaluate a joint file on a grid of any of its numbers.",
     "sensitivity": "Influence of every number of a joint file, by exact derivatives.",
     "uncertainty": "Intervals of the results from the tolerances of a joint file.",
+    "tolerances": "Deviations and IT grades that keep nearly all drives above stated results.",
     "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",
     "roll": "Drift, losses, thrust and life of a joint that turns.",
     "loads": "Forces on pins, bearings, shafts and housing.",

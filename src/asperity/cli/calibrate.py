@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from asperity.cli.terminal import prepare_computation, print_json, say_written
+from asperity.unit_table import Dimension
+from asperity.units import parse_quantity
 from asperity.writing import check_file, check_image, write_image, write_text
 
 if TYPE_CHECKING:
@@ -24,6 +26,8 @@ if TYPE_CHECKING:
               help="Stiffness that is fitted.")  # fmt: skip
 @click.option("--history", default="virgin", show_default=True, type=click.Choice(["virgin", "cycled"]),
               help="Joint before the first row: never loaded, or cycled to the largest torque.")  # fmt: skip
+@click.option("--model-error", default="5 %", show_default=True,
+              help="Standard deviation of the joint's compliance by the model; 0 for the scatter alone.")  # fmt: skip
 @click.option(
     "--starts", default=4, show_default=True, type=click.IntRange(1, 1000), help="Starts of the search."
 )
@@ -42,6 +46,7 @@ def calibrate(
     unknowns: tuple[str, ...],
     level: Any,
     history: Any,
+    model_error: str,
     starts: int,
     seed: int,
     out: str | None,
@@ -66,6 +71,7 @@ def calibrate(
     check_file(out, file, *data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
+    error_of_model = parse_quantity(model_error, Dimension.DIMENSIONLESS)
     case = read_case_of_branches(file)
     prepare_computation()
     from asperity.study.calibration.calibrate import calibrate as fit
@@ -90,6 +96,7 @@ def calibrate(
             history=history,
             starts=starts,
             seed=seed,
+            model_error=error_of_model,
             progress=report,
         )
     drawn = None
@@ -140,6 +147,8 @@ def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, An
             {**asdict(direction), "standard_deviation": min(direction.standard_deviation, 1e300)}
             for direction in calibration.directions
         ],
+        "model_error": calibration.model_error,
+        "alternatives": [asdict(alternative) for alternative in calibration.alternatives],
         "covariance_of_scaled_values": calibration.covariance.tolist(),
         "curves": [
             {
@@ -197,6 +206,7 @@ def interval_digits(lower: float, upper: float) -> int:
 
 def _show(calibration: Calibration, drawn: Posterior | None) -> None:
     from asperity.cli.terminal import console, table
+    from asperity.study.calibration.calibrate import model_error_words
     from asperity.study.calibration.calibration_plot import unit_of
     from asperity.study.calibration.fitted_curve import residual_sentences
     from asperity.units import format_quantity
@@ -205,14 +215,14 @@ def _show(calibration: Calibration, drawn: Posterior | None) -> None:
     sources = [f"{curve.residual.size} rows of {curve.measurement.source}" for curve in calibration.curves]
     count = len(calibration.estimates)
     rows = table(target, f"{count} unknown{'s'[: count - 1]} from {' and '.join(sources)}",
-                 "unknown", "estimate", "95 % from", "to", "")  # fmt: skip
+                 "unknown", "estimate", "95 % from", "to", "by scatter", "to", "")  # fmt: skip
     rows.columns[0].no_wrap, rows.columns[-1].no_wrap = True, False  # the notes give way, not the names
     for estimate in calibration.estimates:
         unit = unit_of(estimate.path)
-        digits = interval_digits(estimate.lower, estimate.upper)
+        digits = interval_digits(estimate.scatter_lower, estimate.scatter_upper)
         ends = [
             format_quantity(v, unit, digits) if estimate.determined else "-"
-            for v in (estimate.lower, estimate.upper)
+            for v in (estimate.lower, estimate.upper, estimate.scatter_lower, estimate.scatter_upper)
         ]
         notes = [
             "" if estimate.determined else "NOT determined",
@@ -227,9 +237,14 @@ def _show(calibration: Calibration, drawn: Posterior | None) -> None:
     target.print(rows)
     for sentence in residual_sentences(calibration.curves):
         target.print(sentence)
-    target.print("Combinations of unknowns, the least well determined first:")
+    target.print(model_error_words(calibration.model_error))
+    target.print("Combinations of unknowns by the scatter of the data, the least well determined first:")
     for direction in calibration.directions:
         target.print(f"  {direction.words}", markup=False)
+    if calibration.alternatives:
+        target.print("What would explain the data as well:")
+    for alternative in calibration.alternatives:
+        target.print(f"  {alternative.words}", markup=False)
     if drawn is not None:
         count = len(drawn.scaled_values)
         title = f"Posterior, {count} draws, {drawn.divergences} divergent, R-hat {drawn.r_hat.max():.3f}"
@@ -249,5 +264,5 @@ def _show(calibration: Calibration, drawn: Posterior | None) -> None:
                 )
         target.print(
             f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws follow "
-            "the exact posterior; a low share only makes fewer of them independent."
+            "the exact posterior, without an error of the model; a low share only makes fewer of them independent."
         )

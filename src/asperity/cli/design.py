@@ -221,13 +221,15 @@ def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
     from asperity.cli.document_text import show_law_range, show_warnings
     from asperity.cli.terminal import console
-    from asperity.study.design.design_result import joint_diagnostics
+    from asperity.study.design.design_result import joint_diagnostics, not_limited
 
     diagnostics = joint_diagnostics(result.joint_text)
     if diagnostics["diagnostics"] is None:
         because = diagnostics["no_result_because"]
         click.echo(f"Under the output torque of its file the designed joint has no result: {because}")
         return
+    if line := not_limited(result, diagnostics):
+        console().print(line, markup=False)
     show_warnings(console(), diagnostics)
     show_law_range(console(), diagnostics)
 

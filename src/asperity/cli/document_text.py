@@ -61,7 +61,7 @@ def show_heading(target: Console, document: Document, source: str) -> None:
     kind, entry = document["input"].get("type"), input_member(document)
     title = source if kind is None else f"{source}: {kind.replace('_', ' ')} drive"
     target.print(
-        f"{title}\n{size}, {entry} at {in_unit(load['sun_speed'], 'rpm')}, preload "
+        f"{title}\n{size}, {entry} at {in_unit(document['input_speed_rad_per_s'], 'rpm')}, preload "
         f"{in_unit(preload['force_N'], 'N')} ({in_unit(preload['interference_m'], 'um')} of interference), "
         f"output torque {in_unit(load['output_torque'], 'N*m')}{temperatures(document)}{loading_cam(document)}\n",
         style="bold",

@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING
 import click
 
 from asperity.cli.terminal import about, prepare_computation, say_written
+from asperity.cli.title_options import title_of, title_options
 from asperity.errors import InputError
 from asperity.writing import check_file, replacing, write_text
 
 if TYPE_CHECKING:
     from asperity.joint_file.si_tables import AnyCase
     from asperity.report.study_sections import ReportStudies
-
-_LONGEST_DATE = 40
 
 
 @click.command()
@@ -53,7 +52,7 @@ _LONGEST_DATE = 40
     metavar="DESIGN",
     help="Add the design of this joint that the design file DESIGN asks for: before and after, with its limits.",
 )
-@click.option("--date", default="", help="Date for the title block; without it, the report has none.")
+@title_options
 def report(
     file: str,
     out: str,
@@ -62,7 +61,7 @@ def report(
     tolerances: bool,
     distribution: str | None,
     design_file: str | None,
-    date: str,
+    **stated: str,
 ) -> None:
     """Write one document about the joint described in FILE: inputs, drawing, results, margins and warnings.
 
@@ -76,8 +75,7 @@ def report(
     suffix = Path(out).suffix.lower()
     if suffix not in (".html", ".pdf"):
         raise InputError(f"{out}: the name of a report must end in .html or .pdf")
-    if len(date) > _LONGEST_DATE:
-        raise InputError(f"--date: at most {_LONGEST_DATE} characters, got {len(date)}")
+    title = title_of(stated)
     check_file(out, file, *surfaces, *([design_file] if design_file else []))
     if suffix == ".pdf":
         from asperity.report.pdf import require_typst
@@ -107,7 +105,7 @@ def report(
         case=case,
         measurement=measured,
         measurement_texts=texts,
-        date=date,
+        title=title,
         studies=_studies(file, case, sensitivity, tolerances, distribution, design_file),
     )
     with progress_bar("the report") as done, about(file):

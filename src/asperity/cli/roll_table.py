@@ -16,7 +16,7 @@ from asperity.cli.document_text import (
 )
 from asperity.cli.terminal import table
 from asperity.results.document import input_member
-from asperity.results.notes import film_band
+from asperity.results.notes import surface_rows
 from asperity.results.position_rows import position_rows
 
 if TYPE_CHECKING:
@@ -120,9 +120,8 @@ def _show_contacts(target: Console, document: Document) -> None:
 
 def _show_surfaces(target: Console, rolling: Document) -> None:
     """Flash temperature and oil film, where the file has the numbers for one of them."""
-    keys = ("flash_temperature_K", "film_thickness_m", "film_ratio")
-    contacts = rolling["contacts"]
-    if all(contact[key] is None for contact in contacts.values() for key in keys):
+    rows = surface_rows(rolling["contacts"])
+    if not rows:
         return
     shown = table(
         target,
@@ -133,13 +132,8 @@ def _show_surfaces(target: Console, rolling: Document) -> None:
         "film over roughness\nlambda",
         "lubrication",
     )
-    for name, contact in contacts.items():
-        rise, film, ratio = (contact[key] for key in keys)
-        thick, band = (
-            "-" if film is None else number(1e6 * film, 3),
-            "-" if ratio is None else film_band(ratio),
-        )
-        shown.add_row(name, number(rise, 3), thick, number(ratio, 3), band)
+    for name, *numbers, band in rows:
+        shown.add_row(name, *(number(value, 3) for value in numbers), band or "-")
     target.print(shown)
 
 

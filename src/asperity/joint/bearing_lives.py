@@ -12,6 +12,7 @@ from jax import Array
 
 from asperity.contact.rolling_fatigue import spectrum_life
 from asperity.drive.layout.drive import Drive
+from asperity.drive.state.oil import drag_pairs
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws
 from asperity.drive.state.states import loaded_states
 from asperity.drive.structure.bearing_life import (
@@ -24,7 +25,7 @@ from asperity.joint.assembled import Pressed
 from asperity.joint.description import Joint, body_masses, joint_contacts
 from asperity.joint.evaluation import JointResult
 from asperity.joint.fit import per_contact
-from asperity.joint.laws import creep_under, drive_load
+from asperity.joint.laws import creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.working_loads import (
     forces_on_axis,
@@ -215,12 +216,13 @@ def _under_duty(joint: Joint, without_torque: Pressed, torques: Array, speeds: A
             drive=joint.drive,
             laws=laws,
             rest=rest,
-            load=drive_load(dataclasses.replace(joint, input_speed=speed), masses, torque),
+            load=rolling_load(dataclasses.replace(joint, input_speed=speed), contacts, masses, torque),
             creep_of=creep_under(joint, contacts),
         )
         state = jax.tree.map(lambda rests, rolls: jnp.where(speed > 0.0, rolls, rests), *both)
         known = jnp.where(state.residual < STATE_TOLERANCE, 1.0, jnp.nan)
-        loaded = forces_on_axis(joint, state.normal, state.tangential, state.pin_force)
+        tangential = state.tangential + drag_pairs(joint.drive, state.drag)
+        loaded = forces_on_axis(joint, state.normal, tangential, state.pin_force)
         return _state(
             joint.drive,
             known * state.pin_force,

@@ -30,7 +30,7 @@ from asperity.joint.description import (
     joint_contacts,
     tracks_of,
 )
-from asperity.joint.laws import creep_law, creep_under, drive_load
+from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.torque_limits import TorqueCapacity, named_capacity
 from asperity.rolling.creep import capacity_loss
@@ -109,7 +109,7 @@ def _loading(
     contacts = dataclasses.replace(joint_contacts(joint), rims=laws.rims)
     sizes, walls = smaller_sizes(joint), _widths_of_walls(joint)
     friction = contacts.pairs.friction_coefficient
-    unloaded = drive_load(joint, body_masses(joint), 0.0)
+    unloaded = rolling_load(joint, contacts, body_masses(joint), 0.0)
     pressed = pressed_at(joint, contacts, without_torque)
 
     def friction_left(state: DriveState) -> Array:

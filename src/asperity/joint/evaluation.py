@@ -30,7 +30,7 @@ from asperity.joint.description import (
     joint_contacts,
 )
 from asperity.joint.diagnostics import Diagnostics, diagnose
-from asperity.joint.laws import creep_law, creep_under, drive_load
+from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import (
     CamOfJoint,
     mean_preload,
@@ -41,7 +41,7 @@ from asperity.joint.loading_cam import (
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.duty import with_duty_life
 from asperity.rolling.rolling import RollingResult, turning
-from asperity.rolling.turning import driving_sense, rolling_at
+from asperity.rolling.turning import driving_sense, rolling_at, with_driving_sense
 from asperity.types import Real
 
 
@@ -179,7 +179,7 @@ def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
     """The first half of the chain: laws of the contacts; the drive assembled, standing and rolling; equation (M3)."""
     joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
     contacts = with_rims(joint, joint_contacts(joint))
-    load = drive_load(joint, body_masses(joint), joint.output_torque)
+    load = rolling_load(joint, contacts, body_masses(joint), joint.output_torque)
     return states_under_torque(joint, contacts, load, creep_under(joint, contacts))
 
 
@@ -191,10 +191,7 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
     rest = states.rest if states.pressed is None else states.pressed
     cam = turned_cam(joint, contacts, states.rest, rest)
     sense = driving_sense(drive)
-    standing, rolling = (
-        dataclasses.replace(state, tangential=sense * state.tangential, creepage=sense * state.creepage)
-        for state in (states.standing, states.rolling)
-    )
+    standing, rolling = (with_driving_sense(state, sense) for state in (states.standing, states.rolling))
     slides = standing.slides != 0.0
     stiffness = loaded_stiffness(
         joint, contacts, standing.normal, standing.tangential, standing.slides, standing.pin_force

@@ -16,7 +16,7 @@ from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw
-from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad
+from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, surface_speeds
 from asperity.drive.state.supports import Supports, carrier_supports
 from asperity.joint.bodies import body_compliance
 from asperity.joint.bores import pin_compliances, pins_in_bores
@@ -32,6 +32,7 @@ from asperity.joint.description import Joint
 from asperity.joint.fit import BodyModel
 from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep
+from asperity.rolling.power import oil_drag
 from asperity.types import Real, namespace
 
 
@@ -204,6 +205,48 @@ def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
         rotation=jnp.asarray(joint.input_speed, dtype=float),
         standing_rotation=jnp.asarray(joint.input_speed, dtype=float),
         friction_on_carrier=joint.carrier_balance == "complete",
+    )
+
+
+def rolling_load(joint: Joint, contacts: JointContacts, masses: list[Real], torque: Real) -> DriveLoad:
+    """As :func:`drive_load`, with the drag of the oil where the joint has a viscosity.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+    masses : list of Real
+        Masses of its bodies [kg].
+    torque : Real
+        Output torque [N·m].
+
+    Returns
+    -------
+    DriveLoad
+        For :func:`asperity.drive.state.states.loaded_states`; the oil has the speeds without creep.
+
+    References
+    ----------
+    Equation (B9) of :doc:`/equations`.
+    """
+    load = drive_load(joint, masses, torque)
+    if joint.rolling.viscosity is None:
+        return load
+    size = jnp.abs(jnp.asarray(joint.input_speed, dtype=float))
+    one, two = surface_speeds(drive=joint.drive, speed=jnp.asarray(speeds(joint.drive)) * size)
+    drag_of = jax.tree_util.Partial(_drag_under, joint.rolling.viscosity, contacts, 0.5 * (one + two))
+    return dataclasses.replace(load, drag_of=drag_of)
+
+
+def _drag_under(viscosity: Real, contacts: JointContacts, rolling_speed: Array, normal_force: Array) -> Array:
+    return oil_drag(
+        pairs=contacts.pairs,
+        viscosity=viscosity,
+        normal_force=normal_force,
+        rolling_speed=rolling_speed,
+        lines=contacts.loads_along(normal_force),
     )
 
 

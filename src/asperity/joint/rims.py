@@ -11,7 +11,7 @@ from asperity.joint.bores import pin_forces, push_angles
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.rim_safety import BodyRims, PinLoad, body_rims
-from asperity.rolling.turning import driving_sense
+from asperity.joint.working_loads import working_forces
 
 
 def bends(joint: Joint) -> tuple[bool, ...]:
@@ -61,14 +61,7 @@ def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
     ----------
     Equation (L3) of :doc:`/equations`.
     """
-    sense = driving_sense(joint.drive)
-    turns = jnp.asarray(joint.input_speed) != 0.0
-    moving, standing = result.rolling, result.forces
-    working = (
-        jnp.where(turns, moving.normal, standing.normal),
-        sense * jnp.where(turns, moving.tangential, standing.tangential),
-    )
-    states = (working, (result.rest.normal, result.rest.tangential))
+    states = (working_forces(joint, result), (result.rest.normal, result.rest.tangential))
     width = jnp.asarray(result.diagnostics.hertz_half_width)
     sectors = 1 if joint.unlike is None else joint.unlike.sectors
     return _in_order(_bending_bodies(joint, states, width, sectors), bends(joint))

@@ -83,6 +83,13 @@ def assumptions(case: Case) -> tuple[str, ...]:
     drive: Any = case.drive
     told: list[str] = []
     joint = joint_from_case(case)
+    if case.open_radius is not None:
+        told.append(f"{case.open_radius.words}, the radius that the file leaves open")
+    if case.load.output_speed is not None:
+        told.append(
+            f"load.output_speed: the input turns at {format_quantity(float(joint.sun_speed), 'rpm')}, by the ratio "
+            "without slip"
+        )
     if case.bearings is None:
         told.append("no section [bearings]: the bearings have no friction")
     else:

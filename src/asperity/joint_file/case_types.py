@@ -16,6 +16,7 @@ from asperity.joint_file.drive_sections import (
     PartLengths,
     PlanetaryDrive,
     RingSupport,
+    RollerDrive,
     SteppedPlanetDrive,
 )
 from asperity.joint_file.general_model import GeneralCase
@@ -32,7 +33,7 @@ from asperity.joint_file.sections import (
 )
 
 
-class WedgeDrive(Section):
+class WedgeDrive(RollerDrive):
     """Radii and arrangement of the drive."""
 
     planets: Annotated[Quantity, limits.PLANETS]

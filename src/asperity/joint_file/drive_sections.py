@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import Discriminator, StringConstraints, Tag
+from pydantic import BeforeValidator, Discriminator, StringConstraints, Tag
 
 from asperity.joint_file import limits
 from asperity.joint_file.material_entries import SurfaceEntry
-from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, Section
 from asperity.joint_file.sections import (
     BodyLength,
@@ -18,6 +18,7 @@ from asperity.joint_file.sections import (
     Length,
     Skew,
 )
+from asperity.units import format_quantity
 
 #: The name of a roller or a contact.
 PartName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z][A-Za-z0-9_-]{0,59}$")]
@@ -57,7 +58,34 @@ RingSupport = Literal["rigid_housing", "free", "elastic_housing"]
 BENT = ("free", "elastic_housing")
 
 
-class PlanetaryDrive(Section):
+def _ratio(written: Any) -> float:
+    return limits.RATIO.read(written).value
+
+
+class OpenRadius(NamedTuple):
+    """A radius of the section [drive] that follows from the speed ratio of the file [m], and that ratio."""
+
+    name: str
+    radius: float
+    ratio: float
+
+    @property
+    def words(self) -> str:
+        """What was found."""
+        found = format_quantity(self.radius, "mm", 6)
+        return f"drive.ratio = {self.ratio:g}: {self.name} = {found} follows from it"
+
+
+class RollerDrive(Section):
+    """What the sections [drive] of all types have in common that state radii."""
+
+    ratio: (
+        Annotated[float, BeforeValidator(_ratio, json_schema_input_type=float), Entered(limits.RATIO)] | None
+    ) = None
+    """Speed ratio without its sign, in place of exactly one of the radii, which then follows from it."""
+
+
+class PlanetaryDrive(RollerDrive):
     """Plain planetary drive: planets between a sun and a ring, which presses them together."""
 
     planets: Annotated[Quantity, limits.PLANETS]
@@ -87,7 +115,7 @@ class PlanetaryDrive(Section):
     """Radius of the ring's crown along its axis; a cylinder if absent."""
 
 
-class MultirollerDrive(Section):
+class MultirollerDrive(RollerDrive):
     """Multiroller drive: two rows of stepped rollers between sun and ring, the carrier of the second row grounded."""
 
     rollers_per_row: Annotated[Quantity, limits.PLANETS]
@@ -127,7 +155,7 @@ class MultirollerDrive(Section):
     """Radius of the ring's crown along its axis; a cylinder if absent."""
 
 
-class SteppedPlanetDrive(Section):
+class SteppedPlanetDrive(RollerDrive):
     """Drive of high ratio: stepped planets roll in a grounded ring and in a driven ring; the carrier is a free cage."""
 
     planets: Annotated[Quantity, limits.PLANETS]

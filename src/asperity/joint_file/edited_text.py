@@ -14,6 +14,7 @@ from tomlkit.items import AoT, Table
 
 from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.model import Case
+from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type, parse_case
@@ -132,6 +133,13 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
             for key in (average, "cut_off"):
                 _put(table, key, stated[key])
             del table[depth]
+    radius = case.open_radius
+    if radius is not None and any(path.startswith("drive.") for path in written):
+        _set(
+            document,
+            ("drive", radius.name),
+            exact_text(radius.radius, key_at(f"drive.{radius.name}", case.type)),
+        )
     set_texts(document, written)
     return tomlkit.dumps(document)
 
@@ -212,6 +220,12 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
                 new["library"] = step
             table[step] = new
         table = table[step]
+    if (
+        steps[0] == "drive"
+        and steps[-1] in radii_of(model_of_type(type_of(document)))
+        and steps[-1] not in table
+    ):
+        table.pop("ratio", None)  # which leaves this radius open
     _put(table, steps[-1], value)
     for other in counterparts(steps[-1]):
         if other in table:

@@ -14,6 +14,7 @@ ROLLER_RADIUS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm")
 WALL_THICKNESS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="10 mm")
 CONTACT_LENGTH = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="5 mm")
 BODY_LENGTH = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="5 mm")
+RATIO = Key(Dimension.DIMENSIONLESS, 0.0, 1e6, open_lower=True, exact=True, example="11")
 PUSH_ANGLE = Key(Dimension.ANGLE, -60.0, 60.0, "deg")
 POLAR_ANGLE = Key(Dimension.ANGLE, -360.0, 360.0, "deg", example="90 deg")
 
@@ -23,6 +24,7 @@ CAM_FORCE = Key(Dimension.FORCE_PER_TORQUE, 0.0, 1e9, "N/Nm", example="150 N/Nm"
 DEVIATION = Key(Dimension.LENGTH, -1e4, 1e4, "um", example="2 um")
 OUTPUT_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 SUN_SPEED = Key(Dimension.ANGULAR_VELOCITY, 0.0, 1e6, "rpm")
+OUTPUT_SPEED = Key(Dimension.ANGULAR_VELOCITY, 0.0, 1e6, "rpm", open_lower=True, example="100 rpm")
 FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, open_lower=True)
 
 PLAY_ANGLE = Key(Dimension.ANGLE, 0.0, 21600.0, "arcmin", example="1.5 arcmin")

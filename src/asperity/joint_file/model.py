@@ -5,13 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
 from asperity.joint_file.branch_sections import refuse_branches
 from asperity.joint_file.contact_law import BY_DECAY_LENGTH, ContactLaw, contact_law_of
-from asperity.joint_file.drive_sections import BENT, PartFriction, PartName, PartSkews, PartSurfaces
+from asperity.joint_file.drive_sections import (
+    BENT,
+    OpenRadius,
+    PartFriction,
+    PartName,
+    PartSkews,
+    PartSurfaces,
+)
 from asperity.joint_file.material_entries import (
     MaterialEntry,
     MaterialName,
@@ -48,16 +55,20 @@ class Load(Section):
     the preload or interference above is then the least one, without torque. No cam if absent."""
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the output; negative where it drives the rotation."""
-    sun_speed: Annotated[Quantity, limits.SUN_SPEED]
-    """Speed of the sun, or of the input, whatever its name; the friction of the bearings opposes it."""
+    sun_speed: Annotated[Quantity, limits.SUN_SPEED] | None = None
+    """Speed of the sun, or of the input, whatever its name; the friction of the bearings opposes it. Either this or
+    output_speed."""
+    output_speed: Annotated[Quantity, limits.OUTPUT_SPEED] | None = None
+    """Speed of the output without its sign, from which that of the input follows by the speed ratio without slip."""
     friction_coefficient: PartFriction
     """Friction coefficient mu of the contacts: one for all, or a table with their names."""
 
     @model_validator(mode="after")
-    def _one_preload(self) -> Self:
-        if (self.preload is None) == (self.interference is None):
-            given = "neither" if self.preload is None else "both"
-            raise InputError(f"exactly one of 'preload' and 'interference' is needed, got {given}")
+    def _one_of_two(self) -> Self:
+        for one, other in (("preload", "interference"), ("sun_speed", "output_speed")):
+            if (getattr(self, one) is None) == (getattr(self, other) is None):
+                given = "neither" if getattr(self, one) is None else "both"
+                raise InputError(f"exactly one of '{one}' and '{other}' is needed, got {given}")
         return self
 
 
@@ -196,6 +207,19 @@ class Case(WholeFile):
     branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
     #: The key that says what holds a ring.
     ring_key: ClassVar[str] = "drive.ring_support"
+
+    _open_radius: OpenRadius | None = PrivateAttr(default=None)
+
+    @property
+    def open_radius(self) -> OpenRadius | None:
+        """The radius that the file leaves open for its ``drive.ratio``."""
+        return self._open_radius
+
+    def with_open_radius(self, radius: OpenRadius | None) -> Self:
+        """A copy of the case, which remembers the radius that it was given."""
+        copy = self.model_copy()
+        copy._open_radius = radius
+        return copy
 
     @model_validator(mode="after")
     def _known_materials(self) -> Self:

@@ -12,6 +12,7 @@ from asperity.joint_file.case_types import CASES
 from asperity.joint_file.finish_in_surface import fill_in_finishes
 from asperity.joint_file.messages import explained
 from asperity.joint_file.model import Case
+from asperity.joint_file.open_radius import fill_in_radius, refuse_output_speed
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.library import fill_in_materials
 from asperity.reading import parse_toml, read_text
@@ -70,15 +71,20 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
     """Check the nested tables of a joint file."""
     model = _model_of(tables.get("type", WEDGE_TYPE), source)
     with_materials, refused = fill_in_materials(tables, folder=folder or Path())
-    filled, refused_surfaces = fill_in_finishes(with_materials)
-    refused |= refused_surfaces
+    with_surfaces, refused_surfaces = fill_in_finishes(with_materials)
+    filled, refused_ratio, radius = fill_in_radius(with_surfaces, model)
+    refused |= refused_surfaces | refused_ratio
     try:
         case = model.model_validate(filled)
     except ValidationError as error:
         sentences, more = explained(error, filled, refused, model=model)
     else:
         if not refused:
-            return case
+            try:
+                refuse_output_speed(case)
+            except InputError as error:
+                raise InputError(f"{source}: {error}") from None
+            return case.with_open_radius(radius)
         sentences, more = list(refused.values()), 0
     raise InputError(f"{source}: {listed(sentences, more=more)}")
 

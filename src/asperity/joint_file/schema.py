@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from asperity.joint_file.case_types import CASES
+from asperity.joint_file.key_paths import models_of
 from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
+from asperity.joint_file.model import Case
+from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.library import read_finishes, read_materials
 
@@ -28,6 +31,7 @@ def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
     """
     schema = CASES[kind].model_json_schema(mode="validation")
     _offer_library(schema)
+    _offer_ratio(schema, CASES[kind])
     _offer_finishes(schema)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -85,6 +89,18 @@ def _offer_library(schema: Schema) -> None:
         "not": {"required": ["hardness", "hardness_factor"]},
     }
     entry["else"] = numbers_needed
+
+
+def _offer_ratio(schema: Schema, model: type[Case]) -> None:
+    """Let a speed ratio stand in place of one radius, see :func:`asperity.joint_file.open_radius.fill_in_radius`."""
+    radii = list(radii_of(model))
+    if not radii:
+        return
+    (drive,) = models_of(model.model_fields["drive"].annotation)
+    entry = schema["$defs"][drive.__name__]
+    entry["required"] = [name for name in entry["required"] if name not in radii]
+    one_open = [{"required": [other for other in radii if other != name]} for name in radii]
+    entry |= {"if": {"required": ["ratio"]}, "then": {"oneOf": one_open}, "else": {"required": radii}}
 
 
 def _offer_finishes(schema: Schema) -> None:

@@ -34,6 +34,7 @@ AnyCase = Case
 _PAIRS = (
     ("hardness", "hardness_factor"),
     ("preload", "interference"),
+    ("sun_speed", "output_speed"),
     ("fractal_roughness", "roughness_average"),
 )
 #: Keys of a surface that stand alone, and all others.

@@ -21,6 +21,9 @@ from asperity.standing.windup import Windup
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from asperity.joint_file.stated_parts import StatedParts
+    from asperity.show.title_block import Title
+
 _WIDTH = 7.0  # of a picture on a page [in]
 
 
@@ -34,12 +37,14 @@ def report_pictures(
     windup_capacities: tuple[float, float],
     name: str,
     interference: float | None = None,
+    title: Title | None = None,
+    stated: StatedParts | None = None,
 ) -> dict[str, str]:
     """All pictures of a joint."""
     from matplotlib.figure import Figure
 
     nominal = joint if solved.branches is None else solved.branches.equal
-    drawing = drive_sheet(nominal, name=name, interference=interference)
+    drawing = drive_sheet(nominal, name=name, interference=interference, title=title, stated=stated)
     pictures = {"drive": figure_svg(sheet_figure(drawing))}
     pictures["forces"] = figure_svg(sheet_figure(forces_sheet(joint, solved.result)))
     budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")

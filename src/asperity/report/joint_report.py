@@ -13,12 +13,15 @@ from typing import TYPE_CHECKING, Any
 import asperity
 from asperity.errors import AsperityError
 from asperity.joint.description import Joint
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.joint_file.solved_document import solve_case
+from asperity.joint_file.stated_parts import stated_parts
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables
+from asperity.report.cells import quantity
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
 from asperity.report.load_tables import branch_tables
@@ -33,8 +36,8 @@ from asperity.results.windup_document import (
     windup_onsets,
 )
 from asperity.rolling.onset import RollingOnset
+from asperity.show.title_block import Title
 from asperity.standing.windup import Windup
-from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from asperity.joint_file.measured_surface import MeasuredCase
@@ -59,8 +62,8 @@ class ReportSource:
         The measured surface that has replaced the surfaces of the file in ``case``.
     measurement_texts : tuple of str
         Texts of the files of the measurement.
-    date : str
-        Date for the title block; empty for none, so that the same input makes the same report.
+    title : Title
+        What the title block says; without a date the same input makes the same report.
     studies : ReportStudies
         Studies of the joint that the report shows as well.
     """
@@ -70,7 +73,7 @@ class ReportSource:
     case: Case
     measurement: MeasuredCase | None = None
     measurement_texts: tuple[str, ...] = ()
-    date: str = ""
+    title: Title = field(default_factory=Title)
     studies: ReportStudies = field(default_factory=ReportStudies)
 
 
@@ -107,6 +110,8 @@ def joint_report(source: ReportSource) -> Report:
         windup_capacities=(math.inf, math.inf) if figures is None else windup_capacities(figures),
         name=source.name,
         interference=made_interference(source.case, solved.result).size,
+        title=source.title,
+        stated=stated_parts(source.case, joint_from_case(source.case)),
     )
     blocks = (
         *_title_block(source),
@@ -207,7 +212,8 @@ def _picture(pictures: dict[str, str], name: str, caption: str) -> list[Block]:
 
 def _title_block(source: ReportSource) -> Iterator[Block]:
     rows = [("joint file", source.name), ("computed with", f"asperity {asperity.__version__}")]
-    rows += [("date", source.date)] if source.date else []
+    stated = source.title._asdict()
+    rows[:0] = [(name, stated[name]) for name in ("project", "part", "revision", "date") if stated[name]]
     yield Table("Document", ("item", "content"), rows, words=(0, 1))
 
 
@@ -276,23 +282,35 @@ def _digest(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
+#: Keys whose tables name contacts.
+_OF_CONTACTS = ("contact_length", "friction_coefficient", "skew")
+
+
+def label_of(path: str) -> str:
+    """Words for the dotted path of a key: ``materials.steel.youngs_modulus`` is "materials steel: Young's modulus"."""
+    section, *below = path.split(".")
+    if len(below) > 1 and below[0] not in _OF_CONTACTS:
+        section = f"{section} {below.pop(0)}"
+    words = ", ".join(below).replace("_", " ").replace("youngs", "Young's").replace("poisson", "Poisson's")
+    return f"{section}: {words}" if below else section.replace("_", " ")
+
+
 def inputs_table(case: Case) -> Table:
     """Every number of a joint file."""
     rows = []
     for path, number in numeric_keys(case).items():
         unit = number.key.unit
-        tolerance = f"± {format_quantity(number.tolerance, unit, 6)}" if number.tolerance else ""
-        rows.append((path, format_quantity(number.value, unit, 8), tolerance))
+        tolerance = f"± {quantity(number.tolerance, unit, 6)}" if number.tolerance else ""
+        rows.append((label_of(path), quantity(number.value, unit, 8), tolerance))
     duty: dict[str, Any] = si_values(case).get("duty", {})
-    rows += [(f"duty.{load}.share", f"{entry['share']:.8g}", "") for load, entry in duty.items()]
+    rows += [(label_of(f"duty.{load}.share"), f"{entry['share']:.8g}", "") for load, entry in duty.items()]
     return Table("Numbers of the joint file", ("number", "value", "tolerance"), rows)
 
 
 def choices_table(case: Case) -> Table:
     """Everything in a joint file that is not a number."""
-    return Table(
-        "Choices of the joint file", ("key", "value"), list(_words(si_values(case), "")), words=(0, 1)
-    )
+    rows = [(label_of(path), text.replace("_", " ")) for path, text in _words(si_values(case), "")]
+    return Table("Choices of the joint file", ("choice", "what is chosen"), rows, words=(0, 1))
 
 
 def _words(node: Any, path: str) -> list[tuple[str, str]]:

@@ -30,7 +30,7 @@ def summary(document: Document) -> Table:
     rows = [
         _branches(document),
         ("output torque", quantity(load["output_torque"], "N*m")),
-        (f"speed of the {input_member(document)}", quantity(load["sun_speed"], "rpm")),
+        (f"speed of the {input_member(document)}", quantity(document["input_speed_rad_per_s"], "rpm")),
         (
             f"preload, contact {next(iter(document['standing']['contacts']))}",
             quantity(document["preload"]["force_N"], "N"),

@@ -7,6 +7,7 @@ from typing import Any
 
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
+from asperity.results.notes import surface_rows
 from asperity.results.position_rows import position_rows
 
 Document = dict[str, Any]
@@ -32,6 +33,20 @@ def rolling(document: Document) -> Iterator[Block]:
     yield _position(document)
     yield _losses(in_rolling)
     yield _contacts(document)
+    surfaces = surface_rows(in_rolling["contacts"])
+    if surfaces:
+        yield Table(
+            "Surfaces in rolling",
+            (
+                "contact",
+                "flash temperature\nK",
+                "smallest oil film\nµm",
+                "film over roughness\nlambda",
+                "lubrication",
+            ),
+            [(name, *(number(value) for value in numbers), band or "–") for name, *numbers, band in surfaces],
+            words=(0, 4),
+        )
     if any(contact["axial_force_N"] for contact in in_rolling["contacts"].values()):
         thrust = in_rolling["axial_thrust_N"]
         yield Table(

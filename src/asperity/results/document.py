@@ -319,6 +319,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "mass_kg": solved.size.mass,
             "envelope_diameter_m": solved.size.envelope_diameter,
             "input": inputs,
+            "input_speed_rad_per_s": joint.sun_speed,
             "assumptions": list(assumptions),
             "geometry": {
                 "speed_ratio": result.speed_ratio,

@@ -49,6 +49,13 @@ ROWS = (
         note="negative: they turn in opposite directions",
     ),
     _geometry(
+        "absolute_speed_ratio",
+        "speed ratio without its sign",
+        Dimension.DIMENSIONLESS,
+        "1",
+        lambda solved: abs(solved.result.speed_ratio),
+    ),
+    _geometry(
         "output_speed",
         "angular velocity of the output",
         Dimension.ANGULAR_VELOCITY,

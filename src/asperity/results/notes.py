@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -76,6 +77,23 @@ class Note:
     dimension: Dimension = Dimension.DIMENSIONLESS
     display_unit: str = "1"
     state: str = ""
+
+
+def surface_rows(
+    contacts: Mapping[str, Any],
+) -> list[tuple[str, float | None, float | None, float | None, str]]:
+    """Flash temperature [K], smallest oil film [µm], film over roughness and lubrication of the contacts in rolling.
+
+    From a document of a joint; no rows where nothing of it is known.
+    """
+    rows = []
+    for name, contact in contacts.items():
+        rise, film, ratio = (
+            contact[key] for key in ("flash_temperature_K", "film_thickness_m", "film_ratio")
+        )
+        thick, band = None if film is None else 1e6 * film, "" if ratio is None else film_band(ratio)
+        rows.append((name, rise, thick, ratio, band))
+    return rows if any(number is not None for row in rows for number in row[1:4]) else []
 
 
 def film_band(ratio: float) -> str:

@@ -75,6 +75,15 @@ ROWS = (
         note="the split that the creepages decide",
     ),
     _per_contact(
+        "oil_drag",
+        "drag of the oil on each surface of the contact in rolling",
+        Dimension.FORCE,
+        "N",
+        "result.rolling.drag",
+        positive=False,
+        note="besides the tangential force; 0 without lubrication.viscosity, and where the input stands",
+    ),
+    _per_contact(
         "layer_ratio",
         "yield of the asperities over that of the bodies",
         _NUMBER,

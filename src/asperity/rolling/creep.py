@@ -11,6 +11,7 @@ from jax import Array
 from asperity.contact import carter
 from asperity.contact.creep_layer import layer_creepage_factor, layer_ratio
 from asperity.contact.skew import (
+    SkewedContact,
     lateral_compliance_ratio,
     longitudinal_capacity_ratio,
     skewed_contact,
@@ -25,6 +26,8 @@ from asperity.types import Real
 
 # slip ratios between which the factors on Carter's creepage are taken
 _LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
+#: Repetitions with the factors at the combined slip of the time before: the rest is 4e-4 of friction at most.
+_COMBINED_PASSES = 2
 
 
 class ContactCreep(NamedTuple):
@@ -90,7 +93,8 @@ def contact_creep(
     :math:`4G^*/E^*`. Their yield per e-fold of pressure is :math:`u_0 = N/K_n` of the contact law in use; the published
     law has no local form, so that its :math:`u_0` is taken to act at every place of the contact. Across the rolling
     direction the same asperities lie on bodies that are softer in the ratio of the creepages at gross slip. The slices
-    of a crowned contact share one creepage; their widths give one more factor, and the layer's is then that on all.
+    of a crowned contact share one creepage; their widths give one more factor, and the layer's is then that on all. In
+    a skewed contact the factors are those at the slip ratio of both forces together, which sets the zone that slips.
 
     References
     ----------
@@ -120,15 +124,12 @@ def _creep_at(
     normal = jnp.where(normal_force > 0.0, normal_force, 1.0)
     friction = pairs.friction_coefficient
     kappa = 4.0 * pairs.moduli.tangential_contact_modulus / pairs.moduli.contact_modulus
-    ratio = _layer_ratio(contacts, asperity_normal_stiffness)
-    layer = layer_creepage_factor(layer_ratio=ratio, slip_ratio=q, stiffness_ratio=kappa)
     smooth = carter.gross_slip_creepage(
         friction_coefficient=friction,
         half_width=pairs.half_width(normal),
         effective_radius=pairs.effective_radius,
     )
     elastic: Real = 1.0
-    softer = layer
     if skew is not None:
         elastic = lateral_compliance_ratio(
             youngs_modulus_1=contacts.driving.youngs_modulus,
@@ -136,23 +137,46 @@ def _creep_at(
             poisson_ratio_1=contacts.driving.poisson_ratio,
             poisson_ratio_2=contacts.driven.poisson_ratio,
         )
-        softer = layer_creepage_factor(layer_ratio=ratio, slip_ratio=q, stiffness_ratio=kappa * elastic)
-    lateral_ratio = elastic * softer / layer
-    crown: Array | None = None
-    if contacts.crown_curvature is not None:
-        crown, layer, ratio = _sliced(contacts, normal, q, smooth)
-        smooth = smooth * crown
+
+    def factors(slip_ratio: Array) -> tuple[Array, Array, Real, Array | None]:
+        """Layer ratio, layer factor, creepage across over along at gross slip, crown factor."""
+        ratio = _layer_ratio(contacts, asperity_normal_stiffness)
+        layer = layer_creepage_factor(layer_ratio=ratio, slip_ratio=slip_ratio, stiffness_ratio=kappa)
+        softer = layer
+        if skew is not None:
+            softer = layer_creepage_factor(
+                layer_ratio=ratio, slip_ratio=slip_ratio, stiffness_ratio=kappa * elastic
+            )
+        lateral_ratio = elastic * softer / layer
+        if contacts.crown_curvature is None:
+            return ratio, layer, lateral_ratio, None
+        crown, layer, ratio = _sliced(contacts, normal, slip_ratio, smooth)
+        return ratio, layer, lateral_ratio, crown
+
+    ratio, layer, lateral_ratio, crown = factors(q)
     across, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
     if skew is not None:
         across = jnp.broadcast_to(per_contact(skew), layer.shape)
-        skewed = skewed_contact(
-            longitudinal_slip_ratio=q,
-            lateral_creepage=across,
-            gross_slip_creepage=smooth * layer,
-            lateral_gross_slip_creepage=smooth * layer * lateral_ratio,
-        )
-        alone = carter.creepage(slip_ratio=q, gross_slip_creepage=smooth * layer)
+
+        def skewed_with(
+            layer: Array, lateral_ratio: Real, crown: Array | None
+        ) -> tuple[Array, SkewedContact]:
+            limit = smooth * layer if crown is None else smooth * crown * layer
+            return limit, skewed_contact(
+                longitudinal_slip_ratio=q,
+                lateral_creepage=across,
+                gross_slip_creepage=limit,
+                lateral_gross_slip_creepage=limit * lateral_ratio,
+            )
+
+        limit, skewed = skewed_with(layer, lateral_ratio, crown)
+        for _ in range(_COMBINED_PASSES):  # how far a contact slips follows from both forces together
+            combined = jnp.clip(jnp.where(skewed.solved, skewed.slip_ratio, q), _LEAST_SLIP, _MOST_SLIP)
+            ratio, layer, lateral_ratio, crown = factors(combined)
+            limit, skewed = skewed_with(layer, lateral_ratio, crown)
+        alone = carter.creepage(slip_ratio=q, gross_slip_creepage=limit)
         skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
+    smooth = smooth if crown is None else smooth * crown
     scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, normal_force.shape)
     return ContactCreep(
         CreepLaw(friction, scale), ratio, layer, skew_factor, lateral_ratio, across, skew is None, crown

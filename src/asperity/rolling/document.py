@@ -83,6 +83,7 @@ def _contact(rolling: RollingResult, k: int) -> Document:
         "film_ratio": rolling.film_ratio[k],
         "normal_N": rolling.normal[k],
         "tangential_N": rolling.tangential[k],
+        "oil_drag_N": rolling.drag[k],
         "stick_fraction": np.asarray(rolling.stick_fraction)[k],
         "layer_ratio": rolling.layer_ratio[k],
         "layer_creepage_factor": rolling.layer_creepage_factor[k],

@@ -56,7 +56,6 @@ def rolling_power(
     lateral_creepage: Array,
     bearing_power: Array,
     output_torque: Real,
-    lines: CrownedLine | None = None,
 ) -> RollingPower:
     r"""Losses by cause and contact, and the efficiency.
 
@@ -71,7 +70,7 @@ def rolling_power(
     conditions : RollingConditions
         Which losses are counted.
     state : DriveState
-        Forces and creepages.
+        Forces, creepages and drag of the oil.
     half_width : Real
         Half-widths of the contacts, shape (contacts, ...) [m]; of crowned ones the mean by load.
     speeds : RollingSpeeds
@@ -84,8 +83,6 @@ def rolling_power(
         Power lost in bearings and pins [W].
     output_torque : Real
         Torque at the output [N·m].
-    lines : CrownedLine, optional
-        Loads along crowned contacts.
 
     Returns
     -------
@@ -94,10 +91,10 @@ def rolling_power(
 
     Notes
     -----
-    Creep and bearings equal :math:`T_{in}\omega_s - T_{out}\omega_c` of the rolling state. With the balance of the
+    Creep, bearings and oil equal :math:`T_{in}\omega_s - T_{out}\omega_c` of the rolling state. With the balance of the
     carrier as printed, equation (5) of Zou et al. 2025, they are larger by :math:`2n(T_{Bl} + T_{Br})\,\omega_c`: it
-    leaves out that the rollers' bearings brake the carrier that holds them. Skew, hysteresis and oil are in no balance
-    of forces; all losses add to the power at the output. Churning of the oil is left out.
+    leaves out that the rollers' bearings brake the carrier that holds them. Skew and hysteresis are in no balance of
+    forces; all losses add to the power at the output. Churning of the oil is left out.
 
     References
     ----------
@@ -122,7 +119,9 @@ def rolling_power(
         )
         counted = counted + hysteresis
     if conditions.viscosity is not None:
-        oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling, lines)
+        oil = count * inlet_rolling_power(
+            rolling_force=jnp.abs(state.drag), contact_length=1.0, entrainment_speed=rolling
+        )
         counted = counted + oil
     at_output = jnp.asarray(output_torque * speeds.output)
     loss = jnp.sum(counted, axis=0) + bearing_power
@@ -176,26 +175,49 @@ def rolling_input_torque(
     return xp.where(turns, entering / xp.where(turns, speed, 1.0), xp.nan)
 
 
-def _oil(
+def oil_drag(
+    *,
     pairs: RollerPairs,
     viscosity: Real,
     normal_force: Array,
     rolling_speed: Array,
     lines: CrownedLine | None,
 ) -> Array:
+    r"""Drag of the oil at the inlet on each surface of the contacts.
+
+    .. math:: g = f B
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    viscosity : Real
+        Of the oil at the inlet [Pa·s].
+    normal_force : Array
+        Shape (contacts, ...) [N].
+    rolling_speed : Array
+        Mean speeds of both surfaces, of the same shape [m/s].
+    lines : CrownedLine or None
+        Loads along crowned contacts, whose slices add.
+
+    Returns
+    -------
+    Array
+        Shape (contacts, ...) [N]; 0 where nothing rolls.
+
+    References
+    ----------
+    N. Biboulet and L. Houpert, Proc. IMechE J 224 (2010) 765; equation (B9) of :doc:`/equations`.
+    """
     turns = rolling_speed > 0.0
-    speed = jnp.where(turns, rolling_speed, 1.0)
     pressed = jnp.where(normal_force > 0.0, normal_force, 1.0)
     force = inlet_rolling_force(
         viscosity=viscosity,
-        entrainment_speed=speed,
+        entrainment_speed=jnp.where(turns, rolling_speed, 1.0),
         line_load=pressed / pairs.contact_length if lines is None else lines.line_load,
         effective_radius=pairs.effective_radius,
         contact_modulus=pairs.moduli.contact_modulus,
     )
-    power = inlet_rolling_power(
-        rolling_force=force, contact_length=pairs.contact_length, entrainment_speed=speed
-    )
     if lines is not None:
-        power = jnp.sum(lines.length_share * power, axis=0)
-    return jnp.where(turns, power, 0.0)
+        force = jnp.sum(lines.length_share * force, axis=0)
+    return jnp.where(turns, force * pairs.contact_length, 0.0)

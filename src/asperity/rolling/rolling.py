@@ -42,6 +42,8 @@ class RollingResult(eqx.Module):
         Forces of the contacts, shape (5, ...) [N]; the tangential ones are those of equal creep on both sides.
     creepage : Array
         Creepages, shape (5, ...) [-].
+    drag : Array
+        Drag of the oil on each surface, with the sign of the rotation, shape (5, ...) [N]; 0 without a viscosity.
     traction_coefficient : Array
         T/N, shape (5, ...) [-].
     slip_ratio : Array
@@ -105,6 +107,7 @@ class RollingResult(eqx.Module):
     normal: Array
     tangential: Array
     creepage: Array
+    drag: Array
     traction_coefficient: Array
     slip_ratio: Array
     stick_fraction: Real
@@ -185,7 +188,6 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         bearing_power=_bearing_power(joint, state),
         output_torque=jnp.where(jnp.asarray(joint.input_speed) < 0.0, -1.0, 1.0)
         * jnp.asarray(joint.output_torque),
-        lines=strips.lines,
     )
     stuck, flash_temperature = _flash(joint, pairs, strips, friction, power, speeds, traction)
     pressure = jnp.asarray(
@@ -207,6 +209,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         normal=state.normal,
         tangential=state.tangential,
         creepage=state.creepage,
+        drag=state.drag,
         traction_coefficient=traction,
         slip_ratio=jnp.abs(traction) / (pairs.friction_coefficient * (1.0 - friction.lost)),
         stick_fraction=stuck,

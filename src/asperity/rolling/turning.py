@@ -9,11 +9,12 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, speeds
+from asperity.drive.state.state import DriveState
 from asperity.drive.state.states import loaded_states
 from asperity.joint.assembled import Pressed
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, places
-from asperity.joint.laws import creep_law, creep_under, drive_load
+from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.rolling.rolling import RollingResult, turning
 from asperity.types import namespace
@@ -40,6 +41,16 @@ def driving_sense(drive: Drive) -> Array:
     speed = speeds(drive)
     relative: Array = namespace(speed).sign(speed[np.array(first)] - speed[drive.members.index(CARRIER)])
     return relative
+
+
+def with_driving_sense(state: DriveState, sense: Array) -> DriveState:
+    """A state whose tangential forces, creepages and drags have the signs of :func:`driving_sense`."""
+    return dataclasses.replace(
+        state,
+        tangential=sense * state.tangential,
+        creepage=sense * state.creepage,
+        drag=sense * state.drag,
+    )
 
 
 def rolling_at(
@@ -75,13 +86,10 @@ def rolling_at(
             drive=joint.drive,
             laws=laws,
             rest=rest,
-            load=drive_load(loaded_joint, masses, torque),
+            load=rolling_load(loaded_joint, contacts, masses, torque),
             creep_of=creep_under(joint, contacts),
         )
         creep = creep_law(joint, contacts, rolling.normal, rolling.tangential)
-        seen = dataclasses.replace(
-            rolling, tangential=sense * rolling.tangential, creepage=sense * rolling.creepage
-        )
-        return turning(loaded_joint, contacts, creep, seen)
+        return turning(loaded_joint, contacts, creep, with_driving_sense(rolling, sense))
 
     return rolled

@@ -3,52 +3,85 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import groupby
+from typing import NamedTuple
 
 import numpy as np
 
-import asperity
 from asperity.drive.layout.drive import CARRIER, speed_ratio
 from asperity.drive.layout.wedge import wedge_angles, wedges
-from asperity.errors import printable
 from asperity.joint.description import Joint, contact_values, tracks_of
 from asperity.joint.evaluation import JointForces, JointResult
 from asperity.joint_file.part_names import WEDGE_TYPE
+from asperity.joint_file.stated_parts import StatedParts
 from asperity.show.dimension_lines import dimension
 from asperity.show.drive_sizes import (
     Clearance,
     Size,
     contact_interferences,
+    counted_name,
     drive_clearances,
+    kinds,
     place_dimensions,
     sizes,
 )
 from asperity.show.drive_view import drive_view, reach_of, write_contact_names
 from asperity.show.free_bodies import free_bodies
+from asperity.show.section_view import draw_section, drive_section, planes
 from asperity.show.sheet import (
     TEXT_HEIGHT,
-    TITLE_HEIGHT,
     Circle,
+    Dimension,
     Item,
     Line,
     Point,
     Sheet,
     Text,
-    scale_text,
     standard_scale,
 )
 from asperity.show.sheet_figure import text_width
 from asperity.show.taken import Box, Taken, text_box
+from asperity.show.title_block import BLOCK_HEIGHT, MARGIN, Title, frame, title_block
 from asperity.units import format_quantity
 
-_FOOT = 37.0  # of the texts above the title block on paper [mm]
+_FOOT = MARGIN + BLOCK_HEIGHT + 5.0  # of the texts above the title block on paper [mm]
 _SPACING = 4.4
-#: From the edge of the paper to the frame of a drawing [mm].
-MARGIN = 10.0
-_LONGEST_TITLE = 42
-#: Size of the paper, room of the view, and left edge of the column beside it, all in mm: A4 and A3.
-PLAIN, WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
+_CAPTION = ("Section along the axis,", "developed through the contacts")
+#: Size of the paper, room of the view, left edge of the column beside it, and room of the section, all in mm: A4, A3.
+PLAIN, WITH_SECTION = (297.0, 210.0, 150.0, 195.0, 0.0), (420.0, 297.0, 150.0, 300.0, 60.0)
+WITH_FORCES = (420.0, 297.0, 220.0, 270.0, 0.0)
+
+
+class Paper(NamedTuple):
+    """Size of a sheet, left edge of the column beside the view, origin of the drawing, all on paper [mm], and scale."""
+
+    width: float
+    height: float
+    column: float
+    middle: Point
+    scale: float
+
+    def at(self, x: float, y: float) -> Point:
+        """A point of the paper in true size [mm]."""
+        return (x - self.middle[0]) / self.scale, (y - self.middle[1]) / self.scale
+
+    def box(self, left: float, right: float, low: float, high: float) -> Box:
+        """A part of the paper in true size [mm]."""
+        (x, y), (u, v) = self.at(left, low), self.at(right, high)
+        return Box(x, u, y, v)
+
+    @property
+    def inside(self) -> Box:
+        """Where texts may stand."""
+        edge = MARGIN + 2.0
+        return self.box(edge, self.width - edge, edge, self.height - edge)
+
+    def block(self, kind: str, name: str, title: Title) -> list[Item]:
+        """Frame and title block."""
+        left = self.column - 3.0
+        block = title_block(self.at, left, self.width, self.scale, kind=kind, name=name, title=title)
+        return [*block, frame(self.at, self.width, self.height)]
 
 
 def drive_sheet(
@@ -58,6 +91,9 @@ def drive_sheet(
     result: JointResult | None = None,
     loaded: Joint | None = None,
     interference: float | None = None,
+    stated: StatedParts | None = None,
+    title: Title | None = None,
+    section: bool = False,
 ) -> Sheet:
     """Draw a drive to scale.
 
@@ -73,47 +109,72 @@ def drive_sheet(
         Whose forces these are where the sectors differ, every sector by itself; the same joint if absent.
     interference : float or None, optional
         With which the drive is made where the joint states a force [m]; None where it is not known.
+    stated : StatedParts, optional
+        Tolerances, materials, crowns and surfaces of its parts; without them the drawing shows sizes alone.
+    title : Title, optional
+        What the title block says; dashes if absent.
+    section : bool, optional
+        Whether the sheet has a section along the axis, unless it has forces.
 
     Returns
     -------
     Sheet
-        A4 across, or A3 across with forces, at the largest standard scale that fits. Tracks of a stepped roller are
-        circles about one centre, although they lie in different planes. A size for which the view has no room is said
-        beside it. Rings are drawn at the radii at which all contacts just touch.
+        A4 across, or A3 across with a section or with forces, at the largest standard scale that fits. Tracks of a
+        stepped roller are circles about one centre, although they lie in different planes. A size for which the view
+        has no room is said beside it. Rings are drawn at the radii at which all contacts just touch.
     """
-    width, height, room, column = PLAIN if result is None else WITH_FORCES
+    with_section = section and result is None
+    width, height, room, column, aside = (
+        WITH_FORCES if result is not None else WITH_SECTION if with_section else PLAIN
+    )
     reach = reach_of(joint)
-    scale = standard_scale(2.0 * reach, room=room)
-    middle = (MARGIN + 15.0 + 0.5 * room, 0.5 * height + 8.0)
-
-    def on_paper(x: float, y: float) -> Point:
-        return (x - middle[0]) / scale, (y - middle[1]) / scale
-
+    size, lengths = 2.0 * reach, None if stated is None else stated.lengths
+    if with_section:
+        flat = drive_section(joint, math.inf)
+        across = max(5.0, aside - 18.0 - 2.0 * len(planes(joint)))
+        size = max(size, room * flat.width / across, room * flat.height / (0.5 * height - 40.0))
+    scale = standard_scale(size, room=room)
+    middle = (MARGIN + 15.0 + 0.5 * room + 1.1 * aside, 0.5 * height + 8.0)
+    paper = Paper(width, height, column, middle, scale)
     view = drive_view(joint, scale)
     outlines = [item for item in view if isinstance(item, Circle) and item.style == "outline"]
-    block = title_block(on_paper, column, width, name, scale, kind=_kind(joint))
-    paper = Box(*_edges(on_paper, MARGIN + 2.0, width - MARGIN - 2.0, MARGIN + 2.0, height - MARGIN - 2.0))
-    all_sizes, clearances = sizes(joint, scale, interference), drive_clearances(joint)
+    cut, measured = list[Item](), list[Dimension]()
+    if with_section:
+        x, _ = paper.at(MARGIN + 8.0, 0.0)
+        along = drive_section(joint, scale, lengths)
+        cut, measured = draw_section(along, x, low=-2.0 / scale, scale=scale)
+        above = along.height + (2.0 * _SPACING + 2.0) / scale
+        cut += [
+            Text((x - 4.0 / scale, above - row * _SPACING / scale), words)
+            for row, words in enumerate(_CAPTION)
+        ]
+    bodies, parts = None if stated is None else stated.bodies, stated if result is None else None
+    all_sizes, clearances = sizes(joint, scale, interference, bodies), drive_clearances(joint)
     listed = frozenset(n for n, size in enumerate(all_sizes) if not size.places)
     while True:  # what finds no room is listed, and the list needs room
-        taken = Taken(scale, paper)
-        taken.add_box(Box(*_edges(on_paper, column - 4.0, width, 0.0, _FOOT - 4.0)))
-        lines = _lines(
-            joint, all_sizes, clearances, listed, dict.fromkeys(range(len(clearances)), "C"), interference
-        )
-        beside = _beside(loaded or joint, result, lines, on_paper, (width, height, column), scale)
+        taken = Taken(scale, paper.inside)
+        taken.add_box(paper.box(column - 4.0, width, 0.0, _FOOT - 4.0))
+        letters = dict.fromkeys(range(len(clearances)), "C")
+        lines = _lines(joint, all_sizes, clearances, listed, letters, interference, parts)
+        if with_section:
+            taken.add_areas(cut)
+            taken.add_areas(item for dimension in measured for item in dimension.items)
+            taken.add_box(paper.box(MARGIN, MARGIN + 12.0 + along.width * scale, 0.0, height))
+        beside = _beside(loaded or joint, result, lines, paper)
         taken.add_areas(beside)
         names = write_contact_names(joint, view, taken)
         placed = place_dimensions(
-            all_sizes, clearances, outlines, reach=reach, paper=paper, taken=taken, listed=listed
+            all_sizes, clearances, outlines, reach=reach, paper=paper.inside, taken=taken, listed=listed
         )
         if not placed.unplaced:
             break
         listed |= placed.unplaced
-    lines = _lines(joint, all_sizes, clearances, listed, placed.letters, interference)
-    beside = _beside(loaded or joint, result, lines, on_paper, (width, height, column), scale)
-    items = [*view, *placed.items, *names, *beside, *block, frame(on_paper, width, height)]
-    return Sheet(width, height, scale, middle, tuple(items))
+    lines = _lines(joint, all_sizes, clearances, listed, placed.letters, interference, parts)
+    beside = _beside(loaded or joint, result, lines, paper)
+    items = [*view, *placed.items, *names, *cut, *beside]
+    items += [item for dimension in measured for item in dimension.items]
+    items += paper.block(_kind(joint), name, title or Title())
+    return Sheet(width, height, scale, middle, tuple(items), (*placed.measured, *measured))
 
 
 def forces_sheet(joint: Joint, result: JointResult) -> Sheet:
@@ -137,45 +198,35 @@ def _around(item: Circle | Line) -> Box:
     return Box(min(x_values), max(x_values), min(y_values), max(y_values))
 
 
-def _edges(
-    on_paper: Callable[[float, float], Point], left: float, right: float, low: float, high: float
-) -> tuple[float, float, float, float]:
-    (x, y), (u, v) = on_paper(left, low), on_paper(right, high)
-    return x, u, y, v
-
-
 def _kind(joint: Joint) -> str:
     words = "planetary" if joint.type == WEDGE_TYPE else joint.type.replace("_", " ")
     return f"{words[0].upper()}{words[1:]} traction drive"
 
 
-def _beside(
-    joint: Joint,
-    result: JointResult | None,
-    lines: Sequence[str],
-    on_paper: Callable[[float, float], Point],
-    paper: tuple[float, float, float],
-    scale: float,
-) -> list[Item]:
+def _beside(joint: Joint, result: JointResult | None, lines: Sequence[str], paper: Paper) -> list[Item]:
     """The column beside the view: the list above the title block, and the forces above it."""
-    width, height, column = paper
-    across = width - MARGIN - column
-    wrap = [part for line in lines for part in wrapped(line, 0.93 * across)]
-    high = height - MARGIN - 10.0
-    share = min(1.0, (high - _FOOT) / (_SPACING * len(wrap)))
+    texts = wrapped_texts(paper, lines)
+    if result is None:
+        return [*texts]
+    left, right = paper.column, paper.width - MARGIN
+    loads = load_lines(joint, result.forces)
+    top = texts[0].at[1] * paper.scale + paper.middle[1]
+    low = top + _SPACING * (len(loads) + 2)
+    texts += [Text(paper.at(left, low - _SPACING * (row + 1)), line) for row, line in enumerate(loads)]
+    centre = paper.at(0.5 * (left + right), 0.5 * (low + paper.height - MARGIN))
+    return [*texts, *free_bodies(joint, result, middle=centre, room=right - left, scale=paper.scale)]
+
+
+def wrapped_texts(paper: Paper, lines: Sequence[str]) -> list[Text]:
+    """Lines in the column above the title block, smaller where they are too many."""
+    wrap = [part for line in lines for part in wrapped(line, 0.93 * (paper.width - MARGIN - paper.column))]
+    share = min(1.0, (paper.height - MARGIN - 10.0 - _FOOT) / (_SPACING * len(wrap)))
     spacing = share * _SPACING
     top = _FOOT + spacing * len(wrap)
-    items: list[Item] = [
-        Text(on_paper(column, top - spacing * row), line, height=share * TEXT_HEIGHT)
+    return [
+        Text(paper.at(paper.column, top - spacing * row), line, height=share * TEXT_HEIGHT)
         for row, line in enumerate(wrap)
     ]
-    if result is None:
-        return items
-    loads = load_lines(joint, result.forces)
-    low = top + _SPACING * (len(loads) + 2)
-    items += [Text(on_paper(column, low - _SPACING * (row + 1)), line) for row, line in enumerate(loads)]
-    centre = on_paper(0.5 * (column + width - MARGIN), 0.5 * (low + height - MARGIN))
-    return items + free_bodies(joint, result, middle=centre, room=across, scale=scale)
 
 
 def _lines(
@@ -185,8 +236,9 @@ def _lines(
     listed: frozenset[int],
     letters: dict[int, str],
     interference: float | None,
+    stated: StatedParts | None,
 ) -> list[str]:
-    """Lines of text beside the view: ratio, members, sizes without a leader, clearances and contacts."""
+    """Lines of text beside the view: ratio, members, sizes without a leader, clearances, contacts and parts."""
     drive = joint.drive
     lines = [
         f"ratio {format_quantity(float(speed_ratio(drive)), '1', 5)}",
@@ -213,7 +265,7 @@ def _lines(
     if lengths_of:
         lines.append(f"length of {', of '.join(f'{name} {length}' for name, length in lengths_of.items())}")
     if any(len(tracks_of(joint, number)) > 1 for number in range(len(drive.bodies))):
-        lines.append("tracks of stepped rollers lie in different planes")
+        lines.append("tracks of stepped rollers lie in different planes, whose distances are not stated")
     if clearances:
         lines += ["", "Clearances"]
         lines += [
@@ -224,7 +276,7 @@ def _lines(
     ]
     alike = len(set(lengths)) == 1
     lines += ["", f"Contacts, length {lengths[0]}" if alike else "Contacts"]
-    return lines + [
+    lines += [
         f"{contact.name}: {contact.first.replace('_', ' ')} – {contact.second.replace('_', ' ')}"
         + ("" if alike else f", length {length}")
         + _interference(joint, contact.second, less)
@@ -232,6 +284,9 @@ def _lines(
             drive.contacts, lengths, contact_interferences(joint, interference), strict=True
         )
     ]
+    if stated is not None:
+        lines += ["", "Parts", *part_lines(joint, stated)]
+    return lines
 
 
 def _interference(joint: Joint, ring: str, less: float | None) -> str:
@@ -250,6 +305,34 @@ def _interference(joint: Joint, ring: str, less: float | None) -> str:
         f", interference {format_quantity(less, 'µm')} on the radius{cold}, in the ⌀ of the "
         f"{ring.replace('_', ' ')}"
     )
+
+
+def part_lines(joint: Joint, stated: StatedParts) -> list[str]:
+    """Number, material and crowns of each kind of body, and the surfaces of the contacts."""
+    lines = []
+    for kind in kinds(joint, stated.bodies):
+        lines.append(f"{counted_name(joint, kind)}: {material_words(joint, stated, kind[0])}")
+        lines += crown_lines(stated, kind[0])
+    surfaces = dict.fromkeys(stated.surfaces)
+    for surface in surfaces:
+        names = [name for name, of in zip(joint.contact_names, stated.surfaces, strict=True) if of == surface]
+        lines.append(f"surface of {'all contacts' if len(surfaces) == 1 else ', '.join(names)}: {surface}")
+    return lines
+
+
+def material_words(joint: Joint, stated: StatedParts, body: int) -> str:
+    """Material of a body with its hardness."""
+    hardness = format_quantity(float(joint.materials[body].hardness), "GPa")
+    return f"{stated.bodies[body].material}, hardness {hardness}"
+
+
+def crown_lines(stated: StatedParts, body: int) -> list[str]:
+    """Crowns of the tracks of a body."""
+    return [
+        f"crown of track {', '.join(track.contacts)}: radius {dimension(1e3 * track.crown)} along the axis"
+        for track in stated.bodies[body].tracks
+        if track.crown is not None
+    ]
 
 
 _INDENT = "   "
@@ -275,38 +358,6 @@ def _longest(text: str, width: float) -> int:
         middle = (low + high + 1) // 2
         low, high = (middle, high) if text_width(text[:middle]) <= width else (low, middle - 1)
     return low
-
-
-def frame(on_paper: Callable[[float, float], Point], width: float, height: float) -> Item:
-    """The frame of a sheet of paper."""
-    right, top = width - MARGIN, height - MARGIN
-    corners = ((MARGIN, MARGIN), (right, MARGIN), (right, top), (MARGIN, top), (MARGIN, MARGIN))
-    return Line(tuple(on_paper(*corner) for corner in corners), "frame")
-
-
-def title_block(
-    on_paper: Callable[[float, float], Point],
-    column: float,
-    width: float,
-    name: str,
-    scale: float,
-    *,
-    kind: str = "Planetary traction drive",
-) -> list[Item]:
-    """What a drawing is called, its scale and unit, in the lower right corner."""
-    title = printable(name).replace("\n", " ")
-    shown = title if len(title) <= _LONGEST_TITLE else f"…{title[1 - _LONGEST_TITLE :]}"
-    top, left = MARGIN + 22.0, column - 3.0
-    edge = (on_paper(left, MARGIN), on_paper(left, top), on_paper(width - MARGIN, top))
-    return [
-        Line(edge, "frame"),
-        Text(on_paper(column, top - 6.5), kind, height=TITLE_HEIGHT),
-        Text(on_paper(column, top - 12.5), shown),
-        Text(
-            on_paper(column, top - 18.5),
-            f"Scale {scale_text(scale)}   dimensions in mm   asperity {asperity.__version__}",
-        ),
-    ]
 
 
 def load_lines(joint: Joint, forces: JointForces) -> list[str]:

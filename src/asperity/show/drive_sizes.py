@@ -10,10 +10,18 @@ import numpy as np
 
 from asperity.drive.layout.existence import neighbours
 from asperity.joint.description import Joint, places
-from asperity.show.dimension_lines import dimension, distance_mark, made_bore, widths_below
+from asperity.joint_file.stated_parts import StatedPart
+from asperity.show.dimension_lines import (
+    diameter,
+    dimension,
+    distance_mark,
+    made_bore,
+    toleranced,
+    widths_below,
+)
 from asperity.show.drive_view import MOST_GAPS, RingOfBody, copies_of, pin_diameter_of, radii_of, rings_of
 from asperity.show.leader_places import Place, Side, around, best_leader, levels
-from asperity.show.sheet import Circle, Item, Line, Point
+from asperity.show.sheet import Circle, Dimension, Item, Line, Point
 from asperity.show.taken import Box, Taken, distance
 
 _MOST_COPIES = 8
@@ -26,7 +34,8 @@ class Size(NamedTuple):
     """A size that the drawing shows or the list says.
 
     ``of``: whose size, in the list; ``listed``: what it says after that; ``label``: what the view says. ``places``:
-    where a leader to it may begin; ``radius`` of a circle about the axis whose diameter can stand below the view [mm].
+    where a leader to it may begin; ``radius`` of the circle whose diameter it is [mm], None for a wall; ``below``:
+    whether it can stand below the view, since the circle is about the axis.
     """
 
     of: str
@@ -34,6 +43,7 @@ class Size(NamedTuple):
     label: str
     places: tuple[Place, ...]
     radius: float | None = None
+    below: bool = False
 
 
 class Clearance(NamedTuple):
@@ -49,41 +59,50 @@ class Clearance(NamedTuple):
     alike: bool = False
 
 
-def sizes(joint: Joint, scale: float, interference: float | None = None) -> list[Size]:
+def sizes(
+    joint: Joint,
+    scale: float,
+    interference: float | None = None,
+    stated: Sequence[StatedPart] | None = None,
+) -> list[Size]:
     """Diameters of the tracks, bores and circles of axes, inner diameters and walls of the rings, each kind once."""
     listed: list[Size] = []
-    count, rings = round(float(joint.drive.sectors)), rings_of(joint)
-    for kind in _kinds(joint):
+    rings = rings_of(joint)
+    for kind in kinds(joint, stated):
+        part = stated[kind[0]] if stated else StatedPart("", ())
         name = _together([_words(joint, number) for number in kind])
         mine = [ring for ring in rings if ring.body == kind[0]]
         for ring in mine:
-            wall = dimension(ring.outer - ring.inner)
+            wall = toleranced(ring.outer - ring.inner, 1e3 * part.wall)
             circle = around((0.0, 0.0), ring.inner, 0.0, _OF_WALL)
-            text = _made_inside(joint, ring, interference)
-            listed.append(Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner))
+            text = made_inside(joint, ring, interference, part)
+            listed.append(
+                Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner, below=True)
+            )
             marks = [] if ring.shown < ring.outer else _walls(circle, ring.inner, ring.outer, scale)
             broken = ", broken off at the wavy line" if ring.shown < ring.outer else ""
             listed.append(Size(name, f"wall {wall}{broken}", f"wall of {name} {wall}", tuple(marks)))
         if mine:
             continue
         on_axis = joint.drive.bodies[kind[0]].on_axis
-        counted = name if on_axis else f"{count} × {name}"
+        counted = counted_name(joint, kind)
         for radius in radii_of(joint, kind[0]):
-            text = f"⌀{dimension(2.0 * radius)}"
-            listed.append(Size(counted, text, f"{counted} {text}", _on(joint, kind, radius)))
+            text = diameter(radius, 1e3 * part.tolerance(1e-3 * radius))
+            listed.append(Size(counted, text, f"{counted} {text}", _on(joint, kind, radius), radius))
         bore = joint.shapes[kind[0]].bore_diameter
         if bore is not None:
-            text = f"bore ⌀{dimension(1e3 * float(bore))}"
-            listed.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5e3 * float(bore))))
+            half = 0.5e3 * float(bore)
+            text = f"bore {diameter(half, 0.5e3 * part.bore)}"
+            listed.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, half), half))
         pin = pin_diameter_of(joint, kind[0])
         if pin:
             text = f"pin ⌀{dimension(pin)}"
-            listed.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5 * pin)))
+            listed.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5 * pin), 0.5 * pin))
         if not on_axis:
             x, y = copies_of(joint, kind[0])[0]
             orbit, text = math.hypot(x, y), f"⌀{dimension(2.0 * math.hypot(x, y))}"
             circle = around((0.0, 0.0), orbit, math.atan2(y, x), _OF_AXES)
-            listed.append(Size(counted, f"axes on {text}", f"axes of {name} {text}", tuple(circle)))
+            listed.append(Size(counted, f"axes on {text}", f"axes of {name} {text}", tuple(circle), orbit))
     return listed
 
 
@@ -94,7 +113,7 @@ def contact_interferences(joint: Joint, interference: float | None = None) -> li
     return [0.0 if share == 0.0 else None if drive is None else share * drive for share in shares]
 
 
-def _made_inside(joint: Joint, ring: RingOfBody, interference: float | None) -> str:
+def made_inside(joint: Joint, ring: RingOfBody, interference: float | None, part: StatedPart) -> str:
     """Inner diameter of a ring as it must be made."""
     _, second = places(joint.drive)
     less = next(
@@ -103,7 +122,7 @@ def _made_inside(joint: Joint, ring: RingOfBody, interference: float | None) -> 
         if second[number] == ring.body
         and math.isclose(1e3 * float(joint.drive.second_radius[number]), ring.inner)
     )
-    return made_bore(ring.inner, less)
+    return made_bore(ring.inner, less, 1e3 * part.tolerance(1e-3 * ring.inner))
 
 
 def drive_clearances(joint: Joint) -> list[Clearance]:
@@ -165,6 +184,13 @@ def _words(joint: Joint, number: int) -> str:
     return joint.drive.bodies[number].name.replace("_", " ")
 
 
+def counted_name(joint: Joint, kind: Sequence[int]) -> str:
+    """Number and name of a kind of body: ``3 × planet``."""
+    count = 1 if joint.drive.bodies[kind[0]].on_axis else round(float(joint.drive.sectors)) * len(kind)
+    name = _together([_words(joint, number) for number in kind])
+    return name if count == 1 else f"{count} × {name}"
+
+
 def _together(names: list[str]) -> str:
     """Names of alike rollers as one, with the words in which they all end said once."""
     words = [name.split() for name in names]
@@ -175,22 +201,28 @@ def _together(names: list[str]) -> str:
     return " ".join([" and ".join(" ".join(name) for name in words), *tail])
 
 
-def _kinds(joint: Joint) -> list[tuple[int, ...]]:
-    """Numbers of the bodies, those of one size and orbit together."""
+def kinds(joint: Joint, stated: Sequence[StatedPart] | None = None) -> list[tuple[int, ...]]:
+    """Numbers of the bodies, those of one size, orbit, material and tolerance together."""
     rings = {ring.body for ring in rings_of(joint)}
-    kinds: dict[tuple[object, ...], tuple[int, ...]] = {}
+    alike: dict[tuple[object, ...], tuple[int, ...]] = {}
     for number, body in enumerate(joint.drive.bodies):
         bore = joint.shapes[number].bore_diameter
         orbit = math.hypot(*copies_of(joint, number)[0])
+        part = stated[number] if stated else None
         key: tuple[object, ...] = (
             tuple(dimension(radius) for radius in sorted(radii_of(joint, number))),
             None if bore is None else dimension(1e3 * float(bore)),
             dimension(orbit),
+            *(
+                (part.material, part.bore, part.length, *sorted(track[1] for track in part.tracks))
+                if part
+                else ()
+            ),
         )
         if body.on_axis or number in rings:
             key = (number,)
-        kinds[key] = (*kinds.get(key, ()), number)
-    return list(kinds.values())
+        alike[key] = (*alike.get(key, ()), number)
+    return list(alike.values())
 
 
 def _on(joint: Joint, kind: tuple[int, ...], radius: float) -> tuple[Place, ...]:
@@ -236,12 +268,13 @@ class Dimensions(NamedTuple):
     """Dimension lines, leaders and texts of the view.
 
     ``unplaced``: numbers of the sizes for which there is no room; ``letters``: number of a clearance → its letter in
-    the view.
+    the view; ``measured``: what the items say together.
     """
 
     items: list[Item]
     unplaced: frozenset[int]
     letters: dict[int, str]
+    measured: list[Dimension]
 
 
 def place_dimensions(
@@ -255,17 +288,18 @@ def place_dimensions(
     listed: frozenset[int] = frozenset(),
 ) -> Dimensions:
     """Show sizes where they cover nothing."""
-    scale, items = taken.scale, list[Item]()
+    scale, items, measured = taken.scale, list[Item](), list[Dimension]()
     waiting = [number for number in range(len(sizes)) if number not in listed]
     rows: list[tuple[float, str]] = []
-    for radius, number in sorted((sizes[n].radius or 0.0, n) for n in waiting if sizes[n].radius is not None):
+    for radius, number in sorted((sizes[n].radius or 0.0, n) for n in waiting if sizes[n].below):
         row = (radius, sizes[number].label)
-        extensions, across = widths_below([*rows, row], -reach, scale=scale)[-1]
-        if taken.has_room((*extensions, *across)):
+        below = widths_below([*rows, row], -reach, scale=scale)[-1]
+        if taken.has_room(below.items):
             rows.append(row)
-            taken.add(extensions, crossable=True)
-            taken.add(across)
-            items += [*extensions, *across]
+            taken.add(below.items[:2], crossable=True)
+            taken.add(below.items[2:])
+            measured.append(below)
+            items += below.items
             waiting.remove(number)
     heights = levels(paper.low, paper.high, scale)
     beside = reach + _BESIDE / scale
@@ -283,6 +317,7 @@ def place_dimensions(
             letters[number] = letter
             taken.add(leader)
             items += leader
+            measured.append(Dimension(_marked(leader), tuple(leader)))
     unplaced = set()
     for number in waiting:
         size = sizes[number]
@@ -292,6 +327,24 @@ def place_dimensions(
         if leader:
             taken.add(leader)
             items += leader
+            ends = _marked(leader) if size.radius is None else _opposite(leader, size)
+            measured.append(Dimension(ends, tuple(leader), diameter=size.radius is not None))
         else:
             unplaced.add(number)
-    return Dimensions(items, frozenset(unplaced), letters)
+    return Dimensions(items, frozenset(unplaced), letters, measured)
+
+
+def _marked(leader: Sequence[Item]) -> tuple[Point, Point]:
+    """The ends of the distance that a mark with its leader measures."""
+    one, other = next(
+        item.points for item in leader if isinstance(item, Line) and item.arrows in ("", "both")
+    )
+    return one, other
+
+
+def _opposite(leader: Sequence[Item], size: Size) -> tuple[Point, Point]:
+    """The tip of a leader to a circle, and the point of the circle opposite to it."""
+    tip = next(item.points[0] for item in leader if isinstance(item, Line))
+    e, f = next(place.outward for place in size.places if place.tip == tip and place.outward is not None)
+    across = 2.0 * (size.radius or 0.0)
+    return tip, (tip[0] - across * e, tip[1] - across * f)

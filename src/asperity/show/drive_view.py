@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -34,9 +35,12 @@ def break_line(inner: float, shown: float) -> Line:
 
 
 _LONGEST_NAME = 16
-_DISTANCES = (4.5, 6.0, 8.0, 11.0, 15.0, 20.0)  # of a name from its contact [mm on paper]
+_DISTANCES = (4.5, 6.0, 8.0, 11.0, 15.0, 20.0, 26.0)  # of a name from its contact [mm on paper]
 _DIRECTIONS = 24
-_PER_LINE = 4.0  # what an outline or an axis through a name costs, in mm of its distance on paper
+_PER_LINE, _PER_OUTLINE = (
+    3.0,
+    20.0,
+)  # what an axis or an outline through a name costs, in mm of its distance on paper
 _LINE_TOO_NEAR, _NO_ROOM = (
     1e2,
     1e3,
@@ -124,15 +128,15 @@ def drive_view(joint: Joint, scale: float) -> list[Item]:
             ):  # a solid roller has a bore as wide as its pin
                 items.append(Circle((x, y), 0.5 * pin))
             if not body.on_axis:
-                items += _cross((x, y), min(max(radii) + beyond, 1.25 * max(radii)), math.atan2(y, x))
+                items += cross((x, y), min(max(radii) + beyond, 1.25 * max(radii)), math.atan2(y, x))
         if not body.on_axis:
             orbits.append(math.hypot(*copies_of(joint, number)[0]))
             if not any(math.isclose(orbits[-1], other) for other in orbits[:-1]):
                 items.append(Circle((0.0, 0.0), orbits[-1], "axis"))
-    return items + _cross((0.0, 0.0), reach_of(joint) + beyond, 0.0)
+    return items + cross((0.0, 0.0), reach_of(joint) + beyond, 0.0)
 
 
-def _cross(centre: Point, half: float, angle: float) -> list[Item]:
+def cross(centre: Point, half: float, angle: float) -> list[Item]:
     """The two axes of a circle."""
     x, y = centre
     e, f = half * math.cos(angle), half * math.sin(angle)
@@ -164,7 +168,7 @@ def write_contact_names(joint: Joint, view: list[Item], taken: Taken) -> list[It
                 turn = 2.0 * math.pi * (index + 0.5) / _DIRECTIONS
                 e, f = distance / scale * math.cos(turn), distance / scale * math.sin(turn)
                 tried = _name(contact.name, at, (at[0] + e, at[1] + f), scale)
-                cost = distance + _PER_LINE * _lines_through(tried[1], view, scale)
+                cost = distance + _lines_through(tried[1], view, scale)
                 if cost < least:
                     cost += _LINE_TOO_NEAR * (not taken.has_room(tried[:1]))
                     cost += _NO_ROOM * (not taken.has_room(tried[1:]))
@@ -184,15 +188,15 @@ def _name(name: str, at: Point, end: Point, scale: float) -> tuple[Line, Text]:
     return Line((at, end)), Text(begin, short, "left" if side > 0.0 else "right")
 
 
-def _lines_through(text: Text, view: list[Item], scale: float) -> int:
-    """How many outlines and axes run through a text."""
-    box, count = text_box(text, scale), 0
+def _lines_through(text: Text, view: list[Item], scale: float) -> float:
+    """What the outlines and axes that run through a text cost."""
+    box, cost = text_box(text, scale), 0.0
     for item in view:
         if isinstance(item, Circle):
             x, y = item.centre
             near = math.hypot(max(box.left - x, x - box.right, 0.0), max(box.low - y, y - box.high, 0.0))
             far = math.hypot(max(x - box.left, box.right - x), max(y - box.low, box.high - y))
-            count += near < item.radius < far
+            cost += (near < item.radius < far) * (_PER_OUTLINE if item.style == "outline" else _PER_LINE)
         elif isinstance(item, Line):
-            count += any(box.is_crossed_by(*ends) for ends in zip(item.points, item.points[1:], strict=False))
-    return count
+            cost += _PER_LINE * any(box.is_crossed_by(*ends) for ends in pairwise(item.points))
+    return cost

@@ -16,7 +16,7 @@ _STEP = 2.5  # between two levels that are tried [mm on paper]
 _MOST_TRIED = 400
 _NEAR = 1.5  # of an arrow to another outline, where it may seem to mean that one [mm on paper]
 # what a leader costs, in mm of its length on paper
-_PER_LEVEL, _PER_OUTLINE, _PER_SLANT, _PER_NEAR, _ALONG_MARK = 0.5, 5.0, 12.0, 15.0, 30.0
+_PER_LEVEL, _PER_OUTLINE, _PER_SLANT, _PER_NEAR, _ALONG_MARK = 0.5, 12.0, 12.0, 15.0, 30.0
 
 
 class Place(NamedTuple):

@@ -59,6 +59,18 @@ Item = Circle | Line | Text
 
 
 @dataclass(frozen=True)
+class Dimension:
+    """What items say together: the distance of two points [mm], on a circle opposite each other if it is a diameter.
+
+    ``items`` are among those of the sheet; the last one is the text.
+    """
+
+    ends: tuple[Point, Point]
+    items: tuple[Item, ...]
+    diameter: bool = False
+
+
+@dataclass(frozen=True)
 class Sheet:
     """A sheet of paper of a size [mm] with a drawing on it.
 
@@ -72,6 +84,7 @@ class Sheet:
     scale: float
     origin: Point
     items: tuple[Item, ...]
+    dimensions: tuple[Dimension, ...] = ()
 
     @property
     def window(self) -> tuple[float, float, float, float]:

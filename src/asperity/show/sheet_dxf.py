@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import io
+import math
 import re
+from collections.abc import Container, Iterable
 from typing import TYPE_CHECKING, Any
 
 from asperity.extras import optional_module
-from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, Circle, Sheet, Style, Text
+from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, Circle, Dimension, Item, Line, Sheet, Style, Text
 from asperity.show.sheet_figure import arrowheads
 
 if TYPE_CHECKING:
@@ -23,6 +25,7 @@ LAYERS: dict[Style, str] = {
     "frame": "FRAME",
 }
 _TEXT_LAYER = "TEXT"
+_ALIGNED, _DIAMETER = 1, 3  # kinds of DIMENSION entities
 _BLACK = 7  # black on white, white on black
 _CODES = {"⌀": "%%c", "°": "%%d", "±": "%%p"}
 
@@ -51,7 +54,10 @@ def sheet_dxf(sheet: Sheet) -> str:
             )
         document.layers.add(_TEXT_LAYER, color=_BLACK, lineweight=18)
         document.header["$LTSCALE"] = 4.0 / sheet.scale
-        _draw(document.modelspace(), sheet)
+        space = document.modelspace()
+        _draw(space, sheet.items, sheet.scale, {item for of in sheet.dimensions for item in of.items})
+        for dimension in sheet.dimensions:
+            _dimension(document, dimension, sheet.scale)
         target = io.StringIO()
         document.write(target)
     finally:
@@ -59,15 +65,48 @@ def sheet_dxf(sheet: Sheet) -> str:
     return target.getvalue()
 
 
-def _draw(space: Any, sheet: Sheet) -> None:
+def _dimension(document: Any, dimension: Dimension, scale: float) -> None:
+    """A DIMENSION between its ends, whose block looks as the sheet does in other formats."""
+    block = document.blocks.new_anonymous_block(type_char="D")
+    _draw(block, dimension.items, scale, frozenset())
+    (x, y), (u, v) = dimension.ends
+    text = dimension.items[-1]
+    assert isinstance(text, Text)
+    across = next(
+        item for item in dimension.items if isinstance(item, Line) and (item.arrows or item.style == "break")
+    )
+    places = (
+        {"defpoint": (u, v), "defpoint4": (x, y)}
+        if dimension.diameter
+        else {"defpoint": across.points[-1], "defpoint2": (x, y), "defpoint3": (u, v)}
+    )
+    document.modelspace().new_entity(
+        "DIMENSION",
+        dxfattribs={
+            "layer": LAYERS["thin"],
+            "geometry": block.name,
+            "dimstyle": "Standard",
+            "dimtype": 32 + (_DIAMETER if dimension.diameter else _ALIGNED),
+            "text": dxf_text(text.text),
+            "text_midpoint": text.at,
+            "actual_measurement": math.dist(*dimension.ends),
+            **places,
+        },
+    )
+
+
+def _draw(space: Any, items: Iterable[Item], scale: float, elsewhere: Container[Item]) -> None:
+    """Items that do not stand elsewhere."""
     from ezdxf.enums import TextEntityAlignment
 
-    for item in sheet.items:
+    for item in items:
+        if item in elsewhere:
+            continue
         if isinstance(item, Text):
             aligned = TextEntityAlignment[item.align.upper()]
             entity = space.add_text(
                 dxf_text(item.text),
-                height=item.height / sheet.scale,
+                height=item.height / scale,
                 dxfattribs={"layer": _TEXT_LAYER},
             )
             entity.set_placement(item.at, align=aligned)
@@ -77,7 +116,7 @@ def _draw(space: Any, sheet: Sheet) -> None:
             space.add_circle(item.centre, item.radius, dxfattribs=layer)
             continue
         space.add_lwpolyline(item.points, dxfattribs=layer)
-        for tip, one, other in arrowheads(item, length=ARROW_LENGTH / sheet.scale):
+        for tip, one, other in arrowheads(item, length=ARROW_LENGTH / scale):
             space.add_solid([tip, one, other, other], dxfattribs=layer)
 
 

@@ -22,7 +22,7 @@ from asperity.joint.bodies import with_rims
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, in_motion, joint_contacts
 from asperity.joint.evaluation import assembled_joint
-from asperity.joint.laws import creep_law, creep_under, drive_load
+from asperity.joint.laws import creep_law, creep_under, drive_load, rolling_load
 from asperity.joint.loading_cam import (
     CamOfJoint,
     pressed_at,
@@ -31,7 +31,7 @@ from asperity.joint.loading_cam import (
 )
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.rolling import turning
-from asperity.rolling.turning import driving_sense
+from asperity.rolling.turning import driving_sense, with_driving_sense
 from asperity.types import Real
 
 #: Torques of one call: one program serves curves of any number of points. Those of the page fill it: 49 of its curves
@@ -154,9 +154,7 @@ def over_torque_program(
         under = states(torque)
         rolls = under.rolling
         creep = creep_law(joint, contacts, rolls.normal, rolls.tangential)
-        shown = dataclasses.replace(
-            rolls, tangential=sense * rolls.tangential, creepage=sense * rolls.creepage
-        )
+        shown = with_driving_sense(rolls, sense)
         turned = turning(dataclasses.replace(joint, output_torque=torque), contacts, creep, shown)
         works = rolls.residual < STATE_TOLERANCE
         return OverTorque(
@@ -173,7 +171,7 @@ def over_torque_program(
 def slope_program(joint: Joint, without_torque: Pressed, torques: Array) -> Array:
     """What is compiled to differentiate the lost speed."""
     contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
-    unloaded, pressed = _with_its_torque(joint), pressed_at(joint, contacts, without_torque)
+    unloaded, pressed = _rolling_with_its_torque(joint, contacts), pressed_at(joint, contacts, without_torque)
 
     def at(torque: Array) -> Array:
         def lost(torque: Array) -> tuple[Array, DriveState]:
@@ -216,7 +214,7 @@ class _Under(NamedTuple):
 
 def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> Callable[[Array], _Under]:
     """The joint under an output torque [N·m]."""
-    unloaded = _with_its_torque(joint)
+    unloaded = _rolling_with_its_torque(joint, contacts)
     pressed = pressed_at(joint, contacts, without_torque)
 
     def under(torque: Array) -> _Under:
@@ -236,6 +234,12 @@ def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> C
 def _with_its_torque(joint: Joint) -> DriveLoad:
     """Loads of a joint that stands and begins to move with its torque, as in a wind-up; the torque is to be put in."""
     return dataclasses.replace(drive_load(joint, body_masses(joint), 0.0), standing_rotation=jnp.zeros(()))
+
+
+def _rolling_with_its_torque(joint: Joint, contacts: JointContacts) -> DriveLoad:
+    """The same, with the drag of the oil on the joint that rolls."""
+    oil = rolling_load(joint, contacts, body_masses(joint), 0.0).drag_of
+    return dataclasses.replace(_with_its_torque(joint), drag_of=oil)
 
 
 def _standing(

@@ -11,7 +11,15 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint_file.part_names import paths_of_track
-from asperity.joint_file.si_tables import AnyCase, check_values, contact_in, key_at, replace_values, si_values
+from asperity.joint_file.si_tables import (
+    AnyCase,
+    check_values,
+    contact_in,
+    counterparts,
+    key_at,
+    replace_values,
+    si_values,
+)
 from asperity.units import format_quantity, parse_quantity
 
 Scale = Literal["linear", "log"]
@@ -214,8 +222,10 @@ def check_paths(case: AnyCase, paths: Sequence[str]) -> None:
     for path in paths:
         replace_values(values, {path: 1.0})  # raises if this joint has no such number
         generic, contact = _generic(paths_of_track(values, path)[0])
+        section, _, name = generic.rpartition(".")
+        alike = {generic, *(f"{section}.{other}" for other in counterparts(name))}
         for other, other_generic, other_contact in seen:
-            if generic == other_generic and (
+            if other_generic in alike and (
                 contact == other_contact or contact is None or other_contact is None
             ):
                 both = path if other == path else f"{other} and {path}"
@@ -224,13 +234,9 @@ def check_paths(case: AnyCase, paths: Sequence[str]) -> None:
 
 
 def _generic(path: str) -> tuple[str, str | None]:
-    """A path without its contact, and the contact; hardness and its factor are one number."""
-    parts = path.split(".")
+    """A path without its contact, and the contact."""
     contact = contact_in(path)
-    kept = [part for part in parts if part != contact]
-    if parts[0] == "materials" and parts[-1] == "hardness_factor":
-        kept[-1] = "hardness"
-    return ".".join(kept), contact
+    return ".".join(part for part in path.split(".") if part != contact), contact
 
 
 def long_name(path: str) -> str:

@@ -1,10 +1,12 @@
 """Drives with every sector by itself: the same drive, and springs by hand where the sectors differ."""
 
+import dataclasses
+
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drive import gaps, incidence, speed_ratio
+from asperity.drive.layout.drive import Closure, gaps, incidence, speed_ratio
 from asperity.drive.layout.existence import neighbour_gaps, refuse_impossible
 from asperity.drive.layout.unfolding import forces_on_centre, unfolded
 from asperity.drive.mechanism import NormalSprings
@@ -142,3 +144,15 @@ def test_the_bearings_of_the_sun_carry_what_the_planets_leave(drives, rolls):
         # no force acts from outside: all bearings together carry nothing
         np.testing.assert_allclose(on_sun + on_ring + on_carrier, 0.0, atol=1e-7)
         assert float(incidence(drive).levers @ state.pin_force) == pytest.approx(40.0, rel=1e-9)
+
+
+def test_every_sector_keeps_the_closure_of_its_own_contacts_and_pins(drives):
+    closure = Closure(equal_coefficients=(("pwr", "pwl"),), constant_pins=("left_loading_roller",))
+    found = unfolded(dataclasses.replace(drives["wedge"], closure=closure), sectors=3)
+    assert found.closure == Closure(
+        equal_coefficients=(("pwr_1", "pwl_1"), ("pwr_2", "pwl_2"), ("pwr_3", "pwl_3")),
+        constant_pins=tuple(f"left_loading_roller_{sector}" for sector in (1, 2, 3)),
+    )
+    assert {name for pair in found.closure.equal_coefficients for name in pair} <= {
+        contact.name for contact in found.contacts
+    }

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.mechanism import NormalSprings
+from asperity.drive.state.bores import Bores
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.equations import (
     ASSEMBLED,
@@ -14,9 +15,12 @@ from asperity.drive.state.equations import (
     STANDING,
     Task,
     Unknowns,
+    contact_forces,
+    contact_responses,
     machine_of,
     no_displacement,
     no_force,
+    state_misfits,
 )
 from asperity.drive.state.search import assembled_guess, solved, started_from, state_of
 from asperity.drive.state.state import ContactLaws, DriveLoad
@@ -146,6 +150,24 @@ def test_members_that_do_not_follow_their_slip_are_a_residual_of_its_size(state)
     """Nothing turns, although the ring's contact slips by c T: over the approach at the reference."""
     found = state(STANDING, tangential=TANGENTIAL, torque=TORQUE)
     assert float(found.worst) == pytest.approx(TWO * TANGENTIAL / LENGTH, rel=1e-9)
+
+
+def test_a_pin_in_its_bore_moves_the_contacts(machine):
+    """By their compliances times its force, the slip by what the torque has added to it."""
+    normal, tangential = np.array([[2e-9], [-1e-9]]), np.array([[3e-9], [5e-9]])
+    none = jnp.zeros((2, 1))
+    bores = Bores(jnp.asarray(normal), jnp.asarray(tangential), none, none, jnp.zeros(1))
+    pressed = machine._replace(laws=dataclasses.replace(machine.laws, bores=bores))
+    pin, before = -100.0, -30.0
+    x = assembled_guess(machine)._replace(pin=jnp.array([pin / REFERENCE]))
+    load = DriveLoad(jnp.zeros(()))
+    task = Task(STANDING, jnp.asarray(1e-6), load, jnp.zeros(2), jnp.array([before]), jnp.full(2, REFERENCE))
+    responses = contact_responses(machine, task, *contact_forces(machine, x))
+    bare, bored = (state_misfits(each, task, 0, jnp.zeros(2), x, responses) for each in (machine, pressed))
+    np.testing.assert_allclose(
+        bored.all.normal - bare.all.normal, normal[:, 0] * pin / LENGTH, rtol=1e-6, atol=1e-15
+    )
+    np.testing.assert_allclose(bored.held - bare.held, tangential[:, 0] * (pin - before) / LENGTH, rtol=1e-6)
 
 
 def test_slip_and_lift_off_are_not_carried(state):

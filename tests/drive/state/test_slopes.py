@@ -79,6 +79,11 @@ def creep_that_grows(law, normal, tangential):
     return dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * grows)
 
 
+def drag_that_grows(size, normal):
+    """A drag of the oil that depends on the normal force."""
+    return size * normal**0.3
+
+
 def described(name, *, coupled, pressed):
     drive = DRIVES[name]
     count = len(drive.contacts)
@@ -110,6 +115,7 @@ def described(name, *, coupled, pressed):
         support_stiffness=jnp.full(len(drive.floating), 1e6),
         rotation=-1.0,
         supports=supports if held else None,
+        drag_of=jax.tree_util.Partial(drag_that_grows, jnp.linspace(0.5, 1.0, count)),
     )
     creep_of = jax.tree_util.Partial(creep_that_grows, laws.creep)
     machine = machine_of(drive, laws, jnp.linspace(0.2, 1.0, count), None, load.supports, creep_of)

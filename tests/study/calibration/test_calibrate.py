@@ -10,8 +10,9 @@ from scipy.stats import t as student
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import parse_case, read_case
-from asperity.study.calibration.calibrate import _conclude, calibrate, known_within
+from asperity.study.calibration.calibrate import _conclude, calibrate
 from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.directions import known_within
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
 from asperity.study.design.design_problem import Variable
@@ -173,6 +174,39 @@ def test_what_cannot_be_told_apart_is_named(case, curve):
     assert "NOT identifiable" in found.directions[0].words
 
 
+@pytest.mark.parametrize(("exponent", "determined"), [(0.5, True), (0.1, False)])
+def test_the_error_of_the_model_does_not_average_out(exponent, determined):
+    """A straight line c torque with c in proportion to 100^(-2 exponent x/2): 5 % of c are 0.05/exponent of x."""
+    line = 1e3 * np.linspace(1.0, 2.0, 40)
+
+    class Line:
+        unknowns = (Variable("load.preload", 100.0, 1e4, True),)
+
+        def refuse_no_joint(self, scaled_values):
+            pass
+
+        def fitted(self, scaled_values):
+            measured = SimpleNamespace(measured=line)
+            return (SimpleNamespace(standard_deviation=1.0, residual=np.ones(40), measurement=measured),)
+
+        def slopes(self, scaled_values, scales):
+            return -exponent * line[:, None]
+
+        def of_joint(self, scaled_values, scales):
+            return line[:, None]
+
+    found = _conclude(Line(), np.array([0.5]), (1.0,), 0.05, Line())
+    (preload,) = found.estimates
+    assert preload.determined == determined
+    scatter = student(39).ppf(0.975) / (exponent * np.linalg.norm(line))
+    half = np.hypot(scatter, norm.ppf(0.975) * 0.05 / exponent)
+    expected = (
+        [1e3 * 100.0**step for step in (-half, half, -scatter, scatter)] if determined else [np.nan] * 4
+    )
+    ends = [preload.lower, preload.upper, preload.scatter_lower, preload.scatter_upper]
+    assert ends == pytest.approx(expected, rel=1e-6, nan_ok=True)
+
+
 def test_the_bounds_limit_what_a_small_share_in_something_not_identifiable_adds():
     """5 % of the preload in a direction that leaves no trace: its standard deviation is 5 % of that of the bounds."""
     lost = np.array([0.05, np.sqrt(1.0 - 0.05**2)])
@@ -195,7 +229,10 @@ def test_the_bounds_limit_what_a_small_share_in_something_not_identifiable_adds(
         def slopes(self, scaled_values, scales):
             return slopes
 
-    found = _conclude(Curves(), np.array([0.5, 0.5]), (1.0,))
+        def of_joint(self, scaled_values, scales):
+            return slopes[:, :1]
+
+    found = _conclude(Curves(), np.array([0.5, 0.5]), (1.0,), 0.0, Curves())
     preload, offset = found.estimates
     assert (preload.determined, offset.determined) == (True, False)
     known = 1.0 / (1e3 * np.linalg.norm(torque))

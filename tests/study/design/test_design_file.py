@@ -273,3 +273,15 @@ def test_a_section_of_thousands_of_entries_is_refused_at_once(section, tmp_path,
     with pytest.raises(InputError, match=f"{section}: at most 1000 entries, got 20000") as caught:
         read_design(tmp_path / "d.toml")
     assert len(str(caught.value)) < 1000
+
+
+def test_a_limit_of_the_ratio_needs_the_sense_of_the_drive_or_no_sign(zou_file):
+    """The paper's drive has the ratio -9: a positive limit says nothing about it."""
+    limited = GOOD.replace("[worst_case]", "speed_ratio = { at_least = 8 }\n[worst_case]")
+    with pytest.raises(
+        InputError, match="opposite directions, its speed_ratio is -9; limit absolute_speed_ratio"
+    ):
+        problem(limited, zou_file.parent)
+    found = problem(limited.replace("speed_ratio", "absolute_speed_ratio"), zou_file.parent)
+    assert ("absolute_speed_ratio", False, 8.0) in {(c.name, c.at_most, c.limit) for c in found.constraints}
+    problem(limited.replace("at_least = 8", "at_most = -8"), zou_file.parent)

@@ -18,6 +18,7 @@ from asperity.study.design.design_result import (
     design_document,
     front_diagnostics,
     joint_diagnostics,
+    not_limited,
 )
 
 
@@ -143,7 +144,7 @@ def solved(monkeypatch):
         if preload < 500.0:
             raise NoSolutionError("slips")
         entries = [{"name": "a", "ok": True}, {"name": "b", "ok": preload < 2000.0}]
-        return SimpleNamespace(document={"diagnostics": entries})
+        return SimpleNamespace(document={"diagnostics": entries, "life_hours": 137.0})
 
     monkeypatch.setattr("asperity.study.design.design_result.solve_case", document)
     return seen
@@ -153,11 +154,33 @@ def test_all_limits_of_a_design_or_why_there_are_none(solved, case):
     text = joint_file_text(case, {"load.preload": 1200.0}, comment="designed")
     assert joint_diagnostics(text) == {
         "diagnostics": [{"name": "a", "ok": True}, {"name": "b", "ok": True}],
+        "life_hours": 137.0,
         "no_result_because": None,
     }
     text = joint_file_text(case, {"load.preload": 400.0}, comment="designed")
     assert joint_diagnostics(text) == {"diagnostics": None, "no_result_because": "slips"}
     assert solved == [1200.0, 400.0]
+
+
+def test_what_no_limit_was_asked_for_is_said_in_a_line():
+    entry = {"name": "pressure_over_first_yield", "ok": False, "value": 1.2}
+    told = {"diagnostics": [entry, entry | {"value": 1.25}, entry | {"value": None}], "life_hours": 137.0}
+
+    def line(*names, **changes):
+        limits = tuple(limit(name, at_most=True, limit=1.0, value=0.5) for name in names)
+        return not_limited(
+            design(1.0, limits=limits, summary_after={"hertz_pressure": 2.663e9}), told | changes
+        )
+
+    life, pressure = "a life of 137 h", "a pressure of 2663 MPa, up to 1.25 times that of first yield"
+    assert (
+        line("slip_ratio")
+        == f"No limit of yield and life was asked for: the design has {pressure} and {life}."
+    )
+    assert line("hertz_pressure") == f"No limit of life was asked for: the design has {life}."
+    assert line("drive_life", "hertz_pressure") == ""
+    assert line("duty_life", diagnostics=[entry | {"ok": True}]) == ""
+    assert line("slip_ratio", diagnostics=None, life_hours=None) == ""
 
 
 def test_crossed_limits_of_a_front_design_by_design(solved, case):

@@ -15,6 +15,7 @@ from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
 from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.loads import friction_moments, member_moments
+from asperity.drive.state.oil import drag_levers, drag_pairs, signed_drag
 from asperity.drive.state.state import (
     ContactLaws,
     CreepOf,
@@ -161,11 +162,15 @@ def no_force(drive: Drive) -> Array:
 
 
 class Responses(NamedTuple):
-    """Approach and slip at rest [m], and creepage in rolling [-], of contacts under their forces; shape (contacts,)."""
+    """Approach and slip at rest [m], creepage [-] and drag of the oil in rolling [N], of contacts under their forces.
+
+    Shape (contacts,); the drag as of :class:`asperity.drive.state.state.DriveState`.
+    """
 
     approach: Array
     slip: Array
     creepage: Array
+    drag: Array
 
 
 def contact_responses(machine: Machine, task: Task, normal: Array, tangential: Array) -> Responses:
@@ -186,7 +191,22 @@ def contact_responses(machine: Machine, task: Task, normal: Array, tangential: A
         contact_approach(laws=dataclasses.replace(laws, coupling=None), normal=normal),
         slip_at_rest(laws=laws, normal=normal, tangential=tangential),
         creepages(law=creep, normal=normal, tangential=tangential),
+        _drag(machine.drive, task, normal),
     )
+
+
+def _drag(drive: Drive, task: Task, normal: Array) -> Array:
+    """Drag of the oil, shape (contacts,) [N]; 0 where nothing rolls."""
+    drag_of, none = task.load.drag_of, jnp.zeros_like(normal)
+    if drag_of is None:
+        return none
+    size = jax.lax.cond(jnp.asarray(task.kind) == ROLLING, drag_of, jnp.zeros_like, normal)
+    return signed_drag(drive, size, backwards=_backwards(task))
+
+
+def _backwards(task: Task) -> Array:
+    """-1 of a drive that rolls against its ideal speeds, else 1."""
+    return jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
 
 
 class Misfits(NamedTuple):
@@ -216,7 +236,7 @@ def state_misfits(
     speed, turned = speeds_and_turns(machine, x, task.kind)
     kind = jnp.asarray(task.kind)
 
-    approach, slip, creep = responses
+    approach, slip, creep, drag = responses
     if laws.coupling is not None:
         approach = approach + product(laws.coupling, normal)
     if laws.bores is not None:
@@ -225,17 +245,18 @@ def state_misfits(
         _, at_rest = laws.bores.moved(task.pin_at_rest, largest)
         approach, slip = approach + pressed, slip + slid - at_rest
     misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
-    backwards = jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
-    rolling = backwards * creep * _rolled(drive, speed) - product(matrices.turning, speed)
+    rolling = _backwards(task) * creep * _rolled(drive, speed) - product(matrices.turning, speed)
     standing = slip - product(matrices.sliding, moved - task.origin) - product(matrices.turning, turned)
     force = (
         product(matrices.approach.T, normal)
         + product(matrices.sliding.T, tangential)
         + product(matrices.pins.T, pin)
     )
+    if task.load.drag_of is not None:
+        force = force + product(matrices.sliding.T, drag_pairs(drive, drag))
     if task.load.support_stiffness is not None:
         force = force + jnp.repeat(task.load.support_stiffness, 2) * moved
-    moments = moments_of(machine, task, tangential, pin)
+    moments = moments_of(machine, task, tangential, pin, drag)
     out = drive.members.index(drive.output)
     resists = np.eye(len(drive.members))[out]
     moments = moments - resists * jnp.sign(machine.ideal[out]) * task.load.output_torque
@@ -315,12 +336,15 @@ def _of_pins(machine: Machine, task: Task, forces: tuple[Array, Array], pin: Arr
     )
 
 
-def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:
-    """Moments of contacts, pins and bearings on the members, counter-clockwise, shape (members,) [N·m]; equation (M1).
+def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array, drag: Array) -> Array:
+    """Moments of contacts, pins, oil and bearings on the members, counter-clockwise, shape (members,) [N·m]; (M1).
 
-    Of the tangential forces of the contacts, shape (contacts,), and the forces of the pins, shape (pins,) [N].
+    Of the tangential forces of the contacts and the drag of their oil, shape (contacts,), and the forces of the pins,
+    shape (pins,) [N].
     """
     moments = member_moments(machine.drive, machine.matrices, tangential, pin)
+    if task.load.drag_of is not None:
+        moments = moments + product(drag_levers(machine.drive), drag)
     load, kind = task.load, jnp.asarray(task.kind)
     if load.bearings is None:
         return moments

@@ -13,6 +13,7 @@ from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members
 from asperity.drive.mechanism import Bearings, bearing_torque
+from asperity.drive.state.oil import drag_levers, drag_pairs
 from asperity.linear import product
 from asperity.types import namespace
 
@@ -27,7 +28,8 @@ class MemberLoads(NamedTuple):
     unbalanced : Array
         Force that no pin takes up, shape (floating, 2) [N]; 0 in a balanced state but for its residual.
     moments : Array
-        Moments of contacts and pins on the members, all sectors together, counter-clockwise, shape (members,) [N·m].
+        Moments of contacts, oil and pins on the members, all sectors together, counter-clockwise, shape (members,)
+        [N·m].
     """
 
     pin: Array
@@ -35,7 +37,9 @@ class MemberLoads(NamedTuple):
     moments: Array
 
 
-def member_loads(*, drive: Drive, normal: Array, tangential: Array, body_force: Array) -> MemberLoads:
+def member_loads(
+    *, drive: Drive, normal: Array, tangential: Array, body_force: Array, drag: Array | None = None
+) -> MemberLoads:
     r"""Loads of the structure from the forces of the contacts.
 
     .. math:: F = P\,(Z - A^\mathsf{T} N - S^\mathsf{T} T)
@@ -49,6 +53,8 @@ def member_loads(*, drive: Drive, normal: Array, tangential: Array, body_force: 
         (contacts,) [N].
     body_force : Array
         Forces Z on the floating bodies, shape (floating, 2) [N].
+    drag : Array or None, optional
+        Drag of the oil, as in :class:`asperity.drive.state.state.DriveState`, shape (contacts,) [N]; None for none.
 
     Returns
     -------
@@ -60,12 +66,14 @@ def member_loads(*, drive: Drive, normal: Array, tangential: Array, body_force: 
     Balance of each body; equation (M1) of :doc:`/equations`.
     """
     matrices = incidence(drive)
-    left = body_force.ravel() - product(matrices.approach.T, normal) - product(matrices.sliding.T, tangential)
+    between = tangential if drag is None else tangential + drag_pairs(drive, drag)
+    left = body_force.ravel() - product(matrices.approach.T, normal) - product(matrices.sliding.T, between)
     pin = product(matrices.pins, left)
+    moments = member_moments(drive, matrices, tangential, pin)
     return MemberLoads(
         pin=pin,
         unbalanced=(left - product(matrices.pins.T, pin)).reshape(-1, 2),
-        moments=member_moments(drive, matrices, tangential, pin),
+        moments=moments if drag is None else moments + product(drag_levers(drive), drag),
     )
 
 

@@ -34,6 +34,7 @@ from asperity.drive.state.equations import (
     speeds_and_turns,
     turning_members,
 )
+from asperity.drive.state.oil import drag_levers, drag_pairs
 from asperity.linear import product
 
 
@@ -110,6 +111,7 @@ def state_slopes(
     pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x)
     moments = -turning.T * _moment_scale(machine)[:, None] * limit / (machine.lever * largest)
     preload = preload_weights(count, pressed_sectors) * reference
+    oil_forces, oil_moments = _by_oil(machine, task, responses.by_normal.drag)
     return Slopes(
         approach=_approaches(machine, responses.by_normal.approach),
         held_normal=held.normal,
@@ -120,8 +122,8 @@ def state_slopes(
         held_moves=jnp.concatenate([*held[2:], jnp.zeros((count, 1))], axis=1),
         normal=jnp.concatenate(
             [
-                matrices.approach.T * reference / largest,
-                jnp.zeros((turns, count)),
+                (matrices.approach.T + oil_forces) * reference / largest,
+                oil_moments * reference / (machine.lever * largest),
                 pins_by_normal,
                 jnp.where(assembled, preload / largest, 0.0)[None],
             ]
@@ -136,6 +138,15 @@ def state_slopes(
         ),
         structure=_of_structure(machine, task, pressed_sectors, x),
     )
+
+
+def _by_oil(machine: Machine, task: Task, drag: Array) -> tuple[Array, Array]:
+    """Slopes of the balances of forces and moments by the normal forces, through the drag of the oil."""
+    drive, matrices = machine.drive, machine.matrices
+    members = np.array(turning_members(drive), dtype=int)
+    if task.load.drag_of is None:
+        return jnp.zeros(matrices.sliding.T.shape), jnp.zeros((members.size, drag.size))
+    return matrices.sliding.T * drag_pairs(drive, drag), drag_levers(drive)[members] * drag
 
 
 def _approaches(machine: Machine, slope: Array) -> Array:
@@ -227,9 +238,9 @@ def _of_structure(machine: Machine, task: Task, pressed_sectors: int, x: Unknown
     if load.support_stiffness is not None:
         supports = _diagonal(jnp.repeat(load.support_stiffness, 2)) * machine.length / machine.largest
     _, tangential = contact_forces(machine, x)
-    by_pins = jax.jacfwd(lambda pin: moments_of(machine, task, tangential, pin)[members])(
-        x.pin * machine.largest
-    )
+    by_pins = jax.jacfwd(
+        lambda pin: moments_of(machine, task, tangential, pin, jnp.zeros_like(tangential))[members]
+    )(x.pin * machine.largest)
     pin_rows, pin_slopes = _of_pins(machine, task, x)
     size = jnp.where(assembled & (pressed_sectors > 0), 0.0, 1.0).reshape(1, 1)
     return jnp.block(

@@ -29,6 +29,9 @@ SLIP_TOLERANCE = 1e-11
 #: Creep law of contacts under normal and tangential forces; a module of numbers, as ``jax.tree_util.Partial`` is one.
 CreepOf = Callable[[Array, Array], CreepLaw]
 
+#: Size of the drag of the oil under normal forces, a module of numbers too.
+DragOf = Callable[[Array], Array]
+
 _NEAR_SLIP = 0.999  # the slip of a standing contact is continued as a line above this share of friction
 
 
@@ -101,6 +104,9 @@ class DriveLoad(eqx.Module):
     friction_on_carrier : bool, optional
         Whether the friction of the rollers' bearings acts on the carrier too; equation (5) of Zou et al. 2025 leaves it
         out.
+    drag_of : callable or None, optional
+        Drag of the oil on each surface of the contacts of the rolling drive under their normal forces, shape
+        (contacts,) [N], as in :mod:`asperity.drive.state.oil`; None for none.
     """
 
     output_torque: Real
@@ -112,6 +118,7 @@ class DriveLoad(eqx.Module):
     standing_rotation: Real = 1.0
     supports: Supports | None = None
     friction_on_carrier: bool = eqx.field(static=True, default=True)
+    drag_of: DragOf | None = None
 
 
 class DriveState(eqx.Module):
@@ -132,6 +139,9 @@ class DriveState(eqx.Module):
         Angular velocities of the members per angular velocity of the input, shape (members,) [-].
     creepage : Array
         Creepages, shape (contacts,) [-]; 0 where nothing rolls.
+    drag : Array
+        Drag of the oil on each surface, positive where the first one moves counter-clockwise around its body, shape
+        (contacts,) [N]; 0 where nothing rolls.
     interference : Array
         Interference of the contacts, shape (contacts,) [m].
     input_torque : Array
@@ -155,6 +165,7 @@ class DriveState(eqx.Module):
     rotation: Array
     speed: Array
     creepage: Array
+    drag: Array
     interference: Array
     input_torque: Array
     speed_loss: Array

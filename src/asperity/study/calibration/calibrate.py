@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -13,20 +14,19 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.standing.windup import StiffnessLevel
+from asperity.study.calibration.alternatives import Alternative, alternatives, candidates
+from asperity.study.calibration.directions import NAMED_SHARE, UNINFORMED, Direction, direction_of
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.design.design_problem import Variable
 
-#: Standard deviation of a uniform distribution over the bounds: more than this means that the
-#: data add nothing.
-UNINFORMED = 1.0 / np.sqrt(12.0)
+#: Quantile of the normal distribution for both ends of 95 %.
+NORMAL = 1.959964
 
-#: Share of an unknown in a direction from which on it is named as part of it.
-NAMED_SHARE = 0.1
-
-# factor by which an unknown may be off from which on it is only weakly known
-_LARGE_FACTOR = 1.2
+#: Error of the model that the commands take: standard deviation of the joint's compliance, the same at every torque.
+#: Plane strain and plane stress, between which real bodies lie, differ by 1/(1 - nu^2), a tenth: half of that.
+MODEL_ERROR = 0.05
 
 # rounds in which the sizes of the errors of two curves must settle, and their relative change when they have
 _MOST_ROUNDS, _SETTLED = 50, 1e-4
@@ -43,9 +43,11 @@ class Estimate:
     value : float
         Least-squares estimate [SI].
     lower, upper : float
-        95 % interval [SI]; nan where the data do not determine it.
+        95 % interval, by the scatter of the data and the error of the model [SI]; nan where it is not determined.
+    scatter_lower, scatter_upper : float
+        95 % interval by the scatter of the data alone [SI]; nan where it is not determined.
     determined : bool
-        Whether the data say more about it than its bounds do.
+        Whether the data and the model say more about it than its bounds do.
     at_bound : str
         "lower" or "upper" if the estimate lies on a bound, else empty.
     """
@@ -54,30 +56,10 @@ class Estimate:
     value: float
     lower: float
     upper: float
+    scatter_lower: float
+    scatter_upper: float
     determined: bool
     at_bound: str
-
-
-@dataclass(frozen=True)
-class Direction:
-    """A combination of unknowns, and how well the data determine it.
-
-    Parameters
-    ----------
-    shares : dict
-        Unknown → component of the unit vector in scaled values (0 at the lower bound, 1 at the upper).
-    standard_deviation : float
-        Of the scaled value along it [-].
-    determined : bool
-        Whether that is below :data:`UNINFORMED`.
-    words : str
-        The combination in words, with what a step along it does to the curve.
-    """
-
-    shares: dict[str, float]
-    standard_deviation: float
-    determined: bool
-    words: str
 
 
 @dataclass(frozen=True)
@@ -100,6 +82,10 @@ class Calibration:
         What was looked for.
     curves : tuple of FittedCurve
         Each measurement with what was fitted to it.
+    model_error : float
+        Standard deviation of the relative error of the joint's compliance in each curve [-].
+    alternatives : tuple of Alternative
+        What explains the curves as well as an unknown does.
     """
 
     estimates: tuple[Estimate, ...]
@@ -109,6 +95,8 @@ class Calibration:
     starts: tuple[float, ...]
     unknowns: tuple[Variable, ...]
     curves: tuple[FittedCurve, ...]
+    model_error: float
+    alternatives: tuple[Alternative, ...]
 
 
 def calibrate(
@@ -120,6 +108,7 @@ def calibrate(
     history: History,
     starts: int,
     seed: int,
+    model_error: float = 0.0,
     progress: Callable[[int, int], None] | None = None,
 ) -> Calibration:
     """Fit unknowns of a joint to a measured curve, or to two of them together.
@@ -140,6 +129,9 @@ def calibrate(
         Starts of the search; the first is the joint file.
     seed : int
         Of the other starts.
+    model_error : float, optional
+        Standard deviation of the relative error of the joint's compliance, the same at every torque of a curve [-];
+        by default 0, for data that the model itself has made.
     progress : callable, optional
         Called with the number of finished starts and of all starts.
 
@@ -151,7 +143,8 @@ def calibrate(
     Raises
     ------
     InputError
-        If the bodies of the joint do not fit, or there are no more data than unknowns.
+        If the bodies of the joint do not fit, there are no more data than unknowns, or the error of the model is not
+        from 0 to 1.
     NoSolutionError
         If no start converged, the sizes of the errors of two curves did not settle, or the fitted joint slips within
         the measured torques.
@@ -160,7 +153,9 @@ def calibrate(
     -----
     Errors are taken as independent, normal and of one size for each curve, in the measured angle (or stiffness) and
     not in the torque. The sizes of two curves are estimated from their residuals in turn with the unknowns, until both
-    stand still. Intervals are those of the linearised model, in the logarithm of unknowns that are positive.
+    stand still. Intervals are those of the linearised model, in the logarithm of unknowns that are positive. The error
+    of the model, one normal number for each curve, changes the joint's part of the curve as a whole and does not
+    average out over the rows; the estimates shift by the pseudo-inverse of the slopes times this change.
 
     References
     ----------
@@ -171,6 +166,10 @@ def calibrate(
     from scipy.stats import qmc
 
     require_double_precision()
+    if not 0.0 <= model_error <= 1.0:
+        raise InputError(
+            f"the error of the model must be from 0 to 1, got {model_error:g}", options=["model_error"]
+        )
     refuse_impossible(joint_from_case(case).drive)
     if all(measurement.drift is not None for measurement in measurements) and history != "virgin":
         raise InputError(
@@ -225,7 +224,13 @@ def calibrate(
         )
     if len(measurements) > 1:
         best = _weighted_by_errors(curves, best, fitted)
-    return _conclude(curves, best, tuple(np.sqrt(2.0 * cost / rows) for cost, _, _ in ended))
+    others = candidates(case, unknowns)
+    wider = JoinedCurves(
+        case=case, measurements=measurements, unknowns=(*unknowns, *others), level=level, history=history
+    )
+    return _conclude(
+        curves, best, tuple(np.sqrt(2.0 * cost / rows) for cost, _, _ in ended), model_error, wider
+    )
 
 
 def _weighted_by_errors(
@@ -251,7 +256,14 @@ def _usable(curves: JoinedCurves, scaled_values: np.ndarray) -> list[np.ndarray]
     return [point for point in scaled_values if curves.exists(point)]
 
 
-def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[float, ...]) -> Calibration:
+def _conclude(
+    curves: JoinedCurves,
+    scaled_values: np.ndarray,
+    starts: tuple[float, ...],
+    model_error: float,
+    wider: JoinedCurves,
+) -> Calibration:
+    """The fit with its intervals; ``wider`` are the same curves with other numbers of the file as unknowns too."""
     from scipy.stats import t as student
 
     curves.refuse_no_joint(scaled_values)
@@ -261,35 +273,52 @@ def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[flo
         max(curve.standard_deviation, 1e-14 * float(np.max(np.abs(curve.measurement.measured))))
         for curve in fitted
     )
-    _, singular, rows = np.linalg.svd(curves.slopes(scaled_values, spreads), full_matrices=False)
+    left, singular, rows = np.linalg.svd(curves.slopes(scaled_values, spreads), full_matrices=False)
     with np.errstate(divide="ignore"):
         along = 1.0 / np.abs(singular)  # LAPACK may give −0
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
     # along what is not determined the bounds are what is known
     spread = np.sqrt(np.sum((rows.T * np.minimum(along, UNINFORMED)) ** 2, axis=1))
+    # what the error of the model does along each of them, for each curve
+    shifts = (
+        model_error
+        * np.minimum(along, UNINFORMED)[:, None]
+        * (left.T @ curves.of_joint(scaled_values, spreads))
+    )
+    model_spread = np.sqrt(np.sum((rows.T @ shifts) ** 2, axis=1))
     points = sum(curve.residual.size for curve in fitted)
     unknowns = curves.unknowns
     quantile = float(student.ppf(0.975, points - len(unknowns)))
     directions = tuple(
-        _direction(unknowns, rows[k], float(along[k]), float(singular[k]) / np.sqrt(points), quantile)
+        direction_of(unknowns, rows[k], float(along[k]), float(singular[k]) / np.sqrt(points), quantile)
         for k in reversed(range(len(along)))
     )
     estimates = []
     for index, unknown in enumerate(unknowns):
         lost = any(not d.determined and abs(d.shares[unknown.path]) > NAMED_SHARE for d in directions)
-        half = quantile * float(spread[index])
+        lost |= math.hypot(spread[index], model_spread[index]) >= UNINFORMED
+        by_scatter = quantile * float(spread[index])
+        half = math.hypot(by_scatter, NORMAL * float(model_spread[index]))
         scaled_value = float(scaled_values[index])
         bound = "lower" if scaled_value < 1e-6 else "upper" if scaled_value > 1.0 - 1e-6 else ""
         estimates.append(
             Estimate(
                 path=unknown.path,
                 value=float(unknown.from_unit(scaled_value)),
-                lower=float("nan") if lost else float(unknown.from_unit(scaled_value - half)),
-                upper=float("nan") if lost else float(unknown.from_unit(scaled_value + half)),
+                **{
+                    name: math.nan if lost else float(unknown.from_unit(scaled_value + step))
+                    for name, step in (
+                        ("lower", -half),
+                        ("upper", half),
+                        ("scatter_lower", -by_scatter),
+                        ("scatter_upper", by_scatter),
+                    )
+                },
                 determined=not lost,
                 at_bound=bound,
             )
         )
+    everything = np.concatenate([scaled_values, np.full(len(wider.unknowns) - len(unknowns), 0.5)])
     return Calibration(
         estimates=tuple(estimates),
         directions=directions,
@@ -298,60 +327,22 @@ def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[flo
         starts=starts,
         unknowns=unknowns,
         curves=fitted,
+        model_error=model_error,
+        alternatives=alternatives(
+            wider.unknowns,
+            np.array([v.from_unit(p) for v, p in zip(wider.unknowns, everything, strict=True)]),
+            wider.slopes(everything, spreads),
+            len(unknowns),
+        ),
     )
 
 
-def _direction(
-    unknowns: tuple[Variable, ...],
-    row: np.ndarray,
-    along: float,
-    change_by_scatter: float,
-    quantile: float,
-) -> Direction:
-    """A singular vector of the slopes in words, for a step that changes its strongest unknown by a tenth."""
-    strongest = int(np.argmax(np.abs(row)))
-    row = row * np.sign(row[strongest])
-    lead = unknowns[strongest]
-    factor = 1.1 if lead.logarithmic else None
-    step = (np.log(factor) / np.log(lead.upper / lead.lower) if factor else 0.1) / row[strongest]
-    parts = []
-    for index in np.argsort(-np.abs(row)):
-        if abs(row[index]) < NAMED_SHARE:
-            continue
-        unknown, change = unknowns[index], row[index] * step
-        if unknown.logarithmic:
-            percent = 100.0 * np.expm1(change * np.log(unknown.upper / unknown.lower))
-            parts.append(f"{unknown.path} {percent:+.3g} %")
-        else:
-            parts.append(
-                f"{unknown.path} {change * (unknown.upper - unknown.lower):+.3g}{_unit(unknown.path)}"
-            )
-    effect = abs(step) * change_by_scatter
-    determined = bool(along < UNINFORMED)
-    verdict = "NOT identifiable"
-    if determined:
-        verdict = f"{known_within(lead, quantile * along * abs(row[strongest]))} (95 %)"
-    return Direction(
-        shares={unknown.path: float(value) for unknown, value in zip(unknowns, row, strict=True)},
-        standard_deviation=along,
-        determined=determined,
-        words=f"{' together with '.join(parts)} moves the curve by {effect:.3g} of its scatter (rms): {verdict}",
+def model_error_words(model_error: float) -> str:
+    """What the intervals hold besides the scatter of the data."""
+    if model_error == 0.0:
+        return "The intervals hold the scatter of the data alone: no error of the model (--model-error)."
+    default = ", the default" if model_error == MODEL_ERROR else ""
+    return (
+        f"The intervals hold an error of the model: {100.0 * model_error:g} % of the joint's compliance at every "
+        f"torque alike (standard deviation{default}; --model-error)."
     )
-
-
-def known_within(unknown: Variable, half_width: float) -> str:
-    """How well an unknown is known, in words."""
-    if not unknown.logarithmic:
-        half = half_width * (unknown.upper - unknown.lower)
-        return f"identifiable, {unknown.path} to ±{half:.2g}{_unit(unknown.path)}"
-    factor = float((unknown.upper / unknown.lower) ** half_width)
-    if factor < _LARGE_FACTOR:
-        return f"identifiable, {unknown.path} to ±{100.0 * (factor - 1.0):.2g} %"
-    return f"weakly identifiable, {unknown.path} to a factor of {factor:.3g}"
-
-
-def _unit(path: str) -> str:
-    from asperity.study.calibration.unknowns import si_unit_of
-
-    unit = si_unit_of(path)
-    return "" if unit == "1" else f" {unit.replace('*', '·')}"

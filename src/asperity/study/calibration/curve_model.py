@@ -178,6 +178,14 @@ class CurveModel:
             slopes[:, index] = self.curve_slope(self.unknowns[index].path, point)
         return self.weights @ (1.0 / safe) + self.curve_part(point), slopes * steps
 
+    def of_joint(self, scaled_values: np.ndarray) -> np.ndarray:
+        """What a relative error of the joint's compliance does to the prediction, shape (points,) [rad, N·m/rad]."""
+        prediction, _ = self(scaled_values)
+        if self.weights is not None:
+            return prediction - self.curve_part(self.point(scaled_values))
+        stiffness, _, _ = self.stiffness(scaled_values)
+        return prediction**2 / stiffness
+
     def compliances(self, scaled_values: np.ndarray) -> np.ndarray:
         """Compliance at the model's torques, without :data:`STIFFNESS_FLOOR`, shape (sets, torques) [rad/(N·m)].
 

@@ -141,6 +141,18 @@ class JoinedCurves:
             parts.append(part)
         return np.concatenate(parts)
 
+    def of_joint(self, scaled_values: np.ndarray, scales: tuple[float, ...]) -> np.ndarray:
+        """What a relative error of the joint in one curve does to :meth:`residual`, shape (points, curves) [-]."""
+        parts = [
+            model.of_joint(scaled_values[columns]) / scale
+            for model, columns, scale in zip(self._models, self._columns, scales, strict=True)
+        ]
+        in_curve = np.repeat(np.arange(len(parts)), [part.size for part in parts])
+        shape = (in_curve.size, len(parts))
+        return np.where(
+            in_curve[:, None] == np.arange(len(parts)), np.concatenate(parts)[:, None], np.zeros(shape)
+        )
+
     def deviations(self, scaled_values: np.ndarray) -> tuple[float, ...]:
         """Standard deviation of the residuals of each curve, at least a millionth of its size [rad] or [N·m/rad]."""
         fitted = self.fitted(scaled_values)

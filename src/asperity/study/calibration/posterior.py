@@ -13,9 +13,10 @@ from jax import Array
 from asperity.errors import InputError, NoSolutionError
 from asperity.extras import optional_module
 from asperity.precision import require_double_precision
-from asperity.study.calibration.calibrate import UNINFORMED, Calibration
+from asperity.study.calibration.calibrate import Calibration
 from asperity.study.calibration.curve_surrogate import fit_surrogate, surrogate_prediction
 from asperity.study.calibration.delayed_acceptance import Chains
+from asperity.study.calibration.directions import UNINFORMED
 
 #: Largest split-R-hat that counts as converged (A. Vehtari et al., Bayesian Anal. 16 (2021) 667, recommend 1.01;
 #: this is the bound beyond which the numbers are refused).

@@ -8,9 +8,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError, listed, nearest, quoted
 from asperity.joint_file.any_joint import results_of, rows_of_file
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
+from asperity.joint_file.parts import layout_of
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import Values, key_at, numeric_keys, si_values
 from asperity.library import read_finishes
@@ -119,7 +121,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     with errors.gathered():
         for name, entry in _table(tables.get("constraints", {}), "constraints").items():
             with errors.gathered():
-                constraints.extend(_constraint(name, entry, level, values, known))
+                constraints.extend(constraint_of(name, entry, level, values, known))
     worst_case, starts, seed = WorstCase((), "none", 1, 0), 1, 0
     with errors.gathered():
         worst_case = _worst_case(_table(tables.get("worst_case", {}), "worst_case"))
@@ -283,9 +285,10 @@ def _result(name: Any, level: StiffnessLevel, where: str, results: Mapping[str, 
         raise InputError(f"{where}: {error}") from None
 
 
-def _constraint(
+def constraint_of(
     name: str, table: Any, level: StiffnessLevel, values: Values, results: Mapping[str, Result]
 ) -> Iterator[Constraint]:
+    """The limits of one result: its name, and a table of ``at_most``, ``at_least`` and the rows that are meant."""
     where = f"constraints.{name}"
     full = _result(name, level, where, results)
     result, entry = results[full], _table(table, where)
@@ -311,6 +314,8 @@ def _constraint(
             except InputError as error:
                 raise InputError(f"{where}.{side}: {error}") from None
             _check_limit(result, limit, f"{where}.{side}: {entry[side]}")
+            if full == "speed_ratio" and values:
+                _refuse_other_sense(values, limit, f"{where}.{side}: {entry[side]}")
             yield Constraint(full, side == "at_most", limit, rows)
 
 
@@ -340,6 +345,17 @@ def _check_limit(result: Result, limit: float, written: str) -> None:
         words += [f"at most {format_quantity(high, result.display_unit)}"] * math.isfinite(high)
         note = f" ({result.note})" if result.note else ""
         raise InputError(f"{written} is not allowed; it must be {' and '.join(words)}{note}")
+
+
+def _refuse_other_sense(values: Values, limit: float, written: str) -> None:
+    """Refuse a limit of the speed ratio whose sign is not that of the drive."""
+    ratio = float(speed_ratio(layout_of(values)[0]))
+    if ratio * limit < 0.0:
+        turn = "the same direction" if ratio > 0.0 else "opposite directions"
+        raise InputError(
+            f"{written} is not allowed; input and output of this drive turn in {turn}, its speed_ratio is {ratio:.4g}; "
+            "limit absolute_speed_ratio, which has no sign"
+        )
 
 
 def _implied(stated: Sequence[Constraint], results: Mapping[str, Result]) -> Iterator[Constraint]:

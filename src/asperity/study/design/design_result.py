@@ -24,6 +24,14 @@ if TYPE_CHECKING:
 
 #: Largest optimality residual of a local optimum.
 OPTIMAL = 1e-3
+#: Limits that keep the pressure from yield.
+_OF_YIELD = {
+    "pressure_over_first_yield",
+    "hertz_pressure",
+    "yield_safety",
+    "shakedown_ratio",
+    "rolling_hertz_pressure",
+}
 Diagnostics = dict[str, Any]
 
 
@@ -225,13 +233,39 @@ def joint_diagnostics(joint_text: str) -> Diagnostics:
     -------
     dict
         ``diagnostics``, as in the document of :func:`asperity.results.document.joint_document`; None where the joint
-        has no result under that torque, with the reason in ``no_result_because``.
+        has no result under that torque, with the reason in ``no_result_because``. ``life_hours`` is its life, if it has
+        one.
     """
     try:
         document = solve_case(parse_case(joint_text, source="the designed joint")).document
     except (InputError, NoSolutionError) as error:
         return {"diagnostics": None, "no_result_because": str(error)}
-    return {"diagnostics": document["diagnostics"], "no_result_because": None}
+    return {
+        "diagnostics": document["diagnostics"],
+        "life_hours": document["life_hours"],
+        "no_result_because": None,
+    }
+
+
+def not_limited(result: DesignResult, diagnostics: Diagnostics) -> str:
+    """What a design reaches beyond first yield, and its life, where no limit of them was asked for; else empty."""
+    limited = {limit.name for limit in result.limits}
+    found = {}
+    over_yield = [
+        entry["value"]
+        for entry in diagnostics["diagnostics"] or ()
+        if entry["name"] == "pressure_over_first_yield" and not entry["ok"] and entry["value"] is not None
+    ]
+    if over_yield and not limited & _OF_YIELD:
+        pressure = format_quantity(result.summary_after["hertz_pressure"], "MPa")
+        found["yield"] = f"a pressure of {pressure}, up to {max(over_yield):.3g} times that of first yield"
+    if diagnostics.get("life_hours") is not None and not any(
+        RESULTS[name].group == "life" for name in limited
+    ):
+        found["life"] = f"a life of {diagnostics['life_hours']:.4g} h"
+    if not found:
+        return ""
+    return f"No limit of {' and '.join(found)} was asked for: the design has {' and '.join(found.values())}."
 
 
 def front_diagnostics(
@@ -275,7 +309,7 @@ def design_document(result: DesignResult) -> dict[str, Any]:
             return [plain(child) for child in node]
         return number_or_null(node) if isinstance(node, float) else node
 
-    goal = result.problem.objectives[0]
+    goal, diagnostics = result.problem.objectives[0], joint_diagnostics(result.joint_text)
     document: dict[str, Any] = plain(
         {
             "objective": {
@@ -298,7 +332,8 @@ def design_document(result: DesignResult) -> dict[str, Any]:
             "starts": [asdict(start) for start in result.starts],
             "nominal": {name: value.tolist() for name, value in result.nominal.items()},
             "evaluations": result.evaluations,
-            **joint_diagnostics(result.joint_text),
+            **diagnostics,
+            "not_limited": not_limited(result, diagnostics) or None,
         }
     )
     return document

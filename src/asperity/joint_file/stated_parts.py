@@ -1,0 +1,130 @@
+"""What a joint file says of the parts of its drive besides their sizes: tolerances, materials, crowns, surfaces."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from asperity.joint.description import Joint, tracks_of
+from asperity.joint_file.part_names import TRACKS, material_key
+from asperity.joint_file.si_tables import AnyCase
+from asperity.units import format_quantity
+
+
+class StatedTrack(NamedTuple):
+    """What a file says of a track, with its radius [m].
+
+    ``tolerance`` of the radius [m], of a ring the sum of that of its radius and that of the interference; 0 where the
+    file states none. ``crown``, radius along the axis [m], None for a cylinder; names of the ``contacts`` on it.
+    """
+
+    radius: float
+    tolerance: float
+    crown: float | None
+    contacts: tuple[str, ...]
+
+
+class StatedPart(NamedTuple):
+    """What a file says of a body: name of its material, its tracks, and tolerances [m], 0 where it states none."""
+
+    material: str
+    tracks: tuple[StatedTrack, ...]
+    bore: float = 0.0
+    wall: float = 0.0
+    length: float = 0.0
+
+    def tolerance(self, radius: float) -> float:
+        """Tolerance of the radius of a track [m]."""
+        return next(
+            (track.tolerance for track in self.tracks if math.isclose(track.radius, radius, rel_tol=1e-9)),
+            0.0,
+        )
+
+
+class StatedParts(NamedTuple):
+    """What a file says of its bodies, and of each contact: tolerance of its length [m], and its surface in words."""
+
+    bodies: tuple[StatedPart, ...]
+    lengths: tuple[float, ...]
+    surfaces: tuple[str, ...]
+
+
+def stated_parts(case: AnyCase, joint: Joint) -> StatedParts:
+    """What a joint file says of the bodies and contacts of its joint, in the order of the drive."""
+    per_contact: tuple[Any, Any] = (case.drive.contact_length, case.surface)
+    lengths, surfaces = (
+        [stated[name] if isinstance(stated, dict) else stated for name in joint.contact_names]
+        for stated in per_contact
+    )
+    return StatedParts(
+        tuple(_part(case, joint, number) for number in range(len(joint.drive.bodies))),
+        tuple(length.tolerance for length in lengths),
+        tuple(surface_words(surface) for surface in surfaces),
+    )
+
+
+def _part(case: Any, joint: Joint, number: int) -> StatedPart:
+    body = joint.drive.bodies[number].name
+    key = material_key(case.type, body)
+    roller: Any = next((entry for entry in getattr(case, "roller", ()) if entry.name == body), None)
+
+    def tolerance(what: str) -> float:
+        of_type = getattr(case.drive, f"{'ring' if key == 'held_ring' else key}_{what}", None)
+        stated = of_type if roller is None else getattr(roller, what, None)
+        return 0.0 if stated is None else float(stated.tolerance)
+
+    return StatedPart(
+        case.bodies[key],
+        tuple(
+            _track(case, joint, body, float(radius), contacts)
+            for radius, contacts in tracks_of(joint, number)
+        ),
+        tolerance("bore_diameter"),
+        tolerance("wall_thickness"),
+        tolerance("length"),
+    )
+
+
+def _track(case: Any, joint: Joint, body: str, radius: float, contacts: list[int]) -> StatedTrack:
+    tolerances, crowns = [0.0], []
+    for number in contacts:
+        contact = joint.drive.contacts[number]
+        side = 0 if contact.first == body else 1
+        if case.type in TRACKS:
+            table, key = case.drive, TRACKS[case.type][contact.name][side]
+        else:
+            table, key = case.contact[number], ("first", "second")[side]
+        stated, crown = getattr(table, f"{key}_radius", None), getattr(table, f"{key}_crown_radius", None)
+        added = case.load.interference if side == 1 and float(joint.pattern[number]) != 0.0 else None
+        tolerances.append(sum(entry.tolerance for entry in (stated, added) if entry is not None))
+        crowns += [] if crown is None else [float(crown.value)]
+    names = tuple(joint.drive.contacts[number].name for number in contacts)
+    return StatedTrack(radius, max(tolerances), crowns[0] if crowns else None, names)
+
+
+def surface_words(entry: Any) -> str:
+    """What a file says of the surface of a contact, as a drawing states it."""
+    depth, average = entry.mean_roughness_depth, entry.roughness_average
+    if depth is not None:
+        return f"Rz {depth}" + _partner(entry)
+    if average is not None:
+        return f"Ra {_length(average)}" + _partner(entry)
+    for words, quantity in (("Rq", entry.rms_height), ("decay length", entry.decay_length)):
+        if quantity is not None:
+            return f"{words} {_length(quantity)} of both bodies together"
+    return (
+        f"D {entry.fractal_dimension.value:.4g}, G {format_quantity(entry.fractal_roughness.value, 'm')} "
+        "of both bodies together; no Ra stated"
+    )
+
+
+def _partner(entry: Any) -> str:
+    if entry.partner_mean_roughness_depth is not None:
+        return f", its partner Rz {entry.partner_mean_roughness_depth}"
+    partner = entry.partner_roughness_average
+    return "" if partner is None else f", its partner Ra {_length(partner)}"
+
+
+def _length(quantity: Any) -> str:
+    tolerance = f" ±{1e6 * quantity.tolerance:.3g}" if quantity.tolerance else ""
+    return f"{1e6 * quantity.value:.4g}{tolerance} µm"

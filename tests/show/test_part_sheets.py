@@ -1,0 +1,87 @@
+"""Sheets of parts: one for each kind, everything stated or said not to be, nothing on anything else."""
+
+from itertools import combinations
+
+import pytest
+
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.stated_parts import stated_parts
+from asperity.show.part_sheets import part_sheets
+from asperity.show.sheet import Line, Text
+from asperity.show.taken import text_box
+from asperity.show.title_block import Title
+
+NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025", "planar")
+
+
+@pytest.fixture
+def sheets(planar_case):
+    def draw(name, replaced=None, interference=None):
+        case = planar_case(name, replaced=replaced or {})
+        joint = joint_from_case(case)
+        return part_sheets(
+            joint,
+            name=name,
+            stated=stated_parts(case, joint),
+            title=Title(part="W-100"),
+            interference=interference,
+        )
+
+    return draw
+
+
+def test_one_sheet_for_each_kind(sheets):
+    drawn = sheets("zou2025")
+    assert list(drawn) == ["sun", "planet", "right_loading_roller", "ring"]
+    for number, (sheet, words) in enumerate(
+        zip(drawn.values(), ("sun", "3 × planet", "6 × right and left loading roller", "ring"), strict=True),
+        start=2,
+    ):
+        assert {words, f"{number} of 5", "W-100", "steel", "material steel"} <= set(sheet.texts)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_texts_of_a_part_are_inside_the_frame_and_cover_nothing(sheets, name):
+    for part, sheet in sheets(name, interference=13e-6).items():
+        left, right, low, high = sheet.window
+        margin = 10.0 / sheet.scale
+        texts = [item for item in sheet.items if isinstance(item, Text) and item.text.strip()]
+        boxes = {text: text_box(text, sheet.scale) for text in texts}
+        for text, box in boxes.items():
+            assert left + margin < box.left < box.right < right - margin, (part, text)
+            assert low + margin < text.at[1] < box.high < high - margin, (part, text)
+        in_block = [text for text in texts if text.at[0] * sheet.scale + sheet.origin[0] > 190.0]
+        for one, other in combinations([text for text in texts if text not in in_block], 2):
+            assert not boxes[one].meets(boxes[other]), (part, one, other)
+        lines = [line for line in sheet.items if isinstance(line, Line) and line.style == "outline"]
+        for text in texts:
+            for line in lines:
+                ends = zip(line.points, line.points[1:], strict=False)
+                assert not any(boxes[text].is_crossed_by(*pair) for pair in ends), (part, text)
+
+
+def test_a_part_states_what_the_file_states_and_names_what_it_does_not(sheets):
+    changed = {
+        'planet_radius = "20 mm"': 'planet_radius = "20 mm +- 3 um"\nplanet_length = "14 mm +- 0.1 mm"',
+        '"26 mm"': '"26 mm +- 10 um"',
+    }
+    drawn = sheets("planetary_hollow", changed)
+    planet = drawn["planet"].texts
+    assert {
+        "⌀40.0000 ±0.0060 (IT5)", "bore ⌀26.000 ±0.010 (IT6)", "14.00 ±0.10", "hardness 7.32 GPa, as a pressure",
+        "roundness, runout, edges: not stated",
+    } <= set(planet)  # fmt: skip
+    assert not any(text.startswith(("tolerance", "length:")) for text in planet)
+    sun = drawn["sun"].texts
+    assert {"⌀20", "tolerance of track sp: not stated"} <= set(sun)
+    ring = " ".join(drawn["ring"].texts)
+    assert "⌀99.94, made bore" in ring
+    assert "⌀160" in ring  # 50 mm and a wall of 30 mm
+    assert "interference 30 µm on the radius: all contacts    just touch at ⌀100" in ring
+
+
+def test_tracks_of_a_stepped_roller_are_dimensioned_and_their_distance_is_not_known(sheets):
+    sheet = sheets("stepped_planet")["planet"]
+    assert {"⌀40", "⌀36"} <= set(sheet.texts)
+    assert [dimension.items[-1].text for dimension in sheet.dimensions].count("10") == 2
+    assert "distance between the tracks along the axis: not" in sheet.texts
