@@ -1,4 +1,4 @@
-"""Rz over Ra of normally distributed heights, simulated: what the fits of asperity.surface.peak_to_valley are made of.
+"""Rz over Ra of normally distributed heights, simulated: source of the fits of asperity.surface.roughness_average.
 
     python benchmarks/roughness_depth.py [--profiles 200]
 
@@ -10,7 +10,7 @@ import argparse
 
 import numpy as np
 
-from asperity.surface.peak_to_valley import depth_over_average, scatter_of_depth
+from asperity.surface.roughness_average import depth_over_average, scatter_of_depth
 
 #: Ratio of the cut-offs -> a long-wave cut-off of the standard with this ratio [m].
 CUT_OFFS = {32: 0.08e-3, 100: 0.25e-3, 320: 0.8e-3}

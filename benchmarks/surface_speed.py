@@ -23,7 +23,6 @@ def main() -> None:
     from asperity.surface import synthesis
     from asperity.surface.fractal_fit import fractal_fit
     from asperity.surface.structure_function import logarithmic_lags, structure_functions
-    from asperity.surface.weierstrass import weierstrass_mandelbrot_surface
 
     random = np.random.default_rng(0)
     fractal = {"spacing": 1e-7, "fractal_dimension": 1.4}
@@ -50,22 +49,6 @@ def main() -> None:
         f"structure functions of its rows      "
         f"{best(lambda: structure_functions(profiles=surface, lags=lags), 2):.2f} s"
     )
-    x = np.arange(4096) * 1e-7
-    phases = random.uniform(0, 2 * np.pi, (10, 19))
-
-    def weierstrass():
-        return weierstrass_mandelbrot_surface(
-            position_x=x,
-            position_y=x,
-            profile_length=4096e-7,
-            fractal_dimension=1.4,
-            fractal_roughness=1e-10,
-            frequency_ratio=1.5,
-            phases=phases,
-            lowest_index=0,
-        ).block_until_ready()
-
-    print(f"Weierstrass-Mandelbrot map 4096^2    {best(weierstrass, 2):.2f} s")
 
 
 if __name__ == "__main__":

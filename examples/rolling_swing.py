@@ -1,4 +1,4 @@
-"""Table of :mod:`asperity.contact.rolling_swing`: drift of a line contact that rolls to and fro under a constant force.
+"""Table of :mod:`asperity.contact.rolling_in`: drift of a line contact that rolls to and fro under a constant force.
 
 Run it: ``python examples/rolling_swing.py`` (about two minutes). Lengths are over the half-width, forces over friction.
 The drift is that of the last of many swings, per distance rolled, over Carter's.
@@ -7,7 +7,7 @@ The drift is that of the last of many swings, per distance rolled, over Carter's
 import numpy as np
 
 from asperity.bem import ElasticPair, FreeHalfSpace, transient_rolling
-from asperity.contact.rolling_swing import SLIP_RATIOS, STROKES
+from asperity.contact.rolling_in import SLIP_RATIOS, STROKES
 from asperity.precision import use_compilation_cache, use_double_precision
 
 CELLS, STEPS = 200, 2000

@@ -50,18 +50,10 @@ _RUN_FAST: Choices = (
 
 
 class Program:
-    """A function of modules of numbers that is compiled, or about to be.
+    """A function of modules of numbers that is compiled, or about to be: the request, and what XLA makes or made of it.
 
-    Parameters
-    ----------
-    request : Request
-        What is compiled.
-    compiled : Future
-        What XLA makes of it, or made of it in an earlier process: a function of the list of the leaves.
-    results : object
-        What it returns, each leaf with its ``shape`` and ``dtype``.
-    traced : object, optional
-        What XLA is given; None if this process has not traced it.
+    ``compiled`` is a function of the list of the leaves; ``results`` what it returns, each leaf with its ``shape`` and
+    ``dtype``; ``traced`` what XLA is given, None if this process has not traced it.
     """
 
     def __init__(
@@ -117,23 +109,11 @@ def called_programs() -> Iterator[set[Program]]:
 def compile_fast(function: Callable[..., Any], *arguments: Any, options: tuple[Any, ...] = ()) -> Program:
     """Compile a function quickly, for one use or a few; XLA's part goes on after this returns.
 
-    Parameters
-    ----------
-    function : callable
-        A pure function of modules of numbers. Its program is kept between runs only if it is a function of a module
-        of this package, known by its name; a closure is compiled anew in every process.
-    *arguments
-        Modules whose leaves are arrays of the shapes that the function will be called with, or know these shapes as the
-        ``results`` of another program do.
-    options : tuple, optional
-        Leading arguments that select what to compute and are not numbers: texts and tuples of texts, which their
-        ``repr`` identifies completely.
-
-    Returns
-    -------
-    Program
-        The function without the options, for arguments of the same structure and shapes; the same object on a
-        repeated call.
+    The pure function of modules of numbers is kept between runs only if it is a function of a module of this package,
+    known by its name; a closure is compiled anew in every process. ``arguments`` have leaves of the shapes that the
+    function will be called with, or know these shapes as the ``results`` of another program do. ``options`` are its
+    leading arguments that select what to compute and are not numbers: texts and tuples of texts, which their ``repr``
+    identifies completely. The program is the function without them; the same object on a repeated call.
     """
     leaves, structure = jax.tree.flatten(arguments)
     return _compiled(function, options, structure, tuple(map(_kind, leaves)))

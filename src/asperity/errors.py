@@ -19,21 +19,11 @@ RUNNING: ContextVar[str] = ContextVar("RUNNING", default="this function")
 
 
 def printable(text: str) -> str:
-    r"""Text in which every character that a terminal could obey is written as its escape sequence.
+    r"""Text in which every character that a terminal could obey is written as its escape sequence, safe to print.
 
     Control characters (also those of C1), marks that change the direction of writing, invisible characters and lone
     surrogates become ``\x1b``, ``\u202e`` and the like. A line break stays where two spaces follow it, which is how
     messages list several errors.
-
-    Parameters
-    ----------
-    text : str
-        Any text, for instance a value of a user's file.
-
-    Returns
-    -------
-    str
-        Text that is safe to print.
 
     Examples
     --------
@@ -52,18 +42,7 @@ def _escaped(letter: str) -> str:
 
 
 def quoted(value: object) -> str:
-    """A value of a file as it may stand in a message: in quotes if it is text, and shortened if it is long.
-
-    Parameters
-    ----------
-    value : object
-        What the file contains.
-
-    Returns
-    -------
-    str
-        At most :data:`LONGEST_QUOTE` characters and an ellipsis.
-    """
+    """A value of a file as a message quotes it: text in quotes, of at most :data:`LONGEST_QUOTE` characters."""
     try:
         text = repr(value)
     except RecursionError:
@@ -98,20 +77,10 @@ def nearest(name: str, known: Iterable[str]) -> str:
 
 
 def listed(sentences: Sequence[str], *, more: int = 0) -> str:
-    """Errors of one file as one text.
+    """Errors of one file, at least one, as one text: the sentence, or the number of errors and the first ones.
 
-    Parameters
-    ----------
-    sentences : sequence of str
-        At least one.
-    more : int, optional
-        Errors besides these.
-
-    Returns
-    -------
-    str
-        One sentence, or the number of errors and the first :data:`MOST_ERRORS` of them on a line each; a sentence is
-        shortened if it is long, as the name of a key may be as long as the file.
+    They are the first :data:`MOST_ERRORS`, on a line each; a sentence is shortened if it is long, as the name of a key
+    may be as long as the file. ``more`` is the number of errors besides these.
     """
     told = [_shortened(sentence) for sentence in sentences[:MOST_ERRORS]]
     count = len(sentences) + more
@@ -132,12 +101,8 @@ def _shortened(sentence: str) -> str:
 class AsperityError(Exception):
     """Base of every error that asperity raises on purpose; its message is :func:`printable`.
 
-    Parameters
-    ----------
-    message : str
-        What is wrong, and what to do, in words that also fit a call from Python.
-    options : sequence of str, optional
-        Options of the command line that do it, without their dashes; only the command line names them.
+    The message says what is wrong, and what to do, in words that also fit a call from Python; ``options`` of the
+    command line do it, without their dashes, and only the command line names them.
     """
 
     exit_code = 1

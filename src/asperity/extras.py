@@ -14,28 +14,10 @@ from asperity.errors import MissingExtraError
 
 
 def optional_module(name: str, *, extra: str, needs: str, otherwise: str = "") -> ModuleType:
-    """Import a module of an optional package.
+    """A module of an optional package, or a ``MissingExtraError`` with the command that installs it.
 
-    Parameters
-    ----------
-    name : str
-        The module.
-    extra : str
-        Group of ``pyproject.toml`` that brings it.
-    needs : str
-        What needs it, with the verb: "a PDF needs".
-    otherwise : str
-        What is possible without it; nothing if empty.
-
-    Returns
-    -------
-    module
-        Imported.
-
-    Raises
-    ------
-    MissingExtraError
-        If it is not installed, with the command that installs it.
+    ``extra`` is the group of ``pyproject.toml`` that brings it; ``needs`` says what needs it, with the verb: "a PDF
+    needs"; ``otherwise`` what is possible without it.
     """
     try:
         return importlib.import_module(name)

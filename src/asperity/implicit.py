@@ -80,23 +80,10 @@ def implicit_root(
 
 
 def settled_root(change: Callable[[Array], Array], start: Array) -> Array:
-    """Numbers that a function gives back, found by repetition, with implicit derivatives.
+    """Numbers above 0 that a function gives back, by repetition; derivatives of the implicit function theorem.
 
-    Parameters
-    ----------
-    change : callable
-        What the function adds to numbers of the shape of the start, above 0.
-    start : Array
-        Where the repetition begins.
-
-    Returns
-    -------
-    Array
-        After 20 rounds at the latest; whether the change is small there, :data:`SETTLED`, is for the caller to check.
-
-    References
-    ----------
-    The implicit function theorem.
+    ``change`` is what the function adds to numbers of the shape of the start. After 20 rounds at the latest; whether
+    the change is small there, :data:`SETTLED`, is for the caller to check.
     """
     return implicit_root(change, start, _repeated, _solved)
 

@@ -49,18 +49,10 @@ _PLAIN = (str, int, float, bool, type(None))
 
 @dataclasses.dataclass(frozen=True)
 class Request:
-    """What is compiled.
+    """What is compiled: a pure function of modules of numbers, and its leading ``options`` that are not numbers.
 
-    Parameters
-    ----------
-    function : callable
-        A pure function of modules of numbers.
-    options : tuple
-        Its leading arguments that are not numbers, which their ``repr`` identifies completely.
-    structure : PyTreeDef
-        Structure of its other arguments.
-    kinds : tuple
-        Shape and type of each leaf of these.
+    Their ``repr`` identifies the options completely. ``structure`` is that of the other arguments, ``kinds`` the shape
+    and type of each of their leaves.
     """
 
     function: Callable[..., Any]

@@ -16,24 +16,11 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.arrays import namespace
+from asperity.types import namespace
 
 
 def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
-    """Product of a small matrix and a vector, as a part of the program around it instead of a call of its own.
-
-    Parameters
-    ----------
-    matrix : array_like
-        Shape (..., m, n).
-    vector : array_like
-        Shape (..., n).
-
-    Returns
-    -------
-    Array
-        Shape (..., m).
-    """
+    """Product of matrix (..., m, n) and vector (..., n), in the program around it instead of a call of its own."""
     xp = namespace(matrix, vector)
     result: Array = (xp.asarray(matrix) * xp.asarray(vector)[..., None, :]).sum(axis=-1)
     return result
@@ -41,23 +28,9 @@ def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
 
 @jax.jit  # traced once for each size
 def solve(matrix: Array, right_side: Array) -> Array:
-    r"""Solve :math:`A x = b` by Gauss-Jordan elimination with partial pivoting.
+    """The x, shape (n,), of :math:`A x = b` by Gauss-Jordan elimination with partial pivoting.
 
-    Parameters
-    ----------
-    matrix : Array
-        A, shape (n, n).
-    right_side : Array
-        b, shape (n,).
-
-    Returns
-    -------
-    Array
-        x, shape (n,); not finite where A is singular.
-
-    Notes
-    -----
-    Derivatives are those of the equation, not of the elimination.
+    Not finite where A is singular. Derivatives are those of the equation, not of the elimination.
     """
     return solve_with(lambda x: product(matrix, x), jax.lax.stop_gradient(matrix), right_side)
 
@@ -91,19 +64,9 @@ def _batch_in_turn(size: int, batched: list[bool], matrix: Array, right_side: Ar
 
 
 def least_squares(matrix: Array, right_side: Array) -> Array:
-    r"""The x that makes :math:`|A x - b|` smallest, by the normal equations, refined once.
+    """The x, shape (n,), that makes :math:`|A x - b|` smallest, by the normal equations, refined once.
 
-    Parameters
-    ----------
-    matrix : Array
-        A, shape (m, n), of rank n.
-    right_side : Array
-        b, shape (m,).
-
-    Returns
-    -------
-    Array
-        x, shape (n,); where A has a smaller rank not finite, or with NumPy's numbers the shortest of all.
+    Where A, shape (m, n), has a rank below n it is not finite, or with NumPy's numbers the shortest of all.
     """
     if namespace(matrix, right_side) is np:
         shortest: Array = namespace(matrix).linalg.lstsq(matrix, right_side, rcond=None)[0]

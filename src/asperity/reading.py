@@ -83,26 +83,10 @@ def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "")
 
 
 def read_text(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "") -> str:
-    """The text of a regular file in UTF-8, without a byte order mark.
+    """Text of a regular file of at most ``largest`` bytes in UTF-8, without a byte order mark.
 
-    Parameters
-    ----------
-    path : str or Path
-        File name.
-    largest : int, optional
-        Largest allowed size [byte].
-    hint : str, optional
-        What to do if there is no such file.
-
-    Returns
-    -------
-    str
-        All of it.
-
-    Raises
-    ------
-    InputError
-        As :func:`read_bytes`, or if it is not text in UTF-8.
+    An ``InputError`` as by :func:`read_bytes`, with the ``hint`` if there is no such file, or if it is not text in
+    UTF-8.
     """
     try:
         return read_bytes(path, largest=largest, hint=hint).decode("utf-8-sig")
@@ -126,25 +110,10 @@ def open_text(path: str | Path) -> Iterator[TextIO]:
 
 
 def parse_toml(text: str, *, source: str) -> dict[str, Any]:
-    """Tables of a TOML text.
+    """Nested tables of a TOML text from a file called ``source``.
 
-    Parameters
-    ----------
-    text : str
-        TOML.
-    source : str
-        Name of the file, for messages.
-
-    Returns
-    -------
-    dict
-        Nested tables.
-
-    Raises
-    ------
-    InputError
-        If it is not valid TOML, a key has more than :data:`MOST_KEY_PARTS` parts, or it is nested deeper than
-        :data:`MOST_LEVELS`.
+    An ``InputError`` if it is not valid TOML, a key has more than :data:`MOST_KEY_PARTS` parts, or it is nested deeper
+    than :data:`MOST_LEVELS`.
     """
     for token in _TOKEN.finditer(text):
         if token.lastgroup:
@@ -163,25 +132,7 @@ def parse_toml(text: str, *, source: str) -> dict[str, Any]:
 
 
 def read_toml(path: str | Path, *, largest: int = LARGEST_FILE) -> dict[str, Any]:
-    """Tables of a TOML file.
-
-    Parameters
-    ----------
-    path : str or Path
-        File name.
-    largest : int, optional
-        Largest allowed size [byte].
-
-    Returns
-    -------
-    dict
-        Nested tables.
-
-    Raises
-    ------
-    InputError
-        As :func:`read_text` and :func:`parse_toml`.
-    """
+    """Nested tables of a TOML file; an ``InputError`` as by :func:`read_text` and :func:`parse_toml`."""
     return parse_toml(read_text(path, largest=largest), source=str(path))
 
 

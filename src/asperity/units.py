@@ -144,29 +144,14 @@ def _exact(number: str) -> tuple[int, int]:
 
 
 def parse_quantity(text: object, dimension: Dimension, *, example: str | None = None) -> float:
-    """Value of a quantity in SI units (radians for angles).
+    """Value of a quantity in SI units (radians for angles) from a text such as ``"13.5 mm"``.
 
-    Parameters
-    ----------
-    text : str
-        Number and unit, such as ``"13.5 mm"``. A number by itself, as text or as int or float, is accepted
-        for :attr:`Dimension.DIMENSIONLESS` only.
-    dimension : Dimension
-        Dimension that the quantity must have.
-    example : str, optional
-        What to quote in messages; the example of the dimension by default.
+    A number by itself, as text or as int or float, is accepted for :attr:`Dimension.DIMENSIONLESS` only. The value is
+    the double nearest to the exact one where pi is not involved, within a few units in the last place otherwise;
+    temperatures are in degrees Celsius. Messages quote ``example``, by default that of the dimension.
 
-    Returns
-    -------
-    float
-        The value in ``dimension.si_unit``: the double nearest to the exact value where pi is not involved,
-        within a few units in the last place otherwise. Temperatures are in degrees Celsius.
-
-    Raises
-    ------
-    InputError
-        If the text is not a quantity, its unit is unknown, missing or of another dimension, or the value is not a
-        finite double.
+    An ``InputError`` if the text is not a quantity, its unit is unknown, missing or of another dimension, or the value
+    is not a finite double.
 
     Examples
     --------
@@ -244,24 +229,9 @@ def parse_tolerance(text: object, dimension: Dimension, *, example: str | None =
 
 
 def from_si(value_si: float, unit: str) -> float:
-    """Value in the given unit of a quantity known in SI units.
+    """Value in a unit such as ``"N*m/arcmin"`` of a quantity known in SI units (radians for angles).
 
-    Parameters
-    ----------
-    value_si : float
-        The value in SI units (radians for angles).
-    unit : str
-        The unit wanted, such as ``"N*m/arcmin"``.
-
-    Returns
-    -------
-    float
-        The value in that unit.
-
-    Raises
-    ------
-    InputError
-        If the unit is unknown or malformed.
+    An ``InputError`` if the unit is unknown or malformed.
 
     Examples
     --------
@@ -278,29 +248,10 @@ def from_si(value_si: float, unit: str) -> float:
 
 
 def format_quantity(value_si: float, unit: str, digits: int = 4) -> str:
-    """Text of a quantity for display, in the given unit.
+    """Text of a quantity in SI units (radians for angles) for display, in the given unit, ``"1"`` for a bare number.
 
-    Numbers from 0.001 to a million are written as decimals, others with a power of ten; digits before the decimal
-    point are never rounded. Nan and infinities are shown as such.
-
-    Parameters
-    ----------
-    value_si : float
-        The value in SI units (radians for angles).
-    unit : str
-        The unit to show, such as ``"N*m/arcmin"``; ``"1"`` for a dimensionless number.
-    digits : int
-        Significant digits.
-
-    Returns
-    -------
-    str
-        Number and unit.
-
-    Raises
-    ------
-    InputError
-        If the unit is unknown or malformed.
+    Numbers from 0.001 to a million are written as decimals, others with a power of ten; digits before the decimal point
+    are never rounded. Nan and infinities are shown as such. An ``InputError`` if the unit is unknown or malformed.
 
     Examples
     --------

@@ -42,20 +42,7 @@ def check_folder(path: str | Path | None) -> None:
 
 
 def check_file(path: str | Path | None, *inputs: str | Path) -> None:
-    """Raise unless a file can be written here.
-
-    Parameters
-    ----------
-    path : str, Path or None
-        Name of the file; None if nothing is to be written.
-    *inputs : str or Path
-        Files that are read and must not be overwritten.
-
-    Raises
-    ------
-    InputError
-        If it is an input or not a regular file, or as :func:`check_folder`.
-    """
+    """Raise an ``InputError`` unless a file, None for none, can be written here and is not one of the input files."""
     if path is not None and Path(path).exists():
         if not Path(path).is_file():
             raise InputError(f"{path}: this exists and is not a regular file; give another name")
@@ -73,22 +60,9 @@ def check_image(path: str | Path | None) -> None:
 
 @contextmanager
 def replacing(path: str | Path) -> Iterator[Path]:
-    """A temporary file that replaces a file in one step when it is complete, and is deleted otherwise.
+    """A temporary file that replaces a file in one step when it is complete, and is deleted otherwise; the same ending.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-
-    Yields
-    ------
-    Path
-        Where to write; the same ending.
-
-    Raises
-    ------
-    InputError
-        As :func:`check_file`, or if the system refuses.
+    An ``InputError`` as by :func:`check_file`, or if the system refuses.
     """
     check_file(path)
     file = Path(path).resolve()
@@ -103,38 +77,15 @@ def replacing(path: str | Path) -> Iterator[Path]:
 
 
 def write_text(text: str, path: str | Path) -> None:
-    """Write a text file in UTF-8; line ends are not changed.
-
-    Parameters
-    ----------
-    text : str
-        The content.
-    path : str or Path
-        File name.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written.
-    """
+    """Write a text file in UTF-8; line ends are not changed. An ``InputError`` if it cannot be written."""
     with replacing(path) as part:
         part.write_text(text, encoding="utf-8", newline="")
 
 
 def write_image(figure: Figure, path: str | Path) -> None:
-    """Write an image; the same figure makes the same file.
+    """Write an image with an ending of :data:`IMAGE_SUFFIXES`; the same figure makes the same file.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        The figure.
-    path : str or Path
-        File name with one of :data:`IMAGE_SUFFIXES`.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written.
+    An ``InputError`` if it cannot be written.
     """
     from matplotlib import rc_context
 

@@ -8,7 +8,7 @@ import pytest
 def test_an_entry_of_the_table(load_example, monkeypatch):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     example = load_example("rolling_swing")
-    from asperity.contact.rolling_swing import SLIP_RATIOS, STROKES, swing_drift_share
+    from asperity.contact.rolling_in import SLIP_RATIOS, STROKES, swing_drift_share
 
     row, column = 5, 8
     q, stroke = SLIP_RATIOS[row], STROKES[column] * (1.0 - SLIP_RATIOS[row])

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from asperity.export.elements import fitted_elements
+from asperity.export.content import fitted_elements
 from asperity.export.mjcf import mjcf_file
 from asperity.joint.play import NO_PLAY
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from asperity.errors import InputError
-from asperity.export.elements import fitted_elements
+from asperity.export.content import fitted_elements
 from asperity.export.modelica import modelica_file, package_name
 
 RATE = 1.7e-4  # rad/s

@@ -9,7 +9,7 @@ from asperity.joint_file.finish_in_surface import dimension_text, fill_in_finish
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.library import read_finishes
-from asperity.surface.peak_to_valley import depth_over_average
+from asperity.surface.roughness_average import depth_over_average
 
 
 @pytest.fixture(scope="module")

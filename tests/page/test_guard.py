@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from asperity.page.guard import SECURITY_HEADERS, Guard
+from asperity.page.guard import SECURITY_HEADERS, Guard, errors_by_key
 
 HOST = "127.0.0.1:8642"
 
@@ -164,3 +164,13 @@ def test_web_sockets_are_closed(guard):
 
     asyncio.run(run())
     assert sent == [{"type": "websocket.close", "code": 1008}]
+
+
+def test_messages_are_found_by_key():
+    message = "a.toml: 2 errors\n  load.preload: bad\n  bodies.sun, bodies.ring: there is no material 'x'"
+    assert errors_by_key(message, source="a.toml") == {
+        "load.preload": "bad",
+        "bodies.sun": "there is no material 'x'",
+        "bodies.ring": "there is no material 'x'",
+    }
+    assert errors_by_key("the output torque is too large: lower it", source="a.toml") == {}

@@ -16,8 +16,8 @@ from asperity.errors import AsperityError
 from asperity.page import jobs as jobs_module
 from asperity.page import work_routes as work_routes_module
 from asperity.page.computation import Computations
+from asperity.page.guard import problem
 from asperity.page.jobs import Jobs
-from asperity.page.problems import problem
 from asperity.page.upload import Measurements, recognised
 from asperity.page.work_routes import work_routes
 

@@ -40,7 +40,6 @@ def exact():
             profiles=1,
             points=points,
             spacing=0.5e-6,
-            differenced=True,
             rows_of_a_map=False,
         )
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.surface.input_file import MEBIBYTE
+from asperity.surface.file_formats import MEBIBYTE
 from asperity.surface.measure_files import read_surface
 
 HEIGHTS = 1e-7 * np.arange(48.0)

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.contact.rough_contact import RoughContact
+from asperity.contact.interface import RoughContact
 from asperity.drive.wedge.geometry import triangle
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case

@@ -6,25 +6,16 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax.typing import ArrayLike
 
-from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace
+from asperity.bem.half_space import field_on_grid
 from asperity.bem.normal_contact import NormalContact, normal_contact
 from asperity.bem.steady_rolling import SteadyRolling, steady_rolling
 from asperity.errors import NoSolutionError
 
 
 class CoupledSteadyRolling(eqx.Module):
-    """Steady rolling with its pressure.
-
-    Parameters
-    ----------
-    rolling : SteadyRolling
-        Tangential state.
-    contact : NormalContact
-        Normal state under that traction.
-    alternations : int
-        Number of alternating solutions of the two problems.
-    """
+    """Steady rolling with its pressure: both states, each under the other's, after so many alternating solutions."""
 
     rolling: SteadyRolling
     contact: NormalContact

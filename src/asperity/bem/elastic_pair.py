@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 import equinox as eqx
 from jax import Array
 
-from asperity.bem.checks import inside, positive
+from asperity.errors import InputError
 from asperity.materials import contact_modulus, shear_modulus
 from asperity.types import Real
 
@@ -57,24 +59,10 @@ class ElasticPair(eqx.Module):
 def elastic_pair(
     *, youngs_modulus_1: float, youngs_modulus_2: float, poisson_ratio_1: float, poisson_ratio_2: float
 ) -> ElasticPair:
-    """The pair of two isotropic bodies.
+    """The pair of two isotropic bodies, from Young's moduli [Pa], infinite for a rigid body, and Poisson's ratios [-].
 
-    Parameters
-    ----------
-    youngs_modulus_1, youngs_modulus_2 : float
-        Young's moduli [Pa], positive; ``float("inf")`` is a rigid body.
-    poisson_ratio_1, poisson_ratio_2 : float
-        Poisson's ratios [-], above -1 and at most 0.5.
-
-    Returns
-    -------
-    ElasticPair
-        Their common constants.
-
-    Raises
-    ------
-    InputError
-        For a modulus that is not positive, a ratio outside its range, or two rigid bodies.
+    An ``InputError`` for a modulus that is not positive, a ratio outside -1 to 0.5 (0.5 is allowed), or two rigid
+    bodies.
 
     Examples
     --------
@@ -97,3 +85,20 @@ def elastic_pair(
         antiplane_modulus=1.0 / (1.0 / G1 + 1.0 / G2),
         dundurs_constant=0.25 * E * ((1.0 - 2.0 * nu1) / G1 - (1.0 - 2.0 * nu2) / G2),
     )
+
+
+def positive(name: str, value: float, unit: str, *, infinite: bool = False) -> float:
+    """The value as a float; an ``InputError`` unless it is positive, and finite too unless ``infinite``."""
+    number = float(value)
+    if not number > 0.0 or (math.isinf(number) and not infinite):
+        kind = "positive" if infinite else "positive and finite"
+        raise InputError(f"{name} = {number:g} {unit}: it must be {kind}")
+    return number
+
+
+def inside(name: str, value: float, low: float, high: float) -> float:
+    """The value as a float; an ``InputError`` unless low < value <= high."""
+    number = float(value)
+    if not low < number <= high:
+        raise InputError(f"{name} = {number:g}: it must lie above {low:g} and be at most {high:g}")
+    return number

@@ -11,9 +11,8 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.bem.checks import grid, positive
-from asperity.bem.elastic_pair import ElasticPair
-from asperity.bem.half_space import HalfSpace, filtered, mixed, wavenumber_magnitude
+from asperity.bem.elastic_pair import ElasticPair, positive
+from asperity.bem.half_space import HalfSpace, filtered, grid, mixed, wavenumber_magnitude
 from asperity.errors import InputError
 from asperity.precision import require_double_precision
 
@@ -62,34 +61,16 @@ def _window_inverse(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array
 
 
 class FreeHalfSpace(HalfSpace):
-    r"""Half-spaces that carry traction only inside the grid's window and are free elsewhere.
+    """Half-spaces of a pair that carry traction only inside the grid's window and are free elsewhere.
 
-    With two axes displacements are relative to infinity. With one axis the grid is a strip in plane strain,
-    where displacement grows without bound; it is then relative to ``reference_distance``.
+    ``shape``: points along each axis; ``pixel_size``: their spacing [m]. With two axes displacements are relative to
+    infinity. With one axis the grid is a strip in plane strain, where displacement grows without bound: there, and only
+    there, a ``reference_distance`` [m] from a load is required, at which the displacement is taken as zero. The
+    convolution with the pixels' influence coefficients is exact (no periodic images) as the transforms run on twice the
+    window along each axis.
 
-    Parameters
-    ----------
-    pair : ElasticPair
-        The two bodies.
-    shape : tuple of int
-        Points along each axis.
-    pixel_size : tuple of float
-        Spacing along each axis [m].
-    reference_distance : float, optional
-        Only on a strip, and required there: distance from a load at which the displacement is taken as zero
-        [m].
-
-    Raises
-    ------
-    InputError
-        If shape and pixel size do not describe a grid, or the reference distance is missing or not applicable.
-    PrecisionError
-        If JAX computes in single precision.
-
-    Notes
-    -----
-    The convolution with the pixels' influence coefficients is exact (no periodic images) as the transforms
-    run on twice the window along each axis.
+    An ``InputError`` for what is no grid, or a reference distance that is missing or not applicable; a
+    ``PrecisionError`` if JAX computes in single precision.
 
     References
     ----------
@@ -228,27 +209,15 @@ def shear_patch(pair: ElasticPair, xx: Array, yy: Array, xy: Array) -> tuple[Arr
 
 
 def strip_integral(x: Array, *, pixel_size: Array, reference_distance: Array) -> Array:
-    r"""Integral of :math:`\frac1\pi\ln(d/|x - s|)` over the pixel centred at s = 0.
+    r"""Integral [m] of :math:`\frac1\pi\ln(d/|x - s|)` over the pixel centred at s = 0, of width ``pixel_size`` [m].
 
-    Parameters
-    ----------
-    x : array
-        Distances between pixel centres [m].
-    pixel_size : array, scalar
-        Width of the pixel [m].
-    reference_distance : array, scalar
-        Distance d at which the displacement is taken as zero [m].
-
-    Returns
-    -------
-    array
-        The integral [m]; times 2/E it is the displacement along the normal or across the strip, times 1/G the
-        displacement along the strip, per traction.
+    x: distances between pixel centres [m]; d: distance at which the displacement is taken as zero [m]. Times 2/E it is
+    the displacement along the normal or across the strip, times 1/G the displacement along the strip, per traction.
 
     References
     ----------
-    K. L. Johnson, Contact Mechanics, 1985, section 2.3 (an infinite strip has no displacement at infinity to
-    refer to, so a distance has to be chosen).
+    K. L. Johnson, Contact Mechanics, 1985, section 2.3 (an infinite strip has no displacement at infinity to refer to,
+    so a distance has to be chosen).
     """
 
     def primitive(s: Array) -> Array:

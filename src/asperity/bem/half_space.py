@@ -18,10 +18,12 @@ import math
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
+from jax.typing import ArrayLike
 
-from asperity.bem.checks import grid
-from asperity.bem.elastic_pair import ElasticPair
+from asperity.bem.elastic_pair import ElasticPair, positive
+from asperity.errors import InputError
 from asperity.precision import require_double_precision
 
 
@@ -38,21 +40,10 @@ def filtered(field: Array, symbol: Array) -> Array:
 
 
 def mixed(field: Array, symbols: Array, shape: tuple[int, ...]) -> Array:
-    """Filter the two components of a vector field by a symmetric 2 x 2 symbol (xx, yy, xy).
+    r"""A vector field, shape (2, \*grid), filtered by a symmetric 2 x 2 symbol: xx, yy and, on grids with two axes, xy.
 
-    Parameters
-    ----------
-    field : array, shape (2, *grid)
-        Vector field on the grid, zero-padded here if ``shape`` is larger.
-    symbols : array, shape (3, *half-spectrum) or (2, *half-spectrum)
-        xx, yy and, on grids with two axes, xy.
-    shape : tuple of int
-        Grid on which the symbols live.
-
-    Returns
-    -------
-    array, shape of ``field``
-        The filtered field.
+    ``shape`` is the grid on which the symbols, shape (3 or 2, \*half-spectrum), live; the field is padded with zeros to
+    it.
     """
     axes = tuple(range(1, field.ndim))
     waves = jnp.fft.rfftn(field, s=shape, axes=axes)
@@ -195,30 +186,16 @@ def _periodic_operators(
 
 
 class PeriodicHalfSpace(HalfSpace):
-    r"""Half-spaces whose surface repeats with the period of the grid.
+    """Half-spaces of a pair whose surface repeats with the period of the grid.
 
-    Displacements are relative to the mean plane of the surface: a uniform traction causes no displacement.
-
-    Parameters
-    ----------
-    pair : ElasticPair
-        The two bodies.
-    shape : tuple of int
-        Points along each axis; one axis is a strip in plane strain with x across it and y along it.
-    pixel_size : tuple of float
-        Spacing along each axis [m].
-
-    Raises
-    ------
-    InputError
-        If shape and pixel size do not describe a grid.
-    PrecisionError
-        If JAX computes in single precision.
+    ``shape``: points along each axis; one axis is a strip in plane strain with x across it and y along it.
+    ``pixel_size``: spacing along each axis [m]. Displacements are relative to the mean plane of the surface: a uniform
+    traction causes no displacement. An ``InputError`` for what is no grid, a ``PrecisionError`` if JAX computes in
+    single precision.
 
     References
     ----------
-    H. M. Stanley and T. Kato, J. Tribol. 119 (1997) 481; K. L. Johnson, Contact Mechanics, 1985, section
-    13.2.
+    H. M. Stanley and T. Kato, J. Tribol. 119 (1997) 481; K. L. Johnson, Contact Mechanics, 1985, section 13.2.
     """
 
     pair: ElasticPair
@@ -255,3 +232,26 @@ class PeriodicHalfSpace(HalfSpace):
     def traction_estimate(self, displacement: Array) -> Array:
         """See :class:`HalfSpace`."""
         return weighted_neighbours(displacement, self._neighbours)
+
+
+def field_on_grid(name: str, field: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
+    """The field as a double-precision array; an ``InputError`` if it does not fit the grid or a value is not finite."""
+    array = np.asarray(field, dtype=np.float64)
+    if array.shape != shape:
+        raise InputError(f"{name} has shape {array.shape}: the grid of the half-space has {shape}")
+    bad = int(np.size(array) - np.count_nonzero(np.isfinite(array)))
+    if bad:
+        raise InputError(f"{name} has {bad} of {array.size} values that are not finite numbers")
+    return array
+
+
+def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> tuple[tuple[int, ...], Array]:
+    """Points and spacing [m] of a grid of one axis (a strip, plane strain) or two; an ``InputError`` for any other."""
+    points = tuple(int(n) for n in shape)
+    spacing = tuple(positive("pixel_size", d, "m") for d in pixel_size)
+    if len(points) not in (1, 2) or len(points) != len(spacing) or min(points) < 2:
+        raise InputError(
+            f"shape {points} with pixel_size of {len(spacing)} values: a grid has one or two axes, at least "
+            "2 points along each and one pixel size per axis"
+        )
+    return points, jnp.asarray(spacing, dtype=jnp.float64)

@@ -8,8 +8,8 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.bem.bounded_problem import BoundedSolution, bounded_solution
-from asperity.bem.checks import field_on_grid, positive
-from asperity.bem.half_space import HalfSpace
+from asperity.bem.elastic_pair import positive
+from asperity.bem.half_space import HalfSpace, field_on_grid
 from asperity.errors import InputError, NoSolutionError
 
 #: Largest relative difference between the sum of the pressure and the load that is accepted.
@@ -17,37 +17,19 @@ _LOAD_TOLERANCE = 1e-9
 
 
 class NormalContact(eqx.Module):
-    r"""A converged normal contact; SI units.
+    """A converged normal contact; fields of the shape of the grid, all else scalars, SI units.
 
-    Parameters
-    ----------
-    half_space : HalfSpace
-        The elastic bodies and the grid.
-    pressure : Array, shape (\*grid)
-        Contact pressure [Pa]; exactly zero outside the contact.
-    displacement : Array, shape (\*grid)
-        Normal displacement of the surface [m], both bodies together.
-    gap : Array, shape (\*grid)
-        Distance of the surfaces [m]; zero in elastic contact, negative by the plastic depth where the
-        hardness limits the pressure.
-    normal_force : Array, scalar
-        Load, the sum of the pressure [N; N/m on a strip].
-    approach : Array, scalar
-        Rigid displacement of the rough body towards the half-space [m], from first contact of its highest
-        point at height zero; relative to infinity, to the reference distance (strip) or to the mean plane
-        (periodic).
-    real_contact_area : Array, scalar
-        Area of the pixels that carry pressure [m^2; m on a strip].
-    contact_fraction : Array, scalar
-        Real over nominal area [-].
-    mean_gap : Array, scalar
-        Mean of the gap over the grid [m].
-    iterations : Array, scalar
-        Conjugate-gradient iterations.
-    residual : Array, scalar
-        Root mean square of the gap inside the contact over the pressure-weighted mean displacement [-].
-    load_balance_error : Array, scalar
-        Relative difference between the sum of the pressure and the prescribed load [-].
+    ``pressure`` [Pa] is exactly zero outside the contact; ``displacement`` of the surface [m], normal, both bodies
+    together; ``gap`` of the surfaces [m], zero in elastic contact, negative by the plastic depth where the hardness
+    limits the pressure, with its ``mean_gap`` over the grid. ``normal_force``: load, the sum of the pressure [N; N/m on
+    a strip]. ``approach``: rigid displacement of the rough body towards the half-space [m], from first contact of its
+    highest point at height zero; relative to infinity, to the reference distance (strip) or to the mean plane
+    (periodic).
+
+    ``real_contact_area``: of the pixels that carry pressure [m^2; m on a strip], and ``contact_fraction``, it over the
+    nominal area [-]. ``iterations`` of conjugate gradients; ``residual``: root mean square of the gap inside the
+    contact over the pressure-weighted mean displacement [-]; ``load_balance_error``: relative difference between the
+    sum of the pressure and the prescribed load [-].
     """
 
     half_space: HalfSpace

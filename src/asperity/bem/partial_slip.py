@@ -10,9 +10,9 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.bem.bounded_problem import BoundedSolution, bounded_solution
-from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace
-from asperity.bem.half_space import HalfSpace
+from asperity.bem.half_space import HalfSpace, field_on_grid
 from asperity.bem.normal_contact import pressure_weighted_displacement, refuse_unconverged
 from asperity.errors import InputError, NoSolutionError
 
@@ -22,29 +22,16 @@ _FORCE_TOLERANCE = 1e-9
 
 
 class PartialSlip(eqx.Module):
-    r"""A converged history of shear, one entry per step; SI units.
+    r"""A converged history of shear, one entry per step, of fields shape (steps, \*grid); SI units.
 
-    Parameters
-    ----------
-    tangential_force : Array, shape (steps,)
-        Tangential force [N; N/m on a strip].
-    displacement : Array, shape (steps,)
-        Rigid tangential displacement of the bodies [m], zero at the start.
-    stick_fraction : Array, shape (steps,)
-        Share of the contact area that sticks (traction below the friction limit) [-].
-    friction_work : Array, shape (steps,)
-        Work dissipated by slip since the start [J; J/m on a strip], from slip and traction point by point.
-    traction : Array, shape (steps, \*grid)
-        Shear traction [Pa].
-    slip : Array, shape (steps, \*grid)
-        Accumulated slip in the contact [m].
-    iterations : Array, shape (steps,)
-        Conjugate-gradient iterations.
-    residual : Array, shape (steps,)
-        Root mean square misfit of displacement where it sticks, over the pressure-weighted displacement at
-        sliding [-].
-    load_balance_error : Array, shape (steps,)
-        Difference between the sum of the traction and the prescribed force over the sliding force [-].
+    ``tangential_force`` [N; N/m on a strip]; rigid tangential ``displacement`` of the bodies [m], zero at the start;
+    ``stick_fraction``: share of the contact area with a traction below the friction limit [-]; ``friction_work``
+    dissipated by slip since the start [J; J/m on a strip], from slip and traction point by point. Fields: shear
+    ``traction`` [Pa], accumulated ``slip`` in the contact [m].
+
+    ``iterations`` of conjugate gradients; ``residual``: root mean square misfit of displacement where it sticks, over
+    the pressure-weighted displacement at sliding [-]; ``load_balance_error``: difference between the sum of the
+    traction and the prescribed force over the sliding force [-].
     """
 
     tangential_force: Array

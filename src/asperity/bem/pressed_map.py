@@ -127,34 +127,14 @@ def pressed_map(
 ) -> PressedMap:
     """Patches of a map of the roughness of both bodies on an elastic half-space, by boundary elements.
 
-    Parameters
-    ----------
-    topography : Topography
-        A levelled map without missing points.
-    rolling : {"x", "y"}
-        Direction in which the contact rolls.
-    hardness : float
-        Largest pressure of the capped states over the contact modulus [-].
-    points : int
-        Most points of a patch along each side; more are averaged.
-    solved : callable
-        Called after each of :data:`STATES` states.
+    The map is levelled and has no missing points; ``rolling``, "x" or "y", is the direction in which the contact rolls;
+    ``hardness`` the largest pressure of the capped states over the contact modulus [-]; ``points`` the most points of a
+    patch along each side, more are averaged. ``solved`` is called after each of :data:`STATES` states. A map that was
+    pressed before comes from the folder of kept programs. Patches are mirrored, which makes them periodic. Their
+    longest waves are those of the patch.
 
-    Returns
-    -------
-    PressedMap
-        From the folder of kept programs if this map was pressed before.
-
-    Raises
-    ------
-    InputError
-        For what is no such map, a hardness outside 1e-3 to 1, or a map that is pressed flat at the smallest load.
-    NoSolutionError
-        If a state does not converge.
-
-    Notes
-    -----
-    Patches are mirrored, which makes them periodic. Their longest waves are those of the patch.
+    An ``InputError`` for what is no such map, a hardness outside 1e-3 to 1, or a map that is pressed flat at the
+    smallest load; a ``NoSolutionError`` if a state does not converge.
     """
     if not 1e-3 <= hardness <= 1.0:
         raise InputError(

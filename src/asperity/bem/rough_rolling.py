@@ -31,18 +31,10 @@ _DECADES = 16.0
 
 
 class RoughPressure(NamedTuple):
-    """Normal contact of rough cylinders, from the leading edge to the trailing one.
+    """Normal contact of rough cylinders, from the leading edge to the trailing one; arrays over the strips.
 
-    Parameters
-    ----------
-    layer_ratio : float
-        s = u_0 R/a^2 [-].
-    position : ndarray
-        Middles of the strips over Hertz's half-width [-].
-    pressure : ndarray
-        Over Hertz's peak [-].
-    compliance : ndarray
-        Displacements per traction of the half-planes, shape (strips, strips) [-].
+    ``layer_ratio``: s = u_0 R/a^2 [-]; ``position`` of the middles over Hertz's half-width [-]; ``pressure`` over
+    Hertz's peak [-]; ``compliance``: displacements per traction of the half-planes, shape (strips, strips) [-].
     """
 
     layer_ratio: float
@@ -52,16 +44,11 @@ class RoughPressure(NamedTuple):
 
 
 class RoughRolling(NamedTuple):
-    """Steady rolling of rough cylinders.
+    """Steady rolling of rough cylinders; arrays over the strips.
 
-    Parameters
-    ----------
-    creepage : float
-        Over that of smooth cylinders at gross slip, mu a/R [-].
-    traction : ndarray
-        Over mu times Hertz's peak pressure [-].
-    shift : ndarray
-        Growth of the asperities' displacement from each strip to the next [-]; the start of a neighbouring state.
+    ``creepage`` over that of smooth cylinders at gross slip, mu a/R [-]; ``traction`` over mu times Hertz's peak
+    pressure [-]; ``shift``: growth of the asperities' displacement from each strip to the next [-], the start of a
+    neighbouring state.
     """
 
     creepage: float

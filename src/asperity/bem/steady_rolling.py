@@ -11,8 +11,9 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace, strip_integral
+from asperity.bem.half_space import field_on_grid
 from asperity.bem.transient_rolling import layer_on_grid
 from asperity.errors import InputError, NoSolutionError
 
@@ -24,24 +25,12 @@ _FRICTION_FACTORS = (np.ones(1), 2.0 ** np.arange(16.0, -1.0, -1.0))
 
 
 class SteadyRolling(eqx.Module):
-    r"""A converged state of steady rolling; SI units, first component in the rolling direction, second across.
+    """A converged state of steady rolling; SI units, first component in the rolling direction, second across.
 
-    Parameters
-    ----------
-    creepage : Array, shape (2,)
-        Growth of the rigid displacement per distance rolled [-].
-    tangential_force : Array, shape (2,)
-        Force per length of the contact [N/m].
-    traction : Array, shape (2, points)
-        Shear traction [Pa].
-    slip : Array, shape (2, points)
-        Slip per distance rolled [-].
-    stick_fraction : Array, scalar
-        Share of the contact that sticks [-].
-    iterations : Array, scalar
-        Newton steps.
-    residual : Array, scalar
-        Largest misfit over the largest traction bound [-].
+    ``creepage``: growth of the rigid displacement per distance rolled, shape (2,) [-]; ``tangential_force`` per length
+    of the contact, shape (2,) [N/m]; shear ``traction`` [Pa] and ``slip`` per distance rolled [-], shape (2, points);
+    ``stick_fraction`` of the contact [-]; ``iterations``: Newton steps; ``residual``: largest misfit over the largest
+    traction bound [-].
     """
 
     creepage: Array

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.bem.checks import positive
+from asperity.bem.elastic_pair import positive
 from asperity.bem.half_space import HalfSpace
 from asperity.errors import InputError, NoSolutionError
 
@@ -22,18 +22,10 @@ _Linear = tuple[Array, Array, Array, Array, Array, Array]
 class ContactStiffness(eqx.Module):
     r"""Force per rigid displacement of a contact area of constant size without slip; SI units.
 
-    Parameters
-    ----------
-    stiffness : Array, scalar
-        Force along the displacement over the displacement [N/m; N/m per metre of length on a strip].
-    cross_stiffness : Array, scalar
-        Force along the other tangential axis over the displacement, same unit; zero for the normal stiffness.
-    traction_rate : Array, shape (\*grid) if normal, (2, \*grid) if tangential
-        Traction per displacement [Pa/m].
-    iterations : Array, scalar
-        Conjugate-gradient iterations.
-    error_estimate : Array, scalar
-        Estimated relative error of the stiffness due to stopping the iteration [-].
+    ``stiffness``: force along the displacement over the displacement, and ``cross_stiffness``: that along the other
+    tangential axis, zero for the normal stiffness [N/m; N/m per metre of length on a strip]. ``traction_rate``:
+    traction per displacement, shape (\*grid) if normal, (2, \*grid) if tangential [Pa/m]. ``iterations`` of conjugate
+    gradients; ``error_estimate``: relative error of the stiffness due to stopping them [-].
     """
 
     stiffness: Array

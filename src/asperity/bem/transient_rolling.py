@@ -8,24 +8,18 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.bem.checks import field_on_grid
 from asperity.bem.free_half_space import FreeHalfSpace
+from asperity.bem.half_space import field_on_grid
 from asperity.bem.partial_slip import PartialSlip, solved_shear
 from asperity.errors import InputError
 
 
 class TransientRolling(eqx.Module):
-    r"""A converged history of rolling, one entry per step; SI units.
+    """A converged history of rolling, one entry per step; SI units.
 
-    Parameters
-    ----------
-    rolled_distance : Array, shape (steps,)
-        Distance that the contact has moved along the first axis since the start [m].
-    creepage : Array, shape (steps,)
-        Growth of the rigid displacement over the distance rolled in the step [-]; not a number for steps
-        at rest.
-    shear : PartialSlip
-        Forces, displacements, tractions, work and convergence.
+    ``rolled_distance`` along the first axis since the start [m]; ``creepage``: growth of the rigid displacement over
+    the distance rolled in the step [-], not a number for steps at rest; ``shear``: forces, displacements, tractions,
+    work and convergence.
     """
 
     rolled_distance: Array

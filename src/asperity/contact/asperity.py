@@ -270,7 +270,7 @@ def elastic_spot_load(
 
     Notes
     -----
-    Valid for areas above the critical area :func:`asperity.contact.fractal.critical_area`. The load per area
+    Valid for areas above the critical area :func:`asperity.contact.population.critical_area`. The load per area
     jumps there from H to about 0.75 H, as in the published law.
 
     References

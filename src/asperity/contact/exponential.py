@@ -13,7 +13,7 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
-from asperity.contact.rough_contact import RoughContact
+from asperity.contact.interface import RoughContact
 from asperity.types import Real
 
 #: Decay length over the rms of the heights. Persson's theory and simulations of self-affine surfaces have 0.4 to 0.5.

@@ -25,8 +25,8 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.asperity import AsperityBase, base_factor, slip_factor
+from asperity.contact.interface import RoughContact
 from asperity.contact.population import log_critical_area, log_domain_extension_factor
-from asperity.contact.rough_contact import RoughContact
 from asperity.types import Real
 
 #: Range of fractal dimensions in which the contact law is verified to rounding, narrower than what it accepts.

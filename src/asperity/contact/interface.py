@@ -1,11 +1,12 @@
-"""A rough contact on elastic bodies: asperities and bulk as springs in series, normally and tangentially."""
+"""The state of a rough contact by any law, and its springs in series with those of the elastic bodies."""
 
 from __future__ import annotations
 
 import equinox as eqx
 import jax.numpy as jnp
+from jax import Array
 
-from asperity.contact.cattaneo_mindlin import partial_slip_compliance
+from asperity.contact.hertz_line import partial_slip_compliance
 from asperity.types import Real
 
 
@@ -125,7 +126,7 @@ def bulk_tangential_stiffness(
     References
     ----------
     K. L. Johnson, Contact Mechanics, 1985, section 2.8;
-    :func:`asperity.contact.cattaneo_mindlin.partial_slip_compliance`.
+    :func:`asperity.contact.hertz_line.partial_slip_compliance`.
     """
     added = partial_slip_compliance(
         logarithmic_compliance=logarithmic_compliance,
@@ -136,3 +137,31 @@ def bulk_tangential_stiffness(
     holds = jnp.isfinite(added) & jnp.isfinite(normal_compliance)
     compliance = jnp.where(holds, normal_compliance, 0.5) + jnp.where(holds, added, 0.5)
     return jnp.where(holds, 1.0 / compliance, 0.0)
+
+
+class RoughContact(eqx.Module):
+    """The state of one rough contact under load; arrays of one broadcast shape, SI units.
+
+    Parameters
+    ----------
+    largest_area, critical_area : Array
+        Largest spot a_l and critical spot a_c [m^2]; nan for a law without spots.
+    real_contact_area : Array
+        Real area of contact A_r [m^2]; nan for a law without spots.
+    elastic_load, plastic_load : Array
+        Shares F_e and F_p of the normal force carried by elastic and by plastic spots [N].
+    tangential_stiffness, normal_stiffness : Array
+        K_t and K_n of all elastic spots together [N/m].
+    domain_extension_factor, contact_factor : Array
+        psi and lambda [-]; nan for a law without spots.
+    """
+
+    largest_area: Array
+    critical_area: Array
+    real_contact_area: Array
+    elastic_load: Array
+    plastic_load: Array
+    tangential_stiffness: Array
+    normal_stiffness: Array
+    domain_extension_factor: Array
+    contact_factor: Array

@@ -11,8 +11,8 @@ from jax import Array
 from asperity.contact import hertz_line
 from asperity.contact.exponential import RandomRoughness, random_contact
 from asperity.contact.fractal import Surface, fractal_contact
+from asperity.contact.interface import RoughContact
 from asperity.contact.population import ContactFactorModel, contact_factor
-from asperity.contact.rough_contact import RoughContact
 from asperity.materials import ContactPair
 from asperity.types import Real
 

@@ -16,8 +16,7 @@ import numpy as np
 
 import asperity
 from asperity.errors import InputError
-from asperity.export.content import ExportContent, heading
-from asperity.export.elements import MASING
+from asperity.export.content import MASING, ExportContent, heading
 from asperity.standing.series_law import SeriesLaw, SlipElements, slip_elements
 
 #: Elements in series that make the slip.

@@ -8,8 +8,7 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from asperity.export.content import ExportContent, heading
-from asperity.export.elements import FittedElements
+from asperity.export.content import ExportContent, FittedElements, heading
 
 #: Step of the model as a share of the time 1/omega of its fastest vibration.
 _STEP = 0.1

@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.export.content import ExportContent, heading
-from asperity.export.elements import FittedElements
+from asperity.export.content import ExportContent, FittedElements, heading
 
 
 def modelica_file(content: ExportContent, fitted: FittedElements) -> bytes:

@@ -40,22 +40,7 @@ class Exported:
 
 
 def check_target(to: str, path: str | Path, *inputs: str | Path) -> None:
-    """Raise unless a target is known and its file can be written.
-
-    Parameters
-    ----------
-    to : str
-        Name of the target.
-    path : str or Path
-        The file to be written.
-    *inputs : str or Path
-        Files that are read and must not be overwritten.
-
-    Raises
-    ------
-    InputError
-        If there is no such target, the name has another ending than its files, or it cannot be written.
-    """
+    """Raise an ``InputError`` for an unknown target or ending, or a file that cannot be written or is an input."""
     if to not in SUFFIXES:
         raise InputError(f"there is no export to {quoted(to)}; known are {', '.join(SUFFIXES)}")
     if Path(path).suffix.lower() not in SUFFIXES[to]:
@@ -64,45 +49,12 @@ def check_target(to: str, path: str | Path, *inputs: str | Path) -> None:
 
 
 def exported(content: ExportContent, *, to: str, suffix: str) -> Exported:
-    """Make the file of a target.
-
-    Parameters
-    ----------
-    content : ExportContent
-        What is exported.
-    to : str
-        Name of the target.
-    suffix : str
-        Ending of its file.
-
-    Returns
-    -------
-    Exported
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the target cannot carry something of the joint.
-    """
+    """The file of a target; an ``InputError`` if the target cannot carry something of the joint."""
     return _WRITERS[to](content, suffix.lower())
 
 
 def write_exported(made: Exported, path: str | Path) -> None:
-    """Write the file of a target, completely or not at all.
-
-    Parameters
-    ----------
-    made : Exported
-        The file.
-    path : str or Path
-        Its name.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written.
-    """
+    """Write the file of a target, completely or not at all; an ``InputError`` if it cannot be written."""
     with replacing(path) as part:
         part.write_bytes(made.data)
 
@@ -113,7 +65,7 @@ def _table(content: ExportContent, suffix: str) -> Exported:
 
 
 def _mujoco(content: ExportContent, suffix: str) -> Exported:
-    from asperity.export.elements import fitted_elements
+    from asperity.export.content import fitted_elements
     from asperity.export.mjcf import mjcf_file
 
     fitted = fitted_elements(content, program="MuJoCo")
@@ -128,7 +80,7 @@ def _fmu(content: ExportContent, suffix: str) -> Exported:
 
 
 def _modelica(content: ExportContent, suffix: str) -> Exported:
-    from asperity.export.elements import fitted_elements
+    from asperity.export.content import fitted_elements
     from asperity.export.modelica import modelica_file
 
     fitted = fitted_elements(content, program="the Modelica model")

@@ -6,7 +6,6 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.body.bore import BoreCompliance, bore_compliance
 from asperity.body.shapes import Annulus
 from asperity.drive.layout.drive import Drive, contact_angles, incidence
@@ -14,6 +13,7 @@ from asperity.drive.state.bores import Bores
 from asperity.errors import InputError
 from asperity.joint.description import Joint, pin_names, places, track_lengths, tracks_of
 from asperity.linear import product
+from asperity.types import namespace
 from asperity.units import format_quantity
 
 

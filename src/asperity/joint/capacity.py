@@ -11,7 +11,6 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.body.rim_moments import WIDEST_CONTACT
 from asperity.drive.state.first_limit import (
     FirstLimit,
@@ -35,7 +34,7 @@ from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.torque_limits import TorqueCapacity, named_capacity
 from asperity.rolling.creep import capacity_loss
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 _LIFTED = 1e-12
 

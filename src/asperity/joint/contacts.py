@@ -16,10 +16,9 @@ from asperity.contact.hertz_line import (
     ring_secant_compliance,
     roller_secant_compliance,
 )
-from asperity.contact.interface import Interface, bulk_tangential_stiffness
+from asperity.contact.interface import Interface, RoughContact, bulk_tangential_stiffness
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
-from asperity.contact.rough_contact import RoughContact
 from asperity.drive.mechanism import NormalSprings, crowned_springs
 from asperity.joint.crowned_contacts import (
     CrownCompliance,

@@ -16,9 +16,9 @@ from asperity.contact.crowned_line import (
     crowned_line,
 )
 from asperity.contact.crowned_shear import crown_shear_compliance
+from asperity.contact.interface import RoughContact
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
-from asperity.contact.rough_contact import RoughContact
 from asperity.contact.strip_theory import strip_creepage
 from asperity.materials import Material
 

@@ -10,8 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.contact.interface import Interface
-from asperity.contact.rough_contact import RoughContact
+from asperity.contact.interface import Interface, RoughContact
 from asperity.drive.layout.drive import speed_ratio, speeds
 from asperity.drive.layout.expansion import ring_interference
 from asperity.drive.state.state import STATE_TOLERANCE, BodiesOfContacts, ContactLaws, DriveState

@@ -10,10 +10,9 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.layout.expansion import loosening_rise
 from asperity.errors import InputError
-from asperity.types import Real
+from asperity.types import Real, namespace
 from asperity.units import format_quantity
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]

@@ -9,7 +9,6 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.contact.carter import gross_slip_creepage
 from asperity.contact.exponential import RandomRoughness
@@ -34,7 +33,7 @@ from asperity.joint.fit import BodyModel
 from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep
 from asperity.rolling.power import oil_drag
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 
 def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) -> ContactLaws:

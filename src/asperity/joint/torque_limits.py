@@ -8,8 +8,8 @@ from typing import Any
 import equinox as eqx
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.state.first_limit import FirstLimit
+from asperity.types import namespace
 from asperity.units import format_quantity
 
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.

@@ -6,7 +6,6 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, creeping_speeds
 from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.loads import MemberLoads, member_loads
@@ -16,6 +15,7 @@ from asperity.joint.description import Joint, track_lengths
 from asperity.joint.evaluation import JointResult
 from asperity.joint.laws import centrifugal_forces
 from asperity.rolling.turning import driving_sense
+from asperity.types import namespace
 
 
 def working_loads(joint: Joint, result: JointResult) -> MemberLoads:

@@ -16,13 +16,13 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.contact.asperity import AsperityBase
 from asperity.contact.fractal import Surface
+from asperity.contact.interface import RoughContact
 from asperity.contact.roller_pairs import (
     CONTACT_FACTOR_MODELS,
     numbered_contact_factors,
     roller_pairs,
     rough_contacts,
 )
-from asperity.contact.rough_contact import RoughContact
 from asperity.errors import InputError, nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Key
@@ -63,7 +63,7 @@ INPUT_COLUMNS: dict[str, Key] = {
 MODEL_COLUMN = "lambda"
 
 #: Result columns, in this order behind the input: name → field of
-#: :class:`asperity.contact.rough_contact.RoughContact`, unit.
+#: :class:`asperity.contact.interface.RoughContact`, unit.
 OUTPUT_COLUMNS: dict[str, tuple[str, str]] = {
     "psi": ("domain_extension_factor", "1"),
     "lam": ("contact_factor", "1"),

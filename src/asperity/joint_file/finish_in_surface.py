@@ -10,8 +10,7 @@ from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH
 from asperity.library import FREQUENCY_RATIO, Finish, read_finishes
-from asperity.surface.peak_to_valley import average_from_depth, depth_cut_off
-from asperity.surface.roughness_average import standard_cut_off
+from asperity.surface.roughness_average import average_from_depth, depth_cut_off, standard_cut_off
 from asperity.units import format_quantity
 
 _PEAK_TO_VALLEY = ("rmax", "rt", "maximum_height")

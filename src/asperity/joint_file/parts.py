@@ -7,7 +7,6 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from asperity.arrays import namespace
 from asperity.drive.layout.closing import closed
 from asperity.drive.layout.drive import CARRIER, Body, Closure, Contact, Drive
 from asperity.drive.layout.drives import (
@@ -22,6 +21,7 @@ from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.joint.body_shape import SOLID, BodyShape, ring_shape
 from asperity.joint_file.part_names import WEDGE_TYPE, track_of, type_of
 from asperity.joint_file.si_tables import Values
+from asperity.types import namespace
 
 
 def general_layout(values: Values) -> tuple[Drive, tuple[BodyShape, ...], tuple[float, ...]]:

@@ -69,23 +69,12 @@ class LibraryMaterial:
 
 @dataclass(frozen=True)
 class Finish:
-    """A surface finish of the library.
+    """A surface finish of the library, with its source and remark; ranges are lowest and highest value.
 
-    Parameters
-    ----------
-    name, description, reference, note : str
-        Name, description, source and remark.
-    roughness_average : tuple of float
-        Lowest and highest Ra [m].
-    sampling_length : float
-        Length over which Ra is taken, the cut-off of the profile filter [m].
-    fractal_dimension : tuple of float
-        Lowest and highest D [-] for which G is stated; equal where the source gives one value.
-    fractal_roughness : tuple of float
-        Lowest and highest G [m], from Ra by
-        :func:`asperity.surface.roughness_average.fractal_roughness_from_average`.
-    published_dimension : tuple of float
-        Lowest and highest D [-] that publications give for such surfaces: what is known of D where only Ra is.
+    ``roughness_average``: Ra [m], taken over the ``sampling_length``, the cut-off of the profile filter [m];
+    ``fractal_dimension``: D [-] for which G is stated, equal where the source gives one value; ``fractal_roughness``: G
+    [m], from Ra by :func:`asperity.surface.roughness_average.fractal_roughness_from_average`; ``published_dimension``:
+    D [-] that publications give for such surfaces: what is known of D where only Ra is.
     """
 
     name: str
@@ -145,22 +134,9 @@ def _words(name: str, entry: Mapping[str, Any]) -> dict[str, str]:
 
 
 def read_materials(extension: str | Path | None = None) -> dict[str, LibraryMaterial]:
-    """The materials of the library.
+    """Name → material of the library; a TOML file of the same form adds entries, or replaces those of the same name.
 
-    Parameters
-    ----------
-    extension : str or Path, optional
-        A TOML file of the same form whose entries are added, or replace those of the same name.
-
-    Returns
-    -------
-    dict
-        Name → material.
-
-    Raises
-    ------
-    InputError
-        If an entry is incomplete, has an unknown key, or a number that cannot be read.
+    An ``InputError`` if an entry is incomplete, has an unknown key, or a number that cannot be read.
     """
     return dict(_materials_built_in()) if extension is None else _materials(extension)
 
@@ -238,22 +214,9 @@ def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float
 
 
 def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
-    """The surface finishes of the library.
+    """Name → surface finish of the library; a TOML file of the same form adds entries, or replaces those of its names.
 
-    Parameters
-    ----------
-    extension : str or Path, optional
-        A TOML file of the same form whose entries are added, or replace those of the same name.
-
-    Returns
-    -------
-    dict
-        Name → finish.
-
-    Raises
-    ------
-    InputError
-        If an entry is incomplete, has an unknown key, or a number that cannot be read.
+    An ``InputError`` if an entry is incomplete, has an unknown key, or a number that cannot be read.
     """
     return dict(_finishes_built_in()) if extension is None else _finishes(extension)
 

@@ -22,11 +22,10 @@ from asperity.page.answer import joint_answer, stated_values
 from asperity.page.chart import chart_answer, chart_request, chart_results
 from asperity.page.computation import MOST_WAITING, Computations, FasterPrograms, KeptAnswers
 from asperity.page.description import description
-from asperity.page.guard import App, Guard
+from asperity.page.guard import App, Guard, parsed, problem, refusal, require_type
 from asperity.page.jobs import Jobs
 from asperity.page.joint_request import JointRequest, joint_request
 from asperity.page.openapi import openapi
-from asperity.page.problems import parsed, problem, refusal, require_type
 from asperity.page.upload import LARGEST_SURFACE, Measurements
 from asperity.page.work_routes import work_routes
 

@@ -15,8 +15,8 @@ from starlette.routing import Route
 
 from asperity.errors import AsperityError
 from asperity.page.computation import Computations
+from asperity.page.guard import parsed, problem, require_type
 from asperity.page.jobs import ENDED, Job, Jobs, job_request
-from asperity.page.problems import parsed, problem, require_type
 from asperity.page.upload import Measurements, opened_design, opened_joint, recognised, shown_name
 
 #: Pause between two looks at a job that is watched [s], and the longest silence towards the browser [s].

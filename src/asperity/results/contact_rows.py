@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from asperity.arrays import namespace
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint, has_spots
+from asperity.types import namespace
 from asperity.unit_table import Dimension
 
 _force = functools.partial(Result, group="forces")

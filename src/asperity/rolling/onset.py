@@ -19,8 +19,7 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift
-from asperity.contact.rolling_swing import still_stroke, swing_drift_share
+from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift, still_stroke, swing_drift_share
 from asperity.drive.layout.drive import Drive, creeping_speeds, speeds
 from asperity.drive.state.creep import drift_per_turn
 from asperity.errors import InputError
@@ -203,7 +202,7 @@ def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
 
     Notes
     -----
-    The forces of steady rolling are taken throughout; g is :func:`asperity.contact.rolling_swing.swing_drift_share`.
+    The forces of steady rolling are taken throughout; g is :func:`asperity.contact.rolling_in.swing_drift_share`.
 
     References
     ----------

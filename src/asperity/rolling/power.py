@@ -6,7 +6,6 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_losses import (
@@ -17,7 +16,7 @@ from asperity.contact.rolling_losses import (
 )
 from asperity.drive.state.state import DriveState, RollingSpeeds
 from asperity.rolling.conditions import RollingConditions
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 
 class RollingPower(eqx.Module):

@@ -8,7 +8,6 @@ from collections.abc import Callable
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, speeds
 from asperity.drive.state.state import DriveState
 from asperity.drive.state.states import loaded_states
@@ -18,6 +17,7 @@ from asperity.joint.description import Joint, body_masses, places
 from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.rolling.rolling import RollingResult, turning
+from asperity.types import namespace
 
 
 def driving_sense(drive: Drive) -> Array:

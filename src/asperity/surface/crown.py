@@ -21,18 +21,11 @@ _BOUNDS = ((-0.5, 0.5), (-9.0, 4.0))
 
 @dataclass(frozen=True)
 class Crown:
-    r"""The circle of least squares along a profile, as the parabola :math:`z = z_0 + bx - x^2/2R`.
+    """The circle of least squares along a profile, as the parabola :math:`z = z_0 + bx - x^2/2R`.
 
-    Attributes
-    ----------
-    radius : float
-        R [m]; negative where the profile is hollow, infinite where it is straight.
-    drop : float
-        B^2/8R [m] at the ends of the length B; negative where hollow.
-    misfit : float
-        Rms of the heights about the parabola [m].
-    middle_radius : float
-        Radius of the circle of the middle half alone [m], the same of a circular crown.
+    ``radius``: R [m], negative where the profile is hollow, infinite where it is straight; ``drop``: B^2/8R [m] at the
+    ends of the length B, negative where hollow; ``misfit``: rms of the heights about the parabola [m];
+    ``middle_radius``: radius of the circle of the middle half alone [m], the same of a circular crown.
     """
 
     radius: float

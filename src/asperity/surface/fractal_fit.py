@@ -11,14 +11,18 @@ from scipy.special import digamma
 from scipy.stats import norm
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.surface.input_file import LARGEST_SPAN
+from asperity.surface.file_formats import LARGEST_SPAN
 from asperity.surface.line_spectrum import fit_lines
 from asperity.surface.scratches import scratches
 from asperity.surface.self_affine_band import NARROWEST_DECADES, BandSearch, widest_power_law
 from asperity.surface.spectral_likelihood import SpectralFit
 from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum, without_line
-from asperity.surface.structure_function import height_step, quantisation_noise_density, resolved_frequency
-from asperity.surface.structure_line import structure_line
+from asperity.surface.structure_function import (
+    height_step,
+    quantisation_noise_density,
+    resolved_frequency,
+    structure_line,
+)
 
 #: ``automatic`` takes ``lines`` where the spectrum is a Weierstrass-Mandelbrot comb, else ``likelihood``.
 ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
@@ -33,34 +37,16 @@ _ROUNDING = 1e-12
 class FractalFit:
     """D and G of one set of profiles.
 
-    Attributes
-    ----------
-    fractal_dimension : float
-        D of a profile [-].
-    log_roughness : float
-        ln G, G in metres.
-    covariance : array, shape (2, 2)
-        Of (D, ln G).
-    frequency_ratio : float
-        gamma of the model that G belongs to [-]; G itself does not depend on it.
-    shortest_wavelength, longest_wavelength : float
-        Limits of the self-affine band [m].
-    estimator : str
-        Which estimator this is.
-    profiles, points : int
-        Number of profiles averaged and points of each.
-    noise_density : float
-        White noise found in the spectrum, or of known quantisation [m^3]; zero if there is none.
-    roll_off_wavelength : float or None
-        Wavelength above which the spectrum falls below the power law [m]; None if it does not within the
-        record.
-    height_step : float or None
-        Step of quantised heights [m].
-    misfit : float
-        Standard deviation of ln P about the model that sampling scatter does not explain [-]; of
-        ``lines``, that of the logarithm of the amplitudes.
-    reduced_chi_square : float or None
-        Chi-square of the spectrum per degree of freedom [-]; None for ``lines``.
+    ``fractal_dimension``: D of a profile [-]; ``log_roughness``: ln G, G in metres; ``covariance`` of (D, ln G), shape
+    (2, 2); ``frequency_ratio``: gamma of the model that G belongs to [-], G itself does not depend on it;
+    ``shortest_wavelength`` and ``longest_wavelength``: limits of the self-affine band [m]; ``profiles`` averaged, of so
+    many ``points`` each.
+
+    ``noise_density``: white noise found in the spectrum, or of known quantisation [m^3], zero if there is none;
+    ``roll_off_wavelength``: above it the spectrum falls below the power law [m], None if it does not within the record;
+    ``height_step`` of quantised heights [m] or None; ``misfit``: standard deviation of ln P about the model that
+    sampling scatter does not explain [-], of the estimator "lines" that of the logarithm of the amplitudes;
+    ``reduced_chi_square`` of the spectrum per degree of freedom [-], None for "lines".
     """
 
     fractal_dimension: float
@@ -107,43 +93,21 @@ def fractal_fit(
 ) -> FractalFit:
     """Fractal dimension and roughness of parallel profiles, or a refusal.
 
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m], no missing points. A tilt is removed here.
-    spacing : float
-        Distance of the points [m].
-    estimator : str
-        One of :data:`ESTIMATORS`.
-    frequency_ratio : float
-        gamma of the Weierstrass-Mandelbrot model [-].
-    rows_of_a_map : bool
-        Whether the profiles are neighbouring rows of one map, which resemble each other, or independent.
-    shortest_wavelength, longest_wavelength : float or None
-        Limits of the band [m]; None lets the search choose.
-    known_height_step : float or None
-        Step to which the instrument rounded the heights [m], as seen before levelling; None looks for one.
+    Heights [m] of shape (profiles, points), none missing; a tilt is removed here. The points lie at the distance
+    ``spacing`` [m]; ``estimator`` is one of :data:`ESTIMATORS`; ``frequency_ratio`` is gamma of the
+    Weierstrass-Mandelbrot model [-]; ``rows_of_a_map`` says whether the profiles are neighbouring rows of one map,
+    which resemble each other, or independent. Limits of the band [m] that are None are searched for; so is, if None,
+    the step to which the instrument rounded the heights [m], as seen before levelling.
 
-    Returns
-    -------
-    FractalFit
+    ``likelihood``: maximum (Whittle) likelihood of the averaged spectrum; the model contains a roll-off at long waves,
+    white noise or smoothing at short waves, and folding at the sampling limit. ``structure_function``: weighted
+    straight line of ln S against ln lag, its covariance by the jackknife over blocks. ``power_spectrum``: straight line
+    of ln P against ln f, Hann window. Both straight lines use the band that the likelihood fit accepts, and their
+    intervals contain the shift of D that the roll-off, the noise and the folding of that fit cause. ``lines``:
+    amplitudes of the comb of the Weierstrass-Mandelbrot function.
 
-    Raises
-    ------
-    InputError
-        If an argument is out of range.
-    NoSolutionError
-        If there is no power law over at least one decade, or scratches or spikes bend it; the message says why.
-
-    Notes
-    -----
-    ``likelihood``: maximum (Whittle) likelihood of the averaged spectrum; the model contains a roll-off at
-    long waves, white noise or smoothing at short waves, and folding at the sampling limit.
-    ``structure_function``: weighted straight line of ln S against ln lag, its covariance by the jackknife
-    over blocks. ``power_spectrum``: straight line of ln P against ln f, Hann window. Both straight lines use
-    the band that the likelihood fit accepts, and their intervals contain the shift of D that the roll-off,
-    the noise and the folding of that fit cause. ``lines``: amplitudes of the comb of the
-    Weierstrass-Mandelbrot function.
+    An ``InputError`` if an argument is out of range; a ``NoSolutionError`` if there is no power law over at least one
+    decade, or scratches or spikes bend it; the message says why.
     """
     if estimator not in ESTIMATORS:
         raise InputError(f"there is no estimator '{estimator}'; known: {', '.join(ESTIMATORS)}")

@@ -27,25 +27,13 @@ _COARSE, _FEWEST_IN_SAL = 1024, 10
 class HeightParameters:
     """Height parameters about the mean, of a profile without filters (P) or of a map (S).
 
-    Attributes
-    ----------
-    arithmetic_mean : float
-        Pa or Sa [m].
-    root_mean_square : float
-        Pq or Sq [m].
-    skewness, kurtosis : float
-        Psk, Pku or Ssk, Sku [-].
-    total_height : float
-        Pt or Sz [m], highest peak to lowest valley.
-    mean_element_width : float or None
-        PSm [m] of a profile; None for a map and where there is no full element.
-    developed_area_ratio : float or None
-        Sdr [-] of a map, of the triangles between its points; None for a profile and with missing points.
-    correlation_length, aspect_ratio : float or None
-        Sal [m] and Str [-] of a map; None for a profile, with missing points, and where the autocorrelation does not
-        fall to 0.2 within half of the map, in any direction or in all of them.
-    points, missing_points : int
-        Points evaluated and points without a height, left out.
+    ``arithmetic_mean``: Pa or Sa [m]; ``root_mean_square``: Pq or Sq [m]; ``skewness`` and ``kurtosis``: Psk, Pku or
+    Ssk, Sku [-]; ``total_height``: Pt or Sz [m], highest peak to lowest valley; ``mean_element_width``: PSm [m] of a
+    profile, None for a map and where there is no full element; ``developed_area_ratio``: Sdr [-] of a map, of the
+    triangles between its points, None for a profile and with missing points; ``correlation_length`` and
+    ``aspect_ratio``: Sal [m] and Str [-] of a map, None for a profile, with missing points, and where the
+    autocorrelation does not fall to 0.2 within half of the map, in any direction or in all of them; ``points``
+    evaluated, and ``missing_points`` without a height, left out.
     """
 
     arithmetic_mean: float

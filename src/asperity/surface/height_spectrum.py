@@ -42,23 +42,12 @@ _HANN_LOSS = 35.0 / 18.0
 class HeightSpectrum:
     """Mean square heights of one surface in bins of frequency.
 
-    Attributes
-    ----------
-    rolling_edges, axial_edges : array, shape (rolling + 1,) and (axial + 1,)
-        Limits of the bins along the rolling direction and along the rollers' axis, rising [1/m]; both 0 in the
-        direction in which a profile tells nothing.
-    mean_square : array, shape (rolling, axial)
-        Mean square of the heights of the waves of each bin [m^2].
-    independent : array, shape (rolling, axial)
-        Number of independent ordinates behind it.
-    lay : {"rolling", "axis", "isotropic"} or None
-        Of a profile, if stated; the bins of a profile whose lay is not stated lie along the axis.
-    is_map : bool
-        Whether the surface is a map.
-    source : str
-        Where the heights come from.
-    pressed : PressedMap or None, optional
-        The map pressed by boundary elements.
+    ``rolling_edges`` and ``axial_edges``, shapes (rolling + 1,) and (axial + 1,): limits of the bins along the rolling
+    direction and along the rollers' axis, rising [1/m]; both 0 in the direction in which a profile tells nothing.
+    Arrays of shape (rolling, axial): ``mean_square`` of the heights of the waves of each bin [m^2], and
+    ``independent``, the number of independent ordinates behind it. ``lay`` of a profile, if stated: "rolling", "axis"
+    or "isotropic"; the bins of a profile whose lay is not stated lie along the axis. ``is_map``: whether the surface is
+    a map; ``source``: where the heights come from; ``pressed``: the map pressed by boundary elements, or None.
     """
 
     rolling_edges: NDArray[np.float64]
@@ -87,19 +76,10 @@ class HeightSpectrum:
         return 1.5 / _lowest(self.rolling_edges)
 
     def felt(self, *, rolling: float, axial: float) -> tuple[float, float]:
-        """Mean square of the heights of all waves but those below both frequencies, and its standard deviation.
+        """Mean square [m^2] of all waves but those below both frequencies [1/m], and its standard deviation.
 
         Waves longer than two thirds of the surface are below in any case: the window does not tell them from the form.
-
-        Parameters
-        ----------
-        rolling, axial : float
-            Frequencies along the rolling direction and along the axis [1/m].
-
-        Returns
-        -------
-        tuple of float
-            Both [m^2]; the deviation is that of a normally distributed surface with this spectrum.
+        The deviation is that of a normally distributed surface with this spectrum.
         """
         part = self._part(rolling, axial)
         return float(part.sum()), float(np.sqrt(np.sum(part**2 / self.independent)))
@@ -113,18 +93,10 @@ class HeightSpectrum:
         return np.asarray((1.0 - np.outer(*low)) * self.mean_square)
 
     def waves(self, *, rolling: float, axial: float) -> NDArray[np.float64]:
-        """The waves that :meth:`felt` counts, one for each bin.
+        """The waves that :meth:`felt` counts, one a bin: wavenumber [rad/m] and mean square [m^2], shape (2, waves).
 
-        Parameters
-        ----------
-        rolling, axial : float
-            Frequencies along the rolling direction and along the axis [1/m].
-
-        Returns
-        -------
-        array, shape (2, waves)
-            Wavenumber [rad/m], the rms of those in the bin, and mean square of the heights [m^2]. The waves of a
-            surface without grooves are sqrt(2) times as steep as its profiles show.
+        The wavenumber is the rms of those in the bin. The waves of a surface without grooves are sqrt(2) times as steep
+        as its profiles show.
         """
         first, second = (
             (edges[:-1] ** 2 + edges[:-1] * edges[1:] + edges[1:] ** 2) / 3.0
@@ -137,14 +109,8 @@ class HeightSpectrum:
     def cut_off(self) -> float:
         """Cut-off [m] that ISO 4288 takes for the Ra of this surface along the axis; longer waves are no roughness.
 
-        Returns
-        -------
-        float
-            The smallest that agrees with the Ra behind it, of normally distributed heights.
-
-        References
-        ----------
-        :data:`asperity.surface.roughness_average.STANDARD_CUT_OFFS`.
+        The smallest of :data:`asperity.surface.roughness_average.STANDARD_CUT_OFFS` that agrees with the Ra behind it,
+        of normally distributed heights.
         """
         for largest, cut_off in STANDARD_CUT_OFFS:
             square, _ = self.felt(rolling=math.inf, axial=1.0 / cut_off)

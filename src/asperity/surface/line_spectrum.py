@@ -190,7 +190,6 @@ def _amplitudes(
 
 @dataclass(frozen=True)
 class _Comb:
-    log_start: float
     frequency: NDArray[np.float64]
     amplitude: NDArray[np.float64]
     error: NDArray[np.float64]
@@ -238,7 +237,7 @@ def _fit_comb(z: NDArray[np.float64], spacing: float, gamma: float, log_start: f
             k = np.arange(m) + 2
             propagated = inverse[k, k] * A**2 + inverse[k + m, k + m] * B**2 + 2.0 * inverse[k, k + m] * A * B
             error = np.sqrt(variance * np.abs(propagated)) / np.maximum(amplitude, 1e-300) ** 2
-            kept = _Comb(log_start, f, amplitude, error, variance, float(np.mean(np.diff(residual) ** 2)))
+            kept = _Comb(f, amplitude, error, variance, float(np.mean(np.diff(residual) ** 2)))
         step = float(solution[-1]) / size if size else 0.0
         limit = 0.3 / (f[-1] * length)
         log_start += float(np.clip(step, -limit, limit))

@@ -40,24 +40,14 @@ class Conditioning:
 
 @dataclass(frozen=True)
 class MeasuredSurface:
-    """One conditioned surface and its parameters.
+    """One conditioned surface, without form and missing points, and its parameters.
 
-    Attributes
-    ----------
-    topography : Topography
-        Without form and missing points.
-    heights : HeightParameters
-        Of a profile, without a filter: the P parameters; of a map, behind the chosen filters: the S parameters.
-    height_step : float or None
-        Step of the heights before levelling [m].
-    roughness : Roughness or str or None
-        R parameters of a profile, or why there are none; None of a map.
-    crown : Crown or None
-        Circle along a profile before levelling; None of a map and of fewer than sixteen points.
-    logarithmic : LogarithmicProfile or None
-        Logarithmic profile along a profile before levelling, where one that is high in the middle fits.
-    filters : tuple
-        Nesting indices of the S-filter and the L-filter [m] of the S parameters of a map; None for no such filter.
+    ``heights``: of a profile, without a filter, the P parameters; of a map, behind the chosen filters, the S
+    parameters. ``height_step`` of the heights before levelling [m], or None. ``roughness``: R parameters of a profile,
+    or why there are none; None of a map. ``crown``: circle along a profile before levelling; None of a map and of fewer
+    than sixteen points. ``logarithmic``: logarithmic profile along a profile before levelling, where one that is high
+    in the middle fits. ``filters``: nesting indices of the S-filter and the L-filter [m] of the S parameters of a map;
+    None for no such filter.
     """
 
     topography: Topography

@@ -11,7 +11,15 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.surface.file_formats import file_format, signed_format
+from asperity.surface.file_formats import (
+    LARGEST_SPAN,
+    MEBIBYTE,
+    checked_file,
+    file_bytes,
+    file_format,
+    metres_per_unit,
+    signed_format,
+)
 from asperity.surface.fractal_fit import FractalFit
 from asperity.surface.height_spectrum import (
     FEWEST_POINTS,
@@ -20,7 +28,6 @@ from asperity.surface.height_spectrum import (
     spectrum_of_map,
     spectrum_of_profiles,
 )
-from asperity.surface.input_file import LARGEST_SPAN, MEBIBYTE, checked_file, file_bytes, metres_per_unit
 from asperity.surface.levelling import default_form
 from asperity.surface.measure import (
     Conditioning,
@@ -32,8 +39,7 @@ from asperity.surface.measure import (
 )
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 from asperity.surface.measurement import surface_measurement
-from asperity.surface.read_instrument import instrument_topography
-from asperity.surface.read_raster import nanofocus_topography, tiff_topography
+from asperity.surface.read_instrument import instrument_topography, nanofocus_topography, tiff_topography
 from asperity.surface.read_text import looks_like_text, numpy_topography, text_topography
 from asperity.surface.read_x3p import x3p_topography
 from asperity.surface.topography import Topography
@@ -46,18 +52,10 @@ EXPECTED_SIZES = (1e-6, 1.0)
 
 @dataclass(frozen=True)
 class MeasuredFiles:
-    """Files that were measured together.
+    """Files that were measured together: the conditioned surface of each, and D and G along x and, of a map, along y.
 
-    Attributes
-    ----------
-    surfaces : tuple of MeasuredSurface
-        The conditioned surface of each file.
-    fits : DirectionalFits
-        D and G along x and, of a map, along y.
-    direction : {"x", "y"}
-        The direction that counts as the result, in which the contact rolls.
-    spectrum : HeightSpectrum or None
-        Its waves; None of fewer than sixteen points.
+    ``direction``, "x" or "y", is the one that counts as the result, in which the contact rolls; ``spectrum`` are the
+    waves, None of fewer than sixteen points.
     """
 
     surfaces: tuple[MeasuredSurface, ...]
@@ -118,38 +116,17 @@ def measured_files(
     shortest_wavelength: float | None,
     longest_wavelength: float | None,
 ) -> MeasuredFiles:
-    """Read files of one surface, condition them, and fit D and G to all of them.
+    """Read files of one surface, several profiles or one map, condition them, and fit D and G to all of them.
 
-    Parameters
-    ----------
-    files : sequence of path
-        Several profiles, whose spectra are averaged, or one map.
-    position_unit, height_unit, spacing, decimal, any_size
-        As for :func:`asperity.surface.measure_files.read_surface`.
-    start, stop : float or None
-        Section of a profile [m]; None for its ends.
-    form : str or None
-        Form to remove; None for the line of a profile and the plane of a map.
-    degree, missing, outlier_threshold, short_cutoff, long_cutoff
-        As for :class:`asperity.surface.measure.Conditioning`.
-    direction : {"x", "y"}
-        Direction in a map that counts as the result, and in which the contact rolls.
-    lay : {"rolling", "axis", "isotropic"} or None
-        Of profiles: the direction of the grooves, which they cross; None if it is not known.
-    estimator, frequency_ratio, shortest_wavelength, longest_wavelength
-        As for :func:`asperity.surface.measure.directional_fits`.
+    The spectra of profiles are averaged. The keys of reading are those of :func:`read_surface`, those of conditioning
+    of :class:`asperity.surface.measure.Conditioning`, those of the fit of
+    :func:`asperity.surface.measure.directional_fits`. ``start`` and ``stop``: section of a profile [m], None for its
+    ends; ``form`` to remove, None for the line of a profile and the plane of a map; ``direction`` in a map that counts
+    as the result, in which the contact rolls; ``lay`` of profiles: the direction of the grooves, which they cross, None
+    if it is not known. A missing power law is a reason in place of a fit.
 
-    Returns
-    -------
-    MeasuredFiles
-        Surfaces and fits; a missing power law is a reason in place of a fit.
-
-    Raises
-    ------
-    InputError
-        If a file cannot be read, a step is impossible, or the files cannot be averaged.
-    MissingExtraError
-        If the format of a file needs a package that is not installed.
+    An ``InputError`` if a file cannot be read, a step is impossible, or the files cannot be averaged; a
+    ``MissingExtraError`` if the format of a file needs a package that is not installed.
     """
     surfaces = []
     for file in files:
@@ -203,17 +180,9 @@ def _spectrum(surfaces: list[MeasuredSurface], direction: str, lay: Lay | None) 
 
 
 def files_document(measured: MeasuredFiles) -> dict[str, Any]:
-    """The measurement document of files: D, G and their covariance, how they were found, and height parameters.
+    """D, G and their covariance, how they were found, and height parameters of files, in SI units, ready for JSON.
 
-    Parameters
-    ----------
-    measured : MeasuredFiles
-        What was measured.
-
-    Returns
-    -------
-    dict
-        Plain numbers and words in SI units, ready for JSON; ``no_power_law`` holds the reason where there is none.
+    ``no_power_law`` holds the reason where there is no D and G.
     """
     fit, document = measured.fit, roughness_document(measured.roughness)
     if not isinstance(fit, str):

@@ -1,13 +1,18 @@
-"""What a measurement tells of a surface: its waves, and D and G where it has a power law; from and to its document."""
+"""What measurements tell of a surface, or of two together: waves, D and G of a power law; from and to the document."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import jax.numpy as jnp
+import numpy as np
+from numpy.typing import NDArray
+
 from asperity.errors import InputError, NoSolutionError
-from asperity.surface.equivalent import equivalent_surface
+from asperity.surface import conventions
 from asperity.surface.height_spectrum import HeightSpectrum, spectrum_from_document
 from asperity.surface.measurement import (
     SCHEMA,
@@ -22,18 +27,10 @@ from asperity.surface.measurement import (
 
 @dataclass(frozen=True)
 class MeasuredRoughness:
-    """A measured surface, or two that meet.
+    """A measured surface, or two that meet, with the files measured.
 
-    Attributes
-    ----------
-    fractal : SurfaceMeasurement or None
-        D and G of both together; None without a power law.
-    no_power_law : str
-        Why there is none; empty where there is one.
-    spectra : tuple of HeightSpectrum
-        Of each body; empty in documents of earlier releases.
-    source : str
-        Files measured.
+    ``fractal``: D and G of both together, None without a power law, for the reason ``no_power_law``; ``spectra`` of
+    each body, empty in documents of earlier releases.
     """
 
     fractal: SurfaceMeasurement | None
@@ -99,15 +96,7 @@ def read_roughness(*, path: str | Path) -> MeasuredRoughness:
 def two_bodies(first: MeasuredRoughness, second: MeasuredRoughness) -> MeasuredRoughness:
     """Two measured surfaces that meet: the mean squares of their waves add, and their structure functions.
 
-    Parameters
-    ----------
-    first, second : MeasuredRoughness
-        The two bodies.
-
-    Returns
-    -------
-    MeasuredRoughness
-        Without D and G where one of them has none, or both together have none.
+    Without D and G where one of them has none, or both together have none.
     """
     source = f"{first.source} + {second.source}"
     complete = bool(first.spectra) and bool(second.spectra)
@@ -122,3 +111,98 @@ def two_bodies(first: MeasuredRoughness, second: MeasuredRoughness) -> MeasuredR
             raise
         return MeasuredRoughness(None, str(error), spectra, source)
     return MeasuredRoughness(both, "", spectra, source)
+
+
+_LAGS = 200
+#: Largest error of ln S of the equivalent power law that is accepted [-].
+LARGEST_MISFIT = 0.15
+
+
+def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement) -> SurfaceMeasurement:
+    r"""One D and G for the gap between two independent rough surfaces.
+
+    .. math::
+        S(\tau) = S_1(\tau) + S_2(\tau)
+
+    Parameters
+    ----------
+    first, second : SurfaceMeasurement
+        The two bodies.
+
+    Returns
+    -------
+    SurfaceMeasurement
+        For equal D exactly :math:`G^{2(D-1)} = G_1^{2(D-1)} + G_2^{2(D-1)}`. Otherwise the sum of two power
+        laws is not one; the straight line that fits ln S best, evenly in the logarithm of lag over the common
+        band, is returned. The covariance follows from those of both by the derivatives of that rule.
+
+    Raises
+    ------
+    InputError
+        If the two were measured for different gamma.
+    NoSolutionError
+        If the bands share less than a decade, or the sum departs from a power law by more than 15 % rms.
+    """
+    gamma = float(first.frequency_ratio)
+    if abs(float(second.frequency_ratio) - gamma) > 1e-9 * gamma:
+        raise InputError(
+            f"the surfaces were measured for gamma = {gamma} and {float(second.frequency_ratio)}; "
+            f"use one gamma"
+        )
+    short = max(float(first.shortest_wavelength), float(second.shortest_wavelength))
+    long = min(float(first.longest_wavelength), float(second.longest_wavelength))
+    if long < 10.0 * short * (1.0 - 1e-9):
+        raise NoSolutionError(
+            f"the self-affine bands of the two surfaces share only {short:.3g} .. {long:.3g} m; a "
+            f"decade is needed"
+        )
+    lag = np.geomspace(0.5 * short, 0.5 * long, _LAGS)
+    values = np.array(
+        [
+            float(first.fractal_dimension),
+            math.log(float(first.fractal_roughness)),
+            float(second.fractal_dimension),
+            math.log(float(second.fractal_roughness)),
+        ]
+    )
+    result, misfit = _combined(values, lag)
+    if misfit > LARGEST_MISFIT:
+        raise NoSolutionError(
+            f"the sum of the two surfaces departs from a power law by {100 * misfit:.0f} % rms of "
+            f"its structure "
+            f"function (limit {100 * LARGEST_MISFIT:.0f} %): D = {values[0]:.3f} and "
+            f"{values[2]:.3f} differ too much"
+        )
+    jacobian = np.empty((2, 4))
+    for i in range(4):
+        step = np.zeros(4)
+        step[i] = 1e-6
+        jacobian[:, i] = (_combined(values + step, lag)[0] - _combined(values - step, lag)[0]) / 2e-6
+    both = np.zeros((4, 4))
+    both[:2, :2], both[2:, 2:] = np.asarray(first.covariance), np.asarray(second.covariance)
+    return SurfaceMeasurement(
+        fractal_dimension=jnp.asarray(result[0], dtype=jnp.float64),
+        fractal_roughness=jnp.asarray(math.exp(result[1]), dtype=jnp.float64),
+        frequency_ratio=jnp.asarray(gamma, dtype=jnp.float64),
+        covariance=jnp.asarray(jacobian @ both @ jacobian.T, dtype=jnp.float64),
+        shortest_wavelength=jnp.asarray(short, dtype=jnp.float64),
+        longest_wavelength=jnp.asarray(long, dtype=jnp.float64),
+        estimator=f"sum of {first.estimator} and {second.estimator}",
+        profiles=first.profiles + second.profiles,
+        source=f"{first.source} + {second.source}",
+    )
+
+
+def _combined(values: NDArray[np.float64], lag: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """(D, ln G) of the straight line through ln(S1 + S2), and its rms misfit."""
+    logs = []
+    for D, log_G in (values[:2], values[2:]):
+        c = conventions.structure_function_constant(fractal_dimension=float(D))
+        logs.append(math.log(c) + 2.0 * (D - 1.0) * log_G + (4.0 - 2.0 * D) * np.log(lag))
+    total = np.logaddexp(*logs)
+    slope, level = np.polyfit(np.log(lag), total, 1)
+    D = 2.0 - 0.5 * float(slope)
+    c = conventions.structure_function_constant(fractal_dimension=D)
+    log_G = (float(level) - math.log(c)) / (2.0 * (D - 1.0))
+    misfit = float(np.sqrt(np.mean((total - slope * np.log(lag) - level) ** 2)))
+    return np.array([D, log_G]), misfit

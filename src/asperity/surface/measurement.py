@@ -27,26 +27,12 @@ CONFIDENCE = 0.95
 
 
 class SurfaceMeasurement(eqx.Module):
-    """Measured D and G of the Weierstrass-Mandelbrot profile, equation (6), with their covariance.
+    """Measured D and G of the Weierstrass-Mandelbrot profile, equation (6), with their covariance; scalar arrays.
 
-    Attributes
-    ----------
-    fractal_dimension : scalar array
-        D [-], 1 to 2.
-    fractal_roughness : scalar array
-        G [m].
-    frequency_ratio : scalar array
-        gamma [-].
-    covariance : array, shape (2, 2)
-        Of (D, ln G); D and ln G are nearly fully correlated, so both must be drawn together.
-    shortest_wavelength, longest_wavelength : scalar array
-        Limits of the self-affine band [m].
-    estimator : str
-        How D and G were estimated.
-    profiles : int
-        Number of profiles averaged.
-    source : str
-        Files measured.
+    ``fractal_dimension``: D [-], 1 to 2; ``fractal_roughness``: G [m]; ``frequency_ratio``: gamma [-]; ``covariance``
+    of (D, ln G), shape (2, 2): they are nearly fully correlated, so both must be drawn together;
+    ``shortest_wavelength`` and ``longest_wavelength``: limits of the self-affine band [m]; ``estimator`` of D and G;
+    number of ``profiles`` averaged; ``source``: files measured.
     """
 
     fractal_dimension: Float[Array, ""]

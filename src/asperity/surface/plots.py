@@ -16,21 +16,7 @@ from asperity.surface.topography import Topography
 
 
 def measurement_figure(*, surfaces: list[Topography], fit: FractalFit | str, direction: str) -> Figure:
-    """Heights, spectrum and structure function with the fitted power law, or the reason of the refusal.
-
-    Parameters
-    ----------
-    surfaces : list of Topography
-        The conditioned surfaces.
-    fit : FractalFit or str
-        The fit, or why there is none.
-    direction : {"x", "y"}
-        Direction of the profiles.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Figure of heights, spectrum and structure function with the fitted power law, or the reason why there is none."""
     profiles, spacing, rows_of_a_map = pooled_profiles(surfaces=surfaces, direction=direction)
     figure = Figure(figsize=(9.0, 8.0), layout="constrained")
     axes: Any = figure.subplot_mosaic([["heights", "heights"], ["spectrum", "structure"]])

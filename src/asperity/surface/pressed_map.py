@@ -20,25 +20,15 @@ _CONFIDENCE = 0.95
 class PressedMap:
     """A map pressed on an elastic half-space, patch by patch, under rising nominal pressures.
 
-    Lengths over the rms of the heights and pressures over the contact modulus hold for bodies of any modulus.
+    Lengths over the rms of the heights and pressures over the contact modulus hold for bodies of any modulus:
+    ``pressure``, load over nominal area, rising, shape (loads,); ``hardness``, largest pressure of the capped states
+    [-]; ``rms_height`` of each patch, a plane removed, shape (patches,) [m]; ``size`` of a patch along x and along y
+    [m].
 
-    Attributes
-    ----------
-    pressure : array, shape (loads,)
-        Load over nominal area and contact modulus, rising [-].
-    hardness : float
-        Largest pressure of the capped states over the contact modulus [-].
-    rms_height : array, shape (patches,)
-        Of each patch, a plane removed [m].
-    decay_ratios : array, shape (2, patches, loads)
-        Decay length p/k_n over the rms of the heights, elastic and with no pressure above the hardness [-]; nan where a
-        patch is pressed flat, or the capped pressure cannot carry the load.
-    contact_fractions : array, shape (2, patches, loads)
-        Real over nominal area of contact [-]; likewise.
-    tangential_ratios : array, shape (patches, loads)
-        Tangential stiffness in the rolling direction over the normal one, elastic [-].
-    size : array, shape (2,)
-        Of a patch along x and along y [m].
+    Of shape (2, patches, loads), elastic and with no pressure above the hardness, nan where a patch is pressed flat or
+    the capped pressure cannot carry the load: ``decay_ratios``, decay length p/k_n over the rms of the heights, and
+    ``contact_fractions``, real over nominal area of contact [-]. ``tangential_ratios``, shape (patches, loads):
+    tangential stiffness in the rolling direction over the normal one, elastic [-].
     """
 
     pressure: NDArray[np.float64]
@@ -50,20 +40,12 @@ class PressedMap:
     size: NDArray[np.float64]
 
     def decay_ratio(self, *, pressure: float, capped: bool) -> tuple[float, float]:
-        """Decay length over the rms of the heights at a nominal pressure, and how well it is known.
+        """Decay length over the rms of the heights at a nominal pressure [-], and how well it is known.
 
-        Parameters
-        ----------
-        pressure : float
-            Over the contact modulus [-]; outside :meth:`range` the ratio of its end, as in the exponential law.
-        capped : bool
-            Whether no pressure is above the hardness.
-
-        Returns
-        -------
-        tuple of float
-            Geometric mean over the patches [-], between loads by monotone cubics, and the half-width, of the logarithm,
-            of the interval that holds one more patch with 95 %, by Student's law: a contact is such a place.
+        The pressure is over the contact modulus [-]. Geometric mean over the patches, between loads by monotone cubics,
+        outside :meth:`range` the ratio of its end, as in the exponential law; ``capped``: with no pressure above the
+        hardness. The second number is the half-width, of the logarithm, of the interval that holds one more patch with
+        95 %, by Student's law: a contact is such a place.
         """
         known = self._known(capped)
         loads, logs = self.pressure[known], np.log(self.decay_ratios[int(capped)][:, known])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
-from asperity.surface.input_file import MEBIBYTE, file_bytes, metres_per_unit
+from asperity.surface.file_formats import MEBIBYTE, file_bytes, metres_per_unit
 from asperity.surface.topography import Topography
 from asperity.unit_table import Dimension, unit_table
 

@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
-from asperity.surface.file_formats import descriptions
-from asperity.surface.input_file import MEBIBYTE
+from asperity.surface.file_formats import MEBIBYTE, descriptions
 from asperity.surface.topography import Topography
 
 #: Largest main.xml and most heights that are read [bytes].

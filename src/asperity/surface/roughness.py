@@ -44,20 +44,10 @@ SHORT_CUT_OFFS = {0.08e-3: 2.5e-6, 0.25e-3: 2.5e-6, 0.8e-3: 2.5e-6, 2.5e-3: 8e-6
 class Roughness:
     """Roughness parameters of a profile.
 
-    Attributes
-    ----------
-    cut_off : float
-        lambda_c [m].
-    choice : str
-        Why this cut-off.
-    short_cut_off : float or None
-        lambda_s [m]; None where the points lie too far apart for it.
-    sections : int
-        Sections of the length lambda_c that are evaluated, 1 to 5.
-    lengths : dict
-        Symbol → value [m]: Ra, Rq, Rz, Rp, Rv, Rt, Rk, Rpk, Rvk, and RSm where there is a full profile element.
-    numbers : dict
-        Symbol → value [-]: Rsk, Rku (nan of a flat profile), Rmrk1, Rmrk2 (Mr1 and Mr2 of ISO 13565-2), Rmr(5 %, Rz/4).
+    ``cut_off``: lambda_c [m], and the reason of its ``choice``; ``short_cut_off``: lambda_s [m], None where the points
+    lie too far apart for it; ``sections`` of the length lambda_c that are evaluated, 1 to 5. By symbol: ``lengths`` Ra,
+    Rq, Rz, Rp, Rv, Rt, Rk, Rpk, Rvk, and RSm where there is a full profile element [m]; ``numbers`` Rsk, Rku (nan of a
+    flat profile), Rmrk1, Rmrk2 (Mr1 and Mr2 of ISO 13565-2), Rmr(5 %, Rz/4) [-].
     """
 
     cut_off: float
@@ -71,29 +61,13 @@ class Roughness:
 def roughness(
     *, topography: Topography, cut_off: float | None, short_cut_off: float | None
 ) -> Roughness | str:
-    """Roughness parameters of a levelled profile, or the reason why there are none.
+    """Roughness parameters of a levelled profile without missing points, or the reason why there are none.
 
-    Parameters
-    ----------
-    topography : Topography
-        Levelled profile without missing points.
-    cut_off : float or None
-        lambda_c [m]; None for the smallest of 0.08, 0.25, 0.8, 2.5 and 8 mm whose class holds the Ra behind it.
-    short_cut_off : float or None
-        lambda_s [m]; None for that of ISO 3274, or for no such filter if the spacing is more than a fifth of it.
+    ``cut_off``: lambda_c [m], None for the smallest of 0.08, 0.25, 0.8, 2.5 and 8 mm whose class holds the Ra behind
+    it; only then there may be a reason. ``short_cut_off``: lambda_s [m], None for that of ISO 3274, or for no such
+    filter if the spacing is more than a fifth of it. An ``InputError`` if the profile has missing points or the given
+    cut-offs do not suit it.
 
-    Returns
-    -------
-    Roughness or str
-        A reason only if no cut-off is given.
-
-    Raises
-    ------
-    InputError
-        If the profile has missing points or the given cut-offs do not suit it.
-
-    Notes
-    -----
     The filter is the linear one, also for Rk, Rpk and Rvk, for which ISO 13565-1 filters twice: deep valleys pull its
     mean line down.
     """

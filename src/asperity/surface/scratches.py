@@ -45,16 +45,8 @@ def scratches(
 ) -> str:
     """What stands out of normally distributed heights between two wavelengths [m], in words; empty if nothing does.
 
-    Parameters
-    ----------
-    profiles : array, shape (profiles, points)
-        Heights [m], no missing points.
-    spacing : float
-        Distance of the points [m].
-    shortest_wavelength, longest_wavelength : float
-        Band that counts [m].
-    rows_of_a_map : bool
-        Whether the profiles are rows of one map, which resemble each other.
+    Heights [m] of shape (profiles, points) without missing points, ``spacing`` apart [m]; ``rows_of_a_map``: they are
+    rows of one map, which resemble each other.
     """
     if rows_of_a_map:
         profiles = profiles[:: max(1, profiles.shape[0] // _ROWS)]

@@ -29,9 +29,8 @@ class BinnedSpectrum:
     taper, for roughness that changes along a profile or from profile to profile, and for neighbouring rows of a map,
     which resemble each other.
 
-    ``points`` of a profile lie at the distance ``spacing`` [m]. ``differenced``: density of the differences of
-    neighbouring heights, divided by the transfer function of the difference, so that it reads as a density of heights.
-    ``rows_of_a_map``: the profiles are neighbouring rows of one map.
+    ``points`` of a profile lie at the distance ``spacing`` [m]. ``rows_of_a_map``: the profiles are
+    neighbouring rows of one map.
     """
 
     frequency: NDArray[np.float64]
@@ -42,7 +41,6 @@ class BinnedSpectrum:
     profiles: int
     points: int
     spacing: float
-    differenced: bool
     rows_of_a_map: bool
 
     @property
@@ -134,7 +132,6 @@ def binned_spectrum(
         profiles=rows,
         points=points,
         spacing=spacing,
-        differenced=differenced,
         rows_of_a_map=rows_of_a_map,
     )
 

@@ -14,18 +14,10 @@ from asperity.errors import InputError
 class Topography:
     """Heights on an equally spaced line or grid.
 
-    Attributes
-    ----------
-    heights : array, shape (points,) for a profile or (rows, columns) for a map
-        Height [m]; NaN marks a point that the instrument did not measure. Rows run along y, columns along x.
-    spacing : float
-        Distance of neighbouring points along x [m].
-    spacing_across : float or None
-        Distance of neighbouring rows along y [m]; None for a profile.
-    source : str
-        Where the heights come from (a file name, a generator).
-    notes : tuple of str
-        What the reader or a later step found or changed.
+    ``heights`` [m], shape (points,) for a profile or (rows, columns) for a map, rows along y, columns along x; NaN
+    marks a point that the instrument did not measure. ``spacing``: distance of neighbouring points along x [m];
+    ``spacing_across``: of neighbouring rows along y [m], None for a profile; ``source``: where the heights come from (a
+    file name, a generator); ``notes``: what the reader or a later step found or changed.
     """
 
     heights: NDArray[np.float64]

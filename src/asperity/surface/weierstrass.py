@@ -1,4 +1,4 @@
-r"""The Weierstrass-Mandelbrot surface: a profile (equation (6)) and an areal map, as direct sums.
+r"""The Weierstrass-Mandelbrot surface: a profile (equation (6)), and a periodic map.
 
 With :math:`f_n = \gamma^n / L` the term of index n has the amplitude
 :math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{D-2}`: the profile length L only fixes where the frequencies sit, and
@@ -7,12 +7,17 @@ the mean power density does not depend on :math:`\gamma` (see :mod:`asperity.sur
 
 from __future__ import annotations
 
+import math
+
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, ArrayLike, Float
+from numpy.typing import NDArray
 
 from asperity.errors import InputError
 from asperity.precision import require_double_precision
+from asperity.surface.conventions import areal_roughness_from_profile, validated_fractal
 
 
 def weierstrass_mandelbrot_profile(
@@ -92,79 +97,96 @@ def weierstrass_mandelbrot_profile(
     return height
 
 
-def weierstrass_mandelbrot_surface(
+#: Waves per frequency; low frequencies have fewer directions.
+RIDGES = 24
+
+
+def periodic_weierstrass_surface(
     *,
-    position_x: Float[ArrayLike, " columns"],
-    position_y: Float[ArrayLike, " rows"],
-    profile_length: Float[ArrayLike, ""],
-    fractal_dimension: Float[ArrayLike, ""],
-    fractal_roughness: Float[ArrayLike, ""],
-    frequency_ratio: Float[ArrayLike, ""],
-    phases: Float[ArrayLike, "ridges terms"],
-    lowest_index: int,
-) -> Float[Array, "rows columns"]:
-    r"""Height map of the isotropic Weierstrass-Mandelbrot surface on a rectangular grid.
+    points: int,
+    side: float,
+    longest_wavelength: float,
+    shortest_wavelength: float,
+    fractal_dimension: float,
+    fractal_roughness: float,
+    frequency_ratio: float,
+    random: np.random.Generator,
+) -> NDArray[np.float64]:
+    r"""Isotropic Weierstrass–Mandelbrot height map on a periodic square.
 
     .. math::
-        z(x, y) = L \left(\frac{G}{L}\right)^{D-1} \left(\frac{\ln\gamma}{M}\right)^{1/2} \sum_{m=1}^{M}
-        \sum_n \gamma^{(D-2)n} \left[\cos\phi_{mn} - \cos\left(\frac{2\pi\gamma^n}{L}
-        (x\cos\theta_m + y\sin\theta_m) - \phi_{mn}\right)\right], \quad \theta_m = \pi m / M
+        z = \sqrt{\ln\gamma}\,G_a^{D-1} \sum_n f_n^{D-2}\, \frac{1}{\sqrt{M_n}} \sum_{m=1}^{M_n}
+        \cos(2\pi\,\mathbf k_{nm}\cdot\mathbf x + \phi_{nm}), \qquad f_n = \gamma^n f_0
 
     Parameters
     ----------
-    position_x, position_y : arrays, shapes (columns,) and (rows,)
-        Grid lines [m].
-    profile_length, fractal_roughness : scalar
-        L and G [m].
-    fractal_dimension : scalar
-        D [-] of a *profile*, 1 to 2; the dimension of the surface is D + 1.
-    frequency_ratio : scalar
+    points : int
+        Points along each side, at least 8.
+    side : float
+        Side of the square and period [m].
+    longest_wavelength, shortest_wavelength : float
+        Wavelengths of the first and of the last frequency at most [m]; at most the side and at least two
+        pixels.
+    fractal_dimension, fractal_roughness : float
+        D [-] and G [m] of the profiles.
+    frequency_ratio : float
         gamma [-], above 1.
-    phases : array, shape (ridges, terms)
-        phi_mn [rad]; the number of rows is the number M of superposed ridges.
-    lowest_index : int
-        Index n of the first column of ``phases``.
+    random : numpy.random.Generator
+        Source of the phases and directions.
 
     Returns
     -------
-    array, shape (rows, columns)
-        Height z [m]; zero at the origin.
+    array, shape (points, points)
+        Height [m], mean zero.
+
+    Raises
+    ------
+    InputError
+        For a surface that does not fit the grid.
 
     Notes
     -----
-    Each plane wave is the real part of a product of a function of x and one of y, so the double sum is one
-    matrix product: 4096 by 4096 points with 10 ridges take a second or two. The G of a straight profile of
-    this surface is smaller than its areal G, see
-    :func:`asperity.surface.conventions.profile_roughness_from_areal`.
+    The areal sum of Yan and Komvopoulos with the wavevectors moved to the nearest ones that fit the period (by
+    at most half a lattice step: 25 % of the lowest frequency if that has two waves per side); amplitudes are
+    those of the exact frequencies. G is converted from profile to area so that profiles have the given D and G.
 
     References
     ----------
-    Yan & Komvopoulos, J. Appl. Phys. 84 (1998) 3617, equation (6), with their surface dimension D + 1.
+    Yan & Komvopoulos, J. Appl. Phys. 84 (1998) 3617, equation (6); Zou et al. 2025, equation (6).
     """
-    require_double_precision()
-    x = jnp.asarray(position_x, dtype=jnp.float64)
-    y = jnp.asarray(position_y, dtype=jnp.float64)
-    phi = jnp.asarray(phases, dtype=jnp.float64)
-    if phi.ndim != 2 or x.ndim != 1 or y.ndim != 1:
+    D, G = validated_fractal(fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness)
+    if points < 8 or not frequency_ratio > 1.0 or not side > 0.0:
         raise InputError(
-            f"phases must have shape (ridges, terms) and positions one axis, not {phi.shape}, "
-            f"{x.shape}, {y.shape}"
+            f"points = {points}, side = {side:g} m, frequency_ratio = {frequency_ratio:g}: at least 8 "
+            "points, a positive side and a ratio above 1 are needed"
         )
-    L = jnp.asarray(profile_length, dtype=jnp.float64)
-    D = jnp.asarray(fractal_dimension, dtype=jnp.float64)
-    G = jnp.asarray(fractal_roughness, dtype=jnp.float64)
-    gamma = jnp.asarray(frequency_ratio, dtype=jnp.float64)
-    ridges, terms = phi.shape
-    n = jnp.asarray(lowest_index, dtype=jnp.float64) + jnp.arange(terms, dtype=jnp.float64)
-    theta = jnp.pi * jnp.arange(1, ridges + 1, dtype=jnp.float64)[:, None] / float(ridges)
+    if not 2.0 * side / points <= shortest_wavelength <= longest_wavelength <= side:
+        raise InputError(
+            f"wavelengths from {shortest_wavelength:g} to {longest_wavelength:g} m do not fit {points} points "
+            f"on {side:g} m: they must lie between {2.0 * side / points:g} m (two pixels) and the side"
+        )
+    areal = areal_roughness_from_profile(fractal_dimension=D, fractal_roughness=G)
+    column, row = np.meshgrid(np.arange(points // 2 + 1), np.fft.fftfreq(points, 1.0 / points))
+    distance = np.hypot(column, row)
+    spectrum = np.zeros(column.shape, dtype=np.complex128)
+    octaves = math.log(longest_wavelength / shortest_wavelength) / math.log(frequency_ratio)
+    terms = 1 + math.floor(octaves + 1e-9)
+    for n in range(terms):
+        frequency = frequency_ratio**n / longest_wavelength
+        # One of each pair of opposite wavevectors; the rim of the half-plane holds both, the upper one is taken.
+        near = (
+            (np.abs(distance - frequency * side) <= 0.5) & (column < points // 2) & ((column > 0) | (row > 0))
+        )
+        candidates = np.flatnonzero(near)
+        chosen = random.choice(candidates, size=min(RIDGES, candidates.size), replace=False)
+        amplitude = math.sqrt(math.log(frequency_ratio)) * areal ** (D - 1.0) * frequency ** (D - 2.0)
+        phases = np.exp(2j * math.pi * random.random(chosen.size))
+        spectrum.flat[chosen] += amplitude / math.sqrt(chosen.size) * phases
+    return np.fft.irfft2(_hermitian(spectrum), s=(points, points)) * (points**2 / 2.0)
 
-    a = L * (G / L) ** (D - 1.0) * jnp.sqrt(jnp.log(gamma) / float(ridges)) * gamma ** ((D - 2.0) * n)
-    a = jnp.broadcast_to(a, phi.shape).ravel()
-    q = 2.0 * jnp.pi * gamma**n / L
-    qx, qy, p = (q * jnp.cos(theta)).ravel(), (q * jnp.sin(theta)).ravel(), phi.ravel()
 
-    along_x = qx[:, None] * x - p[:, None]
-    along_y = y[:, None] * qy
-    left = jnp.concatenate([a * jnp.cos(along_y), -a * jnp.sin(along_y)], axis=1)
-    right = jnp.concatenate([jnp.cos(along_x), jnp.sin(along_x)], axis=0)
-    return jnp.sum(a * jnp.cos(p)) - left @ right
+def _hermitian(spectrum: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Fill the conjugate half of the first column, which contains both waves of each opposite pair."""
+    complete = spectrum.copy()
+    complete[:, 0] += np.conj(np.roll(spectrum[::-1, 0], 1))
+    return complete

@@ -124,13 +124,7 @@ def hertz() -> Iterator[Check]:
 
 
 def creep() -> Iterator[Check]:
-    """Carter's law by hand, and CONTACT's deck ``carter2d``.
-
-    Yields
-    ------
-    Check
-        Creepages of two rollers, traction and stick zone of the deck.
-    """
+    """Carter's law by hand, and CONTACT's deck ``carter2d``."""
     model = "Creep of a rolling line contact (Carter)"
     modulus = 206e9 / (2.0 * 0.91)
     width = hertz_line.half_width(

@@ -12,7 +12,6 @@ from typing import Any
 import asperity
 from asperity.precision import require_double_precision
 from asperity.validation import (
-    body_checks,
     contact_checks,
     drive_checks,
     element_checks,
@@ -32,8 +31,8 @@ GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
     "skewed rollers": roller_checks.skewed,
     "stresses": contact_checks.stresses,
     "fatigue": contact_checks.fatigue,
-    "discs": body_checks.discs,
-    "rings": body_checks.rings,
+    "discs": element_checks.discs,
+    "rings": element_checks.rings,
     "kinematics": drive_checks.ratios,
     "drive": drive_checks.states,
     "unlike branches": drive_checks.unlike,

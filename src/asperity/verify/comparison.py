@@ -13,10 +13,10 @@ from jax import Array
 from asperity.bem import ElasticPair, PeriodicHalfSpace
 from asperity.bem.pressed_map import loaded_state
 from asperity.contact.fractal import Surface, fractal_contact
+from asperity.contact.interface import RoughContact
 from asperity.contact.persson_2007 import contact_fraction, persson_decay_length, wave_spectrum
-from asperity.contact.rough_contact import RoughContact
 from asperity.errors import InputError
-from asperity.verify.periodic_weierstrass import periodic_weierstrass_surface
+from asperity.surface.weierstrass import periodic_weierstrass_surface
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -36,22 +36,12 @@ LAWS = {
 
 @dataclass(frozen=True)
 class MapComparison:
-    """Stiffness of the interface on patches of a map, per nominal area.
+    """Stiffness of the interface on patches of a pressed map, per nominal area [Pa/m].
 
-    Attributes
-    ----------
-    pressed : PressedMap
-        The boundary elements.
-    pressure : array, shape (loads,)
-        Nominal pressure [Pa].
-    hardness : float
-        Of the capped states [Pa].
-    elastic, capped : array, shape (patches, loads)
-        By boundary elements [Pa/m]; nan where a patch is pressed flat or cannot carry the load.
-    laws : dict of str to array of shape (patches, loads)
-        By the closed-form laws [Pa/m], keys of :data:`LAWS`; the published one where the surface has D and G.
-    no_power_law : str
-        Why it has none, or empty.
+    ``pressure``: nominal, shape (loads,) [Pa]; ``hardness`` of the capped states [Pa]. Of shape (patches, loads):
+    ``elastic`` and ``capped`` by boundary elements, nan where a patch is pressed flat or cannot carry the load;
+    ``laws`` by the closed-form ones, keys of :data:`LAWS`; the published one where the surface has D and G, else
+    ``no_power_law`` says why it has none.
     """
 
     pressed: PressedMap

@@ -154,16 +154,5 @@ CLAIMS: tuple[Callable[[Curves], Claim], ...] = (
 
 
 def judge(curves: Curves) -> tuple[Claim, ...]:
-    """Every claim with its verdict.
-
-    Parameters
-    ----------
-    curves : Curves
-        All computed curves.
-
-    Returns
-    -------
-    tuple of Claim
-        In the order of :data:`CLAIMS`.
-    """
+    """Every claim, in the order of :data:`CLAIMS`, with its verdict from all computed curves."""
     return tuple(claim(curves) for claim in CLAIMS)

@@ -94,17 +94,9 @@ def slope_change(abscissa: np.ndarray, values: np.ndarray) -> float:
 
 
 def peak(abscissa: np.ndarray, values: np.ndarray) -> float:
-    """Abscissa of the maximum of a curve: vertex of the parabola through the highest sample and its neighbours.
+    """Abscissa of the maximum of an evenly spaced curve, of the parabola through its highest sample and neighbours.
 
-    Parameters
-    ----------
-    abscissa, values : ndarray
-        The curve, shape (n,), evenly spaced.
-
-    Returns
-    -------
-    float
-        The abscissa; exactly an end of the range if the curve is highest there.
+    Exactly an end of the range if the curve is highest there.
 
     Examples
     --------

@@ -34,24 +34,12 @@ class PairCurve:
 
 @dataclass(frozen=True)
 class JointCurves:
-    """The joint of Table 2 over a grid of output torques (first axis) and one more quantity (last axis).
+    """The joint of Table 2 over m output torques [N·m] (first axis) and n values of one more quantity (last axis).
 
-    Parameters
-    ----------
-    output_torque : ndarray
-        Output torques, shape (m,) [N·m].
-    name : str
-        The other varied quantity, a field of :class:`asperity.zou2025.preset.OperatingPoint`.
-    values : ndarray
-        Its values, SI, shape (n,).
-    normal_force, tangential_force : ndarray
-        Forces of the five contacts, shape (5, m, n) [N].
-    contact_torsional_stiffness : ndarray
-        Each contact's own K_T at its driven roller, shape (5, m, n) [N·m/rad].
-    output_stiffness : ndarray
-        Published torsional stiffness at the output, shape (m, n) [N·m/rad].
-    sun_stiffness : ndarray
-        The same at the sun, shape (m, n) [N·m/rad].
+    ``name`` of the other varied quantity, a field of :class:`asperity.zou2025.preset.OperatingPoint`, and its
+    ``values``, SI. Of the five contacts, shape (5, m, n): ``normal_force`` and ``tangential_force`` [N], and
+    ``contact_torsional_stiffness``, K_T at the driven roller [N·m/rad]. Shape (m, n): published torsional stiffness at
+    the output and at the sun [N·m/rad].
     """
 
     output_torque: np.ndarray
@@ -68,17 +56,11 @@ class JointCurves:
 class Curves:
     """All computed numbers of the reproduction.
 
-    Parameters
-    ----------
-    pairs : dict
-        Case of Table 1 (and panel of Fig. 4) → its curve; ``e_low`` and ``f_low`` are cases e and f at the lowest
-        fractal dimension of case c, which the paper does not show.
-    loads : JointCurves
-        Over a fine grid of output torques, at the D of Table 1 (Fig. 5).
-    dimension, roughness, length, friction, radius : JointCurves
-        Over the quantity named, for :data:`OUTPUT_TORQUES` (Figs. 6–8; ``radius`` is in no figure).
-    high_friction : JointCurves
-        At one, two and four times the upper end of the range of friction (in no figure).
+    ``pairs``: case of Table 1 (and panel of Fig. 4) → its curve; ``e_low`` and ``f_low`` are cases e and f at the
+    lowest fractal dimension of case c, which the paper does not show. ``loads``: over a fine grid of output torques, at
+    the D of Table 1 (Fig. 5). ``dimension`` to ``radius``: over the quantity named, for :data:`OUTPUT_TORQUES` (Figs.
+    6–8; ``radius`` is in no figure); ``high_friction``: at one, two and four times the upper end of the range of
+    friction (in no figure).
     """
 
     pairs: dict[str, PairCurve]

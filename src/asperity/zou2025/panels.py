@@ -13,20 +13,10 @@ from asperity.zou2025.curves import Curves
 
 @dataclass(frozen=True)
 class Axis:
-    """One axis of a panel.
+    """One axis of a panel: label with its symbol, unit, empty for none, and scale.
 
-    Parameters
-    ----------
-    label : str
-        What is shown, with its symbol.
-    unit : str
-        Its unit, empty for none.
-    column : str
-        Column name in the CSV file, unit included; ``{}`` stands for the name of the curve.
-    per_si : float
-        Numbers in this unit per number in SI.
-    logarithmic : bool
-        Scale of the axis.
+    ``column``: column name in the CSV file, unit included; ``{}`` stands for the name of the curve. ``per_si``: numbers
+    in this unit per number in SI.
     """
 
     label: str

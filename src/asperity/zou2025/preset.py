@@ -11,8 +11,8 @@ import numpy as np
 from jax.typing import ArrayLike
 
 from asperity.contact.fractal import Surface
+from asperity.contact.interface import RoughContact
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
-from asperity.contact.rough_contact import RoughContact
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
@@ -28,7 +28,6 @@ CONTACT_LENGTH_RANGE = (5e-3, 30e-3)  # m, Table 1 case f
 PAIR_NORMAL_FORCE = 1000.0  # N, Table 1
 PAIR_RADII = (10e-3, 20e-3)  # m, Table 1
 SECOND_RADIUS_RANGE = (10e-3, 50e-3)  # m, Table 1 case e
-TANGENTIAL_RANGE = (0.0, 119.0)  # N, Table 1 case b
 SUN_RADIUS = 4e-3  # m, Table 2
 PLANET_RADIUS = 13.5e-3  # m, Table 2
 LOADING_ROLLER_RADIUS = 5e-3  # m, Table 2
@@ -124,18 +123,10 @@ class OperatingPoint(eqx.Module):
 
 
 def operating_grid(**varied: ArrayLike) -> OperatingPoint:
-    """The paper's operating point with some fields varied over the grid of their values.
+    """The paper's operating point with some fields varied over the grid of their values, each of shape (n,).
 
-    Parameters
-    ----------
-    **varied : array_like
-        Field of :class:`OperatingPoint` → its values, shape (n,). All other fields keep the values of Tables 1
-        and 2 at the full output torque.
-
-    Returns
-    -------
-    OperatingPoint
-        All fields in the shape (n_1, n_2, ...), in the order of the arguments.
+    All other fields keep the values of Tables 1 and 2 at the full output torque. All have the shape (n_1, n_2, ...), in
+    the order of the arguments.
 
     Examples
     --------

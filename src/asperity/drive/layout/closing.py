@@ -9,8 +9,8 @@ import equinox as eqx
 import jax
 import numpy as np
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import Drive, gaps, incidence
+from asperity.types import namespace
 
 _STEPS = 30
 _LONGEST_STEP = 0.2  # over the smallest radius

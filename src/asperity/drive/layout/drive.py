@@ -19,9 +19,8 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.arrays import namespace
 from asperity.linear import least_squares, product
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 #: The member that carries the pins; it has no contacts of its own.
 CARRIER = "carrier"

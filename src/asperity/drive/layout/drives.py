@@ -6,10 +6,9 @@ import math
 
 import numpy as np
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Body, Closure, Contact, Drive
 from asperity.drive.wedge.geometry import DriveGeometry, triangle
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 #: What the paper assumes of its drive: both contacts of a planet with its loading rollers have one coefficient (A3).
 EQUAL_COEFFICIENTS = (("pwr", "pwl"),)

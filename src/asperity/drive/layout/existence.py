@@ -10,9 +10,9 @@ import jax
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, gaps, incidence, speeds
 from asperity.errors import InputError
+from asperity.types import namespace
 
 #: Largest distance between the bodies of a contact, relative to their radii, that is accepted.
 TOUCH_TOLERANCE = 1e-9

@@ -7,9 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import Drive
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 
 class WedgeAngles(NamedTuple):

@@ -10,9 +10,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.implicit import implicit_root
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 #: Relative width of the last interval of the search.
 SEARCH_TOLERANCE = 1e-13

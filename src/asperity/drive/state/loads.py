@@ -11,11 +11,11 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members
 from asperity.drive.mechanism import Bearings, bearing_torque
 from asperity.drive.state.oil import drag_levers, drag_pairs
 from asperity.linear import product
+from asperity.types import namespace
 
 
 class MemberLoads(NamedTuple):

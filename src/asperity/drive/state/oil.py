@@ -13,8 +13,8 @@ from __future__ import annotations
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, sectors_of_members, speeds
+from asperity.types import namespace
 
 
 def signed_drag(drive: Drive, drag: Array, *, backwards: Array | float) -> Array:

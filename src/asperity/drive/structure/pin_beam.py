@@ -8,8 +8,7 @@ from typing import Literal
 import equinox as eqx
 from jax import Array
 
-from asperity.arrays import namespace
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 #: How the carrier holds a pin.
 PinSupport = Literal["both_ends", "one_end"]

@@ -10,8 +10,7 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
-from asperity.arrays import namespace
-from asperity.types import Real
+from asperity.types import Real, namespace
 
 #: The contacts of a branch in the order of the contact axis: name, driving and driven body.
 CONTACT_BODIES: dict[str, tuple[str, str]] = {

@@ -4,7 +4,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.arrays import namespace
+from asperity.types import namespace
 
 
 def test_numpy_for_known_numbers_and_jax_for_its_own():
