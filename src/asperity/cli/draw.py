@@ -124,7 +124,7 @@ def _sheets(case: Case, file: str, forces: bool, parts: bool, title: Title) -> d
 
 def _interference(case: AnyCase, result: JointResult | None, file: str) -> float | None:
     """The interference with which the ring is made; without it there is a drawing all the same, with a warning."""
-    from asperity.joint_file.made_interference import made_interference
+    from asperity.joint_file.stated_parts import made_interference
 
     made = made_interference(case, result)
     if made.size is None:

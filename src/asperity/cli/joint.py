@@ -50,8 +50,7 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     check_image(plot_file)
     case = read_case(file)
     prepare_computation()
-    from asperity.joint_file.side_by_side import laws_of_file
-    from asperity.joint_file.solved_document import solve_case
+    from asperity.joint_file.solved_document import laws_of_file, solve_case
 
     with about(file):
         measured = _with_surfaces(case, surfaces) if surfaces else None

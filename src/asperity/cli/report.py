@@ -135,7 +135,7 @@ def _studies(
 ) -> ReportStudies:
     """Make the studies that a report is to show."""
     from asperity.cli.terminal import about, progress_bar
-    from asperity.joint_file.distribution import parse_distribution
+    from asperity.joint_file.quantity_key import parse_distribution
     from asperity.reading import read_text
     from asperity.report.study_sections import STUDIED, ReportStudies
 

@@ -46,7 +46,7 @@ def tolerances(
     """
     from asperity.cli.terminal import about, progress_bar, read_case_of_branches
     from asperity.errors import InputError
-    from asperity.joint_file.distribution import parse_distribution
+    from asperity.joint_file.quantity_key import parse_distribution
     from asperity.unit_table import Dimension
     from asperity.units import parse_quantity
 

@@ -13,8 +13,8 @@ from asperity.writing import check_image, write_image
 if TYPE_CHECKING:
     import xarray
 
-    from asperity.joint_file.distribution import Distribution
     from asperity.joint_file.model import Case
+    from asperity.joint_file.quantity_key import Distribution
 
 
 @click.command()
@@ -64,7 +64,7 @@ def uncertainty(
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
     from asperity.cli.terminal import about, read_case_of_branches
-    from asperity.joint_file.distribution import parse_distribution
+    from asperity.joint_file.quantity_key import parse_distribution
     from asperity.joint_file.reader import read_case
 
     case = read_case_of_branches(file) if branches is None else read_case(file)

@@ -12,13 +12,12 @@ import tomlkit
 from pydantic import BaseModel
 from tomlkit.items import AoT, Table
 
-from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type, parse_case
-from asperity.joint_file.section import leaves
+from asperity.joint_file.section import keys_by_path, leaves
 from asperity.joint_file.si_tables import (
     DEPTH,
     PARTNER_DEPTH,

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from asperity.joint_file.case_types import CASES
-from asperity.joint_file.key_paths import models_of
 from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.part_names import WEDGE_TYPE
+from asperity.joint_file.section import models_of
 from asperity.library import read_finishes, read_materials
 
 Schema = dict[str, Any]

@@ -17,12 +17,10 @@ from pydantic import BaseModel
 
 from asperity.errors import InputError, nearest
 from asperity.joint_file.case_types import CASES
-from asperity.joint_file.distribution import Distribution
-from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_track, type_of
-from asperity.joint_file.quantity_key import Key, Quantity
-from asperity.joint_file.section import Section, leaves
+from asperity.joint_file.quantity_key import Distribution, Key, Quantity
+from asperity.joint_file.section import Section, keys_by_path, leaves
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
 Values = dict[str, Any]

@@ -14,8 +14,15 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.standing.windup import StiffnessLevel
-from asperity.study.calibration.alternatives import Alternative, alternatives, candidates
-from asperity.study.calibration.directions import NAMED_SHARE, UNINFORMED, Direction, direction_of
+from asperity.study.calibration.directions import (
+    NAMED_SHARE,
+    UNINFORMED,
+    Alternative,
+    Direction,
+    alternatives,
+    candidates,
+    direction_of,
+)
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
