@@ -236,17 +236,6 @@ class DescribedJoint(Shown):
 
 
 def require_joint(joint: object) -> None:
-    """Raise unless this is a joint that was loaded.
-
-    Parameters
-    ----------
-    joint : DescribedJoint
-        What a caller gave.
-
-    Raises
-    ------
-    InputError
-        If it is anything else.
-    """
+    """Raise an ``InputError`` unless this is a joint that :func:`load` returned."""
     if not isinstance(joint, DescribedJoint):
         raise InputError(f"expected a joint, got {quoted(joint)}; asperity.load('joint.toml') reads one")

@@ -121,26 +121,9 @@ def _converted(si: Any, unit: str) -> Any:
 
 
 def si_number(given: Any, dimension: Dimension, *, name: str) -> float:
-    """SI value of a number that a user gives: a text with its unit, or a quantity.
+    """SI value of what a user gives, called ``name``: ``"1200 N"``, a quantity, or a bare number if dimensionless.
 
-    Parameters
-    ----------
-    given : str, NamedQuantity or float
-        For example ``"1200 N"``. A bare number is accepted where the quantity is dimensionless.
-    dimension : Dimension
-        What it must measure.
-    name : str
-        What to call it in a message.
-
-    Returns
-    -------
-    float
-        In SI units.
-
-    Raises
-    ------
-    InputError
-        If it has no unit, or measures something else.
+    An ``InputError`` is raised if it has no unit, or measures something else.
     """
     if isinstance(given, NamedQuantity):
         if given.dimension is not dimension or given.rows or given.categories:

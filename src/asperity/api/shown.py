@@ -16,17 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Table:
-    """A table to read: the first column is text, the others are numbers.
-
-    Parameters
-    ----------
-    head : tuple of str
-        Titles of the columns.
-    rows : sequence of tuple of str
-        Cells.
-    title : str
-        Title of the table.
-    """
+    """A table to read, with titles of its columns: the first column is text, the others are numbers."""
 
     head: tuple[str, ...]
     rows: Sequence[tuple[str, ...]]
@@ -78,18 +68,7 @@ class Shown(ABC):
 
 
 def displayed(figure: Figure) -> Figure:
-    """A figure that a notebook shows by itself.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        A figure made without pyplot, which notebooks would show as its name only.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The same one.
-    """
+    """The same figure, which a notebook now shows by itself: it is made without pyplot, and has but a name there."""
     shows: Any = figure
     shows._repr_png_ = functools.partial(_png, figure)
     return figure
@@ -102,26 +81,9 @@ def _png(figure: Figure) -> bytes:
 
 
 def frame(columns: dict[str, Any], *, index: Any = None, index_name: str = "") -> Any:
-    """A pandas data frame.
+    """A pandas data frame of columns by title, with the names of its rows and what they name.
 
-    Parameters
-    ----------
-    columns : dict
-        Title of a column → its values.
-    index : sequence, optional
-        Names of the rows.
-    index_name : str, optional
-        What they name.
-
-    Returns
-    -------
-    pandas.DataFrame
-        The table.
-
-    Raises
-    ------
-    MissingExtraError
-        If pandas is not installed.
+    A ``MissingExtraError`` is raised if pandas is not installed.
     """
     made = pandas().DataFrame(columns, index=index)
     if index_name:
@@ -130,18 +92,7 @@ def frame(columns: dict[str, Any], *, index: Any = None, index_name: str = "") -
 
 
 def pandas() -> Any:
-    """The package pandas.
-
-    Returns
-    -------
-    module
-        Imported.
-
-    Raises
-    ------
-    MissingExtraError
-        If it is not installed.
-    """
+    """The package pandas; a ``MissingExtraError`` is raised if it is not installed."""
     from asperity.extras import optional_module
 
     return optional_module("pandas", extra="study", needs="data frames need")

@@ -171,22 +171,7 @@ def console() -> Console:
 
 
 def table(target: Console, title: str, *columns: str) -> Table:
-    """An empty table in the style of all commands: first column text, the others numbers.
-
-    Parameters
-    ----------
-    target : Console
-        Where it will be shown.
-    title : str
-        Its title.
-    *columns : str
-        Headers, with units.
-
-    Returns
-    -------
-    Table
-        To be filled.
-    """
+    """An empty table in the style of all commands, its columns with units: the first text, the others numbers."""
     from rich import box
     from rich.markup import escape
     from rich.table import Table
@@ -203,13 +188,7 @@ def table(target: Console, title: str, *columns: str) -> Table:
 
 
 def say(sentence: str) -> None:
-    """Write a message to standard error.
-
-    Parameters
-    ----------
-    sentence : str
-        The message.
-    """
+    """Write a message to standard error."""
     click.echo(sentence, err=True)
 
 

@@ -30,18 +30,7 @@ from asperity.results.table import results_of_drive
 
 
 def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
-    """The table of results of the drive of a joint file: the rows that it has, with the names of its parts.
-
-    Parameters
-    ----------
-    tables : mapping
-        Tables of the joint file, of which type and names matter.
-
-    Returns
-    -------
-    dict
-        Name → row.
-    """
+    """Name → row of all results that the drive of a file has, with the names of its parts, whatever its numbers."""
     return _results_of_structure(table_structure(with_tracks(dict(tables))))
 
 

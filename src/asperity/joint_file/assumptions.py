@@ -66,18 +66,7 @@ CROWNED = (
 
 
 def assumptions(case: Case) -> tuple[str, ...]:
-    """What a joint file leaves out, and what is taken instead.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    tuple of str
-        One sentence each.
-    """
+    """What a joint file leaves out, and what is taken instead, one sentence each."""
     kind = case.type
     drive: Any = case.drive
     told: list[str] = []

@@ -54,23 +54,11 @@ def exact_text(value_si: float, key: Key) -> str:
 
 
 def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str) -> str:
-    """The text of a joint file with some numbers replaced.
+    """The TOML of a joint file with its comments, where some numbers are replaced: dotted path → new value [SI].
 
-    Parameters
-    ----------
-    case : Case
-        The joint file to start from.
-    changes : mapping
-        Dotted path → new value [SI]. A number that has a tolerance keeps it, with its distribution.
-    comment : str
-        Lines for the head of the file, without the comment sign.
-
-    Returns
-    -------
-    str
-        TOML with the comments of the original file. An entry of a library file of the user's is replaced by its
-        numbers, because its path would be wrong in another folder, and where numbers change, an Rz by the range of Ra
-        that it was read as.
+    A number that has a tolerance keeps it, with its distribution. An entry of a library file of the user's is replaced
+    by its numbers, because its path would be wrong in another folder, and where numbers change, an Rz by the range of
+    Ra that it was read as. ``comment``: lines for the head of the file, without the comment sign.
     """
     stated, values = numeric_keys(case), si_values(case)
     kind = type_of(values)

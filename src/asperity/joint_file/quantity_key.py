@@ -92,40 +92,16 @@ class Key:
         return low_side and high_side and not (self.integer and value_si != round(value_si))
 
     def check(self, value_si: float) -> None:
-        """Raise unless a value is inside the range.
-
-        Parameters
-        ----------
-        value_si : float
-            The value in SI units.
-
-        Raises
-        ------
-        InputError
-            With the value and the allowed range.
-        """
+        """Raise an ``InputError`` with the value [SI] and the allowed range unless the value is inside it."""
         if not self.admits(value_si):
             raise InputError(
                 f"{format_quantity(value_si, self.unit)} is not allowed; it must be {self.allowed}"
             )
 
     def read(self, written: object) -> Quantity:
-        """Read and check one value of a file.
+        """The value and the tolerance of a text with a unit, or of a number if dimensionless, in SI units.
 
-        Parameters
-        ----------
-        written : object
-            The value in the file: text with a unit, with or without a tolerance; a number if dimensionless.
-
-        Returns
-        -------
-        Quantity
-            Its value and tolerance in SI units.
-
-        Raises
-        ------
-        InputError
-            If it is not such a quantity, or outside the allowed range.
+        An ``InputError`` is raised if it is no such quantity, or outside the allowed range.
         """
         if isinstance(written, str) and any(sign in written for sign in ("±", "+-", "+/-", "+ -", "+ /")):
             text, distribution = split_distribution(written)
@@ -178,14 +154,9 @@ _MOST_SIGMAS = 10.0
 
 @dataclass(frozen=True, slots=True)
 class Distribution:
-    """A symmetric distribution about a stated value v with a tolerance t.
+    """A symmetric distribution about a value v with a tolerance t: "uniform" or "triangular" in v ± t, or "normal".
 
-    Parameters
-    ----------
-    kind : {"uniform", "triangular", "normal"}
-        Uniform or triangular between v − t and v + t, or normal.
-    sigmas : float
-        For ``normal``: how many standard deviations make t. 0 for the others.
+    ``sigmas``: how many standard deviations make t if it is normal; 0 otherwise.
     """
 
     kind: Literal["uniform", "triangular", "normal"]
@@ -201,22 +172,7 @@ class Distribution:
 
 
 def parse_distribution(text: str) -> Distribution:
-    """Read a distribution.
-
-    Parameters
-    ----------
-    text : str
-        ``uniform``, ``triangular`` or ``normal K sigma``.
-
-    Returns
-    -------
-    Distribution
-        The distribution.
-
-    Raises
-    ------
-    InputError
-        If the text has another form.
+    """The distribution of a text ``uniform``, ``triangular`` or ``normal K sigma``; an ``InputError`` for any other.
 
     Examples
     --------

@@ -38,22 +38,8 @@ class Section(BaseModel):
 
 
 def meaning(model: type[BaseModel], name: str) -> str:
-    """What the docstring below a key says of it.
+    """What the docstring below a key of a section says of it, in one line; empty where it has none.
 
-    Parameters
-    ----------
-    model : type
-        A section.
-    name : str
-        Key.
-
-    Returns
-    -------
-    str
-        One line; empty where the key has no docstring.
-
-    Notes
-    -----
     Docstrings are read when they are asked for. Pydantic would read all of them whenever a command starts.
 
     Examples
@@ -86,23 +72,9 @@ _Leaf = TypeVar("_Leaf")
 def leaves(
     node: Any, kinds: type[_Leaf] | tuple[type[_Leaf], ...], path: str = ""
 ) -> Iterator[tuple[str, _Leaf]]:
-    """Every value of some types in a section and the sections below it, in the order of the file.
+    """Dotted path and value of everything of some types in and below a section at ``path``, in the order of the file.
 
-    Parameters
-    ----------
-    node : object
-        A section, or an entry of one.
-    kinds : type or tuple of type
-        Types of the values.
-    path : str, optional
-        Dotted path of the node.
-
-    Yields
-    ------
-    path : str
-        Dotted path; the entries of a list have their numbers from 1 on.
-    value : object
-        What stands there.
+    The entries of a list have their numbers from 1 on in their paths.
     """
     if isinstance(node, kinds):
         yield path, node

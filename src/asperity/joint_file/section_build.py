@@ -34,22 +34,9 @@ def play_of(values: Values) -> Play:
 
 
 def inertias_from_case(case: Case) -> Inertias:
-    """What a joint file couples to its joint.
+    """What a file couples to its joint; an ``InputError`` if it has no section ``[dynamics]``.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    Inertias
-        In SI units; without a loss factor the spring loses no work.
-
-    Raises
-    ------
-    InputError
-        If the file has no section ``[dynamics]``.
+    Without a loss factor the spring loses no work.
     """
     if case.dynamics is None:
         raise InputError(

@@ -263,18 +263,9 @@ def counterparts(name: str) -> tuple[str, ...]:
 
 
 def check_values(changes: Mapping[str, Any]) -> None:
-    """Raise unless every number is inside the range of its key.
+    """Raise an ``InputError`` with the key, the value and its range unless every number [SI] is inside that of its key.
 
-    Parameters
-    ----------
-    changes : mapping
-        Dotted path → SI number or array of them. Abstract arrays inside ``jit`` or ``grad`` have no values and are
-        not looked at.
-
-    Raises
-    ------
-    InputError
-        With the key, the offending value and the allowed range.
+    Abstract arrays inside ``jit`` or ``grad`` have no values and are not looked at.
     """
     for path, value in changes.items():
         key = key_at(path)
@@ -301,18 +292,7 @@ Numbers = tuple[Any, ...]
 
 
 def numbers(values: Values) -> Numbers:
-    """All numbers of the tables of a joint file, in a fixed order.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    tuple of float
-        The leaves that are numbers, by sorted names.
-    """
+    """The leaves of the tables of a joint file that are numbers, in SI units, by sorted names."""
     return tuple(value for value in _leaves(values) if not isinstance(value, str))
 
 

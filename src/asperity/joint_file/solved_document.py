@@ -30,25 +30,7 @@ class SolvedCase(NamedTuple):
 
 
 def solve_case(case: AnyCase) -> SolvedCase:
-    """Solve a joint file, and write down what comes out.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    SolvedCase
-        The joint and its document.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, or the output torque exceeds the capacity.
-    NoSolutionError
-        If no balance was found.
-    """
+    """A joint file solved, and its document; raises as :func:`solved_case`."""
     solved = solved_case(case)
     return SolvedCase(solved, document_of(case, solved))
 
@@ -59,24 +41,10 @@ def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
 
 
 def solved_case(case: AnyCase) -> SolvedJoint:
-    """Solve a joint file.
+    """A joint file solved; with sections ``[[branch]]`` the joint and its results have every branch by itself.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    SolvedJoint
-        The joint; with sections ``[[branch]]`` it and its results have every branch by itself.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, or the output torque exceeds the capacity.
-    NoSolutionError
-        If no balance was found.
+    Raised are an ``InputError`` if the bodies do not fit or the output torque exceeds the capacity, and a
+    ``NoSolutionError`` if no balance was found.
     """
     branches = branches_of(case)
     joint = joint_from_case(case) if branches is None else branches.joint

@@ -149,18 +149,8 @@ class MadeInterference(NamedTuple):
 def made_interference(case: AnyCase, result: JointResult | None = None) -> MadeInterference:
     """Interference of the parts at their assembly: that of the file, or that which makes the force that it states.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    result : JointResult, optional
-        Its result, if it is known; otherwise the joint is solved without torque, as it is assembled.
-
-    Returns
-    -------
-    MadeInterference
-        A loading cam adds nothing to it: without torque the drive has its least preload. At another temperature than
-        that of the assembly, less what temperature adds.
+    It follows from the result, if that is known; otherwise the joint is solved without torque, as it is assembled: a
+    loading cam adds nothing. At another temperature than that of the assembly it is less what temperature adds.
     """
     load = case.load
     if load.interference is not None:

@@ -219,18 +219,7 @@ def added_to_curve(path: str) -> bool:
 
 
 def of_joint_file(path: str) -> bool:
-    """Whether an unknown is a number of the joint file, and not of the measurement.
-
-    Parameters
-    ----------
-    path : str
-        Its name.
-
-    Returns
-    -------
-    bool
-        False for offset and drift.
-    """
+    """Whether an unknown is a number of the joint file; False for offset and drift, which are of the measurement."""
     return path.partition(" ")[0] not in CURVE_UNKNOWNS
 
 

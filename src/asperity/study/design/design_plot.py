@@ -23,19 +23,9 @@ _POINTS = 31
 
 
 def design_figure(result: DesignResult, *, width: float | None = None) -> Figure:
-    """The objective along each variable through the design: where all limits are met, and where no joint exists.
+    """The objective along each variable through the design, a panel each: where limits are met, where no joint exists.
 
-    Parameters
-    ----------
-    result : DesignResult
-        What :func:`asperity.study.design.design.design` returns.
-    width : float, optional
-        Width of the figure [in]; two panels then stand in a row.
-
-    Returns
-    -------
-    Figure
-        One panel a variable.
+    With a ``width`` [in] two panels stand in a row.
     """
     from matplotlib.figure import Figure
 
@@ -113,20 +103,7 @@ def _shade(axes: Axes, x: np.ndarray, where: np.ndarray) -> None:
 
 
 def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
-    """A Pareto front: the second objective over the first, the third as colour.
-
-    Parameters
-    ----------
-    front : xarray.Dataset
-        What :func:`asperity.study.design.pareto.pareto_front` returns.
-    objectives : tuple of str
-        Names of its two or three objectives.
-
-    Returns
-    -------
-    Figure
-        The front, and below it the variables along it.
-    """
+    """A Pareto front: the second objective over the first, the third as colour; below it the variables."""
     from matplotlib.figure import Figure
 
     shown = {name: _in_unit(front[name].values, RESULTS[name].display_unit) for name in objectives}

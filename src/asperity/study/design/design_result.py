@@ -184,18 +184,7 @@ class DesignResult:
 
 
 def shortcoming(result: DesignResult) -> str:
-    """Why a design is not what was asked for.
-
-    Parameters
-    ----------
-    result : DesignResult
-        A design.
-
-    Returns
-    -------
-    str
-        The limits that conflict, or that no search converged; empty for an optimum that meets all limits.
-    """
+    """Why a design is not what was asked for: the limits that conflict, or that no search converged; else empty."""
     if not result.feasible:
         return conflict(result)
     if not result.converged:
@@ -222,19 +211,10 @@ def conflict(result: DesignResult) -> str:
 
 
 def joint_diagnostics(joint_text: str) -> Diagnostics:
-    """Every limit of a joint that a design has found, kept or crossed, under the torque of its file.
+    """Every limit of a designed joint file, kept or crossed, under the torque of the file, and its life.
 
-    Parameters
-    ----------
-    joint_text : str
-        The designed joint as a joint file.
-
-    Returns
-    -------
-    dict
-        ``diagnostics``, as in the document of :func:`asperity.results.document.joint_document`; None where the joint
-        has no result under that torque, with the reason in ``no_result_because``. ``life_hours`` is its life, if it has
-        one.
+    ``diagnostics``, as in the document of :func:`asperity.results.document.joint_document`, is None where the joint has
+    no result under that torque, with the reason in ``no_result_because``; ``life_hours`` is there if it has a life.
     """
     try:
         document = solve_case(parse_case(joint_text, source="the designed joint")).document
@@ -288,18 +268,9 @@ def front_diagnostics(
 
 
 def design_document(result: DesignResult) -> dict[str, Any]:
-    """A design as plain data.
+    """A design as plain data in SI units: objective before and after, variables, limits, starts, results of the joint.
 
-    Parameters
-    ----------
-    result : DesignResult
-        What :func:`asperity.study.design.design.design` returns.
-
-    Returns
-    -------
-    dict
-        Objective before and after, variables, limits, starts and results of the joint, in SI units; its
-        ``diagnostics`` as in the document of ``asperity joint``.
+    Its ``diagnostics`` are as in the document of ``asperity joint``.
     """
 
     def plain(node: Any) -> Any:

@@ -19,13 +19,7 @@ if TYPE_CHECKING:
 
 
 def require_pymoo() -> None:
-    """Raise unless pymoo and xarray are installed.
-
-    Raises
-    ------
-    MissingExtraError
-        Saying what to install.
-    """
+    """Raise a ``MissingExtraError``, which says what to install, unless pymoo and xarray are installed."""
     for name in ("pymoo", "xarray"):
         optional_module(name, extra="study", needs="a Pareto front needs")
 

@@ -44,24 +44,9 @@ _HIGH_IS_WORSE = ("losses", "stresses")
 def toleranced_inputs(
     case: AnyCase, *, otherwise: Distribution | None
 ) -> dict[str, tuple[NumericKey, Distribution]]:
-    """The numbers of a joint file that have a tolerance, with their distributions.
+    """The numbers of a joint file that have a tolerance, by dotted path, with their distributions or ``otherwise``.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    otherwise : Distribution or None
-        Distribution of those whose distribution the file does not state.
-
-    Returns
-    -------
-    dict
-        Dotted path → (the number, its distribution).
-
-    Raises
-    ------
-    InputError
-        If there is none, or the distribution of one is stated nowhere.
+    An ``InputError`` is raised if there is none, or the distribution of one is stated nowhere.
     """
     values = si_values(case)
     toleranced = {
