@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import prepare_computation, print_json, say_written
+from asperity.cli.terminal import json_option, prepare_computation, print_json, save_image, say_written
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
-from asperity.writing import check_file, check_image, write_image, write_text
+from asperity.writing import check_file, check_image, write_text
 
 if TYPE_CHECKING:
     from asperity.study.calibration.calibrate import Calibration
@@ -37,9 +37,7 @@ if TYPE_CHECKING:
 @click.option("--posterior", "draws", type=click.IntRange(50, 100000), metavar="DRAWS",
               help="Also draw from the posterior, this number from each of four chains (extra 'bayes').")  # fmt: skip
 @click.option("--plot-posterior", type=click.Path(), help="Draw the posterior (.png, .svg, .pdf).")
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@json_option()
 def calibrate(
     file: str,
     data: tuple[str, ...],
@@ -118,11 +116,9 @@ def calibrate(
     from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure
 
     if plot is not None:
-        write_image(calibration_figure(calibration), plot)
-        say_written(plot)
+        save_image(calibration_figure(calibration), plot)
     if plot_posterior is not None and drawn is not None:
-        write_image(posterior_figure(calibration, drawn), plot_posterior)
-        say_written(plot_posterior)
+        save_image(posterior_figure(calibration, drawn), plot_posterior)
     if as_json:
         print_json(_document(calibration, drawn))
     else:

@@ -6,27 +6,28 @@ from typing import Any
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, print_json, say_written
-from asperity.writing import check_file, check_image, write_columns, write_image
+from asperity.cli.terminal import (
+    about,
+    json_option,
+    plot_option,
+    prepare_computation,
+    print_json,
+    save_image,
+    say_written,
+)
+from asperity.writing import check_file, check_image, write_columns
 
 
 @click.command()
 @click.argument("file", type=click.Path())
-@click.option(
-    "--plot",
-    "plot_file",
-    type=click.Path(dir_okay=False),
-    help="Draw the frequency response, and the natural frequencies over torque: PNG, SVG or PDF.",
-)
+@plot_option("Draw the frequency response, and the natural frequencies over torque: PNG, SVG or PDF.")
 @click.option(
     "--csv",
     "csv_file",
     type=click.Path(dir_okay=False),
     help="Write the frequency response to this CSV file.",
 )
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@json_option()
 def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bool) -> None:
     """Natural frequencies and frequency response of the joint described in FILE, with motor and load.
 
@@ -56,8 +57,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
         from asperity.show.dynamics_figure import dynamics_figure
         from asperity.show.style import plain_title
 
-        write_image(dynamics_figure(solved, title=f"{plain_title(file)} between motor and load"), plot_file)
-        say_written(plot_file)
+        save_image(dynamics_figure(solved, title=f"{plain_title(file)} between motor and load"), plot_file)
     document = dynamics_document(solved, inertias) | {"of_own_branches": (joint.unlike is not None)}
     if as_json:
         print_json(document)
@@ -69,7 +69,7 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
     from rich.markup import escape
 
     from asperity.cli.document_text import number, print_wrapped
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console, show_table, table
 
     target = console()
     at = document["at_torque"]
@@ -92,19 +92,15 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
         shown.add_row("creep: corner frequency", f"{number(at['corner_frequency_Hz'])} Hz")
     target.print(shown)
     over = document["over_torque"]
-    rows = table(
-        target,
-        "Over torque",
-        "torque N·m",
-        "stiffness N·m/rad",
-        "motor locked Hz",
-        "both free Hz",
-        "creep corner Hz",
-    )
-    for index in range(0, len(over["output_torque_Nm"]), 4):
-        keys = ("output_torque_Nm", "stiffness_output_Nm_per_rad", "locked_frequency_Hz", "free_frequency_Hz")
-        rows.add_row(*(number(over[key][index]) for key in (*keys, "corner_frequency_Hz")))
-    target.print(rows)
+    columns = {
+        "torque N·m": "output_torque_Nm",
+        "stiffness N·m/rad": "stiffness_output_Nm_per_rad",
+        "motor locked Hz": "locked_frequency_Hz",
+        "both free Hz": "free_frequency_Hz",
+        "creep corner Hz": "corner_frequency_Hz",
+    }
+    rows = zip(*(map(number, over[key][::4]) for key in columns.values()), strict=True)
+    show_table(target, "Over torque", columns, rows)
     said = (
         "Below the creep corner frequency a joint that turns yields like a damper, above it like its spring. "
         if at["creep_damping_Nms_per_rad"] is not None

@@ -6,8 +6,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, print_json, say_written
-from asperity.writing import check_image, write_image
+from asperity.cli.terminal import (
+    about,
+    json_option,
+    plot_option,
+    prepare_computation,
+    print_json,
+    save_image,
+)
+from asperity.writing import check_image
 
 if TYPE_CHECKING:
     from asperity.branches.size_errors import SizeErrorCurves
@@ -18,9 +25,7 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("file", type=click.Path())
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@json_option()
 @click.option("--all", "in_full", is_flag=True, help="Print everything that is assumed, in full.")
 @click.option(
     "--surface",
@@ -30,12 +35,7 @@ if TYPE_CHECKING:
     metavar="MEASUREMENT",
     help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
 )
-@click.option(
-    "--plot",
-    "plot_file",
-    type=click.Path(dir_okay=False),
-    help="Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.",
-)
+@plot_option("Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.")
 def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
@@ -69,8 +69,7 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
         from asperity.show.style import plain_title
 
         errors = _size_errors(solved)
-        write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
-        say_written(plot_file)
+        save_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
     _show(document, file, as_json=as_json, in_full=in_full)
 
 

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from asperity.cli.terminal import json_option, print_json
+
 if TYPE_CHECKING:
     from asperity.library import LibraryMaterial
 
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
 @click.argument("name", required=False)
 @click.option("--file", type=click.Path(), help="Your own library file; its materials are added.")
 @click.option("--finishes-file", type=click.Path(), help="Your own library file; its finishes are added.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document; finishes in SI units.")
+@json_option("Print one JSON document; finishes in SI units.")
 def materials(name: str | None, file: str | None, finishes_file: str | None, as_json: bool) -> None:
     """List the library, or the entry NAME with its source.
 
@@ -38,13 +40,12 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
         materials = {name: materials[name]} if name in materials else {}
         finishes = {name: finishes[name]} if name in finishes else {}
     if as_json:
-        import json
-
-        document = {
-            "materials": {key: asdict(material) for key, material in materials.items()},
-            "finishes": {key: asdict(finish) for key, finish in finishes.items()},
-        }
-        click.echo(json.dumps(document, indent=2))
+        print_json(
+            {
+                "materials": {key: asdict(material) for key, material in materials.items()},
+                "finishes": {key: asdict(finish) for key, finish in finishes.items()},
+            }
+        )
         return
     from asperity.cli.terminal import console, table
     from asperity.units import format_quantity

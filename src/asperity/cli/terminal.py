@@ -10,7 +10,7 @@ import codecs
 import functools
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +20,7 @@ import click
 from asperity.errors import InputError, NoSolutionError, printable
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from rich.console import Console
     from rich.table import Table
 
@@ -27,6 +28,24 @@ if TYPE_CHECKING:
 
 
 WIDEST = 100
+
+
+def json_option(text: str = "Print one JSON document in SI units instead of tables.") -> Callable[..., Any]:
+    """The option ``--json`` of a command, its argument ``as_json``."""
+    return click.option("--json", "as_json", is_flag=True, help=text)
+
+
+def plot_option(text: str) -> Callable[..., Any]:
+    """The option ``--plot`` of a command that draws, its argument ``plot_file``."""
+    return click.option("--plot", "plot_file", type=click.Path(dir_okay=False), help=text)
+
+
+def plot_option_of(image: str, text: str) -> Callable[..., Any]:
+    """The option ``--plot`` of a study, which draws to ``image`` where no name is given, its argument ``plot``."""
+    return click.option(
+        "--plot", is_flag=False, flag_value=image, type=click.Path(), metavar="[IMAGE]", help=text
+    )
+
 
 _IN_ASCII = {
     "·": "*",
@@ -187,6 +206,14 @@ def table(target: Console, title: str, *columns: str) -> Table:
     return made
 
 
+def show_table(target: Console, title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> None:
+    """Print a table of :func:`table` with its rows."""
+    shown = table(target, title, *head)
+    for row in rows:
+        shown.add_row(*row)
+    target.print(shown)
+
+
 def say(sentence: str) -> None:
     """Write a message to standard error."""
     click.echo(sentence, err=True)
@@ -195,6 +222,14 @@ def say(sentence: str) -> None:
 def say_written(path: str | Path) -> None:
     """Report on standard error that a file has been written."""
     say(f"wrote {path}")
+
+
+def save_image(figure: Figure, path: str | Path) -> None:
+    """Write a figure to a file, and say so."""
+    from asperity.writing import write_image
+
+    write_image(figure, path)
+    say_written(path)
 
 
 @contextmanager

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from asperity.cli.surface import ARGUMENTS, measure
-from asperity.cli.terminal import prepare_computation, say_written
+from asperity.cli.terminal import json_option, plot_option, prepare_computation, save_image
 from asperity.errors import InputError
-from asperity.writing import check_image, write_image
+from asperity.writing import check_image
 
 if TYPE_CHECKING:
     from asperity.verify.comparison import Comparison, Sample
@@ -90,12 +90,8 @@ _OPTIONS = {"dimensions": "dimension", "lowest": "from", "highest": "to"}
     metavar="FILE",
     help="Compare all laws on this measured map, of the roughness of both bodies, in place of known surfaces.",
 )
-@click.option(
-    "--plot", "plot_file", type=click.Path(dir_okay=False), help="Draw the comparison: PNG, SVG or PDF."
-)
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@plot_option("Draw the comparison: PNG, SVG or PDF.")
+@json_option()
 @click.pass_context
 def verify_contact(
     context: click.Context,
@@ -195,8 +191,7 @@ def verify_contact(
     if plot_file:
         from asperity.verify.comparison import comparison_figure
 
-        write_image(comparison_figure(samples, comparisons), plot_file)
-        say_written(plot_file)
+        save_image(comparison_figure(samples, comparisons), plot_file)
     if as_json:
         import json
 
@@ -255,8 +250,7 @@ def _verify_map(
             measured, pair=pair, hardness=hardness, points=points, solved=lambda: done(next(states), STATES)
         )
     if plot_file:
-        write_image(map_figure(comparison, measured), plot_file)
-        say_written(plot_file)
+        save_image(map_figure(comparison, measured), plot_file)
     if as_json:
         print_json(map_document(comparison, source=measured.source))
         return

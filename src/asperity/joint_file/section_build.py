@@ -11,7 +11,7 @@ from asperity.contact.roller_pairs import Roughness
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint_file.contact_law import BY_DECAY_LENGTH, ContactLaw
+from asperity.joint_file.material_entries import BY_DECAY_LENGTH, ContactLaw
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import Values, si_values
