@@ -70,7 +70,13 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
 
         errors = _size_errors(solved)
         save_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
-    _show(document, file, as_json=as_json, in_full=in_full)
+    if as_json:
+        print_json(document)
+        return
+    from asperity.cli.joint_table import show_joint
+    from asperity.cli.terminal import console
+
+    show_joint(console(), document, source=file, in_full=in_full)
 
 
 def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:
@@ -96,17 +102,3 @@ def _interval(case: Case) -> dict[str, Any]:
 
     interval = drawn_interval(case)
     return {} if interval is None else {"stiffness_interval": interval}
-
-
-def _show(document: dict[str, Any], file: str, *, as_json: bool, in_full: bool) -> None:
-    if as_json:
-        print_json(document)
-        return
-    from asperity.cli.joint_table import show_joint
-    from asperity.cli.terminal import console
-
-    show_joint(console(), document, source=file, in_full=in_full)
-    if "branches" in document:
-        from asperity.cli.document_text import show_branches
-
-        show_branches(console(), document["branches"])

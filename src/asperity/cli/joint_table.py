@@ -12,6 +12,7 @@ from asperity.cli.document_text import (
     print_wrapped,
     scaled,
     show_assumptions,
+    show_branches,
     show_heading,
     show_law_range,
     show_verdict,
@@ -50,6 +51,8 @@ def show_joint(target: Console, document: Document, *, source: str, in_full: boo
     _show_budget(target, document)
     show_warnings(target, document)
     show_assumptions(target, document, in_full=in_full)
+    if "branches" in document:
+        show_branches(target, document["branches"])
 
 
 def _show_stiffness(target: Console, document: Document) -> None:

@@ -42,7 +42,13 @@ def roll(file: str, plot_file: str | None, as_json: bool, in_full: bool) -> None
         refuse_no_rolling(solved.joint, solved.solution)
     if plot_file:
         _draw(solved, document, file, plot_file)
-    _show(document, file, as_json=as_json, in_full=in_full)
+    if as_json:
+        print_json(document)
+        return
+    from asperity.cli.roll_table import show_rolling
+    from asperity.cli.terminal import console
+
+    show_rolling(console(), document, source=file, in_full=in_full)
 
 
 def _capacity(document: dict[str, Any]) -> float:
@@ -61,17 +67,3 @@ def _draw(solved: SolvedJoint, document: dict[str, Any], file: str, plot_file: s
     curves = rolling_curves(joint=joint, result=result, laws=solved.solution.laws, torque_capacity=capacity)
     title = f"{plain_title(file)} in rolling"
     save_image(rolling_figure(curves, result.rolling, joint=joint, title=title, width=_WIDTH), plot_file)
-
-
-def _show(document: dict[str, Any], file: str, *, as_json: bool, in_full: bool) -> None:
-    if as_json:
-        print_json(document)
-        return
-    from asperity.cli.roll_table import show_rolling
-    from asperity.cli.terminal import console
-
-    show_rolling(console(), document, source=file, in_full=in_full)
-    if "branches" in document:
-        from asperity.cli.document_text import show_branches
-
-        show_branches(console(), document["branches"])

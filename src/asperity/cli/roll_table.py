@@ -10,6 +10,7 @@ from asperity.cli.document_text import (
     print_wrapped,
     scaled,
     show_assumptions,
+    show_branches,
     show_heading,
     show_verdict,
     show_warnings,
@@ -39,6 +40,8 @@ def show_rolling(target: Console, document: Document, *, source: str, in_full: b
     _show_life(target, document)
     show_warnings(target, document)
     show_assumptions(target, document, in_full=in_full)
+    if "branches" in document:
+        show_branches(target, document["branches"])
 
 
 def _show_output(target: Console, document: Document) -> None:

@@ -37,23 +37,11 @@ _NORMAL_95 = 1.959963984540054
 
 
 class MeasuredCase(NamedTuple):
-    """A joint file with a measured surface.
+    """A joint file with its surfaces from a measurement, in terms of its contact law.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file, its surfaces in terms of its contact law.
-    measured : MeasuredRoughness
-        What was measured.
-    assumed : tuple of str
-        What was taken of the measurement, one sentence each.
-    heights : dict of str to tuple, or None
-        Path of a surface → lower end, middle and upper end of the rms of its heights [m], 95 % of measurements; None
-        where D and G went in.
-    ratios : dict of str to tuple, or None
-        Path of a surface → decay length over these heights by the contact law, lower end, itself and upper end [-].
-    contacts : FeltContacts or None
-        What the contacts feel, and their pressures.
+    ``assumed``: what was taken of the measurement, one sentence each. ``heights``: path of a surface → lower end,
+    middle and upper end of the rms of its heights [m], 95 % of measurements; ``ratios``, the same of the decay length
+    over these heights by the contact law [-]; both, and what the ``contacts`` feel, are None where D and G went in.
     """
 
     case: Case

@@ -39,29 +39,12 @@ Diagnostics = dict[str, Any]
 class LimitReport:
     """How a design stands to one limit, at its worst scenario and contact.
 
-    Parameters
-    ----------
-    name, label, row : str
-        The result, what it is called, and, if it has several rows, which one is closest to the limit.
-    at_most : bool
-        Whether the limit is an upper one.
-    limit, value : float
-        The limit and the value closest to it [SI].
-    missed_by : float
-        By how much the value misses the limit, as a share of the limit [-]; 0 where it is kept, nan where the design
-        has no value.
-    active : bool
-        Whether the limit restricts the design.
-    multiplier : float
-        Shadow price: relative gain of the objective (or of the smallest violation) per relative relaxation of the
-        limit [-].
-    implied : bool
-        Whether it holds for every design, without being stated.
-    output_torque : float
-        Torque of the worst scenario [N·m].
-    nearest : float
-        The value closest to the limit, or furthest inside it, of all designs that the search looked at [SI]; nan where
-        none had a value.
+    ``row``: which of several rows is closest to the limit; ``value``, that of it [SI]. ``missed_by``: share of the
+    limit by which it is missed, 0 where it is kept, nan where the design has no value. ``active``: whether the limit
+    restricts the design. ``multiplier``, the shadow price: relative gain of the objective (or of the smallest
+    violation) per relative relaxation of the limit [-]. ``implied``: whether it holds for every design, without being
+    stated. ``output_torque`` of the worst scenario [N·m]. ``nearest``: the value closest to the limit, or furthest
+    inside it, of all designs that the search looked at [SI]; nan where none had a value.
     """
 
     name: str
