@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, say, say_written
-from asperity.cli.title_options import title_of, title_options
+from asperity.cli.terminal import about, prepare_computation, say, say_written, title_of, title_options
 from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_pages, write_text
 

@@ -69,28 +69,25 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
     from rich.markup import escape
 
     from asperity.cli.document_text import number, print_wrapped
-    from asperity.cli.terminal import console, show_table, table
+    from asperity.cli.terminal import console, show_table
 
     target = console()
     at = document["at_torque"]
     target.print(escape(file) + (": of its own branches" if document["of_own_branches"] else ""))
     target.print()
-    shown = table(target, f"At an output torque of {number(at['output_torque_Nm'])} N·m", "quantity", "value")
-    shown.add_row(
-        "torsional stiffness at the output, assembled", f"{number(at['stiffness_output_Nm_per_rad'])} N·m/rad"
-    )
-    shown.add_row(
-        "inertia of motor and input, at the output", f"{number(at['input_inertia_at_output_kg_m2'])} kg·m²"
-    )
-    shown.add_row("inertia of load and rollers", f"{number(at['output_inertia_kg_m2'])} kg·m²")
-    shown.add_row(
-        "natural frequency, motor locked (antiresonance)", f"{number(at['locked_frequency_Hz'])} Hz"
-    )
-    shown.add_row("natural frequency, both sides free (resonance)", f"{number(at['free_frequency_Hz'])} Hz")
+    quantities = [
+        ("torsional stiffness at the output, assembled", "stiffness_output_Nm_per_rad", "N·m/rad"),
+        ("inertia of motor and input, at the output", "input_inertia_at_output_kg_m2", "kg·m²"),
+        ("inertia of load and rollers", "output_inertia_kg_m2", "kg·m²"),
+        ("natural frequency, motor locked (antiresonance)", "locked_frequency_Hz", "Hz"),
+        ("natural frequency, both sides free (resonance)", "free_frequency_Hz", "Hz"),
+    ]
     if at["creep_damping_Nms_per_rad"] is not None:
-        shown.add_row("creep: torque per speed lost", f"{number(at['creep_damping_Nms_per_rad'])} N·m·s/rad")
-        shown.add_row("creep: corner frequency", f"{number(at['corner_frequency_Hz'])} Hz")
-    target.print(shown)
+        quantities.append(("creep: torque per speed lost", "creep_damping_Nms_per_rad", "N·m·s/rad"))
+        quantities.append(("creep: corner frequency", "corner_frequency_Hz", "Hz"))
+    title = f"At an output torque of {number(at['output_torque_Nm'])} N·m"
+    values = ((words, f"{number(at[key])} {unit}") for words, key, unit in quantities)
+    show_table(target, title, ("quantity", "value"), values)
     over = document["over_torque"]
     columns = {
         "torque N·m": "output_torque_Nm",

@@ -47,7 +47,7 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
             }
         )
         return
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console, show_table, table
     from asperity.units import format_quantity
 
     target = console()
@@ -60,16 +60,16 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
             shown.add_row(material.name, *row, str(hard))
         target.print(shown)
     if finishes:
-        shown = table(target, "Finishes (G from Ra at this D)", "name", "Ra", "D", "G from", "G to")
-        for finish in finishes.values():
-            low, high = finish.fractal_dimension
-            shown.add_row(
+        rows = (
+            (
                 finish.name,
                 " to ".join(format_quantity(v, "um") for v in finish.roughness_average),
-                f"{low:g}" if low == high else f"{low:g} to {high:g}",
+                " to ".join(f"{D:g}" for D in dict.fromkeys(finish.fractal_dimension)),
                 *(format_quantity(v, "mm", 3) for v in finish.fractal_roughness),
             )
-        target.print(shown)
+            for finish in finishes.values()
+        )
+        show_table(target, "Finishes (G from Ra at this D)", ("name", "Ra", "D", "G from", "G to"), rows)
     entries: list[LibraryMaterial | Finish] = [*materials.values(), *finishes.values()]
     for entry in entries:
         also = ", ".join(getattr(entry, "also", ()))

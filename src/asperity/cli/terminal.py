@@ -1,4 +1,4 @@
-"""Where commands print: plain text when piped, at most 100 columns, legible in terminals without Unicode.
+"""Where commands print: plain text when piped, at most 100 columns, legible without Unicode; shared options.
 
 What users wrote in files and on the command line appears in output. :func:`checked_output` lets none of it reach a
 terminal as a control sequence, and turns a full disk behind standard output into one sentence.
@@ -25,27 +25,10 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from asperity.joint_file.si_tables import AnyCase
+    from asperity.show.title_block import Title
 
 
 WIDEST = 100
-
-
-def json_option(text: str = "Print one JSON document in SI units instead of tables.") -> Callable[..., Any]:
-    """The option ``--json`` of a command, its argument ``as_json``."""
-    return click.option("--json", "as_json", is_flag=True, help=text)
-
-
-def plot_option(text: str) -> Callable[..., Any]:
-    """The option ``--plot`` of a command that draws, its argument ``plot_file``."""
-    return click.option("--plot", "plot_file", type=click.Path(dir_okay=False), help=text)
-
-
-def plot_option_of(image: str, text: str) -> Callable[..., Any]:
-    """The option ``--plot`` of a study, which draws to ``image`` where no name is given, its argument ``plot``."""
-    return click.option(
-        "--plot", is_flag=False, flag_value=image, type=click.Path(), metavar="[IMAGE]", help=text
-    )
-
 
 _IN_ASCII = {
     "·": "*",
@@ -59,6 +42,14 @@ _IN_ASCII = {
     "≥": ">=",
     "…": "...",
 }
+#: Options of a title block, and their longest text.
+_TITLE = {
+    "project": "Project for the title block; nothing is filled in without it, as for the next three.",
+    "part": "Number or name of the part for the title block.",
+    "revision": "Revision for the title block.",
+    "date": "Date for the title block.",
+}
+_LONGEST_TITLE = 60
 
 
 def _spell_out(error: UnicodeError) -> tuple[str, int]:
@@ -303,3 +294,37 @@ def print_json(document: dict[str, Any]) -> None:
     import json
 
     click.echo(json.dumps(document, indent=2, allow_nan=False))
+
+
+def json_option(text: str = "Print one JSON document in SI units instead of tables.") -> Callable[..., Any]:
+    """The option ``--json`` of a command, its argument ``as_json``."""
+    return click.option("--json", "as_json", is_flag=True, help=text)
+
+
+def plot_option(text: str) -> Callable[..., Any]:
+    """The option ``--plot`` of a command that draws, its argument ``plot_file``."""
+    return click.option("--plot", "plot_file", type=click.Path(dir_okay=False), help=text)
+
+
+def plot_option_of(image: str, text: str) -> Callable[..., Any]:
+    """The option ``--plot`` of a study, which draws to ``image`` where no name is given, its argument ``plot``."""
+    return click.option(
+        "--plot", is_flag=False, flag_value=image, type=click.Path(), metavar="[IMAGE]", help=text
+    )
+
+
+def title_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Give a command the options of a title block, as keyword arguments of the same names."""
+    for name, text in reversed(_TITLE.items()):
+        command = click.option(f"--{name}", default="", help=text)(command)
+    return command
+
+
+def title_of(stated: dict[str, str]) -> Title:
+    """The title block of these options, or a refusal of one that is too long."""
+    from asperity.show.title_block import Title
+
+    for name, text in stated.items():
+        if len(text) > _LONGEST_TITLE:
+            raise InputError(f"--{name}: at most {_LONGEST_TITLE} characters, got {len(text)}")
+    return Title(**stated)

@@ -1,4 +1,4 @@
-"""Materials, bodies and surfaces in a joint file."""
+"""Materials, bodies and surfaces in a joint file, and the contact law that they have."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One numeric key of a joint file: what it measures, the range it may have, and how its text is read."""
+"""One numeric key of a joint file: what it measures, its range, how its text and its tolerance are read."""
 
 from __future__ import annotations
 
@@ -34,22 +34,9 @@ class Quantity:
 class Key:
     """What a numeric key measures and the range it may have; used as an annotation of :class:`Quantity` fields.
 
-    Parameters
-    ----------
-    dimension : Dimension
-        What it measures.
-    lower, upper : float
-        Smallest and largest allowed value, in ``unit``.
-    unit : str
-        Unit of the bounds and of displays.
-    open_lower, open_upper : bool
-        Whether the bound itself is outside.
-    integer : bool
-        Whether only whole numbers are allowed.
-    exact : bool
-        Whether it has no tolerance, because somebody decides it.
-    example : str
-        What to quote in messages; the example of the dimension if empty.
+    ``lower`` and ``upper`` are in ``unit``, which displays have too; ``open_lower`` and ``open_upper`` leave out the
+    bound itself. ``integer``: only whole numbers are allowed. ``exact``: it has no tolerance, because somebody decides
+    it. ``example``: what messages quote; if empty, the example of the dimension.
     """
 
     dimension: Dimension

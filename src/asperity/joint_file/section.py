@@ -1,4 +1,4 @@
-"""What every section of a joint file is."""
+"""What every section of a joint file is, and the dotted paths of its numbers."""
 
 from __future__ import annotations
 

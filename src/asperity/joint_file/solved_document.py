@@ -1,4 +1,4 @@
-"""A joint file solved, with the document that ``asperity joint --json`` prints."""
+"""A joint file solved: its document, and stiffness and drift by every contact law that its surfaces allow."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a joint file says of the parts of its drive besides their sizes: tolerances, materials, crowns, surfaces."""
+"""What a file says of its parts besides their sizes: tolerances, materials, crowns, surfaces, interference."""
 
 from __future__ import annotations
 

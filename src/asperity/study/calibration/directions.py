@@ -1,4 +1,4 @@
-"""Combinations of unknowns of a calibration, and how well the data determine them."""
+"""Combinations of unknowns, how well the data determine them, and what would explain the data as well."""
 
 from __future__ import annotations
 
@@ -26,16 +26,9 @@ _LARGE_FACTOR = 1.2
 class Direction:
     """A combination of unknowns, and how well the data determine it.
 
-    Parameters
-    ----------
-    shares : dict
-        Unknown → component of the unit vector in scaled values (0 at the lower bound, 1 at the upper).
-    standard_deviation : float
-        Of the scaled value along it [-].
-    determined : bool
-        Whether that is below :data:`UNINFORMED`.
-    words : str
-        The combination in words, with what a step along it does to the curve.
+    ``shares``: unknown → component of the unit vector in scaled values (0 at the lower bound, 1 at the upper).
+    ``standard_deviation`` of the scaled value along it [-]; ``determined``, whether that is below :data:`UNINFORMED`;
+    ``words``, what a step along it does to the curve.
     """
 
     shares: dict[str, float]
