@@ -13,6 +13,7 @@ from asperity.cli.terminal import (
     prepare_computation,
     print_json,
     save_image,
+    surface_option,
 )
 from asperity.writing import check_image
 
@@ -27,14 +28,7 @@ if TYPE_CHECKING:
 @click.argument("file", type=click.Path())
 @json_option()
 @click.option("--all", "in_full", is_flag=True, help="Print everything that is assumed, in full.")
-@click.option(
-    "--surface",
-    "surfaces",
-    multiple=True,
-    type=click.Path(),
-    metavar="MEASUREMENT",
-    help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
-)
+@surface_option
 @plot_option("Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.")
 def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.

@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, say_written, title_of, title_options
+from asperity.cli.terminal import (
+    about,
+    prepare_computation,
+    say_written,
+    surface_option,
+    title_of,
+    title_options,
+)
 from asperity.errors import InputError
 from asperity.writing import check_file, replacing, write_text
 
@@ -25,14 +32,7 @@ if TYPE_CHECKING:
     type=click.Path(dir_okay=False),
     help="Write the report to this file: .html or .pdf.",
 )
-@click.option(
-    "--surface",
-    "surfaces",
-    multiple=True,
-    type=click.Path(),
-    metavar="MEASUREMENT",
-    help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
-)
+@surface_option
 @click.option("--sensitivity", is_flag=True, help="Add how much every number of the file moves the results.")
 @click.option(
     "--tolerances",

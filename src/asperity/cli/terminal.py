@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from asperity.joint_file.si_tables import AnyCase
     from asperity.show.title_block import Title
+    from asperity.unit_table import Dimension
 
 
 WIDEST = 100
@@ -267,6 +268,26 @@ def about(file: str, *others: str | None) -> Iterator[None]:
         raise type(error)(f"{file}: {error}", options=error.options) from None
 
 
+@contextmanager
+def about_torque(stated: str | None) -> Iterator[None]:
+    """Refusals of a torque begin with the option ``--torque``, or with the key of the file where it is not stated."""
+    try:
+        yield
+    except InputError as error:
+        place = "load.output_torque" if stated is None else "--torque"
+        raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
+
+
+def read_option(name: str, text: str, dimension: Dimension) -> float:
+    """The SI value of an option's text with its unit; a refusal begins with the option."""
+    from asperity.units import parse_quantity
+
+    try:
+        return parse_quantity(text, dimension)
+    except InputError as error:
+        raise InputError(f"--{name}: {error}") from None
+
+
 def read_case_of_branches(file: str) -> AnyCase:
     """A joint file; a note says that the results are those of its sections ``[[branch]]``, if it has them."""
     from asperity.joint_file.reader import read_case
@@ -311,6 +332,17 @@ def plot_option_of(image: str, text: str) -> Callable[..., Any]:
     return click.option(
         "--plot", is_flag=False, flag_value=image, type=click.Path(), metavar="[IMAGE]", help=text
     )
+
+
+def surface_option(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Give a command the option ``--surface``, as the keyword argument ``surfaces``."""
+    text = (
+        "Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body."
+    )
+    option = click.option(
+        "--surface", "surfaces", multiple=True, type=click.Path(), metavar="MEASUREMENT", help=text
+    )
+    return option(command)
 
 
 def title_options(command: Callable[..., Any]) -> Callable[..., Any]:

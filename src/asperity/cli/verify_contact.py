@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from asperity.cli.surface import ARGUMENTS, measure
-from asperity.cli.terminal import json_option, plot_option, prepare_computation, save_image
+from asperity.cli.terminal import json_option, plot_option, prepare_computation, read_option, save_image
 from asperity.errors import InputError
 from asperity.writing import check_image
 
@@ -132,8 +132,8 @@ def verify_contact(
     if surface_file:
         _verify_map(
             surface_file,
-            moduli=(_read("youngs-modulus", youngs_modulus, Dimension.PRESSURE), poisson_ratio),
-            hardness=_read("hardness", hardness, Dimension.PRESSURE),
+            moduli=(read_option("youngs-modulus", youngs_modulus, Dimension.PRESSURE), poisson_ratio),
+            hardness=read_option("hardness", hardness, Dimension.PRESSURE),
             points=points,
             plot_file=plot_file,
             as_json=as_json,
@@ -141,10 +141,10 @@ def verify_contact(
         )
         return
     lengths = [
-        _read(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
+        read_option(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
     ]
     stresses = [
-        _read(name, text, Dimension.PRESSURE)
+        read_option(name, text, Dimension.PRESSURE)
         for name, text in (("youngs-modulus", youngs_modulus), ("hardness", hardness))
     ]
     if loads < 1 or not 0.0 < lowest <= highest < 1.0:
@@ -300,15 +300,6 @@ def _show_map(comparison: MapComparison, source: str) -> None:
         "Poisson's ratio 0.3; then each law over the elastic boundary elements. Elastic is the soft\n"
         "bound. -: a patch is pressed flat, or cannot carry the load."
     )
-
-
-def _read(option: str, text: str, dimension: Any) -> float:
-    from asperity.units import parse_quantity
-
-    try:
-        return parse_quantity(text, dimension)
-    except InputError as error:
-        raise InputError(f"--{option}: {error}") from None
 
 
 _UNITS = {

@@ -8,10 +8,12 @@ import click
 
 from asperity.cli.terminal import (
     about,
+    about_torque,
     json_option,
     plot_option,
     prepare_computation,
     print_json,
+    read_option,
     save_image,
     say_written,
 )
@@ -84,12 +86,9 @@ def windup(
     check_file(rolling_file, file)
     check_image(plot_file)
     case = read_case_of_branches(file)
-    from asperity.units import Dimension, parse_quantity
+    from asperity.unit_table import Dimension
 
-    try:
-        asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
-    except InputError as error:
-        raise InputError(f"--torque: {error}") from None
+    asked = None if torque is None else read_option("torque", torque, Dimension.TORQUE)
     first, second = stages
     if not 0.0 < first < second < 1.0:
         raise InputError(f"--stages {first:g} {second:g}: allowed are two shares with 0 < first < second < 1")
@@ -108,17 +107,13 @@ def windup(
 
     with about(file):
         joint = with_own_branches(case)
-    source = "load.output_torque" if asked is None else "--torque"
-    with about(file):
-        try:
+        with about_torque(torque):
             curve, solutions = examined_windup(
                 joint,
                 largest_torque=asked,
                 level=level,  # type: ignore[arg-type]
                 stage_shares=stages,
             )
-        except InputError as error:
-            raise InputError(f"{source}: {error}" if "torque" in str(error) else str(error)) from None
     onsets = windup_onsets(joint, curve, solutions, creep_share=creep_share)
     document = windup_document(joint, curve, solutions, onsets, level=level)  # type: ignore[arg-type]
     if csv_file:
