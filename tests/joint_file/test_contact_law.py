@@ -14,11 +14,11 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, joint_from_values
-from asperity.joint_file.contact_law import contact_law_of
 from asperity.joint_file.drawn_surface import drawn_interval
+from asperity.joint_file.material_entries import contact_law_of
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.si_tables import replace_values, si_values
-from asperity.joint_file.side_by_side import laws_of_file, with_law
+from asperity.joint_file.solved_document import laws_of_file, with_law
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FRACTAL = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
@@ -112,7 +112,7 @@ def test_both_laws_of_an_average_side_by_side():
 def test_a_law_that_has_no_stiffness_has_no_numbers(monkeypatch):
     """All spots plastic by one law, no balance by the other: null, not an error."""
     plastic = SimpleNamespace(contact_law_holds=np.array(False))
-    monkeypatch.setattr("asperity.joint_file.side_by_side.solve_joint", refuse)
+    monkeypatch.setattr("asperity.joint_file.solved_document.solve_joint", refuse)
     joint = joint_from_case(case_of(AVERAGE))
     entries = laws_of_file(case_of(AVERAGE), joint, plastic)
     assert [entry["assembly_Nm_per_rad"] for entry in entries] == [None, None]

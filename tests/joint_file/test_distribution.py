@@ -5,8 +5,8 @@ import math
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.distribution import Distribution, parse_distribution, split_distribution
 from asperity.joint_file.limits import ROLLER_RADIUS
+from asperity.joint_file.quantity_key import Distribution, parse_distribution, split_distribution
 
 
 def test_forms():

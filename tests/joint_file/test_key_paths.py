@@ -1,7 +1,7 @@
 """Paths of the numbers of joint files: those that studies vary, and those that are only entered."""
 
 from asperity.joint_file.case_types import CASES, WedgeCase
-from asperity.joint_file.key_paths import keys_by_path
+from asperity.joint_file.section import keys_by_path
 from asperity.unit_table import Dimension
 
 

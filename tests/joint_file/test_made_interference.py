@@ -7,9 +7,9 @@ import pytest
 
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_values, thermal_change_of
-from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.stated_parts import made_interference
 
 FORCE = ('interference = "30 um"', 'preload = "1000 N"')
 WARM = ("\n[model]", '\n[temperature]\nassembly = "20 degC"\nworking = "60 degC"\n\n[model]')

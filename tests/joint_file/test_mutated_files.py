@@ -235,7 +235,10 @@ def test_any_mistake_is_answered(tmp_path, monkeypatch, kind):
     # reading alone: the numbers of a joint have tests of their own
     reads = "asperity.joint_file.solved_document"
     monkeypatch.setattr(f"{reads}.solve_joint", lambda joint: joint)
-    monkeypatch.setattr(f"{reads}.solved_with_capacities", lambda joint, *_: SimpleNamespace(joint=joint))
+    monkeypatch.setattr(
+        f"{reads}.solved_with_capacities", lambda joint, *_: SimpleNamespace(joint=joint, result=None)
+    )
+    monkeypatch.setattr(f"{reads}.laws_of_file", lambda *_: [])
     monkeypatch.setattr(f"{reads}.document_of", lambda case, solved: {})
     monkeypatch.setattr(
         "asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad")

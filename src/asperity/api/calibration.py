@@ -12,17 +12,22 @@ from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.edited_text import joint_file_text
-from asperity.joint_file.si_tables import key_at
 from asperity.results import LEVELS, known_result
 from asperity.standing.windup import StiffnessLevel
-from asperity.study.calibration.calibrate import MODEL_ERROR, Calibration, model_error_words
+from asperity.study.calibration.calibrate import (
+    MODEL_ERROR,
+    Calibration,
+    calibrated_text,
+    count_words,
+    identifiability_words,
+    model_error_words,
+)
 from asperity.study.calibration.calibrate import calibrate as fit
 from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
 from asperity.study.calibration.fitted_curve import residual_sentences
 from asperity.study.calibration.measurement import read_measurement
 from asperity.study.calibration.torque_history import History
-from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, of_joint_file, read_unknowns
+from asperity.study.calibration.unknowns import dimension_of, read_unknowns
 from asperity.units import format_quantity, from_si
 
 if TYPE_CHECKING:
@@ -117,10 +122,7 @@ class CalibratedJoint(Shown):
     @property
     def joint(self) -> DescribedJoint:
         """The joint with the estimates in place of its numbers."""
-        changes = {path: estimate.value for path, estimate in self._estimates.items() if of_joint_file(path)}
-        if "play.angle" in changes and self.start.case.play is None:  # a section [play] has both keys
-            changes.setdefault("play.take_up_torque", 0.0)
-        return self.start.edited(joint_file_text(self.start.case, changes, comment=""))
+        return self.start.edited(calibrated_text(self.calibration, self.start.case, comment=""))
 
     def __getitem__(self, name: str) -> NamedQuantity:
         """One estimate."""
@@ -133,9 +135,7 @@ class CalibratedJoint(Shown):
     def _quantities(self) -> dict[str, NamedQuantity]:
         quantities = {}
         for path, estimate in self._estimates.items():
-            kind = path.partition(" ")[0]
-            dimension = CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension
-            quantities[path] = NamedQuantity(path, path, estimate.value, dimension, unit_of(path))
+            quantities[path] = NamedQuantity(path, path, estimate.value, dimension_of(path), unit_of(path))
         return quantities
 
     def to_frame(self) -> Any:
@@ -189,16 +189,11 @@ class CalibratedJoint(Shown):
             note = "" if estimate.determined else "NOT determined"
             note += f" at its {estimate.at_bound} bound" if estimate.at_bound else ""
             rows.append((path, format_quantity(estimate.value, unit, 6), *ends, note.strip()))
-        curves = self.calibration.curves
-        sources = [f"{curve.residual.size} rows of {curve.measurement.source}" for curve in curves]
-        parts: list[str | Table] = [
-            f"{len(rows)} unknown{'s'[: len(rows) - 1]} from {' and '.join(sources)}",
+        words = identifiability_words(self.calibration)
+        return [
+            count_words(self.calibration),
             Table(("unknown", "estimate", "95 % from", "to", ""), rows),
+            *residual_sentences(self.calibration.curves),
+            model_error_words(self.calibration.model_error),
+            *("\n".join([heading, *sentences]) for heading, sentences in words.items()),
         ]
-        parts += [*residual_sentences(curves), model_error_words(self.calibration.model_error)]
-        worst = "\n".join(direction.words for direction in self.calibration.directions)
-        parts.append(
-            f"Combinations of unknowns by the scatter of the data, the least well determined first:\n{worst}"
-        )
-        alike = "\n".join(alternative.words for alternative in self.calibration.alternatives)
-        return [*parts, f"What would explain the data as well:\n{alike}"] if alike else parts

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from asperity.api.joint import DescribedJoint
-from asperity.api.named_quantity import NamedQuantity
+from asperity.api.named_quantity import NamedQuantity, columns_of
 from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.errors import NoSolutionError
 from asperity.joint_file.reader import parse_case
@@ -94,10 +94,7 @@ class DesignedJoint(Shown):
         numbers = [self[path] for path in self.keys()]
         return frame(
             {
-                "value": [quantity.value for quantity in numbers],
-                "unit": [quantity.unit for quantity in numbers],
-                "si": [quantity.si for quantity in numbers],
-                "si_unit": [quantity.si_unit for quantity in numbers],
+                **columns_of(numbers),
                 "at_bound": [self.result.at_bound.get(quantity.name, "") for quantity in numbers],
             },
             index=self.keys(),

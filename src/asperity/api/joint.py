@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from asperity.api.named_quantity import NamedQuantity, si_number
+from asperity.api.named_quantity import NamedQuantity, columns_of, si_number
 from asperity.api.shown import Shown, Table, frame
 from asperity.errors import InputError, quoted
 from asperity.joint_file.reader import parse_case, read_case
@@ -212,10 +212,7 @@ class DescribedJoint(Shown):
         stated, numbers = numeric_keys(self.case), self.numbers
         return frame(
             {
-                "value": [quantity.value for quantity in numbers.values()],
-                "unit": [quantity.unit for quantity in numbers.values()],
-                "si": [quantity.si for quantity in numbers.values()],
-                "si_unit": [quantity.si_unit for quantity in numbers.values()],
+                **columns_of(numbers.values()),
                 "tolerance": [from_si(stated[path].tolerance, q.unit) for path, q in numbers.items()],
             },
             index=list(numbers),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -112,6 +113,12 @@ class NamedQuantity:
 
     def __repr__(self) -> str:
         return f"{self.label}: {self}"
+
+
+def columns_of(numbers: Iterable[NamedQuantity]) -> dict[str, list[Any]]:
+    """Value, unit, SI value and SI unit of numbers, as columns of a data frame."""
+    quantities = list(numbers)
+    return {name: [getattr(q, name) for q in quantities] for name in ("value", "unit", "si", "si_unit")}
 
 
 def _converted(si: Any, unit: str) -> Any:

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import prepare_computation, print_json, say_written
+from asperity.cli.terminal import json_option, prepare_computation, print_json, save_image, say_written
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
-from asperity.writing import check_file, check_image, write_image, write_text
+from asperity.writing import check_file, check_image, write_text
 
 if TYPE_CHECKING:
     from asperity.study.calibration.calibrate import Calibration
@@ -37,9 +37,7 @@ if TYPE_CHECKING:
 @click.option("--posterior", "draws", type=click.IntRange(50, 100000), metavar="DRAWS",
               help="Also draw from the posterior, this number from each of four chains (extra 'bayes').")  # fmt: skip
 @click.option("--plot-posterior", type=click.Path(), help="Draw the posterior (.png, .svg, .pdf).")
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@json_option()
 def calibrate(
     file: str,
     data: tuple[str, ...],
@@ -75,6 +73,7 @@ def calibrate(
     case = read_case_of_branches(file)
     prepare_computation()
     from asperity.study.calibration.calibrate import calibrate as fit
+    from asperity.study.calibration.calibrate import calibrated_text
     from asperity.study.calibration.measurement import read_measurement
     from asperity.study.calibration.posterior import posterior, require_numpyro
     from asperity.study.calibration.unknowns import read_unknowns
@@ -104,25 +103,16 @@ def calibrate(
         with progress_bar("steps of the posterior") as report, about(file, *data):
             drawn = posterior(calibration, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
-        from asperity.joint_file.edited_text import joint_file_text
-        from asperity.study.calibration.unknowns import of_joint_file
-
-        changes = {e.path: e.value for e in calibration.estimates if of_joint_file(e.path)}
-        if "play.angle" in changes and case.play is None:  # a section [play] has both keys
-            changes.setdefault("play.take_up_torque", 0.0)
         fitted = [f"{level} stiffness" if curve.drift is None else "drift" for curve in measurements]
         comment = f"Calibrated by asperity: {file} from {' and '.join(data)}, {' and '.join(fitted)}."
-        text = joint_file_text(case, changes, comment=comment)
-        write_text(text, out)
+        write_text(calibrated_text(calibration, case, comment=comment), out)
         say_written(out)
     from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure
 
     if plot is not None:
-        write_image(calibration_figure(calibration), plot)
-        say_written(plot)
+        save_image(calibration_figure(calibration), plot)
     if plot_posterior is not None and drawn is not None:
-        write_image(posterior_figure(calibration, drawn), plot_posterior)
-        say_written(plot_posterior)
+        save_image(posterior_figure(calibration, drawn), plot_posterior)
     if as_json:
         print_json(_document(calibration, drawn))
     else:
@@ -206,16 +196,14 @@ def interval_digits(lower: float, upper: float) -> int:
 
 def _show(calibration: Calibration, drawn: Posterior | None) -> None:
     from asperity.cli.terminal import console, table
-    from asperity.study.calibration.calibrate import model_error_words
+    from asperity.study.calibration.calibrate import count_words, identifiability_words, model_error_words
     from asperity.study.calibration.calibration_plot import unit_of
     from asperity.study.calibration.fitted_curve import residual_sentences
     from asperity.units import format_quantity
 
     target = console()
-    sources = [f"{curve.residual.size} rows of {curve.measurement.source}" for curve in calibration.curves]
-    count = len(calibration.estimates)
-    rows = table(target, f"{count} unknown{'s'[: count - 1]} from {' and '.join(sources)}",
-                 "unknown", "estimate", "95 % from", "to", "by scatter", "to", "")  # fmt: skip
+    title = count_words(calibration)
+    rows = table(target, title, "unknown", "estimate", "95 % from", "to", "by scatter", "to", "")
     rows.columns[0].no_wrap, rows.columns[-1].no_wrap = True, False  # the notes give way, not the names
     for estimate in calibration.estimates:
         unit = unit_of(estimate.path)
@@ -238,13 +226,10 @@ def _show(calibration: Calibration, drawn: Posterior | None) -> None:
     for sentence in residual_sentences(calibration.curves):
         target.print(sentence)
     target.print(model_error_words(calibration.model_error))
-    target.print("Combinations of unknowns by the scatter of the data, the least well determined first:")
-    for direction in calibration.directions:
-        target.print(f"  {direction.words}", markup=False)
-    if calibration.alternatives:
-        target.print("What would explain the data as well:")
-    for alternative in calibration.alternatives:
-        target.print(f"  {alternative.words}", markup=False)
+    for heading, sentences in identifiability_words(calibration).items():
+        target.print(heading)
+        for sentence in sentences:
+            target.print(f"  {sentence}", markup=False)
     if drawn is not None:
         count = len(drawn.scaled_values)
         title = f"Posterior, {count} draws, {drawn.divergences} divergent, R-hat {drawn.r_hat.max():.3f}"

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import click
 
-from asperity.cli.terminal import prepare_computation, print_json
+from asperity.cli.terminal import json_option, prepare_computation, print_json
 
 
 @click.command()
 @click.argument("one", type=click.Path())
 @click.argument("other", type=click.Path())
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print all differences as one JSON document in SI units."
-)
+@json_option("Print all differences as one JSON document in SI units.")
 @click.option(
     "--all", "in_full", is_flag=True, help="Show every result that differs, not only the main ones."
 )
@@ -20,7 +18,7 @@ def compare(one: str, other: str, as_json: bool, in_full: bool) -> None:
     """What differs between the joints in ONE and OTHER: what the files say, and what comes out."""
     prepare_computation()
     from asperity.api.comparison import compare as compared
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console, show_table
 
     comparison = compared(one, other)
     if as_json:
@@ -30,8 +28,5 @@ def compare(one: str, other: str, as_json: bool, in_full: bool) -> None:
     for part in comparison.tables(in_full=in_full):
         if isinstance(part, str):
             target.print(part)
-            continue
-        shown = table(target, part.title, *part.head)
-        for row in part.rows:
-            shown.add_row(*row)
-        target.print(shown)
+        else:
+            show_table(target, part.title, part.head, part.rows)

@@ -6,9 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import prepare_computation, print_json, say_written
+from asperity.cli.terminal import (
+    json_option,
+    prepare_computation,
+    print_json,
+    save_image,
+    say_written,
+    show_table,
+)
 from asperity.errors import InputError
-from asperity.writing import check_file, check_image, write_image, write_text
+from asperity.writing import check_file, check_image, write_text
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -37,9 +44,7 @@ if TYPE_CHECKING:
     metavar="VARIABLE VARIABLE",
     help="The two variables of the map; by default the first two.",
 )
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@json_option()
 @click.option(
     "--population",
     default=100,
@@ -96,13 +101,11 @@ def design(
     if plot is not None:
         from asperity.study.design.design_plot import design_figure
 
-        write_image(design_figure(result), plot)
-        say_written(plot)
+        save_image(design_figure(result), plot)
     if map_file is not None:
         from asperity.study.design.design_map import design_map
 
-        write_image(design_map(result, over=map_over), map_file)
-        say_written(map_file)
+        save_image(design_map(result, over=map_over), map_file)
     if as_json:
         from asperity.study.design.design_result import design_document
 
@@ -154,8 +157,7 @@ def _front(
     if plot is not None:
         from asperity.study.design.design_plot import pareto_figure
 
-        write_image(pareto_figure(front, tuple(goal.name for goal in problem.objectives)), plot)
-        say_written(plot)
+        save_image(pareto_figure(front, tuple(goal.name for goal in problem.objectives)), plot)
     if as_json:
         columns = {name: front[name].values.tolist() for name in names}
         print_json(columns | warned)
@@ -167,28 +169,22 @@ def _front(
 def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
     import numpy as np
 
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console
     from asperity.joint_file.si_tables import key_at
     from asperity.results import RESULTS
     from asperity.units import format_quantity, from_si
 
-    target, size = console(), front.sizes["design"]
+    size = front.sizes["design"]
     units = [RESULTS[n].display_unit if n in RESULTS else key_at(n).unit for n in names]
     shown = np.unique(np.linspace(0, size - 1, 11).round().astype(int))
     some = f", {len(shown)} of them, evenly spread" if len(shown) < size else ""
-    rows = table(
-        target,
-        f"Pareto front of {size} design{'s' * (size != 1)}{some}",
-        *(f"{name.rsplit('.', 1)[-1]}\n[{unit}]" for name, unit in zip(names, units, strict=True)),
-    )
-    for index in shown:
-        rows.add_row(
-            *(
-                format_quantity(from_si(float(front[n].values[index]), u), "1", 5)
-                for n, u in zip(names, units, strict=True)
-            )
-        )
-    target.print(rows)
+    head, columns = [], []
+    for name, unit in zip(names, units, strict=True):
+        head.append(f"{name.rsplit('.', 1)[-1]}\n[{unit}]")
+        values = front[name].values[shown].tolist()
+        columns.append([format_quantity(from_si(value, unit), "1", 5) for value in values])
+    title = f"Pareto front of {size} design{'s' * (size != 1)}{some}"
+    show_table(console(), title, head, zip(*columns, strict=True))
 
 
 def _show(result: DesignResult) -> None:
@@ -253,7 +249,6 @@ def _show_front_warnings(target: Console, diagnostics: dict[str, Any]) -> None:
 
 
 def _show_variables(target: Console, result: DesignResult) -> None:
-    from asperity.cli.terminal import table
     from asperity.joint_file.si_tables import key_at, numeric_keys
     from asperity.units import format_quantity
 
@@ -261,23 +256,19 @@ def _show_variables(target: Console, result: DesignResult) -> None:
     rows = []
     for free in result.problem.variables:
         unit = key_at(free.path).unit
-        numbers = (result.point[free.path], free.lower, free.upper)
         rows.append(
             {
                 "number": free.path,
                 "before": format_quantity(stated[free.path].value, unit) if free.path in stated else "-",
-                **dict(
-                    zip(("design", "from", "to"), (format_quantity(v, unit, 5) for v in numbers), strict=True)
-                ),
+                "design": format_quantity(result.point[free.path], unit, 5),
+                "from": format_quantity(free.lower, unit, 5),
+                "to": format_quantity(free.upper, unit, 5),
                 "step": "" if free.step is None else format_quantity(free.step, unit),
                 "at bound": result.at_bound.get(free.path, ""),
             }
         )
     columns = [name for name in rows[0] if any(row[name] for row in rows)]
-    variables = table(target, "Variables", *columns)
-    for row in rows:
-        variables.add_row(*(row[name] for name in columns))
-    target.print(variables)
+    show_table(target, "Variables", columns, ([row[name] for name in columns] for row in rows))
 
 
 def _show_summary(target: Console, result: DesignResult) -> None:
@@ -297,31 +288,24 @@ def _show_summary(target: Console, result: DesignResult) -> None:
 
 
 def _show_limits(target: Console, result: DesignResult) -> None:
-    from asperity.cli.terminal import table
     from asperity.results import RESULTS
     from asperity.units import format_quantity
 
-    limits = table(
-        target,
-        "Limits, each where it is closest",
-        "result",
-        "value",
-        "limit",
-        "at torque",
-        "",
-        "shadow price",
-    )
+    rows = []
     for limit in result.limits:
-        shown = RESULTS[limit.name]
-        limits.add_row(
-            ", ".join(filter(None, (limit.label, limit.row.replace("_", " ")))),
-            "-" if limit.value != limit.value else format_quantity(limit.value, shown.display_unit),
-            f"{'<=' if limit.at_most else '>='} {format_quantity(limit.limit, shown.display_unit)}",
-            format_quantity(limit.output_torque, "N*m"),
-            limit.state,
-            f"{limit.multiplier:.3g}" if limit.multiplier > 1e-9 else "",
+        unit = RESULTS[limit.name].display_unit
+        rows.append(
+            (
+                ", ".join(filter(None, (limit.label, limit.row.replace("_", " ")))),
+                "-" if limit.value != limit.value else format_quantity(limit.value, unit),
+                f"{'<=' if limit.at_most else '>='} {format_quantity(limit.limit, unit)}",
+                format_quantity(limit.output_torque, "N*m"),
+                limit.state,
+                f"{limit.multiplier:.3g}" if limit.multiplier > 1e-9 else "",
+            )
         )
-    target.print(limits)
+    head = ("result", "value", "limit", "at torque", "", "shadow price")
+    show_table(target, "Limits, each where it is closest", head, rows)
 
 
 def _show_search(target: Console, result: DesignResult) -> None:

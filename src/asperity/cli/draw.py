@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, say, say_written
-from asperity.cli.title_options import title_of, title_options
+from asperity.cli.terminal import about, prepare_computation, say, say_written, title_of, title_options
 from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_pages, write_text
 
@@ -124,7 +123,7 @@ def _sheets(case: Case, file: str, forces: bool, parts: bool, title: Title) -> d
 
 def _interference(case: AnyCase, result: JointResult | None, file: str) -> float | None:
     """The interference with which the ring is made; without it there is a drawing all the same, with a warning."""
-    from asperity.joint_file.made_interference import made_interference
+    from asperity.joint_file.stated_parts import made_interference
 
     made = made_interference(case, result)
     if made.size is None:

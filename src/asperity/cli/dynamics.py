@@ -6,27 +6,28 @@ from typing import Any
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, print_json, say_written
-from asperity.writing import check_file, check_image, write_columns, write_image
+from asperity.cli.terminal import (
+    about,
+    json_option,
+    plot_option,
+    prepare_computation,
+    print_json,
+    save_image,
+    say_written,
+)
+from asperity.writing import check_file, check_image, write_columns
 
 
 @click.command()
 @click.argument("file", type=click.Path())
-@click.option(
-    "--plot",
-    "plot_file",
-    type=click.Path(dir_okay=False),
-    help="Draw the frequency response, and the natural frequencies over torque: PNG, SVG or PDF.",
-)
+@plot_option("Draw the frequency response, and the natural frequencies over torque: PNG, SVG or PDF.")
 @click.option(
     "--csv",
     "csv_file",
     type=click.Path(dir_okay=False),
     help="Write the frequency response to this CSV file.",
 )
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@json_option()
 def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bool) -> None:
     """Natural frequencies and frequency response of the joint described in FILE, with motor and load.
 
@@ -56,8 +57,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
         from asperity.show.dynamics_figure import dynamics_figure
         from asperity.show.style import plain_title
 
-        write_image(dynamics_figure(solved, title=f"{plain_title(file)} between motor and load"), plot_file)
-        say_written(plot_file)
+        save_image(dynamics_figure(solved, title=f"{plain_title(file)} between motor and load"), plot_file)
     document = dynamics_document(solved, inertias) | {"of_own_branches": (joint.unlike is not None)}
     if as_json:
         print_json(document)
@@ -69,42 +69,35 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
     from rich.markup import escape
 
     from asperity.cli.document_text import number, print_wrapped
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console, show_table
 
     target = console()
     at = document["at_torque"]
     target.print(escape(file) + (": of its own branches" if document["of_own_branches"] else ""))
     target.print()
-    shown = table(target, f"At an output torque of {number(at['output_torque_Nm'])} N·m", "quantity", "value")
-    shown.add_row(
-        "torsional stiffness at the output, assembled", f"{number(at['stiffness_output_Nm_per_rad'])} N·m/rad"
-    )
-    shown.add_row(
-        "inertia of motor and input, at the output", f"{number(at['input_inertia_at_output_kg_m2'])} kg·m²"
-    )
-    shown.add_row("inertia of load and rollers", f"{number(at['output_inertia_kg_m2'])} kg·m²")
-    shown.add_row(
-        "natural frequency, motor locked (antiresonance)", f"{number(at['locked_frequency_Hz'])} Hz"
-    )
-    shown.add_row("natural frequency, both sides free (resonance)", f"{number(at['free_frequency_Hz'])} Hz")
+    quantities = [
+        ("torsional stiffness at the output, assembled", "stiffness_output_Nm_per_rad", "N·m/rad"),
+        ("inertia of motor and input, at the output", "input_inertia_at_output_kg_m2", "kg·m²"),
+        ("inertia of load and rollers", "output_inertia_kg_m2", "kg·m²"),
+        ("natural frequency, motor locked (antiresonance)", "locked_frequency_Hz", "Hz"),
+        ("natural frequency, both sides free (resonance)", "free_frequency_Hz", "Hz"),
+    ]
     if at["creep_damping_Nms_per_rad"] is not None:
-        shown.add_row("creep: torque per speed lost", f"{number(at['creep_damping_Nms_per_rad'])} N·m·s/rad")
-        shown.add_row("creep: corner frequency", f"{number(at['corner_frequency_Hz'])} Hz")
-    target.print(shown)
+        quantities.append(("creep: torque per speed lost", "creep_damping_Nms_per_rad", "N·m·s/rad"))
+        quantities.append(("creep: corner frequency", "corner_frequency_Hz", "Hz"))
+    title = f"At an output torque of {number(at['output_torque_Nm'])} N·m"
+    values = ((words, f"{number(at[key])} {unit}") for words, key, unit in quantities)
+    show_table(target, title, ("quantity", "value"), values)
     over = document["over_torque"]
-    rows = table(
-        target,
-        "Over torque",
-        "torque N·m",
-        "stiffness N·m/rad",
-        "motor locked Hz",
-        "both free Hz",
-        "creep corner Hz",
-    )
-    for index in range(0, len(over["output_torque_Nm"]), 4):
-        keys = ("output_torque_Nm", "stiffness_output_Nm_per_rad", "locked_frequency_Hz", "free_frequency_Hz")
-        rows.add_row(*(number(over[key][index]) for key in (*keys, "corner_frequency_Hz")))
-    target.print(rows)
+    columns = {
+        "torque N·m": "output_torque_Nm",
+        "stiffness N·m/rad": "stiffness_output_Nm_per_rad",
+        "motor locked Hz": "locked_frequency_Hz",
+        "both free Hz": "free_frequency_Hz",
+        "creep corner Hz": "corner_frequency_Hz",
+    }
+    rows = zip(*(map(number, over[key][::4]) for key in columns.values()), strict=True)
+    show_table(target, "Over torque", columns, rows)
     said = (
         "Below the creep corner frequency a joint that turns yields like a damper, above it like its spring. "
         if at["creep_damping_Nms_per_rad"] is not None

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, say_written
+from asperity.cli.terminal import about, about_torque, prepare_computation, read_option, say_written
 
 #: Names of the targets; asperity.export.targets has their writers.
 TARGETS = ("table", "mujoco", "fmu", "modelica")
@@ -50,35 +50,27 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     the drift of a joint that turns does not.
     """
     from asperity.cli.terminal import read_case_of_branches
-    from asperity.errors import InputError
     from asperity.export.targets import check_target
 
     check_target(to, out, file)
     case = read_case_of_branches(file)
-    from asperity.units import Dimension, parse_quantity
+    from asperity.unit_table import Dimension
 
-    try:
-        asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
-    except InputError as error:
-        raise InputError(f"--torque: {error}") from None
+    asked = None if torque is None else read_option("torque", torque, Dimension.TORQUE)
     prepare_computation()
     from asperity.export.content import export_content, heading
     from asperity.export.targets import exported, write_exported
     from asperity.joint_file.own_branches import with_own_branches
     from asperity.joint_file.section_build import inertias_from_case
 
-    with about(file):
-        try:
-            content = export_content(
-                with_own_branches(case),
-                inertias=None if case.dynamics is None else inertias_from_case(case),
-                source=Path(file).name,
-                largest_torque=asked,
-                level=level,  # type: ignore[arg-type]
-            )
-        except InputError as error:
-            place = "load.output_torque" if asked is None else "--torque"
-            raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
+    with about(file), about_torque(torque):
+        content = export_content(
+            with_own_branches(case),
+            inertias=None if case.dynamics is None else inertias_from_case(case),
+            source=Path(file).name,
+            largest_torque=asked,
+            level=level,  # type: ignore[arg-type]
+        )
     made = exported(content, to=to, suffix=Path(out).suffix)
     write_exported(made, out)
     from asperity.cli.document_text import print_wrapped

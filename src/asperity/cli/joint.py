@@ -6,8 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, print_json, say_written
-from asperity.writing import check_image, write_image
+from asperity.cli.terminal import (
+    about,
+    json_option,
+    plot_option,
+    prepare_computation,
+    print_json,
+    save_image,
+    surface_option,
+)
+from asperity.writing import check_image
 
 if TYPE_CHECKING:
     from asperity.branches.size_errors import SizeErrorCurves
@@ -18,24 +26,10 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("file", type=click.Path())
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@json_option()
 @click.option("--all", "in_full", is_flag=True, help="Print everything that is assumed, in full.")
-@click.option(
-    "--surface",
-    "surfaces",
-    multiple=True,
-    type=click.Path(),
-    metavar="MEASUREMENT",
-    help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
-)
-@click.option(
-    "--plot",
-    "plot_file",
-    type=click.Path(dir_okay=False),
-    help="Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.",
-)
+@surface_option
+@plot_option("Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.")
 def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
@@ -50,8 +44,7 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     check_image(plot_file)
     case = read_case(file)
     prepare_computation()
-    from asperity.joint_file.side_by_side import laws_of_file
-    from asperity.joint_file.solved_document import solve_case
+    from asperity.joint_file.solved_document import laws_of_file, solve_case
 
     with about(file):
         measured = _with_surfaces(case, surfaces) if surfaces else None
@@ -70,9 +63,14 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
         from asperity.show.style import plain_title
 
         errors = _size_errors(solved)
-        write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
-        say_written(plot_file)
-    _show(document, file, as_json=as_json, in_full=in_full)
+        save_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
+    if as_json:
+        print_json(document)
+        return
+    from asperity.cli.joint_table import show_joint
+    from asperity.cli.terminal import console
+
+    show_joint(console(), document, source=file, in_full=in_full)
 
 
 def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:
@@ -98,17 +96,3 @@ def _interval(case: Case) -> dict[str, Any]:
 
     interval = drawn_interval(case)
     return {} if interval is None else {"stiffness_interval": interval}
-
-
-def _show(document: dict[str, Any], file: str, *, as_json: bool, in_full: bool) -> None:
-    if as_json:
-        print_json(document)
-        return
-    from asperity.cli.joint_table import show_joint
-    from asperity.cli.terminal import console
-
-    show_joint(console(), document, source=file, in_full=in_full)
-    if "branches" in document:
-        from asperity.cli.document_text import show_branches
-
-        show_branches(console(), document["branches"])

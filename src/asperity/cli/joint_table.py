@@ -12,12 +12,13 @@ from asperity.cli.document_text import (
     print_wrapped,
     scaled,
     show_assumptions,
+    show_branches,
     show_heading,
     show_law_range,
     show_verdict,
     show_warnings,
 )
-from asperity.cli.terminal import table
+from asperity.cli.terminal import show_table
 from asperity.joint.torque_limits import first_slip_words, may_carry_more
 from asperity.results.document import (
     INTERVAL_HEADS,
@@ -50,26 +51,18 @@ def show_joint(target: Console, document: Document, *, source: str, in_full: boo
     _show_budget(target, document)
     show_warnings(target, document)
     show_assumptions(target, document, in_full=in_full)
+    if "branches" in document:
+        show_branches(target, document["branches"])
 
 
 def _show_stiffness(target: Console, document: Document) -> None:
-    shown = table(
+    keys = ("input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
+    show_table(
         target,
         "Torsional stiffness",
-        "model",
-        f"{input_member(document)}\nN·m/rad",
-        "output\nN·m/rad",
-        "output\nN·m/arcmin",
+        ("model", f"{input_member(document)}\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"),
+        ((words, *(number(level[key]) for key in keys)) for words, level in stiffness_rows(document)),
     )
-    for words, level in stiffness_rows(document):
-        shown.add_row(
-            words,
-            *(
-                number(level[key])
-                for key in ("input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
-            ),
-        )
-    target.print(shown)
     if document["stiffness_unknown_because"]:
         print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
     show_law_range(target, document)
@@ -77,28 +70,22 @@ def _show_stiffness(target: Console, document: Document) -> None:
     interval = document.get("stiffness_interval")
     if interval is None:
         return
-    spread = table(
+    show_table(
         target,
         _interval_title(document),
-        "model",
-        "output from\nN·m/rad",
-        "output to\nN·m/rad",
+        ("model", "output from\nN·m/rad", "output to\nN·m/rad"),
+        (
+            (meaning, *(number(interval[name][f"{end}_Nm_per_rad"]) for end in ("low", "high")))
+            for name, meaning in LEVEL_WORDS
+        ),
     )
-    for name, meaning in LEVEL_WORDS:
-        spread.add_row(
-            meaning, number(interval[name]["low_Nm_per_rad"]), number(interval[name]["high_Nm_per_rad"])
-        )
-    target.print(spread)
     low, high = (interval["drift"][f"{end}_rad_per_output_turn"] for end in ("low", "high"))
     drift = f"  drift from {in_unit(low, 'arcmin')} to {in_unit(high, 'arcmin')} per output turn"
     print_wrapped(target, drift, indent=2)
     target.print()
     rows = interval_rows(interval)
     if rows:
-        asperities = table(target, "Asperities of the contacts in this interval", *INTERVAL_HEADS)
-        for row in rows:
-            asperities.add_row(*row)
-        target.print(asperities)
+        show_table(target, "Asperities of the contacts in this interval", INTERVAL_HEADS, rows)
     if "surfaces" in interval:
         print_wrapped(target, f"  {interval['words']}", indent=2)
         target.print()
@@ -116,17 +103,17 @@ def _show_laws(target: Console, laws: Sequence[Document]) -> None:
     """The joint by every contact law that its surfaces allow, one line each."""
     if not laws:
         return
-    shown = table(
-        target, "Contact laws side by side", "law", "assembled, output\nN·m/rad", "drift per turn\narcmin", ""
-    )
-    for entry in laws:
-        shown.add_row(
+    head = ("law", "assembled, output\nN·m/rad", "drift per turn\narcmin", "")
+    rows = (
+        (
             entry["law"],
             number(entry["assembly_Nm_per_rad"]),
             in_unit(entry["drift_rad_per_output_turn"], "arcmin").removesuffix(" arcmin"),
             "used here" if entry["used"] else "",
         )
-    target.print(shown)
+        for entry in laws
+    )
+    show_table(target, "Contact laws side by side", head, rows)
 
 
 def _interval_title(document: Document) -> str:
@@ -158,69 +145,48 @@ def _show_contacts(target: Console, document: Document) -> None:
     slip = {
         entry["contact"]: entry["value"] for entry in document["diagnostics"] if entry["name"] == "slip_ratio"
     }
-    shown = table(
-        target,
-        "Contact forces, standing under the torque",
-        "contact",
-        "normal\nN",
-        "tangential\nN",
-        "slip T/(mu N)\n-",
-        "Hertz width\nmm",
-        "Hertz pressure\nMPa",
-        "real area\nmm²",
-    )
-    for name, contact in contacts.items():
-        shown.add_row(
-            name,
-            number(forces["normal_N"][name]),
-            number(forces["tangential_N"][name]),
-            number(slip.get(name), 3),
-            scaled(contact["hertz_half_width_m"], 2e3),
-            scaled(contact["hertz_pressure_Pa"], 1e-6),
-            scaled(contact["real_contact_area_m2"], 1e6),
-        )
-    target.print(shown)
+    columns = {
+        "contact": list(contacts),
+        "normal\nN": [number(forces["normal_N"][name]) for name in contacts],
+        "tangential\nN": [number(forces["tangential_N"][name]) for name in contacts],
+        "slip T/(mu N)\n-": [number(slip.get(name), 3) for name in contacts],
+        "Hertz width\nmm": [scaled(contact["hertz_half_width_m"], 2e3) for contact in contacts.values()],
+        "Hertz pressure\nMPa": [scaled(contact["hertz_pressure_Pa"], 1e-6) for contact in contacts.values()],
+        "real area\nmm²": [scaled(contact["real_contact_area_m2"], 1e6) for contact in contacts.values()],
+    }
+    title = "Contact forces, standing under the torque"
+    show_table(target, title, columns, zip(*columns.values(), strict=True))
     if any(contact.get("loaded_length_share") is not None for contact in contacts.values()):
         _show_crowns(target, contacts)
-    shown = table(
-        target,
-        "Contact stiffness",
-        "contact",
-        "K_t asperities\nN/µm",
-        "K_t bodies\nN/µm",
-        "K_n asperities\nN/µm",
-        "K_n bodies\nN/µm",
-        "own K_T, asperities\nN·m/rad",
-    )
-    for name, contact in contacts.items():
-        shown.add_row(
+    springs = {
+        "K_t asperities\nN/µm": "asperity_tangential",
+        "K_t bodies\nN/µm": "bulk_tangential",
+        "K_n asperities\nN/µm": "asperity_normal",
+        "K_n bodies\nN/µm": "bulk_normal",
+    }
+    rows = (
+        (
             name,
-            *(
-                scaled(contact[f"{kind}_stiffness_N_per_m"], 1e-6)
-                for kind in ("asperity_tangential", "bulk_tangential", "asperity_normal", "bulk_normal")
-            ),
+            *(scaled(contact[f"{spring}_stiffness_N_per_m"], 1e-6) for spring in springs.values()),
             number(contact["contact_torsional_stiffness_Nm_per_rad"]),
         )
-    target.print(shown)
+        for name, contact in contacts.items()
+    )
+    show_table(target, "Contact stiffness", ("contact", *springs, "own K_T, asperities\nN·m/rad"), rows)
 
 
 def _show_crowns(target: Console, contacts: Document) -> None:
-    shown = table(
-        target,
-        "Crowned contacts",
-        "contact",
-        "loaded length\n%",
-        "peak over mean load\n-",
-        "end over mean load\n-",
-    )
-    for name, contact in contacts.items():
-        shown.add_row(
+    head = ("contact", "loaded length\n%", "peak over mean load\n-", "end over mean load\n-")
+    rows = (
+        (
             name,
             scaled(contact["loaded_length_share"], 100.0),
             number(contact["peak_line_load_ratio"], 3),
             number(contact["end_line_load_ratio"], 3),
         )
-    target.print(shown)
+        for name, contact in contacts.items()
+    )
+    show_table(target, "Crowned contacts", head, rows)
 
 
 def _show_drive(target: Console, document: Document) -> None:

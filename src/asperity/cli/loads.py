@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, print_json, say_written
+from asperity.cli.terminal import about, json_option, prepare_computation, print_json, say_written
 from asperity.writing import check_file, replacing
 
 if TYPE_CHECKING:
@@ -22,9 +22,7 @@ _SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm"}
 @click.command()
 @click.argument("file", type=click.Path())
 @click.option("--csv", "csv_file", type=click.Path(dir_okay=False), help="Write the table to this CSV file.")
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of a table."
-)
+@json_option("Print one JSON document in SI units instead of a table.")
 def loads(file: str, csv_file: str | None, as_json: bool) -> None:
     """Forces and torques on pins, bearings, shafts and housing of the joint described in FILE, for their supplier.
 
@@ -103,29 +101,23 @@ def _show(document: Document, file: str) -> None:
 
 def _show_bearings(entries: list[Document]) -> None:
     from asperity.cli.document_text import number, print_wrapped
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console, show_table
 
     target = console()
-    shown = table(
-        target,
-        "Rolling bearings, each one alone",
-        "bearing",
-        "type",
-        "C\nN",
-        "C_0\nN",
-        "load\nN",
-        "largest P/C\n-",
-        "life L10\nh",
-        "under the duty\nh",
-        "static safety\n-",
+    columns = {
+        "C\nN": "dynamic_rating_N",
+        "C_0\nN": "static_rating_N",
+        "load\nN": "load_N",
+        "largest P/C\n-": "load_over_dynamic_rating",
+        "life L10\nh": "life_hours",
+        "under the duty\nh": "duty_life_hours",
+        "static safety\n-": "static_safety",
+    }
+    rows = (
+        (entry["bearing"].replace("_", " "), entry["type"], *(number(entry[key]) for key in columns.values()))
+        for entry in entries
     )
-    columns = ["dynamic_rating_N", "static_rating_N", "load_N", "load_over_dynamic_rating"]
-    columns += ["life_hours", "duty_life_hours", "static_safety"]
-    for entry in entries:
-        shown.add_row(
-            entry["bearing"].replace("_", " "), entry["type"], *(number(entry[column]) for column in columns)
-        )
-    target.print(shown)
+    show_table(target, "Rolling bearings, each one alone", ("bearing", "type", *columns), rows)
     for entry in entries:
         for reason in entry["absent_because"]:
             print_wrapped(target, f"{entry['bearing'].replace('_', ' ')}: {reason}", indent=2)

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from asperity.cli.terminal import json_option, print_json
+
 if TYPE_CHECKING:
     from asperity.library import LibraryMaterial
 
@@ -14,7 +16,7 @@ if TYPE_CHECKING:
 @click.argument("name", required=False)
 @click.option("--file", type=click.Path(), help="Your own library file; its materials are added.")
 @click.option("--finishes-file", type=click.Path(), help="Your own library file; its finishes are added.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document; finishes in SI units.")
+@json_option("Print one JSON document; finishes in SI units.")
 def materials(name: str | None, file: str | None, finishes_file: str | None, as_json: bool) -> None:
     """List the library, or the entry NAME with its source.
 
@@ -38,15 +40,14 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
         materials = {name: materials[name]} if name in materials else {}
         finishes = {name: finishes[name]} if name in finishes else {}
     if as_json:
-        import json
-
-        document = {
-            "materials": {key: asdict(material) for key, material in materials.items()},
-            "finishes": {key: asdict(finish) for key, finish in finishes.items()},
-        }
-        click.echo(json.dumps(document, indent=2))
+        print_json(
+            {
+                "materials": {key: asdict(material) for key, material in materials.items()},
+                "finishes": {key: asdict(finish) for key, finish in finishes.items()},
+            }
+        )
         return
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console, show_table, table
     from asperity.units import format_quantity
 
     target = console()
@@ -59,16 +60,16 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
             shown.add_row(material.name, *row, str(hard))
         target.print(shown)
     if finishes:
-        shown = table(target, "Finishes (G from Ra at this D)", "name", "Ra", "D", "G from", "G to")
-        for finish in finishes.values():
-            low, high = finish.fractal_dimension
-            shown.add_row(
+        rows = (
+            (
                 finish.name,
                 " to ".join(format_quantity(v, "um") for v in finish.roughness_average),
-                f"{low:g}" if low == high else f"{low:g} to {high:g}",
+                " to ".join(f"{D:g}" for D in dict.fromkeys(finish.fractal_dimension)),
                 *(format_quantity(v, "mm", 3) for v in finish.fractal_roughness),
             )
-        target.print(shown)
+            for finish in finishes.values()
+        )
+        show_table(target, "Finishes (G from Ra at this D)", ("name", "Ra", "D", "G from", "G to"), rows)
     entries: list[LibraryMaterial | Finish] = [*materials.values(), *finishes.values()]
     for entry in entries:
         also = ", ".join(getattr(entry, "also", ()))

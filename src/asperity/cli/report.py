@@ -7,8 +7,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, say_written
-from asperity.cli.title_options import title_of, title_options
+from asperity.cli.terminal import (
+    about,
+    prepare_computation,
+    say_written,
+    surface_option,
+    title_of,
+    title_options,
+)
 from asperity.errors import InputError
 from asperity.writing import check_file, replacing, write_text
 
@@ -26,14 +32,7 @@ if TYPE_CHECKING:
     type=click.Path(dir_okay=False),
     help="Write the report to this file: .html or .pdf.",
 )
-@click.option(
-    "--surface",
-    "surfaces",
-    multiple=True,
-    type=click.Path(),
-    metavar="MEASUREMENT",
-    help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
-)
+@surface_option
 @click.option("--sensitivity", is_flag=True, help="Add how much every number of the file moves the results.")
 @click.option(
     "--tolerances",
@@ -135,7 +134,7 @@ def _studies(
 ) -> ReportStudies:
     """Make the studies that a report is to show."""
     from asperity.cli.terminal import about, progress_bar
-    from asperity.joint_file.distribution import parse_distribution
+    from asperity.joint_file.quantity_key import parse_distribution
     from asperity.reading import read_text
     from asperity.report.study_sections import STUDIED, ReportStudies
 

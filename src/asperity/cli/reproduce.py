@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from asperity.cli.terminal import prepare_computation
+from asperity.cli.terminal import json_option, prepare_computation
 
 _WIDTH = 110
 
@@ -99,7 +99,7 @@ def _report(document: dict[str, Any]) -> str:
     help="Folder for the 14 panels (PNG and CSV), the tables (CSV) and the verdicts (JSON). It is "
     "created if it does not exist.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of text.")
+@json_option("Print one JSON document instead of text.")
 def reproduce(out: str | None, as_json: bool) -> None:
     """Recompute the cases and figures of Zou et al. 2025 and check its claims.
 

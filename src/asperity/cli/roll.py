@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, print_json, say_written
-from asperity.writing import check_image, write_image
+from asperity.cli.terminal import about, json_option, plot_option, prepare_computation, print_json, save_image
+from asperity.writing import check_image
 
 if TYPE_CHECKING:
     from asperity.results.solved import SolvedJoint
@@ -18,15 +18,8 @@ _WIDTH = 10.0  # of the picture [in]
 
 @click.command()
 @click.argument("file", type=click.Path())
-@click.option(
-    "--plot",
-    "plot_file",
-    type=click.Path(dir_okay=False),
-    help="Draw creep curves, efficiency, drift and life: PNG, SVG or PDF.",
-)
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@plot_option("Draw creep curves, efficiency, drift and life: PNG, SVG or PDF.")
+@json_option()
 @click.option("--all", "in_full", is_flag=True, help="Print everything that is assumed, in full.")
 def roll(file: str, plot_file: str | None, as_json: bool, in_full: bool) -> None:
     """Drift, losses, axial thrust and life of the joint described in FILE when it turns.
@@ -49,7 +42,13 @@ def roll(file: str, plot_file: str | None, as_json: bool, in_full: bool) -> None
         refuse_no_rolling(solved.joint, solved.solution)
     if plot_file:
         _draw(solved, document, file, plot_file)
-    _show(document, file, as_json=as_json, in_full=in_full)
+    if as_json:
+        print_json(document)
+        return
+    from asperity.cli.roll_table import show_rolling
+    from asperity.cli.terminal import console
+
+    show_rolling(console(), document, source=file, in_full=in_full)
 
 
 def _capacity(document: dict[str, Any]) -> float:
@@ -67,22 +66,4 @@ def _draw(solved: SolvedJoint, document: dict[str, Any], file: str, plot_file: s
     capacity = math.copysign(_capacity(document), float(joint.output_torque))
     curves = rolling_curves(joint=joint, result=result, laws=solved.solution.laws, torque_capacity=capacity)
     title = f"{plain_title(file)} in rolling"
-    write_image(
-        rolling_figure(curves, result.rolling, joint=joint, title=title, width=_WIDTH),
-        plot_file,
-    )
-    say_written(plot_file)
-
-
-def _show(document: dict[str, Any], file: str, *, as_json: bool, in_full: bool) -> None:
-    if as_json:
-        print_json(document)
-        return
-    from asperity.cli.roll_table import show_rolling
-    from asperity.cli.terminal import console
-
-    show_rolling(console(), document, source=file, in_full=in_full)
-    if "branches" in document:
-        from asperity.cli.document_text import show_branches
-
-        show_branches(console(), document["branches"])
+    save_image(rolling_figure(curves, result.rolling, joint=joint, title=title, width=_WIDTH), plot_file)

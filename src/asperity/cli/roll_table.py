@@ -10,11 +10,12 @@ from asperity.cli.document_text import (
     print_wrapped,
     scaled,
     show_assumptions,
+    show_branches,
     show_heading,
     show_verdict,
     show_warnings,
 )
-from asperity.cli.terminal import table
+from asperity.cli.terminal import show_table, table
 from asperity.results.document import input_member
 from asperity.results.notes import surface_rows
 from asperity.results.position_rows import position_rows
@@ -39,6 +40,8 @@ def show_rolling(target: Console, document: Document, *, source: str, in_full: b
     _show_life(target, document)
     show_warnings(target, document)
     show_assumptions(target, document, in_full=in_full)
+    if "branches" in document:
+        show_branches(target, document["branches"])
 
 
 def _show_output(target: Console, document: Document) -> None:
@@ -123,18 +126,15 @@ def _show_surfaces(target: Console, rolling: Document) -> None:
     rows = surface_rows(rolling["contacts"])
     if not rows:
         return
-    shown = table(
-        target,
-        "Surfaces in rolling",
+    head = (
         "contact",
         "flash temperature\nK",
         "smallest oil film\nµm",
         "film over roughness\nlambda",
         "lubrication",
     )
-    for name, *numbers, band in rows:
-        shown.add_row(name, *(number(value, 3) for value in numbers), band or "-")
-    target.print(shown)
+    cells = ((name, *(number(value, 3) for value in numbers), band or "-") for name, *numbers, band in rows)
+    show_table(target, "Surfaces in rolling", head, cells)
 
 
 def _show_thrust(target: Console, document: Document) -> None:
@@ -144,15 +144,11 @@ def _show_thrust(target: Console, document: Document) -> None:
     if not any(axial) and not (skewed and None in axial):
         target.print("Axial thrust: none, the axes are parallel\n", style="bold")
         return
+    of_contacts = {name: contact["axial_force_N"] for name, contact in rolling["contacts"].items()}
+    of_bodies = {_words(name): force for name, force in rolling["axial_thrust_N"].items()}
     for title, forces in (
-        (
-            "Axial force of each contact on its driven body, N",
-            {n: c["axial_force_N"] for n, c in rolling["contacts"].items()},
-        ),
-        (
-            "Axial thrust on each body, N",
-            {_words(name): force for name, force in rolling["axial_thrust_N"].items()},
-        ),
+        ("Axial force of each contact on its driven body, N", of_contacts),
+        ("Axial thrust on each body, N", of_bodies),
     ):
         shown = table(target, title, *forces)
         shown.columns[0].justify = "right"
@@ -190,19 +186,23 @@ def _show_life(target: Console, document: Document) -> None:
     if rolling["no_life_because"]:
         print_wrapped(target, f"  {rolling['no_life_because']}", indent=2)
     if loads:
-        duty = table(
-            target,
-            "Duty (damage adds up by Miner's rule)",
-            "load",
-            "output torque",
-            input_member(document),
-            "share\nof the time",
-            "share\nof the damage",
-            "life under it\nalone, hours",
-        )
-        for name, load in loads.items():
-            of_load = rolling["duty"][name]
-            duty.add_row(
+        _show_duty(target, document, loads)
+
+
+def _show_duty(target: Console, document: Document, loads: Document) -> None:
+    head = (
+        "load",
+        "output torque",
+        input_member(document),
+        "share\nof the time",
+        "share\nof the damage",
+        "life under it\nalone, hours",
+    )
+    rows = []
+    for name, load in loads.items():
+        of_load = document["rolling"]["duty"][name]
+        rows.append(
+            (
                 name,
                 in_unit(load["output_torque"], "N*m"),
                 in_unit(load["sun_speed"], "rpm"),
@@ -210,7 +210,8 @@ def _show_life(target: Console, document: Document) -> None:
                 "-" if of_load["damage_share"] is None else f"{scaled(of_load['damage_share'], 100.0)} %",
                 _life(of_load["life_hours"]),
             )
-        target.print(duty)
+        )
+    show_table(target, "Duty (damage adds up by Miner's rule)", head, rows)
 
 
 def _print_required(target: Console, entry: Document) -> None:

@@ -7,8 +7,14 @@ from typing import TYPE_CHECKING
 import click
 import numpy as np
 
-from asperity.cli.terminal import prepare_computation, print_json, say_written
-from asperity.writing import check_image, write_image
+from asperity.cli.terminal import (
+    json_option,
+    plot_option_of,
+    prepare_computation,
+    print_json,
+    save_image,
+)
+from asperity.writing import check_image
 
 if TYPE_CHECKING:
     import xarray
@@ -23,15 +29,8 @@ if TYPE_CHECKING:
     metavar="NAME",
     help="The result to rank by, e.g. torque_capacity, slip_ratio_sp (of one contact) or self_locking_ratio.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print all results as one JSON document in SI units.")
-@click.option(
-    "--plot",
-    is_flag=False,
-    flag_value="sensitivity.png",
-    type=click.Path(),
-    metavar="[IMAGE]",
-    help="Draw a tornado plot, to sensitivity.png if no name is given.",
-)
+@json_option("Print all results as one JSON document in SI units.")
+@plot_option_of("sensitivity.png", "Draw a tornado plot, to sensitivity.png if no name is given.")
 def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None:
     """Exact derivatives and elasticities of the joint in FILE with respect to every number in it.
 
@@ -64,8 +63,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     if plot is not None:
         from asperity.study.tolerances.influence_plot import tornado_figure
 
-        write_image(tornado_figure(dataset, result=result), plot)
-        say_written(plot)
+        save_image(tornado_figure(dataset, result=result), plot)
 
 
 def _show(ranked: xarray.Dataset) -> None:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import say_written
-from asperity.writing import check_file, check_image, replacing, write_image
+from asperity.cli.terminal import json_option, save_image
+from asperity.writing import check_file, check_image, replacing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -54,9 +54,7 @@ def _stress(context: click.Context, parameter: click.Parameter, value: str | Non
 
 @surface.command("measure")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="FILE...")
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print the measurement document (SI units) instead of text."
-)
+@json_option("Print the measurement document (SI units) instead of text.")
 @click.option(
     "--plot", type=click.Path(path_type=Path, dir_okay=False), help="Write a figure (PNG, PDF or SVG)."
 )
@@ -200,8 +198,7 @@ def _write_figure(plot: Path, measured: MeasuredFiles) -> None:
     figure = measurement_figure(
         surfaces=measured.topographies, fit=measured.fit, direction=measured.direction
     )
-    write_image(figure, plot)
-    say_written(plot)
+    save_image(figure, plot)
 
 
 def _parameters(s: MeasuredSurface, axial: bool) -> Iterator[str]:
@@ -437,9 +434,7 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
 @surface.command("combine")
 @click.argument("first", type=click.Path(path_type=Path))
 @click.argument("second", type=click.Path(path_type=Path))
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print the measurement document (SI units) instead of text."
-)
+@json_option("Print the measurement document (SI units) instead of text.")
 def combine(first: Path, second: Path, as_json: bool) -> None:
     """One equivalent surface of two measured bodies (two documents of ``measure --json``)."""
     from asperity.precision import use_double_precision

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import prepare_computation, say, say_written
+from asperity.cli.terminal import plot_option_of, prepare_computation, save_image, say, say_written
 from asperity.errors import InputError
-from asperity.writing import check_image, write_image
+from asperity.writing import check_image
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -46,14 +46,7 @@ if TYPE_CHECKING:
     ".parquet or .csv.",
 )
 @click.option("--overwrite", is_flag=True, help="Replace what an earlier run has written to --out.")
-@click.option(
-    "--plot",
-    is_flag=False,
-    flag_value="sweep.png",
-    type=click.Path(),
-    metavar="[IMAGE]",
-    help="Draw the sweep to an image, sweep.png if no name is given.",
-)
+@plot_option_of("sweep.png", "Draw the sweep to an image, sweep.png if no name is given.")
 @click.option("--plot-result", metavar="NAME", help="Which result to draw instead of the stiffness.")
 @click.option(
     "--limit",
@@ -150,8 +143,7 @@ def sweep(
     if plot is not None:
         from asperity.study.sweep.sweep_plot import sweep_figure
 
-        write_image(sweep_figure(dataset, result=plot_result, limits=drawn), plot)
-        say_written(plot)
+        save_image(sweep_figure(dataset, result=plot_result, limits=drawn), plot)
     _show(dataset, out)
 
 

@@ -1,4 +1,4 @@
-"""Where commands print: plain text when piped, at most 100 columns, legible in terminals without Unicode.
+"""Where commands print: plain text when piped, at most 100 columns, legible without Unicode; shared options.
 
 What users wrote in files and on the command line appears in output. :func:`checked_output` lets none of it reach a
 terminal as a control sequence, and turns a full disk behind standard output into one sentence.
@@ -10,7 +10,7 @@ import codecs
 import functools
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,10 +20,13 @@ import click
 from asperity.errors import InputError, NoSolutionError, printable
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from rich.console import Console
     from rich.table import Table
 
     from asperity.joint_file.si_tables import AnyCase
+    from asperity.show.title_block import Title
+    from asperity.unit_table import Dimension
 
 
 WIDEST = 100
@@ -40,6 +43,14 @@ _IN_ASCII = {
     "≥": ">=",
     "…": "...",
 }
+#: Options of a title block, and their longest text.
+_TITLE = {
+    "project": "Project for the title block; nothing is filled in without it, as for the next three.",
+    "part": "Number or name of the part for the title block.",
+    "revision": "Revision for the title block.",
+    "date": "Date for the title block.",
+}
+_LONGEST_TITLE = 60
 
 
 def _spell_out(error: UnicodeError) -> tuple[str, int]:
@@ -171,22 +182,7 @@ def console() -> Console:
 
 
 def table(target: Console, title: str, *columns: str) -> Table:
-    """An empty table in the style of all commands: first column text, the others numbers.
-
-    Parameters
-    ----------
-    target : Console
-        Where it will be shown.
-    title : str
-        Its title.
-    *columns : str
-        Headers, with units.
-
-    Returns
-    -------
-    Table
-        To be filled.
-    """
+    """An empty table in the style of all commands, its columns with units: the first text, the others numbers."""
     from rich import box
     from rich.markup import escape
     from rich.table import Table
@@ -202,20 +198,30 @@ def table(target: Console, title: str, *columns: str) -> Table:
     return made
 
 
-def say(sentence: str) -> None:
-    """Write a message to standard error.
+def show_table(target: Console, title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> None:
+    """Print a table of :func:`table` with its rows."""
+    shown = table(target, title, *head)
+    for row in rows:
+        shown.add_row(*row)
+    target.print(shown)
 
-    Parameters
-    ----------
-    sentence : str
-        The message.
-    """
+
+def say(sentence: str) -> None:
+    """Write a message to standard error."""
     click.echo(sentence, err=True)
 
 
 def say_written(path: str | Path) -> None:
     """Report on standard error that a file has been written."""
     say(f"wrote {path}")
+
+
+def save_image(figure: Figure, path: str | Path) -> None:
+    """Write a figure to a file, and say so."""
+    from asperity.writing import write_image
+
+    write_image(figure, path)
+    say_written(path)
 
 
 @contextmanager
@@ -262,6 +268,26 @@ def about(file: str, *others: str | None) -> Iterator[None]:
         raise type(error)(f"{file}: {error}", options=error.options) from None
 
 
+@contextmanager
+def about_torque(stated: str | None) -> Iterator[None]:
+    """Refusals of a torque begin with the option ``--torque``, or with the key of the file where it is not stated."""
+    try:
+        yield
+    except InputError as error:
+        place = "load.output_torque" if stated is None else "--torque"
+        raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
+
+
+def read_option(name: str, text: str, dimension: Dimension) -> float:
+    """The SI value of an option's text with its unit; a refusal begins with the option."""
+    from asperity.units import parse_quantity
+
+    try:
+        return parse_quantity(text, dimension)
+    except InputError as error:
+        raise InputError(f"--{name}: {error}") from None
+
+
 def read_case_of_branches(file: str) -> AnyCase:
     """A joint file; a note says that the results are those of its sections ``[[branch]]``, if it has them."""
     from asperity.joint_file.reader import read_case
@@ -289,3 +315,48 @@ def print_json(document: dict[str, Any]) -> None:
     import json
 
     click.echo(json.dumps(document, indent=2, allow_nan=False))
+
+
+def json_option(text: str = "Print one JSON document in SI units instead of tables.") -> Callable[..., Any]:
+    """The option ``--json`` of a command, its argument ``as_json``."""
+    return click.option("--json", "as_json", is_flag=True, help=text)
+
+
+def plot_option(text: str) -> Callable[..., Any]:
+    """The option ``--plot`` of a command that draws, its argument ``plot_file``."""
+    return click.option("--plot", "plot_file", type=click.Path(dir_okay=False), help=text)
+
+
+def plot_option_of(image: str, text: str) -> Callable[..., Any]:
+    """The option ``--plot`` of a study, which draws to ``image`` where no name is given, its argument ``plot``."""
+    return click.option(
+        "--plot", is_flag=False, flag_value=image, type=click.Path(), metavar="[IMAGE]", help=text
+    )
+
+
+def surface_option(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Give a command the option ``--surface``, as the keyword argument ``surfaces``."""
+    text = (
+        "Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body."
+    )
+    option = click.option(
+        "--surface", "surfaces", multiple=True, type=click.Path(), metavar="MEASUREMENT", help=text
+    )
+    return option(command)
+
+
+def title_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Give a command the options of a title block, as keyword arguments of the same names."""
+    for name, text in reversed(_TITLE.items()):
+        command = click.option(f"--{name}", default="", help=text)(command)
+    return command
+
+
+def title_of(stated: dict[str, str]) -> Title:
+    """The title block of these options, or a refusal of one that is too long."""
+    from asperity.show.title_block import Title
+
+    for name, text in stated.items():
+        if len(text) > _LONGEST_TITLE:
+            raise InputError(f"--{name}: at most {_LONGEST_TITLE} characters, got {len(text)}")
+    return Title(**stated)

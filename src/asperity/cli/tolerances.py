@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import prepare_computation, print_json
+from asperity.cli.terminal import json_option, prepare_computation, print_json
 
 if TYPE_CHECKING:
     from asperity.study.tolerances.allowed_deviations import AllowedDeviations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 @click.option("--samples", default=10_000, show_default=True, type=click.IntRange(100, 1_000_000),
               help="Drives of each try.")  # fmt: skip
 @click.option("--seed", default=0, show_default=True, type=click.IntRange(0), help="Of the random numbers.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document in SI units.")
+@json_option("Print one JSON document in SI units.")
 def tolerances(
     file: str,
     keep: tuple[str, ...],
@@ -46,7 +46,7 @@ def tolerances(
     """
     from asperity.cli.terminal import about, progress_bar, read_case_of_branches
     from asperity.errors import InputError
-    from asperity.joint_file.distribution import parse_distribution
+    from asperity.joint_file.quantity_key import parse_distribution
     from asperity.unit_table import Dimension
     from asperity.units import parse_quantity
 

@@ -7,14 +7,20 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from asperity.cli.terminal import prepare_computation, print_json, say_written
-from asperity.writing import check_image, write_image
+from asperity.cli.terminal import (
+    json_option,
+    plot_option_of,
+    prepare_computation,
+    print_json,
+    save_image,
+)
+from asperity.writing import check_image
 
 if TYPE_CHECKING:
     import xarray
 
-    from asperity.joint_file.distribution import Distribution
     from asperity.joint_file.model import Case
+    from asperity.joint_file.quantity_key import Distribution
 
 
 @click.command()
@@ -39,14 +45,10 @@ if TYPE_CHECKING:
     help="Draw the sizes of each planet and each other roller off the axis by themselves, so many times: torque of the "
     "first slip, load shares, force on the sun. Needs load.interference.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document in SI units.")
-@click.option(
-    "--plot",
-    is_flag=False,
-    flag_value="uncertainty.png",
-    type=click.Path(),
-    metavar="[IMAGE]",
-    help="Draw the first result's histogram and Sobol indices, to uncertainty.png if no name is given.",
+@json_option("Print one JSON document in SI units.")
+@plot_option_of(
+    "uncertainty.png",
+    "Draw the first result's histogram and Sobol indices, to uncertainty.png if no name is given.",
 )
 def uncertainty(
     file: str,
@@ -64,7 +66,7 @@ def uncertainty(
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
     from asperity.cli.terminal import about, read_case_of_branches
-    from asperity.joint_file.distribution import parse_distribution
+    from asperity.joint_file.quantity_key import parse_distribution
     from asperity.joint_file.reader import read_case
 
     case = read_case_of_branches(file) if branches is None else read_case(file)
@@ -93,8 +95,7 @@ def uncertainty(
     if plot is not None:
         from asperity.study.tolerances.influence_plot import uncertainty_figure
 
-        write_image(uncertainty_figure(dataset, result=dataset["result"].values[0]), plot)
-        say_written(plot)
+        save_image(uncertainty_figure(dataset, result=dataset["result"].values[0]), plot)
 
 
 def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, seed: int) -> dict[str, Any]:
@@ -111,12 +112,9 @@ def _show_branches(scatter: dict[str, Any], draws: int, as_json: bool) -> None:
     if as_json:
         print_json(scatter)
         return
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console, show_table
 
-    target = console()
-    shown = table(
-        target, f"{draws} drives with branches of their own sizes", "", "unit", "2.5 %", "median", "97.5 %"
-    )
+    rows = []
     for name, words, unit, factor in (
         ("first_slip_Nm", "first branch slips, standing", "N·m", 1.0),
         ("all_slip_Nm", "all branches slip, standing", "N·m", 1.0),
@@ -126,8 +124,9 @@ def _show_branches(scatter: dict[str, Any], draws: int, as_json: bool) -> None:
         ("sun_force_N", "force on the sun's bearings", "N", 1.0),
     ):
         values = ["-"] * 3 if scatter[name] is None else [f"{factor * value:.4g}" for value in scatter[name]]
-        shown.add_row(words, unit, *values)
-    target.print(shown)
+        rows.append((words, unit, *values))
+    title = f"{draws} drives with branches of their own sizes"
+    show_table(console(), title, ("", "unit", "2.5 %", "median", "97.5 %"), rows)
     alone = scatter["share_without_a_balance"]
     click.echo(
         f"equal branches pass {scatter['equal_branches_Nm']:.4g} N·m; a branch is loose in "

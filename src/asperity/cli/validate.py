@@ -6,11 +6,11 @@ from typing import Any
 
 import click
 
-from asperity.cli.terminal import prepare_computation
+from asperity.cli.terminal import json_option, prepare_computation
 
 
 @click.command()
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a table.")
+@json_option("Print one JSON document instead of a table.")
 @click.option(
     "--out",
     type=click.Path(),

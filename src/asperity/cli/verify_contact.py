@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from asperity.cli.surface import ARGUMENTS, measure
-from asperity.cli.terminal import prepare_computation, say_written
+from asperity.cli.terminal import json_option, plot_option, prepare_computation, read_option, save_image
 from asperity.errors import InputError
-from asperity.writing import check_image, write_image
+from asperity.writing import check_image
 
 if TYPE_CHECKING:
     from asperity.verify.comparison import Comparison, Sample
@@ -90,12 +90,8 @@ _OPTIONS = {"dimensions": "dimension", "lowest": "from", "highest": "to"}
     metavar="FILE",
     help="Compare all laws on this measured map, of the roughness of both bodies, in place of known surfaces.",
 )
-@click.option(
-    "--plot", "plot_file", type=click.Path(dir_okay=False), help="Draw the comparison: PNG, SVG or PDF."
-)
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
-)
+@plot_option("Draw the comparison: PNG, SVG or PDF.")
+@json_option()
 @click.pass_context
 def verify_contact(
     context: click.Context,
@@ -136,8 +132,8 @@ def verify_contact(
     if surface_file:
         _verify_map(
             surface_file,
-            moduli=(_read("youngs-modulus", youngs_modulus, Dimension.PRESSURE), poisson_ratio),
-            hardness=_read("hardness", hardness, Dimension.PRESSURE),
+            moduli=(read_option("youngs-modulus", youngs_modulus, Dimension.PRESSURE), poisson_ratio),
+            hardness=read_option("hardness", hardness, Dimension.PRESSURE),
             points=points,
             plot_file=plot_file,
             as_json=as_json,
@@ -145,10 +141,10 @@ def verify_contact(
         )
         return
     lengths = [
-        _read(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
+        read_option(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
     ]
     stresses = [
-        _read(name, text, Dimension.PRESSURE)
+        read_option(name, text, Dimension.PRESSURE)
         for name, text in (("youngs-modulus", youngs_modulus), ("hardness", hardness))
     ]
     if loads < 1 or not 0.0 < lowest <= highest < 1.0:
@@ -195,8 +191,7 @@ def verify_contact(
     if plot_file:
         from asperity.verify.comparison import comparison_figure
 
-        write_image(comparison_figure(samples, comparisons), plot_file)
-        say_written(plot_file)
+        save_image(comparison_figure(samples, comparisons), plot_file)
     if as_json:
         import json
 
@@ -255,8 +250,7 @@ def _verify_map(
             measured, pair=pair, hardness=hardness, points=points, solved=lambda: done(next(states), STATES)
         )
     if plot_file:
-        write_image(map_figure(comparison, measured), plot_file)
-        say_written(plot_file)
+        save_image(map_figure(comparison, measured), plot_file)
     if as_json:
         print_json(map_document(comparison, source=measured.source))
         return
@@ -306,15 +300,6 @@ def _show_map(comparison: MapComparison, source: str) -> None:
         "Poisson's ratio 0.3; then each law over the elastic boundary elements. Elastic is the soft\n"
         "bound. -: a patch is pressed flat, or cannot carry the load."
     )
-
-
-def _read(option: str, text: str, dimension: Any) -> float:
-    from asperity.units import parse_quantity
-
-    try:
-        return parse_quantity(text, dimension)
-    except InputError as error:
-        raise InputError(f"--{option}: {error}") from None
 
 
 _UNITS = {

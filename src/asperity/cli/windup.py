@@ -6,9 +6,19 @@ from typing import Any
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, print_json, say_written
+from asperity.cli.terminal import (
+    about,
+    about_torque,
+    json_option,
+    plot_option,
+    prepare_computation,
+    print_json,
+    read_option,
+    save_image,
+    say_written,
+)
 from asperity.standing import STAGE_SHARES
-from asperity.writing import check_file, check_image, write_columns, write_image
+from asperity.writing import check_file, check_image, write_columns
 
 LEVELS = ("assembly", "series_with_bulk", "published")
 
@@ -48,15 +58,8 @@ LEVELS = ("assembly", "series_with_bulk", "published")
     type=click.Path(dir_okay=False),
     help="Write the angle behind over the angle turned, and the drift of swings, to this CSV file.",
 )
-@click.option(
-    "--plot",
-    "plot_file",
-    type=click.Path(dir_okay=False),
-    help="Draw the curves: PNG, SVG or PDF.",
-)
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of a table."
-)
+@plot_option("Draw the curves: PNG, SVG or PDF.")
+@json_option("Print one JSON document in SI units instead of a table.")
 def windup(
     file: str,
     torque: str | None,
@@ -83,12 +86,9 @@ def windup(
     check_file(rolling_file, file)
     check_image(plot_file)
     case = read_case_of_branches(file)
-    from asperity.units import Dimension, parse_quantity
+    from asperity.unit_table import Dimension
 
-    try:
-        asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
-    except InputError as error:
-        raise InputError(f"--torque: {error}") from None
+    asked = None if torque is None else read_option("torque", torque, Dimension.TORQUE)
     first, second = stages
     if not 0.0 < first < second < 1.0:
         raise InputError(f"--stages {first:g} {second:g}: allowed are two shares with 0 < first < second < 1")
@@ -107,17 +107,13 @@ def windup(
 
     with about(file):
         joint = with_own_branches(case)
-    source = "load.output_torque" if asked is None else "--torque"
-    with about(file):
-        try:
+        with about_torque(torque):
             curve, solutions = examined_windup(
                 joint,
                 largest_torque=asked,
                 level=level,  # type: ignore[arg-type]
                 stage_shares=stages,
             )
-        except InputError as error:
-            raise InputError(f"{source}: {error}" if "torque" in str(error) else str(error)) from None
     onsets = windup_onsets(joint, curve, solutions, creep_share=creep_share)
     document = windup_document(joint, curve, solutions, onsets, level=level)  # type: ignore[arg-type]
     if csv_file:
@@ -134,8 +130,7 @@ def windup(
 
         title = f"Wind-up of {plain_title(file)}, {level} stiffness"
         limits = windup_capacities(document)
-        write_image(windup_figure(curve, onsets[0], title=title, capacities=limits), plot_file)
-        say_written(plot_file)
+        save_image(windup_figure(curve, onsets[0], title=title, capacities=limits), plot_file)
     if as_json:
         print_json(document)
         return
@@ -189,7 +184,7 @@ def _show(document: dict[str, Any], file: str) -> None:
 def _show_rolling(document: dict[str, Any], same: bool) -> None:
     """Up to which angle the static curve holds, and what follows it."""
     from asperity.cli.document_text import in_unit, print_wrapped
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import console, show_table, table
     from asperity.units import format_quantity
 
     target, rolling = console(), document["rolling"]
@@ -213,19 +208,17 @@ def _show_rolling(document: dict[str, Any], same: bool) -> None:
     drift = [in_unit(way["drift_rad_per_output_turn"], "arcmin") for way in ways]
     shown.add_row("drift per output turn in steady rolling", *(cell for text in drift for cell in ("", text)))
     target.print(shown)
-    rolled = table(
-        target, "Contacts", "contact", "width", "rolled by it after, input", "output", "share of the drift"
-    )
-    for name, contact in rolling["contacts"].items():
-        after = contact["rolls_its_width_in"]
-        rolled.add_row(
+    head = ("contact", "width", "rolled by it after, input", "output", "share of the drift")
+    rows = (
+        (
             name,
             in_unit(contact["width_m"], "um"),
-            in_unit(after["input_rad"], "deg"),
-            in_unit(after["output_rad"], "deg"),
+            *(in_unit(contact["rolls_its_width_in"][side], "deg") for side in ("input_rad", "output_rad")),
             f"{100.0 * contact['share_of_drift']:.3g} %",
         )
-    target.print(rolled)
+        for name, contact in rolling["contacts"].items()
+    )
+    show_table(target, "Contacts", head, rows)
     print_wrapped(
         target,
         "Stiffness and drift are two regimes. The wind-up is elastic and comes back when the torque is taken off. The "

@@ -30,18 +30,7 @@ from asperity.results.table import results_of_drive
 
 
 def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
-    """The table of results of the drive of a joint file: the rows that it has, with the names of its parts.
-
-    Parameters
-    ----------
-    tables : mapping
-        Tables of the joint file, of which type and names matter.
-
-    Returns
-    -------
-    dict
-        Name → row.
-    """
+    """Name → row of all results that the drive of a file has, with the names of its parts, whatever its numbers."""
     return _results_of_structure(table_structure(with_tracks(dict(tables))))
 
 
@@ -80,11 +69,10 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
 
 
 def with_nominal_sizes(values: Values) -> Values:
-    """Tables in which changes of the radii are deviations of finished parts from their present values.
+    """Tables in SI units for :func:`evaluated_points`, in which changes of the radii are deviations of finished parts.
 
-    Tables in SI units for :func:`evaluated_points`, which then adds to the interference what the deviations make of it;
-    unchanged where the preload is stated as a force, and for type ``planar``, where radii are those of another drive
-    with the same interference.
+    It then adds to the interference what the deviations from the present values make of it; unchanged where the preload
+    is stated as a force, and for type ``planar``, where radii are those of another drive with the same interference.
     """
     return build.with_nominal_sizes(values)
 

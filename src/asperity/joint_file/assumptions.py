@@ -9,10 +9,9 @@ from asperity.joint.bodies import hollow_stepped
 from asperity.joint.description import Joint
 from asperity.joint.rims import bends
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.contact_law import BY_DECAY_LENGTH
 from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_average
 from asperity.joint_file.general_model import GeneralCase
-from asperity.joint_file.material_entries import MaterialEntry
+from asperity.joint_file.material_entries import BY_DECAY_LENGTH, MaterialEntry
 from asperity.joint_file.model import Case, Rolling
 from asperity.joint_file.part_names import WEDGE_TYPE, material_key
 from asperity.joint_file.quantity_key import Quantity
@@ -67,18 +66,7 @@ CROWNED = (
 
 
 def assumptions(case: Case) -> tuple[str, ...]:
-    """What a joint file leaves out, and what is taken instead.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    tuple of str
-        One sentence each.
-    """
+    """What a joint file leaves out, and what is taken instead, one sentence each."""
     kind = case.type
     drive: Any = case.drive
     told: list[str] = []

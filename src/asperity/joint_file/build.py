@@ -20,7 +20,7 @@ from asperity.drive.structure.pin_beam import PinBeam
 from asperity.joint.body_shape import BodyShape, on_pin
 from asperity.joint.description import Joint
 from asperity.joint.temperature import contact_fit
-from asperity.joint_file.contact_law import contact_law_of
+from asperity.joint_file.material_entries import contact_law_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import (
     CONTACTS,

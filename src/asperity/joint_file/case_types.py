@@ -5,12 +5,6 @@ from __future__ import annotations
 from typing import Annotated, ClassVar, Literal
 
 from asperity.joint_file import limits
-from asperity.joint_file.branch_sections import (
-    BranchEntry,
-    MultirollerBranch,
-    PlanetaryBranch,
-    SteppedPlanetBranch,
-)
 from asperity.joint_file.drive_sections import (
     MultirollerDrive,
     PartLengths,
@@ -26,10 +20,14 @@ from asperity.joint_file.section import Section
 from asperity.joint_file.sections import (
     BearingTorque,
     BodyLength,
+    BranchEntry,
     CrownRadius,
     HeldBearing,
     Length,
+    MultirollerBranch,
+    PlanetaryBranch,
     PushAngle,
+    SteppedPlanetBranch,
 )
 
 

@@ -20,9 +20,9 @@ from asperity.contact.persson_2007 import (
 )
 from asperity.errors import InputError
 from asperity.joint_file import limits
-from asperity.joint_file.contact_law import ContactLaw
 from asperity.joint_file.drawn_surface import Ends, exponential_ratios
 from asperity.joint_file.felt_heights import Felt, FeltContacts
+from asperity.joint_file.material_entries import ContactLaw
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.units import format_quantity

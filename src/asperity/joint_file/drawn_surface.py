@@ -82,26 +82,16 @@ def surface_entries(case: Case) -> Iterator[tuple[str, SurfaceEntry]]:
 
 
 def drawn_interval(case: Case) -> dict[str, Any] | None:
-    r"""Intervals of stiffness and drift over what the Ra of a drawing leaves open.
+    """Intervals of stiffness and drift over what the Ra of a drawing leaves open.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
+    As :func:`asperity.joint.measured_surface.stiffness_interval`, with the smallest and the largest value in place of
+    percentiles; ``surfaces``: path → the ranges of D and Ra; and ``words``, the same in sentences. None where no
+    surface is stated by its Ra or by its rms_height. With the exponential contact law the ends hold its own error:
+    :data:`asperity.contact.exponential.OVER_BOUNDARY_ELEMENTS`.
 
-    Returns
-    -------
-    dict or None
-        As :func:`asperity.joint.measured_surface.stiffness_interval`, with the smallest and the largest value in place
-        of percentiles; ``surfaces``: path → the ranges of D and Ra; and ``words``, the same in sentences.
-        None where no surface is stated by its Ra or by its rms_height. With the exponential contact law the ends hold
-        its own error: :data:`asperity.contact.exponential.OVER_BOUNDARY_ELEMENTS`.
-
-    Notes
-    -----
     D runs over its tolerance in the file, which a finish fills in, and Ra over its own; an Ra without a tolerance is
-    taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %; likewise
-    that of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
+    taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %; likewise that
+    of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
     """
     if case.contact_law() == "exponential":
         heights = _ends_of_heights(case)

@@ -12,13 +12,12 @@ import tomlkit
 from pydantic import BaseModel
 from tomlkit.items import AoT, Table
 
-from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type, parse_case
-from asperity.joint_file.section import leaves
+from asperity.joint_file.section import keys_by_path, leaves
 from asperity.joint_file.si_tables import (
     DEPTH,
     PARTNER_DEPTH,
@@ -55,23 +54,11 @@ def exact_text(value_si: float, key: Key) -> str:
 
 
 def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str) -> str:
-    """The text of a joint file with some numbers replaced.
+    """The TOML of a joint file with its comments, where some numbers are replaced: dotted path → new value [SI].
 
-    Parameters
-    ----------
-    case : Case
-        The joint file to start from.
-    changes : mapping
-        Dotted path → new value [SI]. A number that has a tolerance keeps it, with its distribution.
-    comment : str
-        Lines for the head of the file, without the comment sign.
-
-    Returns
-    -------
-    str
-        TOML with the comments of the original file. An entry of a library file of the user's is replaced by its
-        numbers, because its path would be wrong in another folder, and where numbers change, an Rz by the range of Ra
-        that it was read as.
+    A number that has a tolerance keeps it, with its distribution. An entry of a library file of the user's is replaced
+    by its numbers, because its path would be wrong in another folder, and where numbers change, an Rz by the range of
+    Ra that it was read as. ``comment``: lines for the head of the file, without the comment sign.
     """
     stated, values = numeric_keys(case), si_values(case)
     kind = type_of(values)

@@ -11,12 +11,11 @@ from pydantic import Field
 from asperity.drive.layout.drive import CARRIER
 from asperity.errors import nearest, quoted
 from asperity.joint_file import limits
-from asperity.joint_file.branch_sections import Deviation
 from asperity.joint_file.drive_sections import Bore, PartLengths, PartName, RingSupport, Wall
 from asperity.joint_file.model import AxisCase
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
-from asperity.joint_file.sections import BodyLength, CrownRadius, Length, PushAngle
+from asperity.joint_file.sections import BodyLength, CrownRadius, Deviation, Length, PushAngle
 
 Orbit = Annotated[Quantity, limits.ROLLER_RADIUS]
 Angle = Annotated[Quantity, limits.POLAR_ANGLE]

@@ -14,7 +14,6 @@ from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.contact_law import BY_DECAY_LENGTH
 from asperity.joint_file.decay_ratios import RATIOS_OF, refuse_without_elements
 from asperity.joint_file.drawn_surface import (
     Ends,
@@ -28,8 +27,9 @@ from asperity.joint_file.felt_heights import (
     with_heights,
     with_surfaces,
 )
+from asperity.joint_file.material_entries import BY_DECAY_LENGTH
 from asperity.joint_file.model import Case
-from asperity.joint_file.side_by_side import laws_side_by_side, with_law
+from asperity.joint_file.solved_document import laws_side_by_side, with_law
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 
@@ -37,23 +37,11 @@ _NORMAL_95 = 1.959963984540054
 
 
 class MeasuredCase(NamedTuple):
-    """A joint file with a measured surface.
+    """A joint file with its surfaces from a measurement, in terms of its contact law.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file, its surfaces in terms of its contact law.
-    measured : MeasuredRoughness
-        What was measured.
-    assumed : tuple of str
-        What was taken of the measurement, one sentence each.
-    heights : dict of str to tuple, or None
-        Path of a surface → lower end, middle and upper end of the rms of its heights [m], 95 % of measurements; None
-        where D and G went in.
-    ratios : dict of str to tuple, or None
-        Path of a surface → decay length over these heights by the contact law, lower end, itself and upper end [-].
-    contacts : FeltContacts or None
-        What the contacts feel, and their pressures.
+    ``assumed``: what was taken of the measurement, one sentence each. ``heights``: path of a surface → lower end,
+    middle and upper end of the rms of its heights [m], 95 % of measurements; ``ratios``, the same of the decay length
+    over these heights by the contact law [-]; both, and what the ``contacts`` feel, are None where D and G went in.
     """
 
     case: Case

@@ -10,10 +10,9 @@ from pydantic_core import ErrorDetails
 
 from asperity.errors import MOST_ERRORS, closest, nearest, quoted
 from asperity.joint_file.case_types import CASES
-from asperity.joint_file.key_paths import keys_by_path, models_of, variants
 from asperity.joint_file.material_entries import joined, unknown_materials
 from asperity.joint_file.part_names import CONTACTS, material_keys
-from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
+from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, keys_by_path, models_of, variants
 
 #: Errors of pydantic that are explained: a misspelt key is two of them, an unknown key and a missing one.
 _MOST_EXPLAINED = 10 * MOST_ERRORS

@@ -9,8 +9,6 @@ from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from asperity.errors import InputError, closest, nearest
 from asperity.joint_file import limits
-from asperity.joint_file.branch_sections import refuse_branches
-from asperity.joint_file.contact_law import BY_DECAY_LENGTH, ContactLaw, contact_law_of
 from asperity.joint_file.drive_sections import (
     BENT,
     OpenRadius,
@@ -20,8 +18,11 @@ from asperity.joint_file.drive_sections import (
     PartSurfaces,
 )
 from asperity.joint_file.material_entries import (
+    BY_DECAY_LENGTH,
+    ContactLaw,
     MaterialEntry,
     MaterialName,
+    contact_law_of,
     one_kind_of_roughness,
     unknown_materials,
 )
@@ -37,6 +38,7 @@ from asperity.joint_file.sections import (
     PinBearing,
     PlayEntry,
     TemperatureEntry,
+    refuse_branches,
     refuse_part_of_a_duty,
     refuse_temperature,
 )

@@ -11,9 +11,9 @@ import numpy as np
 from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.drive_sections import OpenRadius
-from asperity.joint_file.key_paths import keys_by_path, models_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE
+from asperity.joint_file.section import keys_by_path, models_of
 from asperity.units import format_quantity
 
 _PLACES = 4000

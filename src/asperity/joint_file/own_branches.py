@@ -26,29 +26,11 @@ if TYPE_CHECKING:
 
 
 def with_own_branches(case: AnyCase) -> Joint:
-    """The joint of a file with its own branches, where they differ.
+    """The joint of a file with its own branches, where they differ; equation (I4) of :doc:`/equations`.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    Joint
-        With sections ``[[branch]]``: every branch by itself, contacts and rollers with its number behind their names.
-        Otherwise the joint with equal branches.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, or the branches cannot be compared.
-    NoSolutionError
-        If no balance without torque was found.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
+    With sections ``[[branch]]`` it has every branch by itself, contacts and rollers with its number behind their names;
+    otherwise it has equal branches. Raised are an ``InputError`` if the bodies do not fit or the branches cannot be
+    compared, and a ``NoSolutionError`` if no balance without torque was found.
     """
     branches = branches_of(case)
     return joint_from_case(case) if branches is None else branches.joint

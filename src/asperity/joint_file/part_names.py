@@ -57,18 +57,7 @@ TRACKS: dict[str, dict[str, tuple[str, str]]] = {
 
 
 def type_of(tables: Mapping[str, Any]) -> str:
-    """Type of the drive of a joint file.
-
-    Parameters
-    ----------
-    tables : mapping
-        Its tables, as the file states them or in SI units.
-
-    Returns
-    -------
-    str
-        :data:`WEDGE_TYPE` where the file states none.
-    """
+    """Type of the drive from the tables of a joint file; :data:`WEDGE_TYPE` where they state none."""
     return str(tables.get("type", WEDGE_TYPE))
 
 

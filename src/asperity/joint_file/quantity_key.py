@@ -1,13 +1,13 @@
-"""One numeric key of a joint file: what it measures, the range it may have, and how its text is read."""
+"""One numeric key of a joint file: what it measures, its range, how its text and its tolerance are read."""
 
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from asperity.errors import InputError
-from asperity.joint_file.distribution import Distribution, split_distribution
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, from_si, parse_quantity, parse_tolerance
 
@@ -34,22 +34,9 @@ class Quantity:
 class Key:
     """What a numeric key measures and the range it may have; used as an annotation of :class:`Quantity` fields.
 
-    Parameters
-    ----------
-    dimension : Dimension
-        What it measures.
-    lower, upper : float
-        Smallest and largest allowed value, in ``unit``.
-    unit : str
-        Unit of the bounds and of displays.
-    open_lower, open_upper : bool
-        Whether the bound itself is outside.
-    integer : bool
-        Whether only whole numbers are allowed.
-    exact : bool
-        Whether it has no tolerance, because somebody decides it.
-    example : str
-        What to quote in messages; the example of the dimension if empty.
+    ``lower`` and ``upper`` are in ``unit``, which displays have too; ``open_lower`` and ``open_upper`` leave out the
+    bound itself. ``integer``: only whole numbers are allowed. ``exact``: it has no tolerance, because somebody decides
+    it. ``example``: what messages quote; if empty, the example of the dimension.
     """
 
     dimension: Dimension
@@ -92,40 +79,16 @@ class Key:
         return low_side and high_side and not (self.integer and value_si != round(value_si))
 
     def check(self, value_si: float) -> None:
-        """Raise unless a value is inside the range.
-
-        Parameters
-        ----------
-        value_si : float
-            The value in SI units.
-
-        Raises
-        ------
-        InputError
-            With the value and the allowed range.
-        """
+        """Raise an ``InputError`` with the value [SI] and the allowed range unless the value is inside it."""
         if not self.admits(value_si):
             raise InputError(
                 f"{format_quantity(value_si, self.unit)} is not allowed; it must be {self.allowed}"
             )
 
     def read(self, written: object) -> Quantity:
-        """Read and check one value of a file.
+        """The value and the tolerance of a text with a unit, or of a number if dimensionless, in SI units.
 
-        Parameters
-        ----------
-        written : object
-            The value in the file: text with a unit, with or without a tolerance; a number if dimensionless.
-
-        Returns
-        -------
-        Quantity
-            Its value and tolerance in SI units.
-
-        Raises
-        ------
-        InputError
-            If it is not such a quantity, or outside the allowed range.
+        An ``InputError`` is raised if it is no such quantity, or outside the allowed range.
         """
         if isinstance(written, str) and any(sign in written for sign in ("±", "+-", "+/-", "+ -", "+ /")):
             text, distribution = split_distribution(written)
@@ -169,3 +132,60 @@ class Entered:
     """
 
     key: Key
+
+
+#: What can be written after the comma of a tolerance.
+FORMS = "'uniform', 'triangular' or 'normal K sigma' (e.g. 'normal 2 sigma': the tolerance is two standard deviations)"
+_MOST_SIGMAS = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class Distribution:
+    """A symmetric distribution about a value v with a tolerance t: "uniform" or "triangular" in v ± t, or "normal".
+
+    ``sigmas``: how many standard deviations make t if it is normal; 0 otherwise.
+    """
+
+    kind: Literal["uniform", "triangular", "normal"]
+    sigmas: float
+
+    def __str__(self) -> str:
+        return f"normal {self.sigmas:g} sigma" if self.kind == "normal" else self.kind
+
+    def standard_deviation(self, tolerance: float) -> float:
+        """Standard deviation of a number with this tolerance."""
+        shrink = {"uniform": 3.0**0.5, "triangular": 6.0**0.5, "normal": self.sigmas}[self.kind]
+        return tolerance / shrink
+
+
+def parse_distribution(text: str) -> Distribution:
+    """The distribution of a text ``uniform``, ``triangular`` or ``normal K sigma``; an ``InputError`` for any other.
+
+    Examples
+    --------
+    >>> parse_distribution("normal 2 sigma")
+    Distribution(kind='normal', sigmas=2.0)
+    """
+    words = " ".join(text.lower().split())
+    if words == "uniform":
+        return Distribution("uniform", 0.0)
+    if words == "triangular":
+        return Distribution("triangular", 0.0)
+    match = re.fullmatch(r"normal (\d+(?:\.\d*)?|\.\d+) ?(?:sigmas?|σ)", words)
+    if match is None:
+        raise InputError(f"a tolerance can be distributed as {FORMS}, got '{text}'")
+    sigmas = float(match[1])
+    if not 0.0 < sigmas <= _MOST_SIGMAS:
+        raise InputError(
+            f"a tolerance is above 0 and at most {_MOST_SIGMAS:g} standard deviations, got '{text}'"
+        )
+    return Distribution("normal", sigmas)
+
+
+def split_distribution(written: str) -> tuple[str, Distribution | None]:
+    """Split the text of a tolerance from the distribution behind its comma."""
+    text, comma, tail = written.rpartition(",")
+    signs = ("±", "+-", "+/-", "+ -", "+ /")
+    if not comma or not any(sign in text for sign in signs) or re.match(r"\s*\d", tail):
+        return written, None
+    return text, parse_distribution(tail)

@@ -42,26 +42,10 @@ def read_case(path: str | Path) -> Case:
 
 
 def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
-    """Read the text of a joint file.
+    """The checked content of a joint file from its TOML text; ``source`` is its name for messages.
 
-    Parameters
-    ----------
-    text : str
-        TOML.
-    source : str
-        Name of the file, for messages.
-    folder : Path, optional
-        Where paths of material libraries in the file start.
-
-    Returns
-    -------
-    Case
-        Its content, checked.
-
-    Raises
-    ------
-    InputError
-        If it is not valid TOML, or contains something that is not allowed.
+    ``folder`` is where paths of material libraries in it start. An ``InputError`` is raised if it is not valid TOML, or
+    contains something that is not allowed.
     """
     tables = parse_toml(text, source=source)
     return case_from_tables(tables, source=source, folder=folder).with_text(text)

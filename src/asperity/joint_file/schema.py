@@ -5,29 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 from asperity.joint_file.case_types import CASES
-from asperity.joint_file.key_paths import models_of
 from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.part_names import WEDGE_TYPE
+from asperity.joint_file.section import models_of
 from asperity.library import read_finishes, read_materials
 
 Schema = dict[str, Any]
 
 
 def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
-    """Schema of a joint file after TOML is read, for editors such as those with Taplo.
+    """JSON Schema (draft 2020-12) of a joint file of one type after TOML is read, for editors such as those with Taplo.
 
-    Parameters
-    ----------
-    kind : str, optional
-        Type of its drive; by default the paper's.
-
-    Returns
-    -------
-    dict
-        JSON Schema, draft 2020-12. Bounds of quantities with units cannot be expressed in it, nor that a body's
-        material is one that the file or the library has; the reader checks them.
+    It cannot express the bounds of quantities with units, nor that a body's material is one that the file or the
+    library has; the reader checks them.
     """
     schema = CASES[kind].model_json_schema(mode="validation")
     _offer_library(schema)

@@ -11,7 +11,7 @@ from asperity.contact.roller_pairs import Roughness
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint_file.contact_law import BY_DECAY_LENGTH, ContactLaw
+from asperity.joint_file.material_entries import BY_DECAY_LENGTH, ContactLaw
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -34,22 +34,9 @@ def play_of(values: Values) -> Play:
 
 
 def inertias_from_case(case: Case) -> Inertias:
-    """What a joint file couples to its joint.
+    """What a file couples to its joint; an ``InputError`` if it has no section ``[dynamics]``.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    Inertias
-        In SI units; without a loss factor the spring loses no work.
-
-    Raises
-    ------
-    InputError
-        If the file has no section ``[dynamics]``.
+    Without a loss factor the spring loses no work.
     """
     if case.dynamics is None:
         raise InputError(

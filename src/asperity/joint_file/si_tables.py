@@ -17,12 +17,10 @@ from pydantic import BaseModel
 
 from asperity.errors import InputError, nearest
 from asperity.joint_file.case_types import CASES
-from asperity.joint_file.distribution import Distribution
-from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_track, type_of
-from asperity.joint_file.quantity_key import Key, Quantity
-from asperity.joint_file.section import Section, leaves
+from asperity.joint_file.quantity_key import Distribution, Key, Quantity
+from asperity.joint_file.section import Section, keys_by_path, leaves
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
 Values = dict[str, Any]
@@ -265,18 +263,9 @@ def counterparts(name: str) -> tuple[str, ...]:
 
 
 def check_values(changes: Mapping[str, Any]) -> None:
-    """Raise unless every number is inside the range of its key.
+    """Raise an ``InputError`` with the key, the value and its range unless every number [SI] is inside that of its key.
 
-    Parameters
-    ----------
-    changes : mapping
-        Dotted path → SI number or array of them. Abstract arrays inside ``jit`` or ``grad`` have no values and are
-        not looked at.
-
-    Raises
-    ------
-    InputError
-        With the key, the offending value and the allowed range.
+    Abstract arrays inside ``jit`` or ``grad`` have no values and are not looked at.
     """
     for path, value in changes.items():
         key = key_at(path)
@@ -303,18 +292,7 @@ Numbers = tuple[Any, ...]
 
 
 def numbers(values: Values) -> Numbers:
-    """All numbers of the tables of a joint file, in a fixed order.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    tuple of float
-        The leaves that are numbers, by sorted names.
-    """
+    """The leaves of the tables of a joint file that are numbers, in SI units, by sorted names."""
     return tuple(value for value in _leaves(values) if not isinstance(value, str))
 
 

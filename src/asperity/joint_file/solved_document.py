@@ -1,12 +1,21 @@
-"""A joint file solved, with the document that ``asperity joint --json`` prints."""
+"""A joint file solved: its document, and stiffness and drift by every contact law that its surfaces allow."""
 
 from __future__ import annotations
 
+import dataclasses
+import math
 from typing import Any, NamedTuple
 
+from asperity.contact.roller_pairs import Roughness
+from asperity.errors import AsperityError
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.drawn_surface import surface_entries, surfaces_by_average
+from asperity.joint_file.material_entries import ContactLaw
+from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import branches_of
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.results.document import joint_document
@@ -21,25 +30,7 @@ class SolvedCase(NamedTuple):
 
 
 def solve_case(case: AnyCase) -> SolvedCase:
-    """Solve a joint file, and write down what comes out.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    SolvedCase
-        The joint and its document.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, or the output torque exceeds the capacity.
-    NoSolutionError
-        If no balance was found.
-    """
+    """A joint file solved, and its document; raises as :func:`solved_case`."""
     solved = solved_case(case)
     return SolvedCase(solved, document_of(case, solved))
 
@@ -50,24 +41,10 @@ def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
 
 
 def solved_case(case: AnyCase) -> SolvedJoint:
-    """Solve a joint file.
+    """A joint file solved; with sections ``[[branch]]`` the joint and its results have every branch by itself.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    SolvedJoint
-        The joint; with sections ``[[branch]]`` it and its results have every branch by itself.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, or the output torque exceeds the capacity.
-    NoSolutionError
-        If no balance was found.
+    Raised are an ``InputError`` if the bodies do not fit or the output torque exceeds the capacity, and a
+    ``NoSolutionError`` if no balance was found.
     """
     branches = branches_of(case)
     joint = joint_from_case(case) if branches is None else branches.joint
@@ -75,3 +52,54 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     if case.rolling is not None and case.rolling.required_life is not None:
         solved.required_life = case.rolling.required_life.value
     return solved
+
+
+#: Laws side by side, from the one that knows least of the surface.
+_ORDER: tuple[ContactLaw, ...] = ("zou_2025", "exponential", "persson_2007", "measured")
+
+
+def with_law(case: Case, law: ContactLaw) -> Case:
+    """The joint file with a contact law."""
+    return case.model_copy(update={"model": case.model.model_copy(update={"contact_law": law})})
+
+
+def laws_of_file(case: Case, joint: Joint, result: JointResult) -> list[dict[str, Any]]:
+    """The joint of a file by every law that its surfaces allow, as :func:`laws_side_by_side`: both for Ra with D."""
+    if len(surfaces_by_average(case)) < len(list(surface_entries(case))):
+        return []
+    laws: tuple[ContactLaw, ...] = ("exponential", "zou_2025")
+    surfaces = {law: joint_from_case(with_law(case, law)).surfaces for law in laws}
+    return laws_side_by_side(joint, result, used=case.contact_law(), surfaces=surfaces)
+
+
+def laws_side_by_side(
+    joint: Joint, result: JointResult, *, used: ContactLaw, surfaces: dict[ContactLaw, tuple[Roughness, ...]]
+) -> list[dict[str, Any]]:
+    """Assembled stiffness at the output and drift of a solved joint by several laws.
+
+    ``used`` is the law of the joint, ``surfaces``: law → those of all contacts or of each. One entry a law; its numbers
+    are None where the joint has no solution or no stiffness; an empty list for one law only. Laws that take surfaces
+    of the same kind are solved by the programs that solved the joint.
+    """
+    entries = []
+    for law in sorted(surfaces, key=_ORDER.index) if len(surfaces) > 1 else ():
+        one: JointResult | None = result
+        if law != used:
+            try:
+                one = solve_joint(dataclasses.replace(joint, surfaces=surfaces[law])).result
+            except AsperityError:  # by this law it does not carry the torque
+                one = None
+        if one is None or not bool(one.contact_law_holds):
+            numbers = [math.nan, math.nan]
+        else:
+            numbers = [float(one.assembly.stiffness.output), float(one.rolling.drift_per_output_turn)]
+        stiffness, drift = (number if math.isfinite(number) else None for number in numbers)
+        entries.append(
+            {
+                "law": law,
+                "used": law == used,
+                "assembly_Nm_per_rad": stiffness,
+                "drift_rad_per_output_turn": drift,
+            }
+        )
+    return entries

@@ -1,13 +1,19 @@
-"""What a joint file says of the parts of its drive besides their sizes: tolerances, materials, crowns, surfaces."""
+"""What a file says of its parts besides their sizes: tolerances, materials, crowns, surfaces, interference."""
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Any, NamedTuple
 
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint, tracks_of
+from asperity.joint.evaluation import JointResult
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_values, thermal_change_of
 from asperity.joint_file.part_names import TRACKS, material_key
-from asperity.joint_file.si_tables import AnyCase
+from asperity.joint_file.sections import without_expansion
+from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.units import format_quantity
 
 
@@ -128,3 +134,38 @@ def _partner(entry: Any) -> str:
 def _length(quantity: Any) -> str:
     tolerance = f" ±{1e6 * quantity.tolerance:.3g}" if quantity.tolerance else ""
     return f"{1e6 * quantity.value:.4g}{tolerance} µm"
+
+
+class MadeInterference(NamedTuple):
+    """By how much the inner radius of the rings is made smaller than that at which all contacts just touch [m].
+
+    None where it is not known; ``unknown_because`` says why.
+    """
+
+    size: float | None
+    unknown_because: str = ""
+
+
+def made_interference(case: AnyCase, result: JointResult | None = None) -> MadeInterference:
+    """Interference of the parts at their assembly: that of the file, or that which makes the force that it states.
+
+    It follows from the result, if that is known; otherwise the joint is solved without torque, as it is assembled: a
+    loading cam adds nothing. At another temperature than that of the assembly it is less what temperature adds.
+    """
+    load = case.load
+    if load.interference is not None:
+        return MadeInterference(load.interference.value)
+    values, added = si_values(case), 0.0
+    if case.temperature is not None:
+        unknown = without_expansion(case.bodies, case.materials)
+        if unknown:
+            return MadeInterference(None, f"the thermal_expansion of {', '.join(unknown)} is not in the file")
+    try:
+        if case.temperature is not None:
+            added = thermal_change_of(values)
+        if result is None or load.cam_force_per_torque is not None or not math.isfinite(result.interference):
+            joint = joint_from_values(values)
+            result = solve_joint(dataclasses.replace(joint, output_torque=0.0)).result
+    except (InputError, NoSolutionError) as error:
+        return MadeInterference(None, str(error))
+    return MadeInterference(float(result.interference) - added)

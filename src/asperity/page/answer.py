@@ -16,11 +16,11 @@ from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.edited_text import entered_values
-from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys
 from asperity.joint_file.solved_document import solve_case
+from asperity.joint_file.stated_parts import made_interference
 from asperity.page.description import form_of
 from asperity.page.joint_request import JointRequest, choices_of_case
 from asperity.page.list_changes import stated_lists

@@ -10,11 +10,10 @@ from pydantic import BaseModel
 
 import asperity
 from asperity.joint_file.case_types import WedgeCase
-from asperity.joint_file.key_paths import keys_by_path, models_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import CONTACTS, WEDGE_TYPE, contacts_of
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.section import meaning
+from asperity.joint_file.section import keys_by_path, meaning, models_of
 from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
 from asperity.page.joint_request import CHOICES, choices_of_case

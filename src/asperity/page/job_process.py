@@ -84,7 +84,7 @@ def _sensitivity(file: str, options: dict[str, Any], report: Report) -> dict[str
 
 
 def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
-    from asperity.joint_file.distribution import parse_distribution
+    from asperity.joint_file.quantity_key import parse_distribution
     from asperity.joint_file.reader import read_case
     from asperity.study.tolerances.documents import uncertainty_document
     from asperity.study.tolerances.uncertainty import uncertainty

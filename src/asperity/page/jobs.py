@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from asperity.errors import AsperityError, InputError, quoted
-from asperity.joint_file.distribution import parse_distribution
+from asperity.joint_file.quantity_key import parse_distribution
 from asperity.page.child import Child, StoppedError, file_name
 from asperity.page.computation import BusyError
 from asperity.page.joint_request import JointRequest, joint_request

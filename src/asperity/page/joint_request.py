@@ -15,10 +15,10 @@ import tomlkit
 from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words
-from asperity.joint_file.key_paths import models_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, material_keys, type_of
 from asperity.joint_file.reader import case_from_tables
+from asperity.joint_file.section import models_of
 from asperity.joint_file.si_tables import key_at
 from asperity.library import read_finishes
 from asperity.page.list_changes import (

@@ -11,10 +11,9 @@ import tomlkit
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import WedgeCase
-from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import sized_tracks, type_of
-from asperity.joint_file.section import meaning
+from asperity.joint_file.section import keys_by_path, meaning
 from asperity.joint_file.si_tables import key_at, si_values
 from asperity.reading import parse_toml
 

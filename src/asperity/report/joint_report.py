@@ -15,11 +15,10 @@ from asperity.errors import AsperityError
 from asperity.joint.description import Joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import drawn_interval
-from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.joint_file.solved_document import solve_case
-from asperity.joint_file.stated_parts import stated_parts
+from asperity.joint_file.stated_parts import made_interference, stated_parts
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables
 from asperity.report.cells import quantity
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table

@@ -96,20 +96,7 @@ def row_coordinates(results: Iterable[Result]) -> dict[str, tuple[tuple[str], np
 
 
 def rows_of(data: xarray.Dataset, name: str) -> dict[str, xarray.DataArray]:
-    """A variable cut into its rows: one for each contact or clearance, or the variable itself.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Evaluated points.
-    name : str
-        One of its variables.
-
-    Returns
-    -------
-    dict
-        Name of the row, empty for a single number → values at the points.
-    """
+    """Values of a variable by the name of their row, a contact or clearance; the name is empty for a single number."""
     variable = data[name]
     (dimension,) = (set(variable.dims) - set(data["status"].dims)) or {None}
     if dimension is None:

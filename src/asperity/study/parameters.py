@@ -32,19 +32,7 @@ _FORM = "KEY=start:stop:count or KEY=start:stop:count:log, e.g. load.output_torq
 
 @dataclass(frozen=True)
 class Axis:
-    """One axis of a sweep: even steps of a number of the joint file.
-
-    Parameters
-    ----------
-    path : str
-        Dotted path of the number, e.g. ``load.output_torque``.
-    start, stop : float
-        First and last value, in SI units.
-    count : int
-        Number of values.
-    scale : {"linear", "log"}
-        Even steps of the value or of its logarithm.
-    """
+    """One axis of a sweep: even steps of a number of the joint file, or of its logarithm, from start to stop [SI]."""
 
     path: str
     start: float
@@ -72,15 +60,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class ListedAxis:
-    """One axis of a sweep: any values of a number of the joint file.
-
-    Parameters
-    ----------
-    path : str
-        Dotted path of the number.
-    listed : sequence of float
-        Its values [SI].
-    """
+    """One axis of a sweep: any values of a number of the joint file [SI]."""
 
     path: str
     listed: Sequence[float]
@@ -194,20 +174,7 @@ def check_axis(axis: SweepAxis) -> None:
 
 
 def check_axes(case: AnyCase, axes: Sequence[SweepAxis]) -> None:
-    """Raise unless a sweep of a joint file over these axes makes sense.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    axes : sequence of Axis
-        The axes.
-
-    Raises
-    ------
-    InputError
-        If there is none, two vary the same number, or one of them is not in the file's joint.
-    """
+    """Raise an ``InputError`` unless there are axes, all of different numbers that the file's joint has."""
     if not axes:
         raise InputError(f"a sweep needs at least one axis: {_FORM}", options=["over"])
     for axis in axes:
@@ -241,16 +208,6 @@ def _generic(path: str) -> tuple[str, str | None]:
 
 def long_name(path: str) -> str:
     """A dotted path in words, for labels.
-
-    Parameters
-    ----------
-    path : str
-        For example ``drive.contact_length.sp``.
-
-    Returns
-    -------
-    str
-        For example ``contact length, sp``.
 
     Examples
     --------

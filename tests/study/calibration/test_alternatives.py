@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.joint_file.reader import read_case
-from asperity.study.calibration.alternatives import alternatives, candidates
+from asperity.study.calibration.directions import alternatives, candidates
 from asperity.study.design.design_problem import Variable
 
 

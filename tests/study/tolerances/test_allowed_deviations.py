@@ -8,7 +8,7 @@ import pytest
 from scipy.stats import norm
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint_file.distribution import Distribution
+from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.library.tolerance_grades import standard_tolerances
 from asperity.study.tolerances import allowed_deviations as module

@@ -8,7 +8,7 @@ from scipy import stats
 
 from asperity.errors import InputError
 from asperity.joint.status import STATUS_NAMES
-from asperity.joint_file.distribution import Distribution
+from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.reader import parse_case
 from asperity.results import RESULTS
 from asperity.study.tolerances import uncertainty as module

@@ -11,14 +11,23 @@ import numpy as np
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.standing.windup import StiffnessLevel
-from asperity.study.calibration.alternatives import Alternative, alternatives, candidates
-from asperity.study.calibration.directions import NAMED_SHARE, UNINFORMED, Direction, direction_of
+from asperity.study.calibration.directions import (
+    NAMED_SHARE,
+    UNINFORMED,
+    Alternative,
+    Direction,
+    alternatives,
+    candidates,
+    direction_of,
+)
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
+from asperity.study.calibration.unknowns import of_joint_file
 from asperity.study.design.design_problem import Variable
 
 #: Quantile of the normal distribution for both ends of 95 %.
@@ -335,6 +344,31 @@ def _conclude(
             len(unknowns),
         ),
     )
+
+
+def calibrated_text(calibration: Calibration, case: AnyCase, *, comment: str) -> str:
+    """The joint file with the estimates in place of its numbers; ``comment``: lines for its head."""
+    changes = {e.path: e.value for e in calibration.estimates if of_joint_file(e.path)}
+    if "play.angle" in changes and case.play is None:  # a section [play] has both keys
+        changes.setdefault("play.take_up_torque", 0.0)
+    return joint_file_text(case, changes, comment=comment)
+
+
+def count_words(calibration: Calibration) -> str:
+    """How many unknowns were found from which data."""
+    count = len(calibration.estimates)
+    sources = [f"{curve.residual.size} rows of {curve.measurement.source}" for curve in calibration.curves]
+    return f"{count} unknown{'s'[: count - 1]} from {' and '.join(sources)}"
+
+
+def identifiability_words(calibration: Calibration) -> dict[str, list[str]]:
+    """Heading → sentences: combinations of unknowns, and, where there are some, their alternatives."""
+    combinations = "Combinations of unknowns by the scatter of the data, the least well determined first:"
+    words = {
+        combinations: [direction.words for direction in calibration.directions],
+        "What would explain the data as well:": [other.words for other in calibration.alternatives],
+    }
+    return {heading: sentences for heading, sentences in words.items() if sentences}
 
 
 def model_error_words(model_error: float) -> str:

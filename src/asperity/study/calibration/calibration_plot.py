@@ -18,18 +18,7 @@ if TYPE_CHECKING:
 
 
 def calibration_figure(calibration: Calibration) -> Figure:
-    """Measured and fitted curve above their difference, over the torque and in the order of time.
-
-    Parameters
-    ----------
-    calibration : Calibration
-        What :func:`asperity.study.calibration.calibrate.calibrate` returns.
-
-    Returns
-    -------
-    Figure
-        Three panels for each curve.
-    """
+    """Measured and fitted curve above their difference, over the torque and in the order of time."""
     from matplotlib.figure import Figure
 
     count = len(calibration.curves)
@@ -182,18 +171,7 @@ def _colour(shade: float) -> tuple[float, float, float, float]:
 
 
 def unit_of(path: str) -> str:
-    """Unit in which an unknown is shown.
-
-    Parameters
-    ----------
-    path : str
-        Its name.
-
-    Returns
-    -------
-    str
-        A unit of :mod:`asperity.units`.
-    """
+    """Unit in which an unknown is shown, one of :mod:`asperity.units`."""
     from asperity.joint_file.si_tables import key_at
 
     kind = path.partition(" ")[0]

@@ -36,17 +36,9 @@ Coefficients = dict[str, Array]
 
 
 def exponents(unknowns: int) -> np.ndarray:
-    """Exponents of all terms up to the highest total degree that :data:`MOST_TERMS` allows.
+    """Exponents of all terms up to the highest total degree that :data:`MOST_TERMS` allows, shape (terms, unknowns).
 
-    Parameters
-    ----------
-    unknowns : int
-        Number of unknowns, 0 or more.
-
-    Returns
-    -------
-    ndarray
-        Shape (terms, unknowns); the constant first, then the linear terms.
+    The constant comes first, then the linear terms.
 
     Examples
     --------

@@ -53,17 +53,9 @@ class FittedCurve:
 
 
 def residual_sentences(curves: Sequence[FittedCurve]) -> list[str]:
-    """How large the residuals of each curve are, and whether neighbours are alike.
+    """How large the residuals of each curve are and whether neighbours are alike: one sentence for each curve.
 
-    Parameters
-    ----------
-    curves : sequence of FittedCurve
-        Each measurement with what was fitted to it.
-
-    Returns
-    -------
-    list of str
-        One sentence for each curve, and one more where its intervals are too narrow.
+    There is one more where the intervals of a curve are too narrow.
     """
     said = []
     for curve in curves:

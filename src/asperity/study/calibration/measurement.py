@@ -183,27 +183,12 @@ def _drift(
 
 
 def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -> Measurement:
-    """Read a measured curve.
+    """A measured curve in SI units from a CSV file; an ``InputError`` with line and column if something cannot be read.
 
-    Parameters
-    ----------
-    path : str or Path
-        A CSV file with a header: ``torque`` and one of ``angle``, ``stiffness``, ``drift`` (angle lost per output
-        turn), ``speed loss``, ``speed ratio`` (input over output); optionally ``time`` and ``repetition``. Units stand
-        in the header, ``torque [N*m]`` or ``torque_Nm``. Rows in the order of time; lines that begin with ``#`` are
-        comments.
-    unloaded_ratio : float, optional
-        Speed ratio of the joint without creep, for a column ``speed ratio`` [-].
-
-    Returns
-    -------
-    Measurement
-        In SI units.
-
-    Raises
-    ------
-    InputError
-        With line and column, if something cannot be read.
+    Columns: ``torque`` and one of ``angle``, ``stiffness``, ``drift`` (angle lost per output turn), ``speed loss``,
+    ``speed ratio`` (input over output; needs the ratio of the joint without creep); optionally ``time`` and
+    ``repetition``. Units stand in the header, ``torque [N*m]`` or ``torque_Nm``. Rows in the order of time; lines that
+    begin with ``#`` are comments.
     """
     text = read_text(path, largest=LARGEST_FILE)
     lines = list(enumerate(io.StringIO(text, newline=""), 1))

@@ -93,16 +93,8 @@ class Posterior:
     def note(self, index: int) -> str:
         """How the bounds of an unknown limit its posterior, in words; empty if they do not.
 
-        Parameters
-        ----------
-        index : int
-            Which unknown.
-
-        Returns
-        -------
-        str
-            "cut" where the share of the draws next to a bound is certainly above :data:`CUT_SHARE`, "possibly cut"
-            where the draws are too few to decide.
+        "cut" where the share of the draws next to a bound is certainly above :data:`CUT_SHARE`, "possibly cut" where
+        the draws are too few to decide.
         """
         scaled_values = self.scaled_values[:, index]
         spread = float(np.std(scaled_values))
@@ -125,13 +117,7 @@ class Posterior:
 
 
 def require_numpyro() -> None:
-    """Raise unless NumPyro is installed.
-
-    Raises
-    ------
-    MissingExtraError
-        Saying what to install.
-    """
+    """Raise a ``MissingExtraError``, which says what to install, unless NumPyro is installed."""
     optional_module("numpyro", extra="bayes", needs="a posterior needs")
 
 

@@ -168,7 +168,7 @@ def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Var
         OFFSET_OF_DRIFT: (middle - span, middle + span),
         "drift": (-span / duration, span / duration),
     }[name]
-    lower, upper = _bounds(name, sides, _dimension(name)) if sides else default
+    lower, upper = _bounds(name, sides, dimension_of(name)) if sides else default
     if lower < 0.0 and name == "play.angle":
         raise InputError(f"unknown '{name}': the lower bound {sides[0].strip()} must not be negative")
     if lower <= 0.0 and name == "play.take_up_torque":
@@ -210,7 +210,7 @@ def _of_joint(path: str, sides: list[str], case: AnyCase) -> Variable:
 
 def si_unit_of(path: str) -> str:
     """SI unit of an unknown, one of :mod:`asperity.units`."""
-    return _dimension(path).si_unit
+    return dimension_of(path).si_unit
 
 
 def added_to_curve(path: str) -> bool:
@@ -219,21 +219,11 @@ def added_to_curve(path: str) -> bool:
 
 
 def of_joint_file(path: str) -> bool:
-    """Whether an unknown is a number of the joint file, and not of the measurement.
-
-    Parameters
-    ----------
-    path : str
-        Its name.
-
-    Returns
-    -------
-    bool
-        False for offset and drift.
-    """
+    """Whether an unknown is a number of the joint file; False for offset and drift, which are of the measurement."""
     return path.partition(" ")[0] not in CURVE_UNKNOWNS
 
 
-def _dimension(path: str) -> Dimension:
+def dimension_of(path: str) -> Dimension:
+    """What an unknown measures."""
     kind = path.partition(" ")[0]
     return CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension

@@ -229,18 +229,7 @@ class DesignEvaluator:
 
 
 def exists(objectives: np.ndarray) -> np.ndarray:
-    """Which of the objectives that :meth:`DesignEvaluator.many` gives belong to designs that exist.
-
-    Parameters
-    ----------
-    objectives : ndarray
-        Any shape.
-
-    Returns
-    -------
-    ndarray of bool
-        The same shape.
-    """
+    """Which objectives of :meth:`DesignEvaluator.many`, of any shape, belong to designs that exist."""
     return np.abs(objectives) < _WORST
 
 

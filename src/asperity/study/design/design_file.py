@@ -42,23 +42,10 @@ _SECTIONS = ("joint", "level", "variables", "objective", "constraints", "worst_c
 
 
 def read_design(path: str | Path) -> DesignProblem:
-    """Read a design file.
+    """The checked content of a design file; an ``InputError`` if it cannot be read or says what is not allowed.
 
-    Parameters
-    ----------
-    path : str or Path
-        A TOML file with ``joint``, ``[variables]``, ``[objective]`` and, if wanted, ``level``, ``[constraints]``,
-        ``[worst_case]`` and ``[search]``.
-
-    Returns
-    -------
-    DesignProblem
-        What it says, checked.
-
-    Raises
-    ------
-    InputError
-        If it cannot be read or says something that is not allowed.
+    It is TOML with ``joint``, ``[variables]``, ``[objective]`` and, if wanted, ``level``, ``[constraints]``,
+    ``[worst_case]`` and ``[search]``.
     """
     file = Path(path)
     tables = read_toml(file)

@@ -12,6 +12,7 @@ from asperity.joint_file.si_tables import key_at
 from asperity.results import Result
 from asperity.show.style import mark_few_decades, plain_number
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
+from asperity.study.design.design_plot import in_unit, shown_unit
 from asperity.study.design.design_problem import Constraint, DesignProblem
 from asperity.study.design.design_result import DesignResult
 from asperity.study.design.design_search import FEASIBLE
@@ -67,14 +68,14 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
     objectives, margins = evaluator.many(scaled)
     joint = (exists(objectives[:, 0]) & evaluator.existing(margins)).reshape(count, count)
     x, y = (
-        np.array([from_si(float(v), key_at(variable.path).unit) for v in variable.from_unit(places)])
+        in_unit(variable.from_unit(places), key_at(variable.path).unit)
         for variable in (problem.variables[first], problem.variables[second])
     )
     goal = problem.objectives[0]
     unit = problem.table[goal.name].display_unit
     values = np.full(count * count, np.nan)
     shown = joint.ravel()
-    values[shown] = [from_si(float(v), unit) for v in goal.sign * objectives[shown, 0]]
+    values[shown] = in_unit(goal.sign * objectives[shown, 0], unit)
     least = np.where(joint, margins.min(axis=1).reshape(count, count), np.nan)
     splits = np.cumsum([len(constraint.rows) for constraint in problem.constraints])[:-1]
     by_limit = [columns.min(axis=1).reshape(count, count) for columns in np.split(margins, splits, axis=1)]
@@ -96,7 +97,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
     if np.nanmin(values, initial=np.inf) < np.nanmax(values, initial=-np.inf):
         lines = axes.contour(x, y, values.reshape(count, count), levels=8, colors="0.55", linewidths=0.8)
         axes.clabel(lines, fmt=plain_number, fontsize="x-small")
-        label = f"{problem.table[goal.name].label} [{_shown(unit)}]"
+        label = f"{problem.table[goal.name].label} [{shown_unit(unit)}]"
         keys.append(Line2D([], [], color="0.55", linewidth=0.8, label=label))
     drawn = 0
     for constraint, margin in zip(problem.constraints, by_limit, strict=True):
@@ -128,7 +129,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
         (problem.variables[first], axes.xaxis, x),
         (problem.variables[second], axes.yaxis, y),
     ):
-        axis.set_label_text(f"{variable.path} [{_shown(key_at(variable.path).unit)}]")
+        axis.set_label_text(f"{variable.path} [{shown_unit(key_at(variable.path).unit)}]")
         if variable.logarithmic:
             (axes.set_xscale if axis is axes.xaxis else axes.set_yscale)("log")
             mark_few_decades(axis, float(values_along.min()), float(values_along.max()))
@@ -145,7 +146,3 @@ def limit_text(constraint: Constraint, table: Mapping[str, Result]) -> str:
     shown = table[constraint.name]
     sign = "≤" if constraint.at_most else "≥"
     return f"{shown.label} {sign} {format_quantity(constraint.limit, shown.display_unit)}"
-
-
-def _shown(unit: str) -> str:
-    return "–" if unit == "1" else unit.replace("*", "·").replace("^3", "³")

@@ -23,19 +23,9 @@ _POINTS = 31
 
 
 def design_figure(result: DesignResult, *, width: float | None = None) -> Figure:
-    """The objective along each variable through the design: where all limits are met, and where no joint exists.
+    """The objective along each variable through the design, a panel each: where limits are met, where no joint exists.
 
-    Parameters
-    ----------
-    result : DesignResult
-        What :func:`asperity.study.design.design.design` returns.
-    width : float, optional
-        Width of the figure [in]; two panels then stand in a row.
-
-    Returns
-    -------
-    Figure
-        One panel a variable.
+    With a ``width`` [in] two panels stand in a row.
     """
     from matplotlib.figure import Figure
 
@@ -57,11 +47,11 @@ def design_figure(result: DesignResult, *, width: float | None = None) -> Figure
         scaled[:, index] = np.sort(np.append(np.linspace(0.0, 1.0, _POINTS - 1), centre[index]))
         objectives, margins = evaluator.many(scaled)
         key = key_at(variable.path)
-        x = np.array([from_si(float(v), key.unit) for v in variable.from_unit(scaled[:, index])])
+        x = in_unit(variable.from_unit(scaled[:, index]), key.unit)
         raw = goal.sign * objectives[:, 0]
         joint = exists(objectives[:, 0]) & evaluator.existing(margins)
         y = np.full(_POINTS, np.nan)
-        y[joint] = [from_si(float(v), objective.display_unit) for v in raw[joint]]
+        y[joint] = in_unit(raw[joint], objective.display_unit)
         least = margins.min(axis=1)
         place = int(np.flatnonzero(scaled[:, index] == centre[index])[0])
         fine = joint & (least >= -FEASIBLE)
@@ -92,9 +82,9 @@ def design_figure(result: DesignResult, *, width: float | None = None) -> Figure
             axes.set_xscale("log")
             mark_few_decades(axes.xaxis, float(x.min()), float(x.max()))
         axes.tick_params(labelbottom=False)
-        below.set_xlabel(f"{variable.path} [{_shown(key.unit)}]", fontsize="small")
+        below.set_xlabel(f"{variable.path} [{shown_unit(key.unit)}]", fontsize="small")
         if column == 0:
-            axes.set_ylabel(f"{objective.label}\n[{_shown(objective.display_unit)}]", fontsize="small")
+            axes.set_ylabel(f"{objective.label}\n[{shown_unit(objective.display_unit)}]", fontsize="small")
             below.set_ylabel("smallest margin\nof the limits [%]", fontsize="small")
         for panel in (axes, below):
             panel.grid(alpha=0.3)
@@ -113,25 +103,12 @@ def _shade(axes: Axes, x: np.ndarray, where: np.ndarray) -> None:
 
 
 def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
-    """A Pareto front: the second objective over the first, the third as colour.
-
-    Parameters
-    ----------
-    front : xarray.Dataset
-        What :func:`asperity.study.design.pareto.pareto_front` returns.
-    objectives : tuple of str
-        Names of its two or three objectives.
-
-    Returns
-    -------
-    Figure
-        The front, and below it the variables along it.
-    """
+    """A Pareto front: the second objective over the first, the third as colour; below it the variables."""
     from matplotlib.figure import Figure
 
-    shown = {name: _in_unit(front[name].values, RESULTS[name].display_unit) for name in objectives}
+    shown = {name: in_unit(front[name].values, RESULTS[name].display_unit) for name in objectives}
     labels = {
-        name: f"{front[name].attrs['long_name']} [{_shown(RESULTS[name].display_unit)}]"
+        name: f"{front[name].attrs['long_name']} [{shown_unit(RESULTS[name].display_unit)}]"
         for name in objectives
     }
     variables = [str(name) for name in front.data_vars if name not in (*objectives, "margin")]
@@ -151,9 +128,9 @@ def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
     for index, path in enumerate(variables):
         below = figure.add_subplot(grid[index + 1], sharex=axes)
         unit = key_at(path).unit
-        below.plot(shown[objectives[0]], _in_unit(front[path].values, unit), ".", ms=4)
+        below.plot(shown[objectives[0]], in_unit(front[path].values, unit), ".", ms=4)
         below.set_ylabel(
-            f"{path.rsplit('.', 1)[-1].replace('_', chr(10))}\n[{_shown(unit)}]", fontsize="small"
+            f"{path.rsplit('.', 1)[-1].replace('_', chr(10))}\n[{shown_unit(unit)}]", fontsize="small"
         )
         if path.endswith(("fractal_roughness", "stiffness")):
             below.set_yscale("log")
@@ -162,9 +139,11 @@ def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
     return figure
 
 
-def _in_unit(values: np.ndarray, unit: str) -> np.ndarray:
+def in_unit(values: np.ndarray, unit: str) -> np.ndarray:
+    """SI values in another unit."""
     return np.array([from_si(float(value), unit) for value in values])
 
 
-def _shown(unit: str) -> str:
+def shown_unit(unit: str) -> str:
+    """A unit in the label of an axis."""
     return "–" if unit == "1" else unit.replace("*", "·").replace("^3", "³")

@@ -39,29 +39,12 @@ Diagnostics = dict[str, Any]
 class LimitReport:
     """How a design stands to one limit, at its worst scenario and contact.
 
-    Parameters
-    ----------
-    name, label, row : str
-        The result, what it is called, and, if it has several rows, which one is closest to the limit.
-    at_most : bool
-        Whether the limit is an upper one.
-    limit, value : float
-        The limit and the value closest to it [SI].
-    missed_by : float
-        By how much the value misses the limit, as a share of the limit [-]; 0 where it is kept, nan where the design
-        has no value.
-    active : bool
-        Whether the limit restricts the design.
-    multiplier : float
-        Shadow price: relative gain of the objective (or of the smallest violation) per relative relaxation of the
-        limit [-].
-    implied : bool
-        Whether it holds for every design, without being stated.
-    output_torque : float
-        Torque of the worst scenario [N·m].
-    nearest : float
-        The value closest to the limit, or furthest inside it, of all designs that the search looked at [SI]; nan where
-        none had a value.
+    ``row``: which of several rows is closest to the limit; ``value``, that of it [SI]. ``missed_by``: share of the
+    limit by which it is missed, 0 where it is kept, nan where the design has no value. ``active``: whether the limit
+    restricts the design. ``multiplier``, the shadow price: relative gain of the objective (or of the smallest
+    violation) per relative relaxation of the limit [-]. ``implied``: whether it holds for every design, without being
+    stated. ``output_torque`` of the worst scenario [N·m]. ``nearest``: the value closest to the limit, or furthest
+    inside it, of all designs that the search looked at [SI]; nan where none had a value.
     """
 
     name: str
@@ -184,18 +167,7 @@ class DesignResult:
 
 
 def shortcoming(result: DesignResult) -> str:
-    """Why a design is not what was asked for.
-
-    Parameters
-    ----------
-    result : DesignResult
-        A design.
-
-    Returns
-    -------
-    str
-        The limits that conflict, or that no search converged; empty for an optimum that meets all limits.
-    """
+    """Why a design is not what was asked for: the limits that conflict, or that no search converged; else empty."""
     if not result.feasible:
         return conflict(result)
     if not result.converged:
@@ -222,19 +194,10 @@ def conflict(result: DesignResult) -> str:
 
 
 def joint_diagnostics(joint_text: str) -> Diagnostics:
-    """Every limit of a joint that a design has found, kept or crossed, under the torque of its file.
+    """Every limit of a designed joint file, kept or crossed, under the torque of the file, and its life.
 
-    Parameters
-    ----------
-    joint_text : str
-        The designed joint as a joint file.
-
-    Returns
-    -------
-    dict
-        ``diagnostics``, as in the document of :func:`asperity.results.document.joint_document`; None where the joint
-        has no result under that torque, with the reason in ``no_result_because``. ``life_hours`` is its life, if it has
-        one.
+    ``diagnostics``, as in the document of :func:`asperity.results.document.joint_document`, is None where the joint has
+    no result under that torque, with the reason in ``no_result_because``; ``life_hours`` is there if it has a life.
     """
     try:
         document = solve_case(parse_case(joint_text, source="the designed joint")).document
@@ -288,18 +251,9 @@ def front_diagnostics(
 
 
 def design_document(result: DesignResult) -> dict[str, Any]:
-    """A design as plain data.
+    """A design as plain data in SI units: objective before and after, variables, limits, starts, results of the joint.
 
-    Parameters
-    ----------
-    result : DesignResult
-        What :func:`asperity.study.design.design.design` returns.
-
-    Returns
-    -------
-    dict
-        Objective before and after, variables, limits, starts and results of the joint, in SI units; its
-        ``diagnostics`` as in the document of ``asperity joint``.
+    Its ``diagnostics`` are as in the document of ``asperity joint``.
     """
 
     def plain(node: Any) -> Any:

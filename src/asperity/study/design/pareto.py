@@ -19,13 +19,7 @@ if TYPE_CHECKING:
 
 
 def require_pymoo() -> None:
-    """Raise unless pymoo and xarray are installed.
-
-    Raises
-    ------
-    MissingExtraError
-        Saying what to install.
-    """
+    """Raise a ``MissingExtraError``, which says what to install, unless pymoo and xarray are installed."""
     for name in ("pymoo", "xarray"):
         optional_module(name, extra="study", needs="a Pareto front needs")
 
@@ -37,41 +31,17 @@ def pareto_front(
     generations: int,
     progress: Callable[[int, int], None] | None = None,
 ) -> xarray.Dataset:
-    """Designs of which none is better than another in every objective.
+    """Designs of which none is better than another in every one of two or three objectives.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The problem, with two or three objectives.
-    population, generations : int
-        Designs of a generation, and number of generations.
-    progress : callable, optional
-        Called with the number of finished generations and of all.
+    The dataset has the dimension ``design``, sorted by the first objective; the objectives at their worst scenario and
+    the variables, in SI units (attributes ``units`` and ``long_name``), and ``margin``, the smallest margin of the
+    limits. ``progress`` is called with the number of finished generations and of all. Raised are an ``InputError`` if
+    there are not two or three objectives, a ``MissingExtraError`` without pymoo or xarray, and a ``NoSolutionError`` if
+    no design meets all limits.
 
-    Returns
-    -------
-    xarray.Dataset
-        Dimension ``design``, sorted by the first objective; the objectives at their worst scenario and the variables,
-        in SI units (attributes ``units`` and ``long_name``), and ``margin``, the smallest margin of the limits.
-
-    Raises
-    ------
-    InputError
-        If there are not two or three objectives.
-    MissingExtraError
-        If pymoo or xarray is not installed.
-    NoSolutionError
-        If no design meets all limits.
-
-    Notes
-    -----
     An evolutionary method: the front is approached, not proven. Its ends can be compared with designs for one
-    objective, which are.
-
-    References
-    ----------
-    K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, IEEE Trans. Evol. Comput. 6 (2002) 182; J. Blank and K. Deb,
-    IEEE Access 8 (2020) 89497.
+    objective, which are. K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, IEEE Trans. Evol. Comput. 6 (2002) 182; J.
+    Blank and K. Deb, IEEE Access 8 (2020) 89497.
     """
     require_pymoo()
     require_double_precision()

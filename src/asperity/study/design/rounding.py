@@ -30,19 +30,7 @@ _REFINED = 8
 
 
 def neighbours(variable: Variable, value: float) -> tuple[float, ...]:
-    """The multiples of a variable's step next to a value, within its bounds.
-
-    Parameters
-    ----------
-    variable : Variable
-        A variable with a step.
-    value : float
-        Where it would be without a step [SI].
-
-    Returns
-    -------
-    tuple of float
-        One or two values [SI].
+    """The one or two multiples of a variable's step next to a value, within its bounds [SI].
 
     Examples
     --------

@@ -13,9 +13,9 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import refuse_impossible_joint
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
+from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.si_tables import NumericKey, numeric_keys, si_values
 from asperity.library.tolerance_grades import grade_within, standard_tolerances
 from asperity.precision import require_double_precision

@@ -15,8 +15,8 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import deviations_of, joint_from_case, toleranced_tracks
-from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.model import Case
+from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.si_tables import si_values
 from asperity.study.tolerances.uncertainty import quantiles, toleranced_inputs
 

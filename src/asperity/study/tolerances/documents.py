@@ -14,18 +14,7 @@ if TYPE_CHECKING:
 
 
 def sensitivity_document(dataset: xarray.Dataset) -> dict[str, Any]:
-    """The sensitivities as plain data; what has no value is null.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        What :func:`asperity.study.tolerances.sensitivity.sensitivity` returns.
-
-    Returns
-    -------
-    dict
-        ``inputs`` and ``results``, each result with ``derivative`` and ``elasticity`` by input.
-    """
+    """The sensitivities as plain data: derivatives and elasticities by input; what has no value is null."""
     inputs = dataset["input"].values.tolist()
     return {
         "inputs": {
@@ -66,18 +55,7 @@ def failures(dataset: xarray.Dataset, called: Mapping[str, str]) -> Iterator[str
 
 
 def uncertainty_document(dataset: xarray.Dataset) -> dict[str, Any]:
-    """The intervals and indices as plain data, without the samples; what has no value is null.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        What :func:`asperity.study.tolerances.uncertainty.uncertainty` returns.
-
-    Returns
-    -------
-    dict
-        ``samples``, ``solved``, ``seed``, ``inputs``, ``results``.
-    """
+    """Intervals and indices as plain data, without the samples; what has no value is null."""
     inputs = dataset["input"].values.tolist()
     indices = ("first_order", "first_order_half_width", "total_order", "total_order_half_width")
 

@@ -107,22 +107,7 @@ def _none() -> object:
 
 
 def uncertainty_figure(spread: xarray.Dataset, *, result: str, width: float | None = None) -> Figure:
-    """Histogram of one result with its interval, and what its variance is made of.
-
-    Parameters
-    ----------
-    spread : xarray.Dataset
-        What :func:`asperity.study.tolerances.uncertainty.uncertainty` returns.
-    result : str
-        Which result.
-    width : float, optional
-        Width of the figure [in], whose panels then stand above each other.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        Two panels.
-    """
+    """Histogram of a result with its interval, and what its variance is made of; above each other at a width [in]."""
     from matplotlib.figure import Figure
 
     one = spread.sel(result=result)

@@ -15,9 +15,9 @@ from asperity.errors import InputError
 from asperity.joint.solve import refuse_impossible_joint
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
-from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.part_names import paths_of_track
+from asperity.joint_file.quantity_key import FORMS, Distribution
 from asperity.joint_file.si_tables import AnyCase, NumericKey, numeric_keys, si_values
 from asperity.results import LEVELS, Result, chosen_results
 from asperity.study.batch import evaluate_points
@@ -44,24 +44,9 @@ _HIGH_IS_WORSE = ("losses", "stresses")
 def toleranced_inputs(
     case: AnyCase, *, otherwise: Distribution | None
 ) -> dict[str, tuple[NumericKey, Distribution]]:
-    """The numbers of a joint file that have a tolerance, with their distributions.
+    """The numbers of a joint file that have a tolerance, by dotted path, with their distributions or ``otherwise``.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    otherwise : Distribution or None
-        Distribution of those whose distribution the file does not state.
-
-    Returns
-    -------
-    dict
-        Dotted path → (the number, its distribution).
-
-    Raises
-    ------
-    InputError
-        If there is none, or the distribution of one is stated nowhere.
+    An ``InputError`` is raised if there is none, or the distribution of one is stated nowhere.
     """
     values = si_values(case)
     toleranced = {
