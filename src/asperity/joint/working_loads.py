@@ -9,8 +9,7 @@ from jax import Array
 from asperity.arrays import namespace
 from asperity.drive.layout.drive import CARRIER, Drive, creeping_speeds
 from asperity.drive.layout.unfolding import forces_on_centre
-from asperity.drive.state.loads import MemberLoads, member_loads
-from asperity.drive.state.oil import drag_pairs
+from asperity.drive.state.loads import MemberLoads, drag_pairs, member_loads
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
 from asperity.joint.description import Joint, track_lengths
 from asperity.joint.evaluation import JointResult

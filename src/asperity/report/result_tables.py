@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from asperity.joint.torque_limits import first_slip_words
-from asperity.report.cells import number, percent, quantity
-from asperity.report.content import Block, Paragraph, Table
+from asperity.report.content import Block, Paragraph, Table, number, percent, quantity
 from asperity.results.document import (
     INTERVAL_HEADS,
     LEVEL_WORDS,

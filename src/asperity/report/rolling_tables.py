@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.report.cells import number, percent, quantity
-from asperity.report.content import Block, Bullets, Paragraph, Table
+from asperity.report.content import Block, Bullets, Paragraph, Table, number, percent, quantity
 from asperity.results.notes import surface_rows
 from asperity.results.position_rows import position_rows
 

@@ -106,7 +106,7 @@ class DriveLoad(eqx.Module):
         out.
     drag_of : callable or None, optional
         Drag of the oil on each surface of the contacts of the rolling drive under their normal forces, shape
-        (contacts,) [N], as in :mod:`asperity.drive.state.oil`; None for none.
+        (contacts,) [N], as in :mod:`asperity.drive.state.loads`; None for none.
     """
 
     output_torque: Real
