@@ -111,30 +111,11 @@ class AssembledBranches(NamedTuple):
 
 
 def assembled_branches(joint: Joint, sizes: SectorDeviations) -> AssembledBranches:
-    """A joint with every sector by itself, for whatever takes a joint.
+    """A joint with every sector by itself, without torque; equation (I4) of :doc:`/equations`.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint of equal sectors, its preload by interference; a loading cam adds to it under a torque.
-    sizes : SectorDeviations
-        One deviation for each sector.
-
-    Returns
-    -------
-    AssembledBranches
-        Without torque.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, the number of sizes is not that of the sectors, or a sector is loose.
-    NoSolutionError
-        If no balance was found.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
+    One deviation for each sector; a loading cam adds to the preload, an interference, under a torque. Raises InputError
+    if the bodies do not fit, the number of sizes is not that of the sectors, or a sector is loose; NoSolutionError if
+    no balance was found.
     """
     if joint.interference is None:
         raise InputError("sizes of branches make no preload that a spring holds: give load.interference")

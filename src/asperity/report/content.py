@@ -101,21 +101,9 @@ INFINITE = "infinite"
 
 
 def quantity(value: float | None, unit: str, digits: int = 4) -> str:
-    """A quantity with its unit; a dash where there is none.
+    """A quantity [SI] with the unit to show, ``um`` as µm, in so many significant digits.
 
-    Parameters
-    ----------
-    value : float or None
-        The value [SI].
-    unit : str
-        The unit to show; ``"1"`` for a number, ``"um"`` is shown as µm.
-    digits : int, optional
-        Significant digits.
-
-    Returns
-    -------
-    str
-        Number and unit.
+    a dash where there is none.
     """
     if value is None or math.isnan(value):
         return "–"

@@ -168,40 +168,13 @@ if TYPE_CHECKING:
 
 
 def require_typst() -> types.ModuleType:
-    """The package typst.
-
-    Returns
-    -------
-    module
-        Imported.
-
-    Raises
-    ------
-    MissingExtraError
-        If it is not installed.
-    """
+    """The package typst, imported; MissingExtraError if it is not installed."""
     html = "a report with the ending .html needs no package"
     return optional_module("typst", extra="report", needs="a PDF needs", otherwise=html)
 
 
 def report_pdf(report: Report) -> bytes:
-    """Write a report as PDF.
-
-    Parameters
-    ----------
-    report : Report
-        The report.
-
-    Returns
-    -------
-    bytes
-        A PDF file; the same for the same report. No font of the system and nothing from the network is used.
-
-    Raises
-    ------
-    MissingExtraError
-        If typst is not installed.
-    """
+    """A report as PDF, the same for the same report, without fonts of the system or the network; needs typst."""
     import matplotlib
 
     typst = require_typst()

@@ -164,49 +164,18 @@ def member_loads(
 
 
 def pin_components(*, drive: Drive, force: Array) -> tuple[Array, Array]:
-    """Components of the forces on the pins, with the signs of every table of loads.
+    """Radial and tangential forces on the pins by those along their push, shape (pins,) [N].
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    force : Array
-        Force of each roller on its pin along the push, shape (pins,) [N].
-
-    Returns
-    -------
-    tuple of Array
-        Radial, positive away from the axis, and tangential, positive in the sense in which the input turns, shape
-        (pins,) [N].
-
-    References
-    ----------
-    The push angle is counted from the clockwise tangent, outward.
+    Positive away from the axis, and in the sense in which the input turns.
     """
     xp, push = namespace(drive.push_angles, force), drive.push_angles
     return force * xp.sin(push), -drive.sense * force * xp.cos(push)
 
 
 def member_moments(drive: Drive, matrices: Incidence, tangential: Array, pin: Array) -> Array:
-    """Moments of contacts and pins on the members, those on the axis from all sectors.
+    """Moments of contacts and pins on the members, counter-clockwise, those on the axis from all sectors; (M1).
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    matrices : Incidence
-        Its matrices.
-    tangential, pin : Array
-        Tangential forces of the contacts, shape (contacts,), and forces of the pins, shape (pins,) [N].
-
-    Returns
-    -------
-    Array
-        Counter-clockwise, shape (members,) [N·m].
-
-    References
-    ----------
-    Equation (M1) of :doc:`/equations`.
+    Of their forces, shape (contacts,) and (pins,) [N], to shape (members,) [N·m].
     """
     members = drive.members
     carrier = members.index(CARRIER)
