@@ -254,8 +254,8 @@ def evaluated_directly(case):
 @pytest.fixture
 def document_of_branches(monkeypatch):
     """Three branches by hand under 5 N·m: the third loose, the first pressed 1.1 times as hard as equal ones."""
+    from asperity.branches.branches import SectorDeviations
     from asperity.branches.results import BranchState, UnequalBranches
-    from asperity.branches.sizes import SectorDeviations
     from asperity.joint.torque_limits import LIMIT_KINDS, TorqueCapacity
     from asperity.results import branch_document as module
 

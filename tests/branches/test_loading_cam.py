@@ -5,9 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.branches.branches import assembled_branches
+from asperity.branches.branches import SectorDeviations, assembled_branches
 from asperity.branches.results import unequal_branches
-from asperity.branches.sizes import SectorDeviations
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.joint.solve import solve_joint
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from asperity.branches import size_errors as module
+from asperity.branches.branches import SectorDeviations
 from asperity.branches.results import BranchState
 from asperity.branches.size_errors import size_error_curves
-from asperity.branches.sizes import SectorDeviations
 from asperity.errors import InputError
 
 

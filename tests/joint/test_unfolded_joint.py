@@ -6,8 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from asperity.branches.branches import assembled_branches
-from asperity.branches.sizes import SectorDeviations
+from asperity.branches.branches import SectorDeviations, assembled_branches
 from asperity.joint.solve import solve_joint
 from asperity.standing.dynamics import Inertias, dynamics
 from asperity.standing.windup import windup

@@ -12,7 +12,7 @@ from asperity.page.upload import refuse_downloads
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.html import report_html
 from asperity.report.joint_report import ReportSource, choices_table, inputs_table, joint_report, label_of
-from asperity.report.typst_source import typst_source
+from asperity.report.pdf import typst_source
 from asperity.show.title_block import Title
 
 TEXT = (Path(__file__).parents[2] / "examples" / "zou2025.toml").read_text(encoding="utf-8")

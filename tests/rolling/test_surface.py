@@ -8,10 +8,12 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
 from asperity.drive.state.state import RollingSpeeds
+from asperity.joint.description import joint_contacts
 from asperity.materials import Material
 from asperity.rolling.conditions import PLAIN_ROLLING
-from asperity.rolling.surface import flash_temperatures, oil_film
+from asperity.rolling.surface import flash_temperatures, oil_film, rolling_strips
 
 STEEL = Material(206e9, 0.3, 7800.0, 450e6, 1260e6, thermal_conductivity=46.0, specific_heat_capacity=460.0)
 CERAMIC = Material(307e9, 0.26, 3200.0, 4e9, 14.7e9, thermal_conductivity=30.0, specific_heat_capacity=750.0)
@@ -83,3 +85,102 @@ def test_oil_film_of_the_example_pair():
     thickness, ratio = film(roughness=None)
     assert np.all(np.isfinite(thickness))
     assert np.all(np.isnan(ratio))
+
+
+NORMAL = np.array([1000.0, 600.0, 500.0, 600.0, 500.0])
+RADIUS = np.array([4.0 * 13.5 / 17.5, *[13.5 * 5.0 / 18.5] * 2, *[5.0 * 40.0 / 35.0] * 2]) * 1e-3
+LENGTH, MODULUS, YIELD = 5e-3, 206e9 / (2.0 * 0.91), 450e6
+
+
+@pytest.fixture(scope="module")
+def strips(paper_joint):
+    return lambda traction: rolling_strips(
+        contacts=joint_contacts(paper_joint()),
+        normal_force=jnp.asarray(NORMAL),
+        traction=jnp.asarray(traction),
+    )
+
+
+def test_even_loads_have_one_width(strips):
+    found = strips(np.zeros(5))
+    width = np.sqrt(4.0 * NORMAL * RADIUS / (math.pi * LENGTH * MODULUS))
+    for name in ("even_half_width", "mean_half_width", "largest_half_width"):
+        np.testing.assert_allclose(getattr(found, name), width, rtol=1e-12)
+    np.testing.assert_allclose(found.largest_load, NORMAL)
+    assert found.middle_power_ratio is None
+    assert found.lines is None
+
+
+def test_shakedown_without_and_with_traction(strips):
+    """Line contact: p_0 up to 4 k without traction, k = yield/sqrt(3); k/(T/N) above T/N = 0.367."""
+    width = np.sqrt(4.0 * NORMAL * RADIUS / (math.pi * LENGTH * MODULUS))
+    pressure, shear = 2.0 * NORMAL / (math.pi * width * LENGTH), YIELD / math.sqrt(3.0)
+    np.testing.assert_allclose(strips(np.zeros(5)).shakedown_ratio, pressure / (4.0 * shear), rtol=2e-3)
+    np.testing.assert_allclose(strips(np.full(5, -0.5)).shakedown_ratio, pressure * 0.5 / shear, rtol=1e-6)
+
+
+def test_lives_fall_with_the_load(strips):
+    """Every contact has two tracks; the third power of the load at least (ISO 281: 10/3 by load)."""
+    found = np.asarray(strips(np.zeros(5)).tracks)
+    assert found.shape == (2, 5)
+    assert np.all(found[:, 1] < found[:, 2])
+    assert np.all(found[:, 2] / found[:, 1] > 1.2**3)
+
+
+@pytest.fixture(scope="module")
+def crowned(paper_joint):
+    """Planets with a crown of 0.3 m; the contacts of the ring stay even."""
+    joint = paper_joint(drive__planet_crown_radius=0.3)
+    return lambda traction: rolling_strips(
+        contacts=joint_contacts(joint), normal_force=jnp.asarray(NORMAL), traction=jnp.asarray(traction)
+    )
+
+
+def test_even_contacts_beside_crowned_ones_are_even(strips, crowned):
+    traction = np.array([0.03, 0.02, -0.02, 0.05, 0.0])
+    even, found = strips(traction), crowned(traction)
+    for name in (
+        "mean_half_width",
+        "largest_half_width",
+        "largest_load",
+        "middle_traction",
+        "shakedown_ratio",
+    ):
+        np.testing.assert_allclose(getattr(found, name)[3:], getattr(even, name)[3:], rtol=1e-9, atol=1e-15)
+    np.testing.assert_allclose(found.tracks[:, 3:], even.tracks[:, 3:], rtol=1e-9)
+    np.testing.assert_allclose(found.middle_power_ratio[3:], 1.0, rtol=1e-9)
+
+
+def test_slices_of_a_crowned_contact_creep_alike(strips, crowned):
+    """By Carter a little creepage xi makes the traction 2 xi R/a of a slice: the wide middle has the least."""
+    little = 1e-6
+    found, even = crowned(np.full(5, little)), strips(np.full(5, little))
+    lines = found.lines
+    load = np.asarray(lines.line_load * lines.length_share) * LENGTH
+    width = np.asarray(lines.half_width)
+    middle = little * NORMAL / width[0] / np.sum(load / width, axis=0)
+    np.testing.assert_allclose(found.middle_traction, middle, rtol=1e-4)
+    peak = np.asarray(lines.line_load[0]) * LENGTH / NORMAL
+    assert np.all(peak[:3] > 1.1)
+    np.testing.assert_allclose(found.middle_power_ratio, middle / little * peak, rtol=1e-4)
+    np.testing.assert_allclose(crowned(np.zeros(5)).middle_power_ratio, peak, rtol=1e-9)
+    np.testing.assert_allclose(found.mean_half_width, np.sum(load * width, axis=0) / NORMAL, rtol=1e-12)
+    # pressure grows as the width; without traction p_0 may reach the same limit everywhere
+    np.testing.assert_allclose(found.shakedown_ratio / even.shakedown_ratio, np.sqrt(peak), rtol=1e-4)
+
+
+def test_life_of_a_crowned_track_is_that_of_its_slices(crowned):
+    """Each slice alone by Lundberg and Palmgren, on its own length; all survive with the product of their chances."""
+    found = crowned(np.zeros(5))
+    lines, slope = found.lines, 10.0 / 9.0
+    radius = np.array([4.0, 13.5, 13.5, 5.0, 5.0]) * 1e-3
+    width = np.asarray(lines.half_width)
+    alone = line_contact_life(
+        peak_pressure=2.0 * np.asarray(lines.line_load) / (math.pi * width),
+        half_width=width,
+        contact_length=np.maximum(np.asarray(lines.length_share), 1e-30) * LENGTH,  # the middle has no length
+        track_radius=radius,
+        material_constant=BEARING_STEEL,
+    )
+    expected = 1e6 * np.sum(np.asarray(alone) ** -slope, axis=0) ** (-1.0 / slope)
+    np.testing.assert_allclose(found.tracks[0], expected, rtol=1e-9)

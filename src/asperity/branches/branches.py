@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.branches.sizes import SectorDeviations, refuse_wide
 from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.layout.expansion import ring_interference
@@ -21,6 +21,54 @@ from asperity.joint.description import Joint
 from asperity.joint.solve import refuse_impossible_joint, refuse_not_pressed
 from asperity.joint.unfolding import SectorSizes, SettledSectors, settled_sectors, unfolded_joint
 from asperity.units import format_quantity
+
+#: Largest interference of a branch over that of equal branches [-].
+WIDEST = 3.0
+
+
+def refuse_wide(interference: np.ndarray, nominal: float) -> None:
+    """Refuse branches that are pressed much more than the equal ones around which their laws are taken."""
+    if np.any(interference > WIDEST * nominal):
+        branch = int(np.argmax(interference)) % interference.shape[-1] + 1
+        raise InputError(
+            f"the interference of branch {branch}, {format_quantity(float(np.max(interference)), 'um')}, is more than "
+            f"{WIDEST:g} times that of equal branches at the working temperature, {format_quantity(nominal, 'um')}; "
+            "state smaller deviations or a larger interference"
+        )
+
+
+@dataclass(frozen=True)
+class SectorDeviations:
+    """Deviations of the sizes of each sector of a drive from the nominal ones, and the bearings of its input.
+
+    Parameters
+    ----------
+    deviations : dict
+        Names of the tracks → deviations of their radii, larger positive, one for each sector, shape (n,) [m].
+    added : ndarray
+        Interference that they add to each contact of each sector, shape (n, contacts) [m].
+    per_size : ndarray
+        Interference of the contacts of a sector over the deviation of the track that comes first, shape (contacts,)
+        [-].
+    sun_support_stiffness : float
+        Radial stiffness of the bearings of the sun, the input [N/m]: 0 for a floating one, ``math.inf`` for one that is
+        held.
+    """
+
+    deviations: dict[str, np.ndarray]
+    added: np.ndarray
+    per_size: np.ndarray
+    sun_support_stiffness: float
+
+    def with_first(self, added: float) -> SectorDeviations:
+        """The same with a further deviation of the first track of the first sector [m]."""
+        first = np.eye(len(self.added))[0]
+        name = next(iter(self.deviations))
+        return dataclasses.replace(
+            self,
+            deviations=self.deviations | {name: self.deviations[name] + added * first},
+            added=self.added + added * np.outer(first, self.per_size),
+        )
 
 
 class AssembledBranches(NamedTuple):
@@ -63,30 +111,11 @@ class AssembledBranches(NamedTuple):
 
 
 def assembled_branches(joint: Joint, sizes: SectorDeviations) -> AssembledBranches:
-    """A joint with every sector by itself, for whatever takes a joint.
+    """A joint with every sector by itself, without torque; equation (I4) of :doc:`/equations`.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint of equal sectors, its preload by interference; a loading cam adds to it under a torque.
-    sizes : SectorDeviations
-        One deviation for each sector.
-
-    Returns
-    -------
-    AssembledBranches
-        Without torque.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, the number of sizes is not that of the sectors, or a sector is loose.
-    NoSolutionError
-        If no balance was found.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
+    One deviation for each sector; a loading cam adds to the preload, an interference, under a torque. Raises InputError
+    if the bodies do not fit, the number of sizes is not that of the sectors, or a sector is loose; NoSolutionError if
+    no balance was found.
     """
     if joint.interference is None:
         raise InputError("sizes of branches make no preload that a spring holds: give load.interference")

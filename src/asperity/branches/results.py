@@ -11,13 +11,11 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.branches.branches import AssembledBranches, mean_interference
-from asperity.branches.sizes import SectorDeviations
+from asperity.branches.branches import AssembledBranches, SectorDeviations, mean_interference
 from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import CARRIER, incidence
 from asperity.drive.layout.unfolding import forces_on_centre
-from asperity.drive.state.loads import member_moments
-from asperity.drive.state.oil import drag_levers, drag_pairs
+from asperity.drive.state.loads import drag_levers, drag_pairs, member_moments
 from asperity.drive.state.state import STATE_TOLERANCE, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.joint.description import Joint

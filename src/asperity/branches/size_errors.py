@@ -9,9 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.branches.branches import AssembledBranches, assembled_branches
+from asperity.branches.branches import AssembledBranches, SectorDeviations, assembled_branches
 from asperity.branches.results import BranchState, UnequalBranches, unequal_branches
-from asperity.branches.sizes import SectorDeviations
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.solve import DirectedLimits, states_and_limits

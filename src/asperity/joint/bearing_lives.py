@@ -12,7 +12,7 @@ from jax import Array
 
 from asperity.contact.rolling_fatigue import spectrum_life
 from asperity.drive.layout.drive import Drive
-from asperity.drive.state.oil import drag_pairs
+from asperity.drive.state.loads import drag_pairs
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws
 from asperity.drive.state.states import loaded_states
 from asperity.drive.structure.bearing_life import (

@@ -18,18 +18,7 @@ from asperity.units import format_quantity
 
 
 def push_angles(drive: Drive) -> Array:
-    """Polar angles of the directions in which rollers push their pins.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    Array
-        Counter-clockwise from the x axis, shape (pins,) [rad].
-    """
+    """Polar angles in which rollers push their pins, counter-clockwise from the x axis, shape (pins,) [rad]."""
     rows = incidence(drive).pins
     at = np.array([2 * drive.floating.index(body) for body in drive.pinned], dtype=int)
     pins = np.arange(at.size)

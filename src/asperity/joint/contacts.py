@@ -61,35 +61,13 @@ class JointContacts(eqx.Module):
     rims: RimKernel | None = None
 
     def loads_along(self, normal_force: Array) -> CrownedLine | None:
-        """How the loads spread over the lines of crowned contacts; None where they are even.
-
-        Parameters
-        ----------
-        normal_force : Array
-            Normal forces, shape (contacts, ...) [N].
-
-        Returns
-        -------
-        CrownedLine or None
-            Slices first; for one newton where a contact is open.
-        """
+        """How normal forces [N] spread over crowned contacts, slices first; None where they are even."""
         if self.crown_curvature is None:
             return None
         return loads_along(pairs=self.pairs, crown_curvature=self.crown_curvature, normal_force=normal_force)
 
     def largest_half_width(self, normal_force: Array) -> Array:
-        """Half-widths where the contacts are widest, for one newton where they are open.
-
-        Parameters
-        ----------
-        normal_force : Array
-            Normal forces, shape (contacts, ...) [N].
-
-        Returns
-        -------
-        Array
-            Shape (contacts, ...) [m].
-        """
+        """Half-widths where the contacts are widest, for one newton where they are open, shape (contacts, ...) [m]."""
         lines = self.loads_along(normal_force)
         return jnp.asarray(self.pairs.half_width(normal_force)) if lines is None else lines.half_width[0]
 
@@ -123,19 +101,9 @@ def elastic_material(material: Material) -> Material:
 
 
 def bulk_springs(*, contacts: JointContacts, half_width: Real) -> NormalSprings:
-    """Secant and incremental normal compliance of the bodies of the contacts.
+    """Secant and incremental normal compliance of the bodies by half-widths [m], shape (contacts, ...) [m/N].
 
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    half_width : Real
-        Half-widths of their strips, shape (contacts, ...) [m].
-
-    Returns
-    -------
-    NormalSprings
-        Compliances, shape (contacts, ...) [m/N]: two solid rollers in series, or a roller and the ring's wall.
+    Two solid rollers in series, or a roller and the ring's wall.
     """
     pairs = contacts.pairs
     body_1, body_2 = (
@@ -174,21 +142,9 @@ def rough_joint_contacts(
     tangential_force: Array,
     lines: CrownedLine | None = None,
 ) -> RoughContact:
-    """The fractal contact law at the contacts of a joint.
+    """The fractal contact law at the contacts of a joint under forces of shape (contacts, ...) [N].
 
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    normal_force, tangential_force : Array
-        Forces, shape (contacts, ...) [N].
-    lines : CrownedLine, optional
-        Loads along crowned contacts, where they are known already.
-
-    Returns
-    -------
-    RoughContact
-        Spots and stiffnesses, shape (contacts, ...).
+    ``lines``: loads along crowned contacts, where they are known already.
     """
     lines = contacts.loads_along(normal_force) if lines is None else lines
     if lines is not None:

@@ -97,21 +97,8 @@ def rough_slices(
 ) -> RoughContact:
     """The fractal contact law at the line load of each slice, as if it acted on the whole line.
 
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    model : {"printed", "hertz_area", "unity"}
-        Model of the contact factor.
-    lines : CrownedLine
-        Loads along the contacts.
-    normal_force, tangential_force : Array
-        Forces, shape (contacts, ...) [N]; all slices have the same traction.
-
-    Returns
-    -------
-    RoughContact
-        Shape (slices, contacts, ...); the length share of a slice is its share in the contact.
+    Of forces of shape (contacts, ...) [N] to shape (slices, contacts, ...); all slices have the same traction. The
+    length share of a slice is its share in the contact.
     """
     share = lines.line_load * pairs.contact_length / _pressed(normal_force)
     normal = share * jnp.where(normal_force > 0.0, normal_force, 0.0)

@@ -201,18 +201,7 @@ def bearing_names(drive: Drive) -> tuple[str, ...]:
 
 
 def pin_names(drive: Drive) -> tuple[str, ...]:
-    """Names of the rollers on pins.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    tuple of str
-        In the order of every pin axis.
-    """
+    """Names of the rollers on pins, in the order of every pin axis."""
     return tuple(drive.bodies[body].name for body in drive.pinned)
 
 
@@ -237,17 +226,9 @@ def places(drive: Drive) -> tuple[tuple[int, ...], tuple[int, ...]]:
 
 
 def bodies_of_contacts(joint: Joint) -> BodiesOfContacts:
-    """Which bodies the contacts of one sector join, or those of all sectors where they differ.
+    """Which bodies the contacts of one sector join, or of all sectors where they differ.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    BodiesOfContacts
-        Bodies on the axis are shared by all sectors.
+    Bodies on the axis are shared.
     """
     drive, unlike = joint.drive, joint.unlike
     first, second = places(drive)
@@ -261,36 +242,13 @@ def bodies_of_contacts(joint: Joint) -> BodiesOfContacts:
 
 
 def contact_values(joint: Joint, values: tuple[Any, ...]) -> Any:
-    """One entry for each contact from one for all or one each, stacked along a first axis.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    values : tuple
-        Numbers or modules of numbers.
-
-    Returns
-    -------
-    The same kind of thing with leaves of shape (contacts,).
-    """
+    """One entry for each contact from one for all or one each, stacked along a first axis."""
     count = len(joint.drive.contacts)
     return per_contact(values if len(values) == count else values * count)
 
 
 def joint_contacts(joint: Joint) -> JointContacts:
-    """The contacts of one sector of a joint.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    JointContacts
-        Numbers of shape (contacts,).
-    """
+    """The contacts of one sector of a joint, numbers of shape (contacts,)."""
     first, second = places(joint.drive)
     driving, driven = (
         per_contact(tuple(elastic_material(joint.materials[body]) for body in side))
@@ -317,19 +275,9 @@ def joint_contacts(joint: Joint) -> JointContacts:
 
 
 def tracks_of(joint: Joint, body: int) -> list[tuple[Array, list[int]]]:
-    """Tracks of a body: each radius, and the contacts that roll on it.
+    """Tracks of a body: each radius [m], and the numbers of the contacts that roll on it.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    body : int
-        Number of the body.
-
-    Returns
-    -------
-    list of tuple
-        Radius [m] and numbers of contacts; contacts of one track are those that the drive lists with one radius.
+    Contacts of one track are those that the drive lists with one radius.
     """
     first, second = places(joint.drive)
     tracks: dict[str, tuple[Array, list[int]]] = {}
@@ -367,33 +315,14 @@ def cylinders(joint: Joint, body: int) -> list[tuple[Real, Real, Real]]:
 
 
 def body_masses(joint: Joint) -> list[Real]:
-    r"""Mass of each body, :math:`\rho \pi \sum (R^2 - d^2/4) L` over its tracks.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    list of Real
-        Masses [kg].
-    """
+    r"""Mass of each body, :math:`\rho \pi \sum (R^2 - d^2/4) L` over its tracks [kg]."""
     return [sum(mass for mass, _, _ in cylinders(joint, body)) for body in range(len(joint.shapes))]
 
 
 def in_motion(joint: Joint) -> Joint:
-    """A joint whose drive knows its matrices, speeds and angles; of NumPy's numbers they are found without a program.
+    """A joint whose drive knows its matrices, speeds and angles.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    Joint
-        The same joint.
+    Of NumPy's numbers they are found without a program.
     """
     drive = joint.drive
     return dataclasses.replace(

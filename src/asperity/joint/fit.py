@@ -50,17 +50,7 @@ class Fit(eqx.Module):
 
 
 def per_contact(values: tuple[Any, ...]) -> Any:
-    """Stack a tuple of one or five like things along a first contact axis of length 1 or 5.
-
-    Parameters
-    ----------
-    values : tuple
-        Numbers or modules of numbers, one for all contacts or one for each.
-
-    Returns
-    -------
-    The same kind of thing with leaves of shape (1, ...) or (5, ...).
-    """
+    """Numbers or modules of numbers, one for all contacts or one for each, stacked along a first axis."""
     xp = namespace(*values)
     return jax.tree.map(lambda *leaves: xp.stack(xp.broadcast_arrays(*map(xp.asarray, leaves))), *values)
 

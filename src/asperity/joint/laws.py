@@ -99,25 +99,9 @@ def smooth_creep(contacts: JointContacts, normal_force: Array) -> CreepLaw:
 def creep_law(
     joint: Joint, contacts: JointContacts, normal_force: Array, tangential_force: Array
 ) -> ContactCreep:
-    """Creep of the contacts of a drive with the factors of asperities and skew around given forces.
+    """Creep of the contacts with the factors of asperities and skew around forces of shape (contacts,) [N].
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    contacts : JointContacts
-        The contacts.
-    normal_force, tangential_force : Array
-        Forces, shape (contacts,) [N].
-
-    Returns
-    -------
-    ContactCreep
-        Of :func:`asperity.rolling.creep.contact_creep`.
-
-    References
-    ----------
-    Equations (B1) and (B3) of :doc:`/equations`.
+    (B1), (B3).
     """
     return contact_creep(
         contacts=contacts,
@@ -175,24 +159,8 @@ def centrifugal_forces(joint: Joint, masses: list[Real]) -> Array:
 
 
 def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
-    """What acts on the drive of a joint: torque, centrifugal forces, and its springs.
+    """What acts on the drive under a torque [N·m]: centrifugal forces of masses [kg], and its springs.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    masses : list of Real
-        Masses of its bodies [kg].
-    torque : Real
-        Output torque [N·m].
-
-    Returns
-    -------
-    DriveLoad
-        For :func:`asperity.drive.state.states.drive_states`.
-
-    References
-    ----------
     Equations (2)–(4) of Zou et al. 2025 have the same forces.
     """
     return DriveLoad(
@@ -209,27 +177,9 @@ def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
 
 
 def rolling_load(joint: Joint, contacts: JointContacts, masses: list[Real], torque: Real) -> DriveLoad:
-    """As :func:`drive_load`, with the drag of the oil where the joint has a viscosity.
+    """As :func:`drive_load`, with the drag of the oil, at speeds without creep, where the joint has a viscosity.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    contacts : JointContacts
-        Its contacts.
-    masses : list of Real
-        Masses of its bodies [kg].
-    torque : Real
-        Output torque [N·m].
-
-    Returns
-    -------
-    DriveLoad
-        For :func:`asperity.drive.state.states.loaded_states`; the oil has the speeds without creep.
-
-    References
-    ----------
-    Equation (B9) of :doc:`/equations`.
+    (B9).
     """
     load = drive_load(joint, masses, torque)
     if joint.rolling.viscosity is None:

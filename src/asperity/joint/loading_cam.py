@@ -151,26 +151,7 @@ def states_under_torque(
 def turned_cam(
     joint: Joint, contacts: JointContacts, without_torque: DriveState, pressed: DriveState
 ) -> CamOfJoint | None:
-    """How far the cam of a joint has turned, and how much it gives way.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-    without_torque, pressed : DriveState
-        The assembled joint without torque, and as its cam presses it.
-
-    Returns
-    -------
-    CamOfJoint or None
-        None without a cam.
-
-    References
-    ----------
-    Equation (I3) of :doc:`/equations`.
-    """
+    """How far the cam of a joint has turned, and how much it gives way; equation (I3). None without a cam."""
     if joint.cam is None:
         return None
     preload = mean_preload(joint, pressed.normal)
@@ -193,22 +174,5 @@ def turned_cam(
 
 
 def with_its_cam(assembly: Assembly, cam: CamOfJoint | None) -> Assembly:
-    """An assembled drive in series with its cam.
-
-    Parameters
-    ----------
-    assembly : Assembly
-        The drive with its cam held.
-    cam : CamOfJoint or None
-        What the cam does; None without one.
-
-    Returns
-    -------
-    Assembly
-        Unchanged without a cam.
-
-    References
-    ----------
-    Equation (I3) of :doc:`/equations`.
-    """
+    """An assembled drive in series with its cam; equation (I3). Unchanged without one."""
     return assembly if cam is None else with_cam(assembly=assembly, compliance=cam.compliance)

@@ -15,22 +15,7 @@ from asperity.joint.evaluation import JointResult, evaluate
 
 
 def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple[int, ...]) -> JointResult:
-    """One joint with many surfaces.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint; its own surfaces do not count.
-    surfaces : tuple of Surface or RandomRoughness
-        For all contacts or for each, as those of a joint; their numbers broadcast to the batch.
-    shape : tuple of int
-        Shape of the batch, of one axis.
-
-    Returns
-    -------
-    JointResult
-        The batch is the first axis.
-    """
+    """One joint with many surfaces, whose numbers broadcast to the shape of one axis; the batch is the first axis."""
     numbers = jax.tree.map(
         lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=())
     )

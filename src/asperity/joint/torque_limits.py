@@ -70,20 +70,7 @@ def named_capacity(limit: FirstLimit, *, contacts: int, walls: bool = False) -> 
 
 
 def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...]) -> str:
-    """What limits the capacity of one joint, in words.
-
-    Parameters
-    ----------
-    capacity : TorqueCapacity
-        Of one joint and one direction.
-    contacts : tuple of str
-        Names of the contacts.
-
-    Returns
-    -------
-    str
-        For example "contact sp slips".
-    """
+    """What limits the capacity of one joint in one direction, for example "contact sp slips"."""
     contact = (*contacts, "none")[int(capacity.limiting_contact)]
     texts = {
         "none": "no limit is reached at any torque",
@@ -124,20 +111,7 @@ def capacity_document(
 
 
 def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
-    """Whether a capacity in rolling is one at which only what is computed ends.
-
-    Parameters
-    ----------
-    both : dict
-        As for :func:`first_slip_words`.
-    torque : float or None
-        The capacity in rolling [N·m]; None where it is unlimited.
-
-    Returns
-    -------
-    bool
-        Where it is the lower bound of the capacity standing, in either direction.
-    """
+    """Whether a capacity in rolling [N·m] is the lower bound of that standing, at which only what is computed ends."""
     bounds = [
         capacity["output_torque_Nm"] for capacity in (both, both["reverse"]) if capacity.get("is_lower_bound")
     ]
@@ -145,18 +119,7 @@ def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
 
 
 def first_slip_words(both: dict[str, Any]) -> list[str]:
-    """Where a contact slips while others carry the rest, in words.
-
-    Parameters
-    ----------
-    both : dict
-        :func:`capacity_document` of positive torques, that of negative ones in its entry ``reverse``.
-
-    Returns
-    -------
-    list of str
-        One text; none where the first slip is the capacity.
-    """
+    """Where a contact slides while others carry the rest; none where the first slip is the capacity."""
     early = [
         (entry["first_slip"]["contact"], format_quantity(entry["first_slip"]["output_torque_Nm"], "N*m"))
         for entry in (both, both["reverse"])

@@ -8,8 +8,7 @@ from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, creeping_speeds
 from asperity.drive.layout.unfolding import forces_on_centre
-from asperity.drive.state.loads import MemberLoads, member_loads
-from asperity.drive.state.oil import drag_pairs
+from asperity.drive.state.loads import MemberLoads, drag_pairs, member_loads
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
 from asperity.joint.description import Joint, track_lengths
 from asperity.joint.evaluation import JointResult
@@ -51,24 +50,7 @@ def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
 
 
 def working_forces(joint: Joint, result: JointResult) -> tuple[Array, Array]:
-    """Normal forces of the contacts in the working state, and tangential ones with those of the oil; pure.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    tuple of Array
-        Shape (contacts,) [N].
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
+    """Normal forces in the working state, and tangential ones with those of the oil, shape (contacts,) [N]; pure."""
     normal, tangential, drag = _contact_forces(joint, result)
     return normal, tangential + drag_pairs(joint.drive, drag)
 
@@ -96,25 +78,9 @@ def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
 
 
 def forces_on_axis(joint: Joint, normal: Array, tangential: Array, pin_force: Array) -> Array:
-    """Forces of rollers and pins on the members of a joint, which the bearings of those on the axis carry; pure.
+    """Sizes of the forces on the members that bearings on the axis carry, shape (members,) [N]: zero for equal sectors.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    normal, tangential, pin_force : Array
-        Of its contacts, counter-clockwise as in :class:`asperity.drive.state.state.DriveState`, shape (contacts,), and
-        of its pins, shape (pins,) [N].
-
-    Returns
-    -------
-    Array
-        Their sizes, shape (members,) [N]; zero for equal sectors, whose forces on the axis balance, and for members off
-        the axis.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
+    Of contacts, counter-clockwise, shape (contacts,), and pins, shape (pins,) [N]; equation (I4) of :doc:`/equations`.
     """
     drive = joint.drive
     axis_forces = jnp.zeros(len(drive.members))
@@ -129,23 +95,9 @@ def forces_on_axis(joint: Joint, normal: Array, tangential: Array, pin_force: Ar
 
 
 def member_speeds(joint: Joint, result: JointResult) -> Array:
-    """Angular velocities of the members of a joint, creep taken off; pure.
+    """Angular velocities of the members, creep taken off, counter-clockwise, shape (members,) [rad/s]; pure.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    Array
-        Counter-clockwise, shape (members,) [rad/s]; 0 where the input stands, nan where the joint does not roll.
-
-    References
-    ----------
-    Equation (M2) of :doc:`/equations`.
+    0 where the input stands, nan where the joint does not roll.
     """
     xp, speed = namespace(joint, result), joint.input_speed
     creepage = driving_sense(joint.drive) * xp.sign(speed) * result.rolling.creepage
@@ -155,46 +107,15 @@ def member_speeds(joint: Joint, result: JointResult) -> Array:
 
 
 def pin_speeds(drive: Drive, speeds: Array) -> Array:
-    """Angular velocities of the rollers on pins relative to the carrier.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    speeds : Array
-        Angular velocities of its members, shape (members,) [rad/s].
-
-    Returns
-    -------
-    Array
-        Without signs, shape (pins,) [rad/s].
-
-    References
-    ----------
-    Difference of the angular velocities.
-    """
+    """Sizes of the angular velocities of the rollers on pins relative to the carrier, shape (pins,) [rad/s]."""
     carrier = drive.members.index(CARRIER)
     return abs(speeds[np.array(drive.pinned, dtype=int)] - speeds[carrier])
 
 
 def pin_bending(joint: Joint, force: Array) -> tuple[Array, Array]:
-    """Largest bending moment of each pin and its stress; pure.
+    """Largest bending moment [N·m] and stress [Pa] of each pin under forces of shape (pins, ...) [N]; pure.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    force : Array
-        Forces of the rollers on their pins, of either sign, shape (pins, ...) [N].
-
-    Returns
-    -------
-    tuple of Array
-        Moments [N·m] and stresses [Pa], shape (pins, ...); nan where the pins have no length, or no diameter.
-
-    References
-    ----------
-    Equation (L1) of :doc:`/equations`.
+    nan where the pins have no length, or no diameter; equation (L1) of :doc:`/equations`.
     """
     xp = namespace(joint, force)
     if joint.pin is None:

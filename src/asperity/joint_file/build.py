@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.branches.sizes import SectorDeviations
+from asperity.branches.branches import SectorDeviations
 from asperity.drive.layout.drive import Drive, speed_ratio
 from asperity.drive.layout.expansion import interference_of_sizes
 from asperity.drive.mechanism import Bearings

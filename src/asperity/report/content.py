@@ -1,9 +1,13 @@
-"""What a report consists of, whatever shows it: headings, sentences, tables, pictures and listings."""
+"""What a report consists of, whatever shows it: headings, sentences, tables and their numbers, pictures, listings."""
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+
+from asperity.units import format_quantity
 
 
 @dataclass(frozen=True)
@@ -90,3 +94,30 @@ class Report:
     def sections(self) -> tuple[str, ...]:
         """Headings, in order."""
         return tuple(block.text for block in self.blocks if isinstance(block, Heading))
+
+
+#: What stands in place of a number that is infinite.
+INFINITE = "infinite"
+
+
+def quantity(value: float | None, unit: str, digits: int = 4) -> str:
+    """A quantity [SI] with the unit to show, ``um`` as µm, in so many significant digits.
+
+    a dash where there is none.
+    """
+    if value is None or math.isnan(value):
+        return "–"
+    return INFINITE if math.isinf(value) else format_quantity(value, re.sub(r"\bum\b", "µm", unit), digits)
+
+
+def number(value: float | None, factor: float = 1.0) -> str:
+    """A number times a factor with four digits, without its unit; a dash where there is none."""
+    return "–" if value is None else quantity(value * factor, "1")
+
+
+def percent(value: float | None) -> str:
+    """A share in percent, number and sign; a dash where there is none."""
+    if value is None:
+        return "–"
+    shown = number(value, 100.0)
+    return shown if shown == INFINITE else f"{shown} %"

@@ -40,18 +40,7 @@ _POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 
 
 def report_html(report: Report) -> str:
-    """Write a report as HTML.
-
-    Parameters
-    ----------
-    report : Report
-        The report.
-
-    Returns
-    -------
-    str
-        One HTML file; the same text for the same report.
-    """
+    """A report as one HTML file; the same text for the same report."""
     title = _text(report.title)
     links = "".join(
         f'<li><a href="#s{number}">{_text(text)}</a></li>'

@@ -20,8 +20,17 @@ from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.joint_file.solved_document import solve_case
 from asperity.joint_file.stated_parts import made_interference, stated_parts
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables
-from asperity.report.cells import quantity
-from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.report.content import (
+    Block,
+    Bullets,
+    Heading,
+    Listing,
+    Paragraph,
+    Picture,
+    Report,
+    Table,
+    quantity,
+)
 from asperity.report.figures import report_pictures
 from asperity.report.load_tables import branch_tables
 from asperity.report.study_sections import ReportStudies, study_files, study_sections

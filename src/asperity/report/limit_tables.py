@@ -6,8 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from asperity.report.cells import quantity
-from asperity.report.content import Block, Bullets, Paragraph, Table
+from asperity.report.content import Block, Bullets, Paragraph, Table, quantity
 from asperity.results.document import crossed_limits
 from asperity.results.margins import Margin
 

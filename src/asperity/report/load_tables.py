@@ -6,8 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.report.cells import number, quantity
-from asperity.report.content import Block, Bullets, Heading, Paragraph, Table
+from asperity.report.content import Block, Bullets, Heading, Paragraph, Table, number, quantity
 from asperity.results.branch_document import deviations, force_size
 from asperity.units import from_si
 

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from asperity.joint.torque_limits import first_slip_words
-from asperity.report.cells import number, percent, quantity
-from asperity.report.content import Block, Paragraph, Table
+from asperity.report.content import Block, Paragraph, Table, number, percent, quantity
 from asperity.results.document import (
     INTERVAL_HEADS,
     LEVEL_WORDS,
@@ -207,18 +206,7 @@ def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:
 
 
 def drive(document: Document) -> Iterator[Block]:
-    """Ratio, torques and masses of a drive.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Yields
-    ------
-    Block
-        A table.
-    """
+    """Ratio, torques and masses of a drive, a table."""
     geometry, forces = document["geometry"], document["standing"]["forces"]
 
     def words(name: str) -> str:
@@ -252,18 +240,7 @@ def _wedge(geometry: Document) -> list[tuple[str, str]]:
 
 
 def windup(curves: Document) -> Iterator[Block]:
-    """The figures of a wind-up.
-
-    Parameters
-    ----------
-    curves : dict
-        As :func:`asperity.results.windup_document.windup_document` makes it.
-
-    Yields
-    ------
-    Block
-        Tables.
-    """
+    """The figures of a wind-up, tables."""
     yield Paragraph(
         "At the output with the input locked, assembled stiffness, up to the output torque of the file."
     )

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.report.cells import number, percent, quantity
-from asperity.report.content import Block, Bullets, Paragraph, Table
+from asperity.report.content import Block, Bullets, Paragraph, Table, number, percent, quantity
 from asperity.results.notes import surface_rows
 from asperity.results.position_rows import position_rows
 
@@ -15,18 +14,7 @@ _CAUSES = ("creep", "skew", "hysteresis", "oil")
 
 
 def rolling(document: Document) -> Iterator[Block]:
-    """Drift, losses, contacts, thrust and life.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Yields
-    ------
-    Block
-        Tables, and why numbers are absent.
-    """
+    """Drift, losses, contacts, thrust and life, tables, and why numbers are absent."""
     in_rolling = document["rolling"]
     if in_rolling["unknown_because"]:
         yield Bullets([f"{reason}." for reason in in_rolling["unknown_because"]])

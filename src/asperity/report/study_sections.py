@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.joint_file.si_tables import key_at, numeric_keys
-from asperity.report.cells import number, quantity
-from asperity.report.content import Block, Heading, Listing, Paragraph, Picture, Table
+from asperity.report.content import Block, Heading, Listing, Paragraph, Picture, Table, number, quantity
 from asperity.report.figures import figure_svg
 from asperity.results import RESULTS
 from asperity.study.design.design_problem import SUMMARY

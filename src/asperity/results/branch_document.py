@@ -20,20 +20,7 @@ _EVEN = 1e-9  # relative difference of preloads up to which branches are alike
 
 
 def force_size(branches: Document, components: Sequence[float]) -> float:
-    """Size of a force on a member; that of rounding, beside the preloads, is none.
-
-    Parameters
-    ----------
-    branches : dict
-        :func:`branch_document`.
-    components : sequence of float
-        Components of the force [N].
-
-    Returns
-    -------
-    float
-        Its size [N].
-    """
+    """Size of a force on a member by its components [N]; that of rounding, beside the preloads, is none."""
     size, largest = math.hypot(*components), max(entry["preload_N"] for entry in branches["branches"])
     return size if size > _ROUNDING * largest else 0.0
 
@@ -82,18 +69,7 @@ def _note(unequal: UnequalBranches) -> str:
 
 
 def deviations(branches: Document) -> dict[str, str]:
-    """Keys of the deviations of each branch, and their names in words.
-
-    Parameters
-    ----------
-    branches : dict
-        As :func:`asperity.results.branch_document.branch_document` makes it.
-
-    Returns
-    -------
-    dict
-        In the order of the document.
-    """
+    """Keys of the deviations of each branch, and their names in words, in the order of the document."""
     ending = "_deviation_m"
     return {
         key: key.removesuffix(ending).replace("_", " ")

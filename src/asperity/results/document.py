@@ -59,20 +59,7 @@ _BELOW_ZERO = (
 
 
 def budget_words(shares: Iterable[float | None], *, elastic_bodies: bool) -> str:
-    """What the shares of the compliance by spring do not show, without a full stop; empty where they show it all.
-
-    Parameters
-    ----------
-    shares : iterable of float or None
-        All of them [-].
-    elastic_bodies : bool
-        Whether the joint has elastic bodies rather than springs.
-
-    Returns
-    -------
-    str
-        One sentence or two.
-    """
+    """What the shares of the compliance [-] do not show, without a full stop; empty where they show it all."""
     below = any(share is not None and share < -NO_SHARE for share in shares)
     return "; ".join([_ELASTIC_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
 
@@ -172,34 +159,14 @@ def torsional_stiffness_document(result: JointResult) -> Document:
 
 
 def input_member(document: Document) -> str:
-    """Name of the member that drives, in words.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`joint_document` or :func:`asperity.results.document.joint_document` makes it.
-
-    Returns
-    -------
-    str
-        Such as "sun".
-    """
+    """Name of the member that drives, in words, such as "sun"."""
     return str(document["geometry"]["input"]).replace("_", " ")
 
 
 def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
-    """Torsional stiffness of a joint, of any type of drive, as rows to show.
+    """Words and stiffness of each level of a joint of any drive, the fullest first.
 
-    Parameters
-    ----------
-    document : dict
-        As :func:`joint_document` or :func:`asperity.results.document.joint_document` makes it.
-
-    Returns
-    -------
-    list of tuple
-        Words and stiffness of each level (keys as in :func:`torsional_stiffness_document`), the fullest first; of a
-        joint with a loading cam also of the assembly whose cam is held by its friction.
+    Of a joint with a loading cam also of the assembly whose cam is held by its friction.
     """
     rows = [(words, document["torsional_stiffness"][level]) for level, words in LEVEL_WORDS]
     cam = document["preload"]["loading_cam"]
@@ -277,17 +244,9 @@ INTERVAL_HEADS = (
 
 
 def interval_rows(interval: Document) -> list[tuple[str, ...]]:
-    """Ends of the stiffnesses of the asperities by the errors of contact law and heights, one row for each contact.
+    """Ends of the asperities' stiffnesses by the errors of contact law and heights, one row for each contact.
 
-    Parameters
-    ----------
-    interval : dict
-        The interval of stiffness and drift of a joint document.
-
-    Returns
-    -------
-    list of tuple of str
-        Cells below :data:`INTERVAL_HEADS`; none where the interval has no such parts.
+    Cells below :data:`INTERVAL_HEADS`; none where the interval has no such parts.
     """
 
     def cell(ends: list[float]) -> str:

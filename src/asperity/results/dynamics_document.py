@@ -41,18 +41,7 @@ def dynamics_document(dynamics: Dynamics, inertias: Inertias) -> dict[str, Any]:
 
 
 def response_columns(dynamics: Dynamics) -> dict[str, np.ndarray]:
-    """The frequency response as columns, units in their names.
-
-    Parameters
-    ----------
-    dynamics : Dynamics
-        As :func:`~asperity.standing.dynamics.dynamics` returns it.
-
-    Returns
-    -------
-    dict
-        Amplitudes and phases of both sides, standing and turning.
-    """
+    """Amplitudes and phases of both sides, standing and turning, as columns with units in their names."""
     columns = {"frequency_Hz": np.asarray(dynamics.frequency)}
     for name in ("standing_motor", "standing_load", "turning_motor", "turning_load"):
         angle = np.asarray(getattr(dynamics, name))

@@ -58,19 +58,9 @@ _BEARINGS = (
 
 
 def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
-    """Loads of the structure as a document, ready for :func:`json.dumps`.
+    """Loads of the structure without torque, under the working torque, and under every load of the duty, for JSON.
 
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint.
-    bearings : list of dict
-        Its :func:`asperity.results.loads_document.bearing_entries`.
-
-    Returns
-    -------
-    dict
-        Without torque, under the working torque, and under every load of the duty; None where a value is not known.
+    With :func:`bearing_entries`; None where a value is not known.
     """
     joint, result = solved.joint, solved.result
     cases = [case_entry("without torque", 0.0, 0.0, None, None)]

@@ -24,18 +24,7 @@ class PositionRow(NamedTuple):
 
 
 def position_rows(document: Document) -> list[PositionRow]:
-    """Drift and stiffness, two numbers that do not replace each other, and the capacity in rolling.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.results.document.joint_document` makes it.
-
-    Returns
-    -------
-    list of PositionRow
-        In the order in which they are read.
-    """
+    """Drift and stiffness, two numbers that do not replace each other, and the capacity in rolling, in order."""
     rolling = document["rolling"]
     capacity = _finite(rolling["torque_capacity_Nm"])
     rows = [

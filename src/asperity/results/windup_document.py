@@ -154,18 +154,9 @@ def windup_document(
 
 
 def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
-    """Torque capacities of both directions, for the picture of a wind-up.
+    """Torque capacities of both directions as positive torques [N·m], of :func:`windup_document`.
 
-    Parameters
-    ----------
-    document : dict
-        From :func:`windup_document`.
-
-    Returns
-    -------
-    tuple of float
-        Of positive and of negative torques, as positive torques [N·m]; infinite where there are none, or where the
-        joint may carry more than what is computed.
+    Infinite where there are none, or where the joint may carry more than what is computed.
     """
     capacity = document["torque_capacity"]
     forward, reverse = (
@@ -205,18 +196,7 @@ def _rolling(joint: Joint, solution: Solution, onset: RollingOnset | None) -> di
 
 
 def windup_columns(curve: Windup) -> dict[str, Any]:
-    """The loading curves and both branches of the loop at the same torques, as columns.
-
-    Parameters
-    ----------
-    curve : Windup
-        Curves.
-
-    Returns
-    -------
-    dict
-        Name, with the unit at its end → array of shape (n,).
-    """
+    """The loading curves and both branches of the loop at the same torques: names with units → arrays of shape (n,)."""
     return {
         "torque_Nm": curve.torque,
         "loading_angle_rad": curve.angle,
@@ -227,18 +207,7 @@ def windup_columns(curve: Windup) -> dict[str, Any]:
 
 
 def rolling_columns(onset: RollingOnset) -> dict[str, Any]:
-    """The curve beyond a wind-up, and what swings of the same angles lose, as columns.
-
-    Parameters
-    ----------
-    onset : RollingOnset
-        Curves.
-
-    Returns
-    -------
-    dict
-        Name, with the unit at its end → array of shape (n,).
-    """
+    """The curve beyond a wind-up, and what swings of the same angles lose: names with units → arrays of shape (n,)."""
     return {
         "input_angle_rad": onset.contacts.input_angle * onset.angle,
         "output_angle_rad": onset.angle,

@@ -52,22 +52,8 @@ def rolling_curves(
 ) -> RollingCurves:
     """Creep curves of the contacts; drift, life and efficiency of the joint over torque and speed.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        What it does under its own torque and speed.
-    laws : ContactLaws
-        Laws of its contacts.
-    torque_capacity : float
-        Its torque capacity; infinite or nan if friction does not limit it [N·m].
-
-    Returns
-    -------
-    RollingCurves
-        From 0 to the capacity, or to twice the joint's torque if there is no capacity; speeds up to 1.5 times the
-        joint's.
+    From 0 to the torque capacity [N·m], or to twice the joint's torque if it is infinite or nan; speeds up to 1.5 times
+    the joint's.
     """
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))

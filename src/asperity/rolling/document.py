@@ -113,20 +113,7 @@ def _by_body(names: tuple[str, ...], lives: DriveLives) -> Document:
 
 
 def unknown_because(joint: Joint, result: JointResult) -> list[str]:
-    """Why results of the rolling are absent.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    list of str
-        One sentence for each reason; empty if everything is there.
-    """
+    """Why results of the rolling are absent, one sentence for each reason; empty if everything is there."""
     rolling, slip = result.rolling, np.asarray(result.diagnostics.slip_ratio)
     if not bool(np.isfinite(np.asarray(rolling.residual))):
         named = [name for name, ratio in zip(result.contact_names, slip, strict=True) if not ratio < 1.0]

@@ -26,8 +26,7 @@ from asperity.joint.description import Joint, bodies_of_contacts, places
 from asperity.rolling.creep import ContactCreep, capacity_loss, lateral_slip_ratio
 from asperity.rolling.life import DriveLives, cycle_rates, drive_lives
 from asperity.rolling.power import RollingPower, rolling_power
-from asperity.rolling.strips import RollingStrips, rolling_strips
-from asperity.rolling.surface import flash_temperatures, oil_film
+from asperity.rolling.surface import RollingStrips, flash_temperatures, oil_film, rolling_strips
 from asperity.types import Real
 
 _Values = TypeVar("_Values")

@@ -23,19 +23,7 @@ from asperity.types import namespace
 def driving_sense(drive: Drive) -> Array:
     """Sign that makes tangential forces and creepages positive where the first body of a contact drives the second.
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    Array
-        +1 or −1, shape (contacts,) [-]: the sense in which the first surface moves, seen from the carrier.
-
-    References
-    ----------
-    The sign convention of Zou et al. 2025 for a torque that resists the rotation.
+    +1 or −1, shape (contacts,): the sense in which the first surface moves, seen from the carrier.
     """
     first, _ = places(drive)
     speed = speeds(drive)
@@ -56,25 +44,9 @@ def with_driving_sense(state: DriveState, sense: Array) -> DriveState:
 def rolling_at(
     joint: Joint, contacts: JointContacts, without_torque: Pressed
 ) -> Callable[[Array, Array], RollingResult]:
-    """Steady rolling of an assembled joint at any torque and speed.
+    """Steady rolling of an assembled joint, of an output torque [N·m] and an angular velocity of the input [rad/s].
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint; its own torque and speed do not count.
-    contacts : JointContacts
-        Its contacts.
-    without_torque : Pressed
-        The joint as it is assembled.
-
-    Returns
-    -------
-    callable
-        Of an output torque [N·m] and an angular velocity of the input [rad/s].
-
-    References
-    ----------
-    Equations (B1) and (M3) of :doc:`/equations`.
+    The joint's own torque and speed do not count; equations (B1) and (M3) of :doc:`/equations`.
     """
     pressed = pressed_at(joint, contacts, without_torque)
 

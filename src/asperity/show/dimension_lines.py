@@ -21,18 +21,7 @@ _ROOM_FOR_ARROWS = 3.0 * ARROW_LENGTH
 
 
 def dimension(value: float) -> str:
-    """A length as a drawing states it: mm, six digits, no trailing zeros.
-
-    Parameters
-    ----------
-    value : float
-        The length [mm].
-
-    Returns
-    -------
-    str
-        The number alone.
-    """
+    """A length [mm] as a drawing states it: six digits, no trailing zeros."""
     return f"{value:.6g}"
 
 

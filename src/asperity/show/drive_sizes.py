@@ -20,9 +20,8 @@ from asperity.show.dimension_lines import (
     widths_below,
 )
 from asperity.show.drive_view import MOST_GAPS, RingOfBody, copies_of, pin_diameter_of, radii_of, rings_of
-from asperity.show.leader_places import Place, Side, around, best_leader, levels
 from asperity.show.sheet import Circle, Dimension, Item, Line, Point
-from asperity.show.taken import Box, Taken, distance
+from asperity.show.taken import Box, Place, Side, Taken, around, best_leader, distance, levels
 
 _MOST_COPIES = 8
 _OF_ROLLER, _OF_AXES, _OF_WALL = 24, 72, 36  # places around a circle

@@ -17,10 +17,9 @@ from asperity.show.drive_sizes import (
     place_dimensions,
 )
 from asperity.show.drive_view import cross, radii_of, rings_of
-from asperity.show.leader_places import around
 from asperity.show.section_view import body_section, draw_section
 from asperity.show.sheet import Circle, Item, Sheet, standard_scale
-from asperity.show.taken import Taken
+from asperity.show.taken import Taken, around
 from asperity.show.title_block import Title
 from asperity.units import format_quantity
 

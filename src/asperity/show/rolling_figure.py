@@ -32,26 +32,7 @@ _TORQUE = "torque at the output [N·m]"
 def rolling_figure(
     curves: RollingCurves, rolling: RollingResult, *, joint: Joint, title: str, width: float
 ) -> Figure:
-    """Four pictures of a joint that turns on one sheet.
-
-    Parameters
-    ----------
-    curves : RollingCurves
-        What to draw.
-    rolling : RollingResult
-        The joint under its own torque and speed.
-    joint : Joint
-        The joint itself.
-    title : str
-        Title of the sheet.
-    width : float
-        Width of the sheet [in]; legible from 6.5 on.
-
-    Returns
-    -------
-    Figure
-        A matplotlib figure; call its ``savefig``.
-    """
+    """Four pictures of a joint that turns on one sheet so wide [in], legible from 6.5 on."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, 0.78 * width), layout="constrained")

@@ -18,18 +18,7 @@ _DASHES: dict[str, Any] = {"axis": (0, (24.0, 6.0, 3.0, 6.0))}
 
 
 def sheet_figure(sheet: Sheet) -> Figure:
-    """Draw a sheet.
-
-    Parameters
-    ----------
-    sheet : Sheet
-        The drawing.
-
-    Returns
-    -------
-    Figure
-        A matplotlib figure of the size of the paper; call its ``savefig``.
-    """
+    """A sheet as a matplotlib figure of the size of the paper."""
     from matplotlib import patches
     from matplotlib.figure import Figure
 

@@ -75,14 +75,9 @@ def plain_title(text: str) -> str:
 
 
 def mark_few_decades(axis: Axis, low: float, high: float) -> None:
-    """Write numbers at 1, 2 and 5, or in even steps, where powers of ten mark a logarithmic axis at one place or none.
+    """Write more numbers at a logarithmic axis where powers of ten mark one place or none.
 
-    Parameters
-    ----------
-    axis : Axis
-        An ``xaxis`` or ``yaxis``.
-    low, high : float
-        Its range.
+    At 1, 2 and 5, or in even steps, between the ends of its range.
     """
     from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 

@@ -76,21 +76,9 @@ class OverTorque(NamedTuple):
 
 
 def over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -> OverTorque:
-    """What a joint does at torques, as NumPy arrays.
+    """What a joint does at output torques of either sign, shape (torques,) [N·m], as NumPy arrays.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint; its own output torque is replaced.
-    torques : ndarray
-        Output torques of either sign, shape (torques,) [N·m].
-    no_slip_friction : float
-        A friction coefficient under which no contact slips [-].
-
-    Returns
-    -------
-    OverTorque
-        Results of states that do not balance have no meaning.
+    ``no_slip_friction``: under which no contact slips [-]. Results of states that do not balance have no meaning.
     """
     results: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction)
     return results

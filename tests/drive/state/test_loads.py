@@ -2,11 +2,16 @@
 
 import dataclasses
 
+import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.state.loads import member_loads, pin_components
+from asperity.drive.layout.drives import planetary_drive
+from asperity.drive.state.loads import drag_levers, drag_pairs, member_loads, pin_components
+from asperity.drive.state.state import DriveLoad, surface_speeds
+from asperity.drive.state.states import drive_states
 
 
 @pytest.mark.slow
@@ -77,3 +82,79 @@ def test_tangential_forces_turn_the_carrier_and_count_in_the_sense_of_the_input(
     carrier = drive.members.index("carrier")
     moment = sense * float(drive.sectors) * np.sum(np.asarray(tangential) * arms)
     assert moment == pytest.approx(float(found.moments[carrier]), rel=1e-9, abs=1e-9)
+
+
+SUN, PLANET, RING, ORBIT, COUNT = 10e-3, 20e-3, 50e-3, 30e-3, 3
+
+
+def film_on_bodies(first, second, outward):
+    """Forces on both bodies in the direction of rolling, and the drag on a surface, per length.
+
+    Reynolds' equation of rigid rollers with Swift and Stieber's outlet; pressure on each curved surface, shear of its
+    gradient.
+    """
+    radius = 1.0 / (1.0 / first + outward / second)
+    viscosity, speed, least = 0.03, 2.0, 1e-6
+    span = np.sqrt(2.0 * radius * least)
+    x = (
+        np.linspace(-60.0, 0.475133, 400_001) * span
+    )  # the outlet of the infinite wedge, where p and p' vanish
+    film = least + x**2 / (2.0 * radius)
+    slope = 12.0 * viscosity * speed * (film - film[-1]) / film**3
+    pressure = np.concatenate([[0.0], np.cumsum(0.5 * (slope[1:] + slope[:-1]) * np.diff(x))])
+    shear = np.trapezoid(-0.5 * film * slope, x)
+    assert pressure[-1] == pytest.approx(0.0, abs=2e-3 * pressure.max())
+    tilted = np.trapezoid(pressure * x, x)
+    return shear - tilted / first, shear - tilted * outward / second, -shear
+
+
+@pytest.mark.parametrize(("first", "second", "outward"), [(10e-3, 20e-3, 1.0), (20e-3, 50e-3, -1.0)])
+def test_shear_and_pressure_of_the_film(first, second, outward):
+    on_first, on_second, drag = film_on_bodies(first, second, outward)
+    drive = planetary_drive(sun_radius=SUN, planet_radius=PLANET, planet_count=3.0)
+    place = 0 if outward > 0.0 else 1
+    pair = float(drag_pairs(drive, jnp.full(2, drag))[place])
+    assert -pair == pytest.approx(on_first, rel=0.02)  # a tangential force opposes the first surface
+    assert on_second == pytest.approx(-on_first, rel=0.02)
+
+
+def test_drag_brakes_every_body_by_its_radius():
+    """Sun +, planet against it, ring with the planet; the carrier feels it through its pins only."""
+    drive = planetary_drive(sun_radius=SUN, planet_radius=PLANET, planet_count=3.0)
+    moments = drag_levers(drive) @ np.array([2.0, -3.0])  # the planet turns clockwise in the ring
+    np.testing.assert_allclose(moments, [-3 * 2.0 * SUN, (2.0 + 3.0) * PLANET, 3 * 3.0 * RING, 0.0])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("rotation", [1.0, -1.0])
+def test_a_planetary_drive_with_oil_by_hand(drives, steel_laws, rotation):
+    """T_1 - T_2 = g_1 + g_2 turns the planet, the pin takes the forces along its orbit, the sun feels T_1 + g_1."""
+    drive = drives["planetary"]
+    drags = jnp.array([6.0, 4.0])
+
+    @eqx.filter_jit
+    def rolled(drive, drags):
+        laws = steel_laws(drive=drive, reference_force=1000.0)
+        of = jax.tree_util.Partial(lambda given, normal: given * (normal / normal), drags)
+        load = DriveLoad(jnp.asarray(10.0), rotation=rotation, drag_of=of)
+        return drive_states(drive=drive, laws=laws, pattern=jnp.array([0.0, 1.0]), preload=1000.0, load=load)
+
+    states = rolled(drive, drags)
+    assert float(states.rolling.residual) < 1e-9
+    # of a drive that rolls backwards the torque drives what it resisted before, and the oil resists still
+    one, two = rotation * np.asarray(drags)
+    force = 10.0 / (COUNT * ORBIT)
+    along = force + one - 2.0 * one * SUN / ORBIT - two + 2.0 * two * RING / (RING - PLANET)
+    first, second = 0.5 * (along + one + two), 0.5 * (along - one - two)
+    assert np.abs(states.rolling.tangential) == pytest.approx([first, second], rel=1e-9)
+    assert np.abs(states.rolling.pin_force) == pytest.approx([force], rel=1e-9)
+    assert float(states.rolling.input_torque) == pytest.approx(COUNT * SUN * (first + one), rel=1e-9)
+    # what enters and does not leave is creep and oil
+    speed = states.rolling.speed
+    surfaces = surface_speeds(drive=drive, speed=speed)
+    oil = COUNT * float(jnp.sum(drags * sum(surfaces)))
+    slips = np.abs(surfaces[0] - surfaces[1])
+    creep = COUNT * float(np.sum(np.array([first, second]) * slips))
+    entered = rotation * float(states.rolling.input_torque * speed[0] - 10.0 * speed[3])
+    assert entered == pytest.approx(oil + creep, rel=1e-9)
+    assert float(states.standing.input_torque) == pytest.approx(10.0 / 6.0, rel=1e-9)

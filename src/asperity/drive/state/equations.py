@@ -14,8 +14,7 @@ from jax import Array
 from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
 from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.creep import creepages
-from asperity.drive.state.loads import friction_moments, member_moments
-from asperity.drive.state.oil import drag_levers, drag_pairs, signed_drag
+from asperity.drive.state.loads import drag_levers, drag_pairs, friction_moments, member_moments, signed_drag
 from asperity.drive.state.state import (
     ContactLaws,
     CreepOf,

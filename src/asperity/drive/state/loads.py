@@ -1,6 +1,13 @@
-r"""Loads that the contacts of a drive put on its pins, shafts and housing, and the friction of its bearings.
+r"""Loads that contacts and oil put on the pins, shafts and housing of a drive, and the friction of its bearings.
 
 Sectors are equal: the forces on bodies on the axis and on the carrier balance, a torque remains.
+
+The oil at the inlet of a contact drags both surfaces against their motion, each with a force g. Its pressure rests on
+the film: it pushes both bodies forward through their centres, with
+
+.. math:: 2 g\,\frac{R}{R_1}, \qquad 2 g\,\frac{R}{R_2}, \qquad \frac1R = \frac1{R_1} \pm \frac1{R_2},
+
+minus in internal contacts, so that nothing is left on the film, and no moment about the contact.
 """
 
 from __future__ import annotations
@@ -11,11 +18,90 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members
+from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members, speeds
 from asperity.drive.mechanism import Bearings, bearing_torque
-from asperity.drive.state.oil import drag_levers, drag_pairs
 from asperity.linear import product
 from asperity.types import namespace
+
+
+def signed_drag(drive: Drive, drag: Array, *, backwards: Array | float) -> Array:
+    """Drag with the sense in which the first surface of each contact moves, shape (contacts,) [N].
+
+    ``drag`` is its size; ``backwards`` is -1 of a drive that rolls against its ideal speeds, else 1.
+    """
+    first, _ = _bodies(drive)
+    speed = speeds(drive)
+    ahead = namespace(speed).sign(speed[first] - speed[drive.members.index(CARRIER)])
+    forces: Array = backwards * ahead * drag
+    return forces
+
+
+def drag_pairs(drive: Drive, drag: Array) -> Array:
+    r"""Forces of the oil between the bodies of each contact, signed as tangential forces, shape (contacts,) [N].
+
+    .. math:: g\,\Bigl(1 - \frac{2R}{R_1}\Bigr)
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    drag : Array
+        Drag g on each surface, positive where the first one moves counter-clockwise around its body, shape
+        (contacts,) [N].
+
+    Returns
+    -------
+    Array
+        Shape (contacts,) [N].
+
+    References
+    ----------
+    Balance of the film; equation (B9) of :doc:`/equations`.
+    """
+    outward = _outward(drive)
+    # R/R_1 = R_2/(R_2 +- R_1)
+    share = drive.second_radius / (drive.second_radius + outward * drive.first_radius)
+    pairs: Array = drag * (1.0 - 2.0 * share)
+    return pairs
+
+
+def drag_levers(drive: Drive) -> Array:
+    r"""Moments of the drag on the members over the drag of each contact, :math:`\mp R_i`.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Counter-clockwise, those on the axis from all sectors, shape (members, contacts) [m].
+
+    References
+    ----------
+    The drag acts at the surface, the pressure through the centre; equation (B9) of :doc:`/equations`.
+    """
+    unit = np.eye(len(drive.members))
+    first, second = (unit[numbers] for numbers in _bodies(drive))
+    levers = _outward(drive)[:, None] * drive.second_radius[:, None] * second
+    levers = levers - drive.first_radius[:, None] * first
+    moments: Array = sectors_of_members(drive)[:, None] * levers.T
+    return moments
+
+
+def _outward(drive: Drive) -> np.ndarray:
+    """-1 where the first body of a contact lies inside the second, else 1, shape (contacts,)."""
+    return np.array([-1.0 if contact.internal else 1.0 for contact in drive.contacts])
+
+
+def _bodies(drive: Drive) -> tuple[np.ndarray, np.ndarray]:
+    """Numbers of the first and the second body of each contact among the members."""
+    number = {name: place for place, name in enumerate(drive.members)}
+    return (
+        np.array([number[contact.first] for contact in drive.contacts]),
+        np.array([number[contact.second] for contact in drive.contacts]),
+    )
 
 
 class MemberLoads(NamedTuple):
@@ -78,49 +164,18 @@ def member_loads(
 
 
 def pin_components(*, drive: Drive, force: Array) -> tuple[Array, Array]:
-    """Components of the forces on the pins, with the signs of every table of loads.
+    """Radial and tangential forces on the pins by those along their push, shape (pins,) [N].
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    force : Array
-        Force of each roller on its pin along the push, shape (pins,) [N].
-
-    Returns
-    -------
-    tuple of Array
-        Radial, positive away from the axis, and tangential, positive in the sense in which the input turns, shape
-        (pins,) [N].
-
-    References
-    ----------
-    The push angle is counted from the clockwise tangent, outward.
+    Positive away from the axis, and in the sense in which the input turns.
     """
     xp, push = namespace(drive.push_angles, force), drive.push_angles
     return force * xp.sin(push), -drive.sense * force * xp.cos(push)
 
 
 def member_moments(drive: Drive, matrices: Incidence, tangential: Array, pin: Array) -> Array:
-    """Moments of contacts and pins on the members, those on the axis from all sectors.
+    """Moments of contacts and pins on the members, counter-clockwise, those on the axis from all sectors; (M1).
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    matrices : Incidence
-        Its matrices.
-    tangential, pin : Array
-        Tangential forces of the contacts, shape (contacts,), and forces of the pins, shape (pins,) [N].
-
-    Returns
-    -------
-    Array
-        Counter-clockwise, shape (members,) [N·m].
-
-    References
-    ----------
-    Equation (M1) of :doc:`/equations`.
+    Of their forces, shape (contacts,) and (pins,) [N], to shape (members,) [N·m].
     """
     members = drive.members
     carrier = members.index(CARRIER)

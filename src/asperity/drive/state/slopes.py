@@ -34,7 +34,7 @@ from asperity.drive.state.equations import (
     speeds_and_turns,
     turning_members,
 )
-from asperity.drive.state.oil import drag_levers, drag_pairs
+from asperity.drive.state.loads import drag_levers, drag_pairs
 from asperity.linear import product
 
 

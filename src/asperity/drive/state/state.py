@@ -106,7 +106,7 @@ class DriveLoad(eqx.Module):
         out.
     drag_of : callable or None, optional
         Drag of the oil on each surface of the contacts of the rolling drive under their normal forces, shape
-        (contacts,) [N], as in :mod:`asperity.drive.state.oil`; None for none.
+        (contacts,) [N], as in :mod:`asperity.drive.state.loads`; None for none.
     """
 
     output_torque: Real
@@ -271,23 +271,9 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
 
 
 def surface_speeds(*, drive: Drive, speed: Array) -> tuple[Array, Array]:
-    """Speeds of the two surfaces of each contact relative to the carrier.
+    """Speeds of both surfaces of each contact relative to the carrier, positive, shape (contacts,) [m/s].
 
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-    speed : Array
-        Angular velocities of the members, shape (members,) [rad/s].
-
-    Returns
-    -------
-    tuple of Array
-        Speeds of the first and of the second surface, positive, shape (contacts,) [m/s].
-
-    References
-    ----------
-    Radius times angular velocity relative to the carrier, in which the centres stand.
+    Of angular velocities of the members [rad/s]; radius times angular velocity relative to the carrier.
     """
     members = drive.members
     carrier = speed[members.index(CARRIER)]

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from asperity.branches.branches import SectorDeviations
 from asperity.branches.size_errors import loaded_branches
-from asperity.branches.sizes import SectorDeviations
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.solve import solve_joint
