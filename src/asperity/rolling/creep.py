@@ -26,7 +26,7 @@ from asperity.types import Real
 
 # slip ratios between which the factors on Carter's creepage are taken
 _LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
-#: Repetitions with the factors at the combined slip of the time before: the rest is 4e-4 of friction at nine tenths of it.
+#: Repetitions with the factors at the combined slip of the time before: 4e-4 of friction remain at nine tenths of it.
 _COMBINED_PASSES = 3
 
 
