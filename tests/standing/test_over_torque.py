@@ -73,7 +73,7 @@ def test_play_at_once_is_its_angle_in_every_curve(joint, curve):
 
 @pytest.mark.slow
 def test_the_drift_begins_as_that_of_its_rolling(joint, curve):
-    """The torque that drives loses as much as the one that is driven; both contacts by their power."""
+    """Of a torque that drives and of one that is driven; both contacts by their power."""
     forward, reverse = (solve_joint(under_torque(joint, torque)).result for torque in (10.0, -10.0))
     both = [
         rolling_onset(joint=joint, result=result, windup=curve.angle[-1], creep_share=0.05)
@@ -83,10 +83,13 @@ def test_the_drift_begins_as_that_of_its_rolling(joint, curve):
     assert float(one.drift_per_output_turn) == pytest.approx(
         float(forward.rolling.drift_per_output_turn), rel=1e-9
     )
-    assert float(other.drift_per_output_turn) == pytest.approx(float(one.drift_per_output_turn), rel=1e-6)
-    # equal forces on sun and ring: by their creepages
+    # of a turn with and of one without creep
+    assert abs(float(other.drift_per_output_turn)) == pytest.approx(
+        abs(float(reverse.rolling.drift_per_output_turn)), rel=1e-3
+    )
+    # nearly equal forces on sun and ring: by their creepages
     creep = np.asarray(forward.rolling.creepage)
-    np.testing.assert_allclose(one.share, creep / creep.sum(), rtol=1e-3)
+    np.testing.assert_allclose(one.share, creep / creep.sum(), rtol=1e-2)
     # the sun turns six times as far; the planet rolls 50 mm of the ring in a radian of the carrier
     assert float(one.input_angle) == pytest.approx(6.0, rel=1e-2)
     assert float(one.distance[1]) == pytest.approx(50e-3, rel=1e-3)
@@ -113,12 +116,13 @@ def test_creep_damps_as_the_slope_of_the_lost_speed(joint):
 
 @pytest.mark.slow
 def test_both_senses_of_rotation(joint):
-    """The drift has the sign of the torque, and is nearly the same with and against it."""
+    """The drift has the sign of the torque; the oil adds to it where the drive drives, and takes where it brakes."""
     found = both_senses(joint=joint, torque=np.array([-10.0, 10.0]))
     drift = float(solve_joint(joint).result.rolling.drift_per_output_turn)
     np.testing.assert_allclose(found.driving_drift, [-drift, drift], rtol=1e-6)
-    np.testing.assert_allclose(found.braking_drift, found.driving_drift, rtol=3e-3)
-    assert np.all(np.abs(found.braking_drift) < np.abs(found.driving_drift))
+    braking = float(solve_joint(under_torque(joint, -10.0)).result.rolling.drift_per_output_turn)
+    np.testing.assert_allclose(found.braking_drift, [braking, -braking], rtol=1e-6)
+    assert 0.9 * drift < abs(braking) < drift
 
 
 def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):

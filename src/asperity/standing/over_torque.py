@@ -193,10 +193,11 @@ def curve_program(joint: Joint, torques: Array, no_slip_friction: Real) -> dict[
 
 
 class _Under(NamedTuple):
-    """A joint under a torque: standing, rolling, and what its cam does."""
+    """A joint under a torque: standing, rolling, rolling the other way, and what its cam does."""
 
     standing: DriveState
     rolling: DriveState
+    backwards: DriveState
     cam: CamOfJoint | None
 
 
@@ -207,16 +208,24 @@ def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> C
 
     def under(torque: Array) -> _Under:
         laws, rest = pressed(torque)
-        standing, rolling = loaded_states(
-            drive=joint.drive,
-            laws=laws,
-            rest=rest,
-            load=dataclasses.replace(unloaded, output_torque=torque),
-            creep_of=creep_under(joint, contacts),
-        )
-        return _Under(standing, rolling, turned_cam(joint, contacts, without_torque.rest, rest))
+        load = dataclasses.replace(unloaded, output_torque=torque)
+        given: dict[str, Any] = {"drive": joint.drive, "laws": laws, "rest": rest}
+        given["creep_of"] = creep_under(joint, contacts)
+        standing, rolling = loaded_states(load=load, **given)
+        backwards = rolling
+        if (
+            load.drag_of is not None or load.bearings is not None
+        ):  # what opposes the rotation changes the forces
+            other = dataclasses.replace(load, rotation=-_sense(load.rotation))
+            backwards = loaded_state(load=other, rolls=True, **given)
+        return _Under(standing, rolling, backwards, turned_cam(joint, contacts, without_torque.rest, rest))
 
     return under
+
+
+def _sense(rotation: Real) -> Array:
+    """-1 of a drive that rolls backwards, else 1."""
+    return jnp.where(jnp.asarray(rotation) < 0.0, -1.0, 1.0)
 
 
 def _with_its_torque(joint: Joint) -> DriveLoad:
@@ -277,19 +286,24 @@ def _standing(
 def _shown(
     joint: Joint, contacts: JointContacts, no_slip_friction: Real, torque: Array, under: _Under
 ) -> dict[str, Array]:
-    """The joint that stands, and the drift of the one that rolls."""
-    drive, rolls = joint.drive, under.rolling
+    """The joint that stands, and the drift of the one that rolls with the torque and against it."""
+    drive, own = joint.drive, _sense(drive_load(joint, body_masses(joint), 0.0).rotation)
     out = drive.members.index(drive.output)
 
-    def turned(way: Array) -> Array:
-        """Speed of the output with the creep of the one sense, of the other, or of neither."""
-        return jnp.abs(creeping_speeds(drive=drive, creepage=way * rolls.creepage)[0][out])
+    def turned(creepage: Array) -> Array:
+        return jnp.abs(creeping_speeds(drive=drive, creepage=creepage)[0][out])
 
-    with_torque, ways = jnp.where(torque < 0.0, -1.0, 1.0), jnp.array([1.0, -1.0, 0.0])
-    speed = jax.lax.map(turned, with_torque * ways)
+    senses = own * jnp.array([1.0, -1.0])
+    creepages = jnp.stack([under.rolling.creepage, under.backwards.creepage])
+    speed = jax.lax.map(turned, jnp.concatenate([senses[:, None] * creepages, 0.0 * creepages[:1]]))
     # angle lost in one turn of the output, (B3); negative where the creep runs ahead
-    both = ways[:2] * drift_per_turn(1.0 - speed[:2] / speed[2])
+    drift = drift_per_turn(1.0 - speed[:2] / speed[2])
+    works = jnp.stack([under.rolling.residual, under.backwards.residual]) < STATE_TOLERANCE
+    with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
+    one, other = jnp.where(works, senses * drift, jnp.nan)
+    first = senses[0] == with_torque
+    both = jnp.stack([jnp.where(first, one, other), jnp.where(first, other, one)])
     return {
         **_standing(joint, contacts, no_slip_friction, under.standing, under.cam)._asdict(),
-        "drift": jnp.where(rolls.residual < STATE_TOLERANCE, with_torque * both, jnp.nan),
+        "drift": both,
     }
