@@ -195,8 +195,9 @@ def _refuse_no_joint(model: CurveModel, scaled_values: np.ndarray) -> None:
         lost = np.abs(model.torque[~(stiffness > 0.0) | model.floored(stiffness)]).min()
         if model.rolls:
             raise NoSolutionError(
-                f"the best fit does not roll steadily at {lost:.6g} N·m, where a contact slips or lifts off: leave out "
-                "rows past gross slip, check units and preload, or widen the bounds"
+                f"the best fit does not roll steadily at {lost:.6g} N·m, where a contact slips or lifts off, or has no "
+                "drift in the sense of the torque, where the drag of the oil exceeds it: leave out rows past gross "
+                "slip and near no torque, check units and preload, or widen the bounds"
             )
         raise NoSolutionError(
             f"the best fit has no stiffness at {lost:.3g} N·m, where all spots of a contact are plastic: the joint "
