@@ -4,7 +4,8 @@
 
 One evaluation is one complete joint of an example file under its own torque: the state at rest, standing and rolling by
 Newton's method, the contacts, and the stiffness of the level. The gradient is that of one result by every number of
-the file, over the evaluation of as many joints that differ in every number. Wall times, the best of several repeats: on a shared machine they only ever err upwards.
+the file, over the evaluation of as many joints that differ in every number. Wall times, the best of several repeats:
+on a shared machine they only ever err upwards.
 """
 
 import argparse
