@@ -13,8 +13,8 @@ from asperity.joint.unfolding import SectorSizes, unfolded_joint
 
 
 def result_of(normal, tangential, rest, width, rest_tangential=0.0):
-    forces = SimpleNamespace(normal=jnp.array(normal), tangential=jnp.array(tangential))
     zeros = jnp.zeros(len(normal))
+    forces = SimpleNamespace(normal=jnp.array(normal), tangential=jnp.array(tangential), drag=zeros)
     return SimpleNamespace(
         forces=forces,
         rolling=forces,

@@ -31,7 +31,7 @@ class Wall(NamedTuple):
 
     Parameters
     ----------
-    side : float
+    side : Real
         s: +1 for contacts on the outer, -1 on the inner rim [-].
     ratio : Real
         Radius of the other rim over that of the loaded rim [-].
@@ -41,7 +41,7 @@ class Wall(NamedTuple):
         Weights of traction and displacement in the condition at the other rim, :func:`support_weights` [-].
     """
 
-    side: float
+    side: Real
     ratio: Real
     kolosov: Real
     radial: tuple[Real, Real]
@@ -254,7 +254,7 @@ def added_compliance(*, mode: Real, decay: Real, wall: Wall) -> ModeCompliance:
     )
 
 
-def components(channels: Channels, side: float) -> ModeCompliance:
+def components(channels: Channels, side: Real) -> ModeCompliance:
     r"""From the channels plus and minus to radial and tangential components.
 
     .. math:: H^{rr} = \textstyle\sum H_{\pm\pm}, \qquad H^{rt} = s\,(H_{++} - H_{--})
@@ -263,7 +263,7 @@ def components(channels: Channels, side: float) -> ModeCompliance:
     ----------
     channels : Channels
         Compliance on the channels, symmetric [-].
-    side : float
+    side : Real
         +1, or -1 where the channels belong to minus the mode number [-].
 
     Returns

@@ -117,7 +117,6 @@ def closed_kernel(*, angle: Array, plus: Real, minus: Real, sectors: Array) -> R
     Equations (E1) and (E2) of :doc:`/equations`.
     """
     numbers = jnp.broadcast_arrays(*(jnp.asarray(number, float) for number in (angle, plus, minus, sectors)))
-    zero = jnp.zeros((_CLOSED, *numbers[0].shape))
 
     def of_sector(
         index: Array, angle: Array, plus: Array, minus: Array, sectors: Array
@@ -132,7 +131,7 @@ def closed_kernel(*, angle: Array, plus: Real, minus: Real, sectors: Array) -> R
     def unfinished(index: Array, angle: Array, plus: Array, minus: Array, sectors: Array) -> Array:
         return (index < MOST_SECTORS) & (index < sectors)
 
-    straight, crossed = _summed(of_sector, unfinished, (zero, zero), numbers)
+    straight, crossed = _summed(of_sector, unfinished, (_CLOSED, _CLOSED), numbers)
     none = jnp.zeros((MOMENTS - _CLOSED, *numbers[0].shape))
     straight, crossed = jnp.concatenate([straight, none]), jnp.concatenate([crossed, none])
     return RimKernel(straight, straight, crossed)
@@ -141,39 +140,43 @@ def closed_kernel(*, angle: Array, plus: Real, minus: Real, sectors: Array) -> R
 def _summed(
     term: Callable[..., tuple[Array, ...]],
     unfinished: Callable[..., Array],
-    zero: tuple[Array, ...],
+    rows: tuple[int, ...],
     numbers: Sequence[Array],
+    fixed: tuple[Array, ...] = (),
 ) -> tuple[Array, ...]:
     """Sums of terms 0, 1, ... while any is unfinished, of numbers of one shape, with derivatives in both modes.
 
-    The sums at one place depend on the numbers at that place only.
+    A term has parts of as many ``rows``. The sums at one place depend on the numbers at that place only; ``fixed``
+    numbers follow these, without derivatives. The functions close over no array: derivatives call them later.
     """
+    count = len(numbers)
 
-    def total(*numbers: Array) -> tuple[Array, ...]:
+    def total(*given: Array) -> tuple[Array, ...]:
         def going(state: tuple[Array, tuple[Array, ...]]) -> Array:
-            return jnp.any(unfinished(state[0], *numbers))
+            return jnp.any(unfinished(state[0], *given))
 
         def added(state: tuple[Array, tuple[Array, ...]]) -> tuple[Array, tuple[Array, ...]]:
             index, sums = state
-            parts = term(index, *numbers)
+            parts = term(index, *given)
             return index + 1.0, tuple(one + part for one, part in zip(sums, parts, strict=True))
 
+        zero = tuple(jnp.zeros((size, *given[0].shape)) for size in rows)
         return jax.lax.while_loop(going, added, (jnp.zeros(()), zero))[1]
 
     of_numbers = jax.custom_jvp(total)
 
     @of_numbers.defjvp
     def derivative(primals: tuple[Array, ...], tangents: tuple[Array, ...]) -> tuple[Any, Any]:
+        moving, still = primals[:count], primals[count:]
+
         def by(number: Array) -> tuple[Any, Any]:
-            one = tuple(
-                jnp.where(number == i, jnp.ones_like(primal), 0.0) for i, primal in enumerate(primals)
-            )
-            return jax.jvp(total, primals, one)
+            one = tuple(jnp.where(number == i, jnp.ones_like(moved), 0.0) for i, moved in enumerate(moving))
+            return jax.jvp(lambda *moved: total(*moved, *still), moving, one)
 
-        sums, slopes = jax.vmap(by, out_axes=(None, 0))(jnp.arange(len(primals)))
-        return sums, jax.tree.map(lambda slope: sum(map(jnp.multiply, slope, tangents)), slopes)
+        sums, slopes = jax.vmap(by, out_axes=(None, 0))(jnp.arange(count))
+        return sums, jax.tree.map(lambda slope: sum(map(jnp.multiply, slope, tangents[:count])), slopes)
 
-    return of_numbers(*numbers)
+    return of_numbers(*numbers, *fixed)
 
 
 def walls_resolved(*, ratio: Real, sectors: Real, one_sector: bool) -> Array:
@@ -241,25 +244,26 @@ def other_rim(*, wall: Wall, angle: Array, sectors: Array, one_sector: np.ndarra
 
     def left(chunk: Array, _: Array, sectors: Array, ratio: Array, *others: Array) -> Array:
         """Share of the first mode of a chunk."""
-        return jnp.asarray(_omitted(first_of(sectors) + sectors * (_CHUNK * chunk), ratio**wall.side))
+        return jnp.asarray(_omitted(first_of(sectors) + sectors * (_CHUNK * chunk), ratio ** others[-1]))
 
     def unfinished(chunk: Array, *numbers: Array) -> Array:
         return (chunk < _CHUNKS) & (left(chunk, *numbers) > _OMITTED)
 
     def of_chunk(chunk: Array, angle: Array, sectors: Array, *of_wall: Array) -> tuple[Array, Array, Array]:
-        ratio, kolosov, radial, radial_fixed, tangential, tangential_fixed = of_wall
+        ratio, kolosov, radial, radial_fixed, tangential, tangential_fixed, side = of_wall
         index = chunk * _CHUNK + np.arange(float(_CHUNK)).reshape((-1,) + (1,) * len(shape))
         mode = first_of(sectors) + sectors * index
-        walls = Wall(wall.side, ratio, kolosov, (radial, radial_fixed), (tangential, tangential_fixed))
-        added = added_compliance(mode=mode, decay=ratio ** (wall.side * mode), wall=walls)
+        walls = Wall(side, ratio, kolosov, (radial, radial_fixed), (tangential, tangential_fixed))
+        added = added_compliance(mode=mode, decay=ratio ** (side * mode), wall=walls)
         square = -(mode**2)
         power = jnp.stack([square**order for order in range(MOMENTS)])
         cosine, sine = jnp.cos(mode * angle), jnp.sin(mode * angle)
         parts = (added.radial * cosine, added.tangential * cosine, added.coupling * sine)
         return jnp.sum(power * parts[0], 1), jnp.sum(power * parts[1], 1), jnp.sum(power * parts[2], 1)
 
-    total = _summed(of_chunk, unfinished, (jnp.zeros((MOMENTS, *shape)),) * 3, numbers)
-    converged = left(jnp.asarray(float(_CHUNKS)), *numbers) <= _OMITTED
+    side = jnp.broadcast_to(jnp.asarray(wall.side, float), shape)
+    total = _summed(of_chunk, unfinished, (MOMENTS,) * 3, numbers, (side,))
+    converged = left(jnp.asarray(float(_CHUNKS)), *numbers, side) <= _OMITTED
     total = RimKernel(*(jnp.where(converged, sectors * part, jnp.nan) for part in total))
     if not one_sector.any():
         return total
