@@ -65,29 +65,18 @@ def rolling_power(
     ----------
     branches : Real
         Number of branches of the drive [-].
-    pairs : RollerPairs
-        Its contacts.
-    conditions : RollingConditions
-        Which losses are counted.
+    pairs, conditions : RollerPairs, RollingConditions
+        Its contacts, and which losses are counted.
     state : DriveState
         Forces, creepages and drag of the oil.
     half_width : Real
         Half-widths of the contacts, shape (contacts, ...) [m]; of crowned ones the mean by load.
     speeds : RollingSpeeds
         Speeds of the bodies.
-    axial_force : Real
-        Axial forces of the contacts, shape (contacts, ...) [N].
-    lateral_creepage : Array
-        Their creepages across [-].
-    bearing_power : Array
-        Power lost in bearings and pins [W].
-    output_torque : Real
-        Torque at the output [N·m].
-
-    Returns
-    -------
-    RollingPower
-        The budget.
+    axial_force, lateral_creepage : Real, Array
+        Axial forces of the contacts, shape (contacts, ...) [N], and their creepages across [-].
+    bearing_power, output_torque : Array, Real
+        Power lost in bearings and pins [W]; torque at the output [N·m].
 
     Notes
     -----
@@ -123,12 +112,8 @@ def rolling_power(
             rolling_force=jnp.abs(state.drag), contact_length=1.0, entrainment_speed=rolling
         )
         counted = counted + oil
-    at_output = jnp.asarray(output_torque * speeds.output)
     loss = jnp.sum(counted, axis=0) + bearing_power
-    drives = at_output >= 0.0
-    entering = jnp.where(drives, at_output + loss, -at_output)
-    leaving = jnp.where(drives, at_output, -at_output - loss)
-    works = (leaving >= 0.0) & (entering > 0.0)
+    entering, leaving, efficiency = _passed(jnp.asarray(output_torque * speeds.output), loss)
     return RollingPower(
         creep=creep,
         skew=skew,
@@ -138,9 +123,19 @@ def rolling_power(
         contact=jnp.asarray(counted),
         loss=loss,
         input=entering,
-        output=jnp.where(leaving >= 0.0, leaving, jnp.nan),
-        efficiency=jnp.where(works, leaving / jnp.where(works, entering, 1.0), jnp.nan),
+        output=leaving,
+        efficiency=efficiency,
     )
+
+
+def _passed(at_output: Array, loss: Array) -> tuple[Array, Array, Array]:
+    """Powers that enter and leave [W] and the efficiency [-]; the power at the output is negative where it drives."""
+    drives = at_output >= 0.0
+    entering = jnp.where(drives, at_output + loss, -at_output)
+    leaving = jnp.where(drives, at_output, -at_output - loss)
+    works = (leaving >= 0.0) & (entering > 0.0)
+    efficiency = jnp.where(works, leaving / jnp.where(works, entering, 1.0), jnp.nan)
+    return entering, jnp.where(leaving >= 0.0, leaving, jnp.nan), efficiency
 
 
 def rolling_input_torque(

@@ -143,29 +143,12 @@ class RollingResult(eqx.Module):
 
 
 def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: DriveState) -> RollingResult:
-    """The joint that turns, from its rolling state.
+    """Drift, losses, surfaces, shakedown and life of a joint that turns; equations (B1) and (M3) of :doc:`/equations`.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-    creep : ContactCreep
-        Their creep around the forces of the rolling drive.
-    state : DriveState
-        The rolling state, its tangential forces and creepages with the sense of the drive.
-
-    Returns
-    -------
-    RollingResult
-        Drift, losses, surfaces, shakedown and life.
-
-    References
-    ----------
-    Equations (B1) and (M3) of :doc:`/equations`.
+    ``creep`` is that of its contacts around the forces of the rolling drive; tangential forces and creepages of its
+    rolling ``state`` have the sense of the drive.
     """
-    pairs, conditions, branches = contacts.pairs, joint.rolling, jnp.asarray(joint.drive.sectors)
+    pairs = contacts.pairs
     normal = jnp.where(state.normal > 0.0, state.normal, 1.0)
     traction = state.tangential / normal
     strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)
@@ -175,19 +158,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
     friction = _friction(pairs, creep, strips, normal, state.creepage)
     tracks, per_turn, lives = _lives(joint, strips, unit)
     turns_an_hour = 3600.0 * speeds.output / (2.0 * jnp.pi)
-    power = rolling_power(
-        branches=branches,
-        pairs=pairs,
-        conditions=conditions,
-        state=state,
-        half_width=strips.mean_half_width,
-        speeds=speeds,
-        axial_force=friction.axial,
-        lateral_creepage=creep.skew,
-        bearing_power=_bearing_power(joint, state),
-        output_torque=jnp.where(jnp.asarray(joint.input_speed) < 0.0, -1.0, 1.0)
-        * jnp.asarray(joint.output_torque),
-    )
+    power = _power(joint, pairs, state, strips.mean_half_width, speeds, (friction.axial, creep.skew))
     stuck, flash_temperature = _flash(joint, pairs, strips, friction, power, speeds, traction)
     pressure = jnp.asarray(
         peak_pressure(
@@ -197,13 +168,12 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         )
     )
     film, film_over_roughness = oil_film(
-        conditions=conditions,
+        conditions=joint.rolling,
         pairs=pairs,
         normal_force=strips.largest_load,
         rolling_speed=speeds.rolling,
     )
     drift = drift_per_turn(state.speed_loss)
-    unknown, no_loads = jnp.full_like(state.speed_loss, jnp.nan), jnp.zeros((0, *state.speed_loss.shape))
     result = RollingResult(
         normal=state.normal,
         tangential=state.tangential,
@@ -220,7 +190,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         skew_creepage_factor=creep.skew_factor,
         capacity_loss=friction.lost,
         axial_force=friction.axial,
-        axial_thrust=_thrust(bodies_of_contacts(joint), friction.axial, branches),
+        axial_thrust=_thrust(bodies_of_contacts(joint), friction.axial, jnp.asarray(joint.drive.sectors)),
         speed_loss=state.speed_loss,
         drift_per_output_turn=drift,
         drift_rate=_where(turns, drift * speeds.output / (2.0 * jnp.pi)),
@@ -236,16 +206,43 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         life_hours=_where(
             turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)
         ),
-        duty_life_hours=unknown,
-        duty_life_turns=unknown,
-        duty_damage_shares=no_loads,
-        duty_load_hours=no_loads,
-        duty_shakedown_ratios=no_loads,
-        duty_slip_ratios=no_loads,
         residual=state.residual,
         crown_creepage_factor=creep.crown_factor,
+        **_without_duty(state.speed_loss),
     )
     return _where(state.residual < ROLLING_TOLERANCE, result)
+
+
+def _without_duty(like: Array) -> dict[str, Array]:
+    """Results of a duty where none is stated."""
+    unknown, no_loads = jnp.full_like(like, jnp.nan), jnp.zeros((0, *like.shape))
+    lives = dict.fromkeys(("duty_life_hours", "duty_life_turns"), unknown)
+    loads = ("duty_damage_shares", "duty_load_hours", "duty_shakedown_ratios", "duty_slip_ratios")
+    return lives | dict.fromkeys(loads, no_loads)
+
+
+def _power(
+    joint: Joint,
+    pairs: RollerPairs,
+    state: DriveState,
+    half_width: Array,
+    speeds: RollingSpeeds,
+    across: tuple[Array, Array],
+) -> RollingPower:
+    """Budget of powers; ``across`` are axial forces and creepages of the contacts."""
+    sense = jnp.where(jnp.asarray(joint.input_speed) < 0.0, -1.0, 1.0)
+    return rolling_power(
+        branches=jnp.asarray(joint.drive.sectors),
+        pairs=pairs,
+        conditions=joint.rolling,
+        state=state,
+        half_width=half_width,
+        speeds=speeds,
+        axial_force=across[0],
+        lateral_creepage=across[1],
+        bearing_power=_bearing_power(joint, state),
+        output_torque=sense * jnp.asarray(joint.output_torque),
+    )
 
 
 class _Friction(NamedTuple):

@@ -71,17 +71,21 @@ def unfolded(drive: Drive, *, sectors: int, floating: tuple[str, ...] = ()) -> D
         second_radius=jnp.tile(drive.second_radius, sectors),
         push_angles=jnp.tile(drive.push_angles, sectors),
         sectors=1.0,
-        closure=Closure(
-            equal_coefficients=tuple(
-                (f"{first}_{sector + 1}", f"{second}_{sector + 1}")
-                for sector in range(sectors)
-                for first, second in drive.closure.equal_coefficients
-            ),
-            constant_pins=tuple(
-                named(body, sector) for sector in range(sectors) for body in drive.closure.constant_pins
-            ),
-        ),
+        closure=_closure_of_sectors(drive.closure, sectors),
         motion=None,
+    )
+
+
+def _closure_of_sectors(closure: Closure, sectors: int) -> Closure:
+    """The closure of every sector, with the number of the sector behind the names."""
+    numbers = range(1, sectors + 1)
+    return Closure(
+        equal_coefficients=tuple(
+            (f"{first}_{number}", f"{second}_{number}")
+            for number in numbers
+            for first, second in closure.equal_coefficients
+        ),
+        constant_pins=tuple(f"{body}_{number}" for number in numbers for body in closure.constant_pins),
     )
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Callable
+from functools import partial
 from typing import Any, NamedTuple
 
 import jax
@@ -17,8 +17,6 @@ from asperity.drive.state.equations import (
     ROLLING,
     STANDING,
     Machine,
-    Misfits,
-    Responses,
     Task,
     Unknowns,
     contact_forces,
@@ -163,10 +161,8 @@ def solved(
 
     Parameters
     ----------
-    machine : Machine
-        The drive.
-    task : Task
-        The state.
+    machine, task : Machine, Task
+        The drive and the state.
     start : Unknowns
         Where the search starts.
     slides : Array or None, optional
@@ -196,26 +192,21 @@ def solved(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    fixed_machine, fixed_task, given = jax.lax.stop_gradient((machine, task, start))
+    fixed_machine, fixed_task = jax.lax.stop_gradient((machine, task))
     nothing = tied_zeros(fixed_machine.laws.reference_force)
-    first: Unknowns = jax.tree.map(lambda leaf: leaf + nothing[0], given)
+    first: Unknowns = jax.tree.map(lambda leaf: jax.lax.stop_gradient(leaf) + nothing[0], start)
     may_slide = (jnp.asarray(task.kind) == STANDING) & ~jnp.asarray(holds)
     begin = nothing if slides is None else nothing + jax.lax.stop_gradient(slides)
     paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
 
-    def unfinished(state: _Search) -> Array:
-        return state.going
-
     def improve(state: _Search) -> _Search:
         longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
+        misfits_at = partial(state_misfits, fixed_machine, fixed_task, pressed_sectors, state.trial)
 
         def step_at(x: Unknowns) -> Unknowns:
             responses = responses_and_slopes(fixed_machine, fixed_task, x)
             slopes = state_slopes(fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses)
             return newton_step(slopes, misfits_at(x, responses.value).all, solve_in_turn)
-
-        def misfits_at(x: Unknowns, responses: Responses) -> Misfits:
-            return state_misfits(fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses)
 
         tried, last = newton(step_at, state.unknowns, positive=first.normal.size, longest=longest)
         responses = contact_responses(fixed_machine, fixed_task, *contact_forces(fixed_machine, tried))
@@ -233,7 +224,7 @@ def solved(
 
     going = (nothing[0] == 0.0) & ~jnp.asarray(known)
     start_of = _Search(first, begin, begin, begin, going, nothing[0].astype(int))
-    end = jax.lax.while_loop(unfinished, improve, start_of)
+    end = jax.lax.while_loop(lambda state: state.going, improve, start_of)
     unknowns = known_state(machine, task, end.unknowns, end.slides, pressed_sectors=pressed_sectors)
     return unknowns, end.slides
 
@@ -245,7 +236,7 @@ def known_state(
     return _known_root(pressed_sectors, unknowns, (machine, task, slides))
 
 
-@functools.partial(jax.custom_jvp, nondiff_argnums=(0,))
+@partial(jax.custom_jvp, nondiff_argnums=(0,))
 def _known_root(pressed_sectors: int, unknowns: Unknowns, given: _Given) -> Unknowns:
     return unknowns
 
