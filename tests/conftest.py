@@ -9,6 +9,7 @@ import tempfile
 from importlib.metadata import version
 from pathlib import Path
 from types import SimpleNamespace
+from typing import NamedTuple
 
 # most of the suite's time is compilation: without fused kernels it takes two thirds, and the numbers are the same;
 # XLA ends a process that gives it a flag which it does not know (any more)
@@ -198,6 +199,45 @@ def load_example():
         return module
 
     return load
+
+
+class Outcome(NamedTuple):
+    code: int
+    out: str
+    err: str
+
+
+@pytest.fixture
+def call(monkeypatch, capsys):
+    """Call the command as a shell would: exit code, standard output, standard error."""
+    from asperity.cli import main
+
+    monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
+
+    def run(*arguments) -> Outcome:
+        monkeypatch.setattr("sys.argv", ["asperity", *map(str, arguments)])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as ended:
+            main()
+        told = capsys.readouterr()
+        return Outcome(ended.value.code, told.out, told.err)
+
+    return run
+
+
+@pytest.fixture
+def joint_file(tmp_path):
+    """Maker of a joint file: the example with some of its text replaced."""
+
+    def write(*replacements: tuple[str, str]) -> Path:
+        text = FILE.read_text(encoding="utf-8")
+        for old, new in replacements:
+            assert old in text
+            text = text.replace(old, new)
+        (tmp_path / "joint.toml").write_text(text, encoding="utf-8")
+        return tmp_path / "joint.toml"
+
+    return write
 
 
 @pytest.fixture(scope="session")

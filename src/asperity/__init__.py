@@ -16,9 +16,12 @@ if TYPE_CHECKING:
     from asperity.api.calibration import calibrate
     from asperity.api.comparison import compare
     from asperity.api.design import design
+    from asperity.api.documents import draw, report
     from asperity.api.export import export_joint
     from asperity.api.joint import load
-    from asperity.api.studies import plot, sweep
+    from asperity.api.rolling import roll
+    from asperity.api.structure import dynamics, loads
+    from asperity.api.studies import plot, sensitivity, sweep, uncertainty
     from asperity.api.surface import measure_surface
     from asperity.api.windup import windup
 
@@ -27,11 +30,18 @@ _OFFERED = {
     "calibrate": "asperity.api.calibration",
     "compare": "asperity.api.comparison",
     "design": "asperity.api.design",
+    "draw": "asperity.api.documents",
+    "dynamics": "asperity.api.structure",
     "export_joint": "asperity.api.export",
     "load": "asperity.api.joint",
+    "loads": "asperity.api.structure",
     "measure_surface": "asperity.api.surface",
     "plot": "asperity.api.studies",
+    "report": "asperity.api.documents",
+    "roll": "asperity.api.rolling",
+    "sensitivity": "asperity.api.studies",
     "sweep": "asperity.api.studies",
+    "uncertainty": "asperity.api.studies",
     "windup": "asperity.api.windup",
 }
 
@@ -39,12 +49,19 @@ __all__ = [
     "calibrate",
     "compare",
     "design",
+    "draw",
+    "dynamics",
     "errors",
     "export_joint",
     "load",
+    "loads",
     "measure_surface",
     "plot",
+    "report",
+    "roll",
+    "sensitivity",
     "sweep",
+    "uncertainty",
     "windup",
 ]
 

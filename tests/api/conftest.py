@@ -17,17 +17,12 @@ def solution(joint):
 
 
 @pytest.fixture
-def printed(monkeypatch, capsys):
+def printed(call):
     """The JSON document that a command prints."""
-    from asperity.cli import main
 
     def document(*arguments):
-        monkeypatch.setattr("sys.argv", ["asperity", *map(str, arguments), "--json"])
-        capsys.readouterr()
-        with pytest.raises(SystemExit) as ended:
-            main()
-        told = capsys.readouterr()
-        assert ended.value.code == 0, told.err
+        told = call(*arguments, "--json")
+        assert told.code == 0, told.err
         return json.loads(told.out)
 
     return document

@@ -96,3 +96,32 @@ def test_one_track_of_a_listed_drive_is_one_number(zou_file):
     assert [joint[f"contact.{place}_radius"].value for place in ("1.second", "2.first", "3.first")] == [
         13.6
     ] * 3
+
+
+def test_choices_and_materials_are_words(joint):
+    changed = joint.with_values(
+        {"model.traction_split": "springs", "bodies.sun": "440C", "load.preload": "1100 N"}
+    )
+    case = changed.case
+    assert (case.model.traction_split, case.bodies["sun"], case.bodies["ring"]) == (
+        "springs",
+        "440C",
+        "steel",
+    )
+    assert changed["load.preload"].si == 1100.0
+    kept = [line.partition("#")[2] for line in joint.case.text.splitlines()]
+    assert [line.partition("#")[2] for line in case.text.splitlines()] == kept  # the comments of the file
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"model.traction_split": "spring"}, "'spring' is not one of 'springs' or 'equal_coefficients'"),
+        ({"bodies.sun": "440D"}, "there is no material '440D'"),
+        ({"bodies.moon": "440C"}, "no number 'bodies.moon'"),
+        ({"model.traction_split": 3}, "model.traction_split: expected a word, got 3"),
+    ],
+)
+def test_words_that_cannot_be(joint, changes, message):
+    with pytest.raises(InputError, match=message):
+        joint.with_values(changes)

@@ -65,3 +65,57 @@ def test_a_solution_is_drawn(solution):
 def test_wrong_axes_are_refused(joint, over, says):
     with pytest.raises(InputError, match=says):
         asperity.sweep(joint, over)
+
+
+@pytest.mark.slow
+def test_units_that_are_asked_for(joint, grid):
+    over = {"load.preload": ["800 N", "2 kN", "1000 N"], "surface.fractal_dimension": np.array([1.4, 1.5])}
+    asked = asperity.sweep(joint, over, results="stiffness", units=["kN", "N*m/arcmin"])
+    assert asked["load.preload"].values.tolist() == [0.8, 2.0, 1.0]
+    assert asked["load.preload"].attrs["units"] == "kN"
+    one, other = asked["published_stiffness_output"], grid["published_stiffness_output"]
+    assert one.attrs["units"] == "N*m/arcmin"
+    np.testing.assert_allclose(one, np.asarray(other) * np.pi / 180.0 / 60.0, rtol=1e-14)
+    pictures = [asperity.plot(data, result="published_stiffness_output") for data in (asked, grid)]
+    lines = [picture.axes[0].collections[0].get_array() for picture in pictures]
+    np.testing.assert_allclose(*lines, rtol=1e-12)
+    for unit, message in (("kg", "'kg' measures nothing here"), ("foo", "unknown unit 'foo'")):
+        with pytest.raises(InputError, match=message):
+            asperity.sweep(joint, over, results="stiffness", units=[unit])
+
+
+@pytest.mark.slow
+def test_an_elasticity_is_a_small_change_of_the_file(joint):
+    """By two joints whose preload differs by a thousandth."""
+    found = asperity.sensitivity(joint, ["assembly_stiffness_output"])
+    one, other = (
+        joint.with_values({"load.preload": f"{force} N"}).solve()["stiffness"].si for force in (999.5, 1000.5)
+    )
+    elasticity = float(found["elasticity"].sel(input="load.preload").squeeze())
+    assert elasticity == pytest.approx((other - one) / (0.5 * (one + other)) * 1000.0, rel=1e-4)
+    assert asperity.plot(found).axes
+    with pytest.raises(InputError, match="there is no result 'mass'"):
+        asperity.plot(found, result="mass")
+
+
+@pytest.mark.slow
+def test_uncertainties_are_those_of_the_command(printed, zou_file):
+    file = zou_file.with_name("tutorial_joint.toml")
+    found = asperity.uncertainty(
+        asperity.load(file), ["stiffness"], distribution="uniform", samples=256, seed=3
+    )
+    document = printed(
+        "uncertainty",
+        file,
+        "--results",
+        "stiffness",
+        "--distribution",
+        "uniform",
+        "--samples",
+        256,
+        "--seed",
+        3,
+    )
+    mean = float(found["mean"].sel(result="assembly_stiffness_output"))
+    assert document["results"]["assembly_stiffness_output"]["mean"] == mean
+    assert asperity.plot(found, result="published_stiffness_output").axes

@@ -68,7 +68,7 @@ def test_slip_that_skew_makes_in_rolling_is_told_beside_the_status(found, capsys
 
 
 def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
-    show_points(found)
+    show_points(found, {})
     lines = capsys.readouterr().out.splitlines()
     head = lines[1].split("  ")
     for text in ("preload [N]", "planet radius [mm]", "published stiffness output [N·m/rad]", "status"):
@@ -94,7 +94,7 @@ def test_results_of_contacts_have_a_column_each_and_contacts_their_names(capsys)
         },
         coords={"load.preload": [800.0, 1000.0], "contact": contacts},
     )
-    show_points(made)
+    show_points(made, {})
     rows = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert ["800", "100", "300", "500", "700", "900", "sp"] in rows  # MPa
     assert ["1000", "200", "400", "600", "800", "1000", "wlo"] in rows
@@ -110,7 +110,7 @@ def test_no_number_is_cut_where_the_columns_do_not_fit(capsys):
         | {name: (dims, np.array([value])) for name, value in zip(names, values, strict=True)},
         coords={"load.preload": [800.0]},
     )
-    show_points(made)
+    show_points(made, {})
     text = capsys.readouterr().out
     assert "…" not in text
     assert max(map(len, text.splitlines())) <= 100
@@ -134,7 +134,7 @@ def test_results_that_are_not_shown_are_named(capsys):
         },
         coords={"load.preload": [800.0], "contact": contacts},
     )
-    show_points(made)
+    show_points(made, {})
     text = capsys.readouterr().out
     assert "not shown: hertz_pressure; --out writes them all, --results chooses some" in text
     assert "torque capacity" in text
@@ -149,7 +149,7 @@ def test_bodies_that_do_not_bend_have_no_column_and_it_is_said(capsys):
         },
         coords={"load.output_torque": [5.0, 10.0], "body": ["sun", "ring"]},
     )
-    show_points(made)
+    show_points(made, {})
     text = capsys.readouterr().out
     rows = [line.split() for line in text.splitlines() if line.strip().startswith(("5", "10"))]
     assert rows == [["5", "29.66"], ["10", "28.5"]]
@@ -159,7 +159,7 @@ def test_bodies_that_do_not_bend_have_no_column_and_it_is_said(capsys):
 
 
 def test_a_column_of_statuses_stands_where_a_point_is_unsolved(found, capsys):
-    show_points(found)
+    show_points(found, {})
     assert "status" in capsys.readouterr().out
-    show_points(found.isel({"load.preload": [0]}))
+    show_points(found.isel({"load.preload": [0]}), {})
     assert "status" not in capsys.readouterr().out

@@ -98,14 +98,15 @@ class DescribedJoint(Shown):
         return assumptions(self.case)
 
     def with_values(self, changes: Mapping[str, Any]) -> DescribedJoint:
-        """The same joint with other numbers.
+        """The same joint with other numbers, choices or materials.
 
         Parameters
         ----------
         changes : mapping
             Dotted path → text with its unit, such as ``{"load.preload": "1200 N"}``, or a :class:`NamedQuantity` of
             another joint or result. A bare number is accepted only where the quantity is dimensionless. A tolerance of
-            the file stays.
+            the file stays. Choices and materials are words, ``{"model.traction_split": "springs", "bodies.sun":
+            "440C"}``.
 
         Returns
         -------
@@ -115,19 +116,26 @@ class DescribedJoint(Shown):
         Raises
         ------
         InputError
-            If there is no such number, its unit is missing or wrong, or it is outside its range.
+            If there is no such number or word, a unit is missing or wrong, or a number is outside its range.
         """
         from asperity.joint_file.edited_text import joint_file_text
         from asperity.joint_file.si_tables import check_values, key_at
+        from asperity.page.joint_request import choices_of_case
 
         if not isinstance(changes, Mapping):
             raise InputError(f"expected changes such as {{'load.preload': '1200 N'}}, got {quoted(changes)}")
-        kind = self.case.type
+        kind, choices = self.case.type, choices_of_case(self.case)
+        words = {path: given for path, given in changes.items() if path in choices}
+        for path, word in words.items():
+            if not isinstance(word, str) or not word:
+                raise InputError(f"{path}: expected a word, got {quoted(word)}")
         numbers = {
-            path: si_number(given, key_at(path, kind).dimension, name=path) for path, given in changes.items()
+            path: si_number(given, key_at(path, kind).dimension, name=path)
+            for path, given in changes.items()
+            if path not in words
         }
         check_values(numbers)
-        return self.edited(joint_file_text(self.case, numbers, comment=""))
+        return self.edited(joint_file_text(self.case, numbers, comment="", words=words))
 
     def with_surface(self, measurement: MeasuredRoughness) -> DescribedJoint:
         """The same joint with a measured surface at every contact, in terms of its contact law.

@@ -24,7 +24,7 @@ class Table:
 
     def text(self) -> str:
         """The table with columns of equal width."""
-        cells = [self.head, *self.rows]
+        cells = [tuple(cell.replace("\n", ", ") for cell in self.head), *self.rows]
         widths = [max(len(row[place]) for row in cells) for place in range(len(self.head))]
         lines = [
             "  ".join(
@@ -40,7 +40,7 @@ class Table:
         """The table as HTML, every text escaped."""
 
         def row(cells: tuple[str, ...], kind: str) -> str:
-            first, *others = (html.escape(cell) for cell in cells)
+            first, *others = (html.escape(cell).replace("\n", "<br>") for cell in cells)
             left = f'<{kind} style="text-align:left">{first}</{kind}>'
             return f"<tr>{left}{''.join(f'<{kind}>{cell}</{kind}>' for cell in others)}</tr>"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,8 +11,10 @@ from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import displayed
 from asperity.errors import InputError, quoted
-from asperity.joint_file.si_tables import key_at
-from asperity.study.datasets import require
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.si_tables import key_at, si_values
+from asperity.results import chosen_results, known_result
+from asperity.study.datasets import asked_units, in_si, in_units, require
 from asperity.study.parameters import ListedAxis, SweepAxis, parse_axis
 
 if TYPE_CHECKING:
@@ -21,7 +23,11 @@ if TYPE_CHECKING:
 
 
 def sweep(
-    joint: DescribedJoint, over: Mapping[str, Any], *, results: Sequence[str] | str = "all"
+    joint: DescribedJoint,
+    over: Mapping[str, Any],
+    *,
+    results: Sequence[str] | str = "all",
+    units: Sequence[str] = (),
 ) -> xarray.Dataset:
     """A joint on a grid of any of its numbers.
 
@@ -35,12 +41,14 @@ def sweep(
         ``"500 N:2000 N:7"``, ``"1e-10 mm:1e-8 mm:50:log"``. Bare numbers only where they are dimensionless.
     results : sequence of str or str, optional
         Results, or groups of them such as ``"stiffness"``; what is not asked for is not computed.
+    units : sequence of str, optional
+        Units in place of SI units, such as ``["N*m/arcmin", "um"]``, each for everything that it measures.
 
     Returns
     -------
     xarray.Dataset
-        One dimension an axis; coordinates and results in SI units, with ``units`` and ``long_name`` in their
-        attributes. ``status`` is 0 where a point is solved; elsewhere the results are nan.
+        One dimension an axis; coordinates and results in SI units unless others are asked for, with ``units`` and
+        ``long_name`` in their attributes. ``status`` is 0 where a point is solved; elsewhere the results are nan.
 
     Raises
     ------
@@ -57,7 +65,11 @@ def sweep(
         raise InputError(f"expected axes such as {{'load.preload': ['500 N', '1000 N']}}, got {quoted(over)}")
     kind = joint.case.type
     names = [results] if isinstance(results, str) else list(results)
-    return evaluated(joint.case, [_axis(path, values, kind) for path, values in over.items()], results=names)
+    axes = [_axis(path, values, kind) for path, values in over.items()]
+    table = results_of(si_values(joint.case))
+    computed = [table[name] for name in chosen_results(names, table=table)]
+    asked = asked_units(units, axes=axes, results=computed)
+    return in_units(evaluated(joint.case, axes, results=names), asked)
 
 
 def _axis(path: str, values: Any, kind: str | None = None) -> SweepAxis:
@@ -78,15 +90,90 @@ def _axis(path: str, values: Any, kind: str | None = None) -> SweepAxis:
     return ListedAxis(path, tuple(si_number(value, key.dimension, name=path) for value in values))
 
 
+def sensitivity(joint: DescribedJoint, results: Sequence[str] | None = None) -> xarray.Dataset:
+    """Exact derivatives and elasticities of results with respect to every number of a joint file.
+
+    Parameters
+    ----------
+    joint : DescribedJoint
+        From :func:`asperity.load`.
+    results : sequence of str, optional
+        Single results; by default those of :data:`asperity.study.tolerances.sensitivity.DEFAULT_RESULTS`.
+
+    Returns
+    -------
+    xarray.Dataset
+        As of :func:`asperity.study.tolerances.sensitivity.sensitivity`; :func:`plot` draws it.
+
+    Raises
+    ------
+    InputError
+        If there is no such result, or it has no derivatives.
+    NoSolutionError
+        If the joint has no result.
+    """
+    from asperity.study.tolerances.sensitivity import sensitivity as differentiate
+
+    require_joint(joint)
+    return differentiate(joint.case, results)
+
+
+def uncertainty(
+    joint: DescribedJoint,
+    results: Sequence[str] | None = None,
+    *,
+    distribution: str | None = None,
+    samples: int = 100_000,
+    seed: int = 0,
+    report: Callable[[int, int], Any] | None = None,
+) -> xarray.Dataset:
+    """Intervals of the results from the tolerances of a joint file, and what each tolerance contributes.
+
+    Parameters
+    ----------
+    joint : DescribedJoint
+        From :func:`asperity.load`; its file has tolerances.
+    results : sequence of str, optional
+        Results or groups of them; by default the stiffness, the torque capacity and their limits.
+    distribution : str, optional
+        For tolerances whose distribution the file does not state: ``"uniform"``, ``"triangular"`` or ``"normal K
+        sigma"``.
+    samples, seed : int, optional
+        Monte-Carlo samples, and the seed of the random numbers.
+    report : callable, optional
+        Called with the number of points done and of all points.
+
+    Returns
+    -------
+    xarray.Dataset
+        As of :func:`asperity.study.tolerances.uncertainty.uncertainty`; :func:`plot` draws it.
+
+    Raises
+    ------
+    InputError
+        If the file has no tolerances, a distribution is missing, or the joint itself has no result.
+    """
+    from asperity.joint_file.quantity_key import parse_distribution
+    from asperity.study.tolerances.uncertainty import uncertainty as propagate
+
+    require_joint(joint)
+    otherwise = None if distribution is None else parse_distribution(distribution)
+    return propagate(
+        joint.case, results=results, distribution=otherwise, samples=samples, seed=seed, report=report
+    )
+
+
 def plot(shown: Any, *, result: str | None = None) -> Figure:
-    """Draw a sweep, a Pareto front, or anything else that this package returns.
+    """Draw a sweep, sensitivities, uncertainties, a Pareto front, or anything else that this package returns.
 
     Parameters
     ----------
     shown : xarray.Dataset or result
-        What :func:`asperity.sweep` or :func:`asperity.design` returns; others are drawn by their own ``plot()``.
+        What :func:`asperity.sweep`, :func:`asperity.sensitivity`, :func:`asperity.uncertainty` or
+        :func:`asperity.design` returns; others are drawn by their own ``plot()``.
     result : str, optional
-        Which result of a sweep; by default the stiffness, on all levels if there is one axis.
+        Which result of a study; by default the first one, of a sweep the stiffness, on all levels if there is one
+        axis.
 
     Returns
     -------
@@ -99,10 +186,13 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
         If there is nothing to draw, or no such result.
     """
     if hasattr(shown, "data_vars"):
+        for kind in ("elasticity", "total_order"):
+            if kind in shown:
+                return displayed(_influences(shown, kind, result))
         if "status" in shown:
             from asperity.study.sweep.sweep_plot import sweep_figure
 
-            return displayed(sweep_figure(shown, result=result))
+            return displayed(sweep_figure(in_si(shown), result=result))
         if "design" in shown.dims:
             from asperity.results import RESULTS
             from asperity.study.design.design_plot import pareto_figure
@@ -113,3 +203,13 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
         figure: Figure = shown.plot()
         return figure
     raise InputError(f"cannot draw {quoted(type(shown).__name__)}; expected a sweep, a solution or a wind-up")
+
+
+def _influences(shown: xarray.Dataset, kind: str, result: str | None) -> Figure:
+    """A tornado plot of elasticities, or the histogram and Sobol indices of one result."""
+    from asperity.study.tolerances.influence_plot import tornado_figure, uncertainty_figure
+
+    names = shown["result"].values.tolist()
+    asked = known_result(result, among=names) if result else names[0]
+    draw: Callable[..., Figure] = tornado_figure if kind == "elasticity" else uncertainty_figure
+    return draw(shown, result=asked)

@@ -18,15 +18,10 @@ def compare(one: str, other: str, as_json: bool, in_full: bool) -> None:
     """What differs between the joints in ONE and OTHER: what the files say, and what comes out."""
     prepare_computation()
     from asperity.api.comparison import compare as compared
-    from asperity.cli.terminal import console, show_table
+    from asperity.cli.document_text import show_parts
 
     comparison = compared(one, other)
     if as_json:
         print_json(comparison.document())
         return
-    target = console()
-    for part in comparison.tables(in_full=in_full):
-        if isinstance(part, str):
-            target.print(part)
-        else:
-            show_table(target, part.title, part.head, part.rows)
+    show_parts("", comparison.tables(in_full=in_full))

@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 import textwrap
 from collections import Counter
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from asperity.cli.terminal import table
+from asperity.cli.terminal import console, show_table, table
 from asperity.results.branch_document import deviations, force_size
 from asperity.results.document import crossed_limits, input_member, law_range_words
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from rich.console import Console
+
+    from asperity.api.shown import Table
 
 
 Document = dict[str, Any]
@@ -47,6 +50,18 @@ def print_wrapped(target: Console, text: str, *, indent: int, style: str | None 
         soft_wrap=True,
         style=style,
     )
+
+
+def show_parts(heading: str, parts: Iterable[str | Table]) -> None:
+    """Print a heading, if there is one, then tables and sentences in their order."""
+    target = console()
+    if heading:
+        target.print(f"{heading}\n", markup=False)
+    for part in parts:
+        if isinstance(part, str):
+            print_wrapped(target, part, indent=2)
+        else:
+            show_table(target, part.title, part.head, part.rows)
 
 
 def show_heading(target: Console, document: Document, source: str) -> None:

@@ -65,8 +65,11 @@ def status_counts(dataset: xarray.Dataset) -> dict[int, int]:
     return counts
 
 
-def show_points(dataset: xarray.Dataset) -> None:
-    """Print the points of a small sweep: coordinates, results (main ones, if many), status where one is unsolved."""
+def show_points(dataset: xarray.Dataset, asked_units: dict[str, str]) -> None:
+    """Print the points of a small sweep: coordinates, results (main ones, if many), status where one is unsolved.
+
+    ``asked_units`` of axes and results by their names; the others have those of every table.
+    """
     from asperity.cli.terminal import console, table
     from asperity.joint.status import STATUS_NAMES
     from asperity.joint_file.si_tables import key_at
@@ -82,6 +85,7 @@ def show_points(dataset: xarray.Dataset) -> None:
     if sum(map(len, of_result.values())) > _MOST_COLUMNS:
         chosen = [name for name in _SHOWN if name in dataset] or asked[:1]
     units = {path: key_at(path).unit for path in axes}
+    units |= {name: RESULTS[name].display_unit for name in asked} | asked_units
     places = list(itertools.islice(np.ndindex(dataset["status"].shape), _MOST_ROWS))
     at = [dict(zip(axes, place, strict=True)) for place in places]
     absent = {
@@ -103,8 +107,8 @@ def show_points(dataset: xarray.Dataset) -> None:
         for path in axes
     }
     cells = {
-        f"{row_name(name, row).replace('_', ' ')}{_unit(RESULTS[name].display_unit)}": [
-            _cell(values.isel(point), RESULTS[name]) for point in at
+        f"{row_name(name, row).replace('_', ' ')}{_unit(units[name])}": [
+            _cell(values.isel(point), RESULTS[name], units[name]) for point in at
         ]
         for name, row, values in columns
     }
@@ -167,7 +171,7 @@ def _unit(unit: str) -> str:
     return "" if unit == "1" else f" [{unit.replace('*', '·')}]"
 
 
-def _cell(one: xarray.DataArray, result: Result) -> str:
+def _cell(one: xarray.DataArray, result: Result, unit: str) -> str:
     """A value in the unit of the column; a category by its name."""
     from asperity.units import format_quantity, from_si
 
@@ -176,4 +180,4 @@ def _cell(one: xarray.DataArray, result: Result) -> str:
         return "-"
     if result.categories:
         return str(one.attrs["categories"]).split(" ")[int(value)]
-    return format_quantity(from_si(value, result.display_unit), "1", 5)
+    return format_quantity(from_si(value, unit), "1", 5)

@@ -14,8 +14,6 @@ from asperity.writing import check_image
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    import xarray
-
     from asperity.results import Result
 
 
@@ -45,6 +43,12 @@ if TYPE_CHECKING:
     help="Where to write: a folder .zarr (any size, can be continued after an interruption) or a file .nc, "
     ".parquet or .csv.",
 )
+@click.option(
+    "--units",
+    metavar="UNITS",
+    help="Units of what is printed and of the file, separated by commas, e.g. 'N*m/arcmin,um,MPa'; each for everything "
+    "that it measures. By default a file is in SI units. A folder .zarr always is.",
+)
 @click.option("--overwrite", is_flag=True, help="Replace what an earlier run has written to --out.")
 @plot_option_of("sweep.png", "Draw the sweep to an image, sweep.png if no name is given.")
 @click.option("--plot-result", metavar="NAME", help="Which result to draw instead of the stiffness.")
@@ -72,6 +76,7 @@ def sweep(
     axes: tuple[str, ...],
     results: str,
     out: str | None,
+    units: str | None,
     overwrite: bool,
     plot: str | None,
     plot_result: str | None,
@@ -93,20 +98,24 @@ def sweep(
 
     case = read_case_of_branches(file)
     prepare_computation()
+    from asperity.cli.study_output import show_points, show_status
     from asperity.cli.terminal import about, progress_bar
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values
     from asperity.results import chosen_results
-    from asperity.study.datasets import check_table_path, write_table
+    from asperity.study.datasets import asked_units, check_table_path, in_units, write_table
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
     from asperity.study.sweep.sweep_map import parse_limit
 
     kind, table = case.type, results_of(si_values(case))
     grid = [parse_axis(axis, kind=kind) for axis in axes]
-    names = [name.strip() for name in results.split(",") if name.strip()]
-    chosen_results(names, table=table)
+    names = _listed(results)
+    computed = [table[name] for name in chosen_results(names, table=table)]
     streamed = out is not None and Path(out).suffix == ".zarr"
+    if units is not None and streamed:
+        raise InputError("--units: a folder .zarr is in SI units; write .nc, .parquet or .csv for others")
+    shown_units = asked_units(_listed(units), axes=grid, results=computed)
     if out is not None and not streamed:
         check_table_path(out, overwrite=overwrite)
     check_image(plot)
@@ -139,12 +148,21 @@ def sweep(
             say(f"the finished blocks are kept in {out}; the same command continues from there")
         raise
     if out is not None and not streamed:
-        write_table(dataset, out)
+        write_table(in_units(dataset, shown_units), out)
     if plot is not None:
         from asperity.study.sweep.sweep_plot import sweep_figure
 
         save_image(sweep_figure(dataset, result=plot_result, limits=drawn), plot)
-    _show(dataset, out)
+    show_status(dataset)
+    if out is None:
+        show_points(dataset, shown_units)
+    else:
+        say_written(out)
+
+
+def _listed(text: str | None) -> list[str]:
+    """Words between commas."""
+    return [word.strip() for word in (text or "").split(",") if word.strip()]
 
 
 def _check_plot_result(
@@ -162,14 +180,3 @@ def _check_plot_result(
             f"{option} '{name}' is not among the results that are computed, {', '.join(computed)}; ask for it "
             "by --results"
         )
-
-
-def _show(dataset: xarray.Dataset, out: str | None) -> None:
-    """The points of a small sweep, or a summary."""
-    from asperity.cli.study_output import show_points, show_status
-
-    show_status(dataset)
-    if out is None:
-        show_points(dataset)
-    else:
-        say_written(out)

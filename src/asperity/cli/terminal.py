@@ -43,14 +43,13 @@ _IN_ASCII = {
     "≥": ">=",
     "…": "...",
 }
-#: Options of a title block, and their longest text.
+#: Options of a title block.
 _TITLE = {
     "project": "Project for the title block; nothing is filled in without it, as for the next three.",
     "part": "Number or name of the part for the title block.",
     "revision": "Revision for the title block.",
     "date": "Date for the title block.",
 }
-_LONGEST_TITLE = 60
 
 
 def _spell_out(error: UnicodeError) -> tuple[str, int]:
@@ -354,9 +353,6 @@ def title_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 def title_of(stated: dict[str, str]) -> Title:
     """The title block of these options, or a refusal of one that is too long."""
-    from asperity.show.title_block import Title
+    from asperity.show.title_block import stated_title
 
-    for name, text in stated.items():
-        if len(text) > _LONGEST_TITLE:
-            raise InputError(f"--{name}: at most {_LONGEST_TITLE} characters, got {len(text)}")
-    return Title(**stated)
+    return stated_title(stated, option="--")

@@ -53,12 +53,15 @@ def exact_text(value_si: float, key: Key) -> str:
     return next((text for text in texts if parse_quantity(text, key.dimension) == value_si), texts[-1])
 
 
-def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str) -> str:
+def joint_file_text(
+    case: AnyCase, changes: Mapping[str, float], *, comment: str, words: Mapping[str, str] | None = None
+) -> str:
     """The TOML of a joint file with its comments, where some numbers are replaced: dotted path → new value [SI].
 
     A number that has a tolerance keeps it, with its distribution. An entry of a library file of the user's is replaced
     by its numbers, because its path would be wrong in another folder, and where numbers change, an Rz by the range of
-    Ra that it was read as. ``comment``: lines for the head of the file, without the comment sign.
+    Ra that it was read as. ``comment``: lines for the head of the file, without the comment sign. ``words``: choices
+    and materials by their paths, which are for the caller to check.
     """
     stated, values = numeric_keys(case), si_values(case)
     kind = type_of(values)
@@ -71,9 +74,11 @@ def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str
     original = case.text or tomlkit.dumps(_texts(case))
     if changes or comment:
         original = _EARLIER_VERDICTS.sub(r"\1", original)
-    text = _edited(original, case, written)
-    if not _says(text, wanted):  # a layout that cannot be edited in place: the same content without comments
-        text = _edited(tomlkit.dumps(_texts(case)), case, written)
+    text = _edited(original, case, written, words or {})
+    if not words and not _says(
+        text, wanted
+    ):  # a layout that cannot be edited in place: the same content without comments
+        text = _edited(tomlkit.dumps(_texts(case)), case, written, {})
     return _with_head(text, comment)
 
 
@@ -97,7 +102,7 @@ def _written(key: Key, value: float, stated: NumericKey | None) -> float | str:
     return f"{text} +- {exact_text(tolerance, key)}{distribution}"
 
 
-def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str:
+def _edited(text: str, case: AnyCase, written: Mapping[str, float | str], words: Mapping[str, str]) -> str:
     document = tomlkit.parse(text)
     for name, entry in document.get("materials", {}).items():
         if "file" in entry:
@@ -128,6 +133,7 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
             exact_text(radius.radius, key_at(f"drive.{radius.name}", case.type)),
         )
     set_texts(document, written)
+    set_words(document, words)
     return tomlkit.dumps(document)
 
 

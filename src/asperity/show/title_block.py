@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import asperity
-from asperity.errors import printable
+from asperity.errors import InputError, printable, quoted
 from asperity.show.sheet import TEXT_HEIGHT, TITLE_HEIGHT, Circle, Item, Line, Point, Text, scale_text
 from asperity.show.sheet_figure import text_width
 
@@ -25,6 +25,21 @@ class Title(NamedTuple):
     date: str = ""
     material: str = ""
     sheet: str = "1 of 1"
+
+
+_STATED = ("project", "part", "revision", "date")
+_LONGEST = 60
+
+
+def stated_title(stated: Mapping[str, str], *, option: str = "") -> Title:
+    """A title block from its texts by name, or a refusal, which has ``option`` before the name."""
+    for name, text in stated.items():
+        if name not in _STATED:
+            raise InputError(f"a title block has no '{name}'; it has {', '.join(_STATED)}")
+        if not isinstance(text, str) or len(text) > _LONGEST:
+            size = f"{len(text)}" if isinstance(text, str) else quoted(text)
+            raise InputError(f"{option}{name}: at most {_LONGEST} characters, got {size}")
+    return Title(**stated)
 
 
 def frame(on_paper: Callable[[float, float], Point], width: float, height: float) -> Item:

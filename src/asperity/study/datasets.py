@@ -13,8 +13,10 @@ from asperity.errors import InputError
 from asperity.extras import optional_module
 from asperity.joint.status import STATUS_NAMES, flag_attributes
 from asperity.joint_file.si_tables import key_at
-from asperity.results import Result, row_name
+from asperity.results import RESULTS, Result, row_name
 from asperity.study.parameters import SweepAxis, long_name
+from asperity.unit_table import Dimension
+from asperity.units import from_si, parse_quantity
 from asperity.writing import check_folder, replacing
 
 if TYPE_CHECKING:
@@ -120,6 +122,65 @@ def dataset(
         variables[name] = ((*row_dimensions(table[name]), *dimensions), value, result_attributes(table[name]))
     coords = {**coordinates, **row_coordinates(table[name] for name in result_values)}
     made: xarray.Dataset = xr.Dataset(variables, coords=coords, attrs=dict(attributes))
+    return made
+
+
+def asked_units(
+    units: Iterable[str], *, axes: Iterable[SweepAxis], results: Iterable[Result]
+) -> dict[str, str]:
+    """Name of an axis or a result → the unit in which it is asked for, the last one that measures it.
+
+    An ``InputError`` for a unit that is unknown or measures none of them.
+    """
+    dimensions = {axis.path: key_at(axis.path).dimension for axis in axes}
+    dimensions |= {result.name: result.dimension for result in results if not result.categories}
+    chosen: dict[str, str] = {}
+    for unit in units:
+        from_si(1.0, unit)  # raises if it is unknown
+        fitting = [name for name, dimension in dimensions.items() if _measures(unit, dimension)]
+        if not fitting:
+            si = dict.fromkeys(d.si_unit for d in dimensions.values() if d is not Dimension.DIMENSIONLESS)
+            raise InputError(
+                f"the unit '{unit}' measures nothing here; in SI the numbers are in {', '.join(si)}"
+            )
+        chosen |= dict.fromkeys(fitting, unit)
+    return chosen
+
+
+def _measures(unit: str, dimension: Dimension) -> bool:
+    if dimension is Dimension.DIMENSIONLESS and unit != "%":
+        return False
+    try:
+        parse_quantity(f"1 {unit}", dimension)
+    except InputError:
+        return False
+    return True
+
+
+def in_units(dataset: xarray.Dataset, units: Mapping[str, str]) -> xarray.Dataset:
+    """The same dataset with some of its axes and results in other units: name → unit."""
+    converted = {}
+    for name, unit in units.items():
+        variable = dataset[name]
+        numbers = from_si(variable.values, unit)
+        converted[name] = (variable.dims, numbers, {**variable.attrs, "units": unit})
+    axes = {name: values for name, values in converted.items() if name in dataset.coords}
+    return dataset.assign({n: v for n, v in converted.items() if n not in axes}).assign_coords(axes)
+
+
+def in_si(dataset: xarray.Dataset) -> xarray.Dataset:
+    """A dataset of :func:`in_units` in SI units again."""
+    named = {str(name): dataset[name].attrs.get("units") for name in (*dataset.coords, *dataset.data_vars)}
+    changed = {}
+    for name, unit in named.items():
+        if unit is not None and name != "status":
+            si = RESULTS[name].si_unit if name in RESULTS else key_at(name).dimension.si_unit
+            if unit != si:
+                changed[name] = (unit, si)
+    made = dataset.copy()
+    for name, (unit, si) in changed.items():
+        variable = dataset[name]
+        made[name] = (variable.dims, variable.values / from_si(1.0, unit), {**variable.attrs, "units": si})
     return made
 
 

@@ -43,7 +43,7 @@ def tornado_figure(
     result : str
         Which result orders the inputs.
     panels : tuple of str, optional
-        Results that stand beside it in the same order.
+        Results that stand beside it in the same order, where they are known.
     width : float, optional
         Width of the figure [in]; by default it grows with the number of panels.
 
@@ -61,7 +61,8 @@ def tornado_figure(
 
     ranked = ranking(sensitivities, result)
     order = ranked["input"].values[:_BARS]
-    shown = [result, *(name for name in panels if name != result)]
+    known = sensitivities["result"].values.tolist()
+    shown = [result, *(name for name in panels if name != result and name in known)]
     bar = 0.32 if width is None else 0.22
     figure = Figure(figsize=(width or 4.5 + 3.0 * len(shown), 1.6 + bar * len(order)), layout="constrained")
     drawn = figure.subplots(1, len(shown), sharey=True, squeeze=False)[0]

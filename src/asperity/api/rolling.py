@@ -1,0 +1,110 @@
+"""A joint that turns, in a script: drift, losses and life."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from asperity.api.joint import DescribedJoint, require_joint
+from asperity.api.shown import Table, displayed
+from asperity.api.solution import JointSolution
+from asperity.joint.solve import refuse_no_rolling
+from asperity.joint_file.solved_document import solved_case
+from asperity.results.position_rows import position_rows
+from asperity.results.table import GROUPS
+from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_WIDTH = 10.0  # of the picture [in]
+#: Groups of results about a joint that turns.
+_GROUPS = ("rolling", "losses", "life")
+
+
+def roll(joint: DescribedJoint) -> JointRolling:
+    """Drift, losses, axial thrust and life of a joint that turns.
+
+    Parameters
+    ----------
+    joint : DescribedJoint
+        From :func:`asperity.load`.
+
+    Returns
+    -------
+    JointRolling
+        All results with names and units, as :class:`asperity.api.solution.JointSolution` has them.
+
+    Raises
+    ------
+    InputError
+        If the rollers do not fit, or the output torque is beyond the torque capacity.
+    NoSolutionError
+        If the force balance does not close, or the joint does not roll steadily.
+    """
+    require_joint(joint)
+    solved = solved_case(joint.case)
+    refuse_no_rolling(solved.joint, solved.solution)
+    return JointRolling(joint.case, solved, source=joint.source, summary=joint.summary)
+
+
+class JointRolling(JointSolution):
+    """A solved joint, printed and drawn as one that turns."""
+
+    def plot(self) -> Figure:
+        """Draw creep curves, efficiency, drift and life.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A notebook shows it; elsewhere call its ``savefig``.
+        """
+        from asperity.rolling.curves import rolling_curves
+        from asperity.show.rolling_figure import rolling_figure
+        from asperity.show.style import plain_title
+
+        joint, result = self._solved.joint, self._solved.result
+        capacity = self.document["rolling"]["torque_capacity_Nm"]  # None where friction does not limit it
+        curves = rolling_curves(
+            joint=joint,
+            result=result,
+            laws=self.solution.laws,
+            torque_capacity=math.copysign(
+                math.inf if capacity is None else capacity, float(joint.output_torque)
+            ),
+        )
+        title = f"{plain_title(self._source)} in rolling"
+        return displayed(rolling_figure(curves, result.rolling, joint=joint, title=title, width=_WIDTH))
+
+    def _parts(self) -> list[str | Table]:
+        position = [
+            (
+                f"{row.label}: {row.meaning}",
+                "–" if row.value is None else format_quantity(row.value, row.unit),
+            )
+            for row in position_rows(self.document)
+        ]
+        return [
+            self._summary,
+            Table(("quantity", "value"), position, "Position of the output"),
+            *self._rolling_tables(),
+            *self._limit_parts(),
+        ]
+
+    def _rolling_tables(self) -> list[str | Table]:
+        """Known results of the joint that turns: those of the whole joint, then one table for each kind of part."""
+        by_rows: dict[tuple[str, ...], list[tuple[str, ...]]] = {(): []}
+        for name in (name for group in _GROUPS for name in GROUPS[group] if name in self):
+            quantity = self[name]
+            if not np.all(np.isnan(quantity.si)):
+                singles = quantity.singles()
+                shown = ("–" if np.isnan(single.si) else str(single) for single in singles)
+                by_rows.setdefault(quantity.rows, []).append((quantity.label, *shown))
+        whole = Table(("result", "value"), by_rows.pop(()), "The joint that turns")
+        parts = (
+            Table(("result", *(part.replace("_", " ") for part in rows)), lines)
+            for rows, lines in by_rows.items()
+        )
+        return [whole, *parts]

@@ -1,0 +1,67 @@
+"""Loads, vibrations and rolling from a script: the numbers of the commands, by formulas where there are short ones."""
+
+import numpy as np
+import pytest
+
+import asperity
+from asperity.errors import InputError
+
+INERTIAS = '[dynamics]\ninput_inertia = "2e-5 kg*m^2"\noutput_inertia = "0.05 kg*m^2"\n'
+
+
+@pytest.mark.slow
+def test_loads_are_those_of_the_command(joint, printed, zou_file):
+    carried = asperity.loads(joint)
+    assert carried.document == printed("loads", zou_file)
+    frame = carried.to_frame()
+    pins = frame[frame["load"] == "torque of all pins"].iloc[0]
+    assert pins["working torque, 5 N·m, 6000 rpm"] == pytest.approx(-5.0)
+    assert pins["unit"] == "N*m"
+    shown = repr(carried)
+    assert "working torque, 5 N·m, 6000 rpm" in shown
+    assert "working torque<br>5 N·m" in carried._repr_html_()
+
+
+@pytest.mark.slow
+def test_frequencies_are_those_of_a_spring_and_two_inertias(joint, printed, joint_file):
+    vibrates = asperity.load(joint_file(("[surface]", f"{INERTIAS}\n[surface]")))
+    found = asperity.dynamics(vibrates)
+    at = found.document["at_torque"]
+    spring, motor, load = (
+        at[key]
+        for key in (
+            "stiffness_output_Nm_per_rad",
+            "input_inertia_at_output_kg_m2",
+            "output_inertia_kg_m2",
+        )
+    )
+    assert at["locked_frequency_Hz"] == pytest.approx(np.sqrt(spring / load) / (2.0 * np.pi))
+    assert at["free_frequency_Hz"] == pytest.approx(np.sqrt(spring / load + spring / motor) / (2.0 * np.pi))
+    assert found.document == printed("dynamics", vibrates.source)
+    assert next(iter(found.to_frame())) == "frequency_Hz"
+    assert "No dynamics.loss_factor" in repr(found)
+    assert asperity.plot(found).axes
+
+
+def test_inertias_are_needed(joint):
+    with pytest.raises(InputError, match=r"has no section \[dynamics\]"):
+        asperity.dynamics(joint)
+
+
+@pytest.mark.slow
+def test_rolling_has_the_results_of_the_joint(joint, solution, printed, zou_file):
+    rolling = asperity.roll(joint)
+    assert rolling.document == printed("roll", zou_file)
+    for name in ("efficiency", "rolling_drift"):
+        assert rolling[name].si == solution[name].si
+    shown = repr(rolling)
+    assert shown.index("drift per output turn") < shown.index("efficiency")
+    assert "nan" not in shown
+    assert "adds up with every turn and does not come back" in shown
+    assert asperity.plot(rolling).axes
+
+
+def test_a_joint_is_asked_for():
+    for ask in (asperity.loads, asperity.dynamics, asperity.roll, asperity.sensitivity, asperity.uncertainty):
+        with pytest.raises(InputError, match="expected a joint"):
+            ask("joint.toml")
