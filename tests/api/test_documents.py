@@ -39,7 +39,7 @@ def test_a_report_is_that_of_the_command(joint, call, zou_file, tmp_path):
         (asperity.draw, "a.svg", {"title": {"part": "x" * 61}}, "part: at most 60 characters, got 61"),
         (asperity.draw, "no/a.svg", {}, "no"),
         (asperity.report, "a.txt", {}, "must end in .html or .pdf"),
-        (asperity.report, "a.html", {"distribution": "uniform"}, "belongs to the tolerances"),
+        (asperity.report, "a.html", {"distribution": "uniform"}, "belongs to tolerances=True"),
     ],
 )
 def test_refusals(joint, tmp_path, write, name, options, message):

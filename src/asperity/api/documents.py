@@ -204,7 +204,7 @@ def report(
     out, case = Path(path), joint.case
     check_report(out, joint.source, *surfaces, *([design] if design else []))
     if distribution is not None and not tolerances:
-        raise InputError("a distribution belongs to the tolerances, --tolerances")
+        raise InputError("a distribution belongs to tolerances=True")
     watched = progress or (lambda what: nullcontext(lambda done, total: None))
     measured = None
     texts: tuple[str, ...] = ()

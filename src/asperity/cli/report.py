@@ -12,6 +12,7 @@ from asperity.cli.terminal import (
     title_of,
     title_options,
 )
+from asperity.errors import InputError
 
 
 @click.command()
@@ -64,6 +65,8 @@ def report(
 
     check_report(out, file, *surfaces, *([design_file] if design_file else []))
     title_of(stated)
+    if distribution is not None and not tolerances:
+        raise InputError("--distribution belongs to --tolerances")
     case = read_case(file)
     prepare_computation()
     from asperity.api.documents import report as reported
