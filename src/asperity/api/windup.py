@@ -181,13 +181,14 @@ class JointWindup(Shown):
         matplotlib.figure.Figure
             A notebook shows it; elsewhere call its ``savefig``.
         """
+        from asperity.show.style import plain_title
         from asperity.show.windup_figure import windup_figure
 
         return displayed(
             windup_figure(
                 self.curve,
                 self.onset,
-                title=f"Wind-up of {self.joint.source}, {self.level} stiffness",
+                title=f"Wind-up of {plain_title(self.joint.source)}, {self.level} stiffness",
                 capacities=windup_capacities(self.document),
             )
         )

@@ -86,55 +86,42 @@ def windup(
     check_file(rolling_file, file)
     check_image(plot_file)
     case = read_case_of_branches(file)
-    from asperity.unit_table import Dimension
+    if torque is not None:
+        from asperity.unit_table import Dimension
 
-    asked = None if torque is None else read_option("torque", torque, Dimension.TORQUE)
+        read_option("torque", torque, Dimension.TORQUE)  # refuses what is no torque
     first, second = stages
     if not 0.0 < first < second < 1.0:
         raise InputError(f"--stages {first:g} {second:g}: allowed are two shares with 0 < first < second < 1")
     if not 0.0 < creep_share < float("inf"):
         raise InputError(f"--creep-share {creep_share:g}: allowed is a number above 0, e.g. 0.05")
     prepare_computation()
-    from asperity.joint_file.own_branches import with_own_branches
-    from asperity.results.windup_document import (
-        examined_windup,
-        rolling_columns,
-        windup_capacities,
-        windup_columns,
-        windup_document,
-        windup_onsets,
-    )
+    from asperity.api.joint import DescribedJoint
+    from asperity.api.windup import windup as wound_up
+    from asperity.results.windup_document import rolling_columns, windup_columns
 
-    with about(file):
-        joint = with_own_branches(case)
-        with about_torque(torque):
-            curve, solutions = examined_windup(
-                joint,
-                largest_torque=asked,
-                level=level,  # type: ignore[arg-type]
-                stage_shares=stages,
-            )
-    onsets = windup_onsets(joint, curve, solutions, creep_share=creep_share)
-    document = windup_document(joint, curve, solutions, onsets, level=level)  # type: ignore[arg-type]
+    with about(file), about_torque(torque):
+        wound = wound_up(
+            DescribedJoint(case, file),
+            torque=torque,
+            level=level,  # type: ignore[arg-type]
+            stages=stages,
+            creep_share=creep_share,
+        )
     if csv_file:
-        write_columns(windup_columns(curve), csv_file)
+        write_columns(windup_columns(wound.curve), csv_file)
         say_written(csv_file)
     if rolling_file:
-        if onsets[0] is None:
-            raise InputError(f"--rolling-csv: {document['rolling']['unknown_because'][0]}")
-        write_columns(rolling_columns(onsets[0]), rolling_file)
+        if wound.onset is None:
+            raise InputError(f"--rolling-csv: {wound.document['rolling']['unknown_because'][0]}")
+        write_columns(rolling_columns(wound.onset), rolling_file)
         say_written(rolling_file)
     if plot_file:
-        from asperity.show.style import plain_title
-        from asperity.show.windup_figure import windup_figure
-
-        title = f"Wind-up of {plain_title(file)}, {level} stiffness"
-        limits = windup_capacities(document)
-        save_image(windup_figure(curve, onsets[0], title=title, capacities=limits), plot_file)
+        save_image(wound.plot(), plot_file)
     if as_json:
-        print_json(document)
+        print_json(wound.document)
         return
-    _show(document, file)
+    _show(wound.document, file)
 
 
 def _show(document: dict[str, Any], file: str) -> None:

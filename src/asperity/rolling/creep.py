@@ -73,19 +73,8 @@ def contact_creep(
         \kappa = \frac{\mu a}{R\sqrt N}\, f_{layer}(s, q)\, f_{skew}(q, \gamma), \qquad
         s = \frac{\pi E^* B}{4 K_n}
 
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts of a joint.
-    skew : tuple of Real or None
-        Angles by which the axes are out of parallel, one or one for each contact [rad]; None for parallel axes.
-    normal_force, tangential_force : Array
-        Forces under which the law is taken, shape (contacts, ...) [N].
-
-    Returns
-    -------
-    ContactCreep
-        The law under these forces.
+    ``skew``: angles by which the axes are out of parallel [rad], None for parallel ones; the law under these forces of
+    the contacts [N]. Equations (A6), (B1), (B3) and (B4) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
 
     Notes
     -----
@@ -95,10 +84,6 @@ def contact_creep(
     direction the same asperities lie on bodies that are softer in the ratio of the creepages at gross slip. The slices
     of a crowned contact share one creepage; their widths give one more factor, and the layer's is then that on all. In
     a skewed contact the factors are those at the slip ratio of both forces together, which sets the zone that slips.
-
-    References
-    ----------
-    Equations (A6), (B1), (B3) and (B4) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
     """
     stiffness = rough_joint_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)

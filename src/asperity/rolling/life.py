@@ -48,27 +48,12 @@ def track_lives(*, pairs: RollerPairs, half_width: Real, peak_pressure: Real) ->
 
 
 def sliced_track_lives(*, pairs: RollerPairs, lines: CrownedLine, peak_pressure: Array) -> Array:
-    r"""The same of crowned contacts, each slice with its own pressure.
+    r"""The same of crowned contacts, each slice with its own pressure, shape (slices, contacts, ...) [Pa].
 
     .. math:: L = \Bigl(\sum_j L_j^{-e}\Bigr)^{-1/e}
 
-    Parameters
-    ----------
-    pairs : RollerPairs
-        The contacts.
-    lines : CrownedLine
-        Loads along them.
-    peak_pressure : Array
-        Of the slices, shape (slices, 5, ...) [Pa].
-
-    Returns
-    -------
-    Array
-        Stress cycles, shape (2, 5, ...) [-].
-
-    References
-    ----------
-    Equations (B7) and (B8) of :doc:`/equations`: the stressed volumes of the slices add.
+    Stress cycles, shape (2, contacts, ...) [-]: the stressed volumes of the slices add, equations (B7) and (B8) of
+    :doc:`/equations`.
     """
     lives = track_lives(pairs=pairs, half_width=lines.half_width, peak_pressure=peak_pressure)
     shortest = jnp.min(lives, axis=1)
@@ -133,28 +118,12 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
 
 
 def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> Array:
-    r"""Share of the failures of a drive that begin on each track, all branches together.
+    r"""Share of the failures of a drive that begin on each track, all branches together, shape (2, contacts, ...) [-].
 
     .. math:: s_i = \frac{n_i L_i^{-e}}{\sum_k n_k L_k^{-e}}
 
-    Parameters
-    ----------
-    bodies : BodiesOfContacts
-        Bodies of the contacts.
-    tracks : Real
-        Lives of the tracks as for :func:`drive_lives`, shape (2, contacts, ...).
-    planet_count : Real
-        Number of branches n [-].
-
-    Returns
-    -------
-    Array
-        Shares, shape (2, contacts, ...) [-]; they add up to 1. nan where no track fails.
-
-    References
-    ----------
-    Weibull lives of one slope: the hazards of the tracks are in this ratio at any time. Equation (B8) of
-    :doc:`/equations`.
+    From the lives of the tracks as for :func:`drive_lives`; nan where no track fails. The hazards of Weibull lives of
+    one slope are in this ratio at any time. Equation (B8) of :doc:`/equations`.
     """
     lives = _on_shared_tracks(bodies, jnp.asarray(tracks))
     shortest = jnp.min(lives, axis=(0, 1))

@@ -141,27 +141,13 @@ def _passed(at_output: Array, loss: Array) -> tuple[Array, Array, Array]:
 def rolling_input_torque(
     *, power: RollingPower, output_torque: Real, output_speed: Real, input_speed: Real
 ) -> Array:
-    r"""Torque at the input in rolling, all losses counted: what a motor needs.
+    r"""Torque at the input in rolling [N·m], all losses counted: what a motor needs.
 
     .. math:: T_{in} = \frac{T_{out}\,\omega_{out} + P_{loss}}{\omega_{in}}
 
-    Parameters
-    ----------
-    power : RollingPower
-        Losses of the joint.
-    output_torque : Real
-        Torque at the output [N·m].
-    output_speed, input_speed : Real
-        Angular velocities of output, reduced by creep, and input; only their sizes count [rad/s].
-
-    Returns
-    -------
-    Array
-        In the sense of rotation; negative where the output torque drives the input [N·m]. nan where the input stands.
-
-    References
-    ----------
-    Balance of powers; the losses are those of equations (B3) and (B9) of :doc:`/equations`.
+    In the sense of rotation; negative where the output torque drives the input, nan where the input stands. Of the
+    angular velocities [rad/s] only the sizes count; that of the output is reduced by creep. Balance of powers, with the
+    losses of equations (B3) and (B9) of :doc:`/equations`.
     """
     xp = namespace(power.loss, output_torque, output_speed, input_speed)
     speed = xp.abs(xp.asarray(input_speed))

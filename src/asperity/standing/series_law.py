@@ -65,26 +65,12 @@ class SlipElements:
 
 
 def slip_elements(law: SeriesLaw, *, elements: int) -> SlipElements:
-    r"""Elements whose slip follows that of a wind-up.
+    r"""Elements whose slip follows that of a wind-up, by least squares, their thresholds evenly spread.
 
     .. math:: \gamma(T) = \sum_i c_i \max(0, T - r_i), \qquad c_i \ge 0
 
-    Parameters
-    ----------
-    law : SeriesLaw
-        The wind-up.
-    elements : int
-        Number of elements, their thresholds evenly spread.
-
-    Returns
-    -------
-    SlipElements
-        By least squares; they follow Masing's rule, because the torque at which an element slips back is twice its
-        threshold below the last one.
-
-    References
-    ----------
-    G. Masing, Proc. 2nd Int. Congr. Appl. Mech., Zurich 1926, 332.
+    They follow Masing's rule, because the torque at which an element slips back is twice its threshold below the last
+    one (G. Masing, Proc. 2nd Int. Congr. Appl. Mech., Zurich 1926, 332).
     """
     largest = law.largest_torque
     threshold = np.arange(elements) / elements * largest

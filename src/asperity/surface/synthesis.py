@@ -23,32 +23,11 @@ def self_affine_profile(
 ) -> NDArray[np.float64]:
     r"""Exact self-affine noise: fractional Brownian motion, :math:`S(\tau) = c(D) G^{2(D-1)} \tau^{4-2D}`.
 
-    Parameters
-    ----------
-    points : int
-        Number of points.
-    spacing : float
-        Their distance [m].
-    fractal_dimension, fractal_roughness : float
-        D [-] and G [m].
-    random : numpy.random.Generator
-        Source of randomness.
-
-    Returns
-    -------
-    array, shape (points,)
-        Height [m], starting at zero. The structure function is exact at every lag of the record; nothing is
-        periodic and no frequency is cut off: frequencies above the sampling limit are folded back, as they
-        are when a real surface is sampled point by point.
-
-    Notes
-    -----
-    The increments are a stationary Gaussian sequence; its covariance is embedded in a circulant matrix, which
-    one Fourier transform diagonalises.
-
-    References
-    ----------
-    Davies & Harte, Biometrika 74 (1987) 95.
+    Heights [m] at points a ``spacing`` [m] apart, from zero on, of D [-] and G [m]. The structure function is exact at
+    every lag of the record; nothing is periodic and no frequency is cut off: frequencies above the sampling limit are
+    folded back, as they are when a real surface is sampled point by point. The increments are a stationary Gaussian
+    sequence; its covariance is embedded in a circulant matrix, which one Fourier transform diagonalises (Davies and
+    Harte, Biometrika 74 (1987) 95).
     """
     D, G = conventions.validated_fractal(
         fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness
@@ -104,33 +83,13 @@ def spectral_surface(
     periodic: bool,
     random: np.random.Generator,
 ) -> NDArray[np.float64]:
-    r"""Isotropic Gaussian height map with the areal density :math:`C(f)` up to the sampling limit.
+    r"""Isotropic Gaussian height map [m] with the areal density :math:`C(f)` up to the sampling limit.
 
-    Parameters
-    ----------
-    rows, columns : int
-        Number of points along y and x.
-    spacing : float
-        Their distance along both [m].
-    fractal_dimension : float
-        D of its profiles [-].
-    areal_fractal_roughness : float
-        Areal G [m]; that of profiles is :func:`asperity.surface.conventions.profile_roughness_from_areal`.
-    periodic : bool
-        True: one period. False: a quarter cut from a period twice as long and wide.
-    random : numpy.random.Generator
-        Source of randomness.
-
-    Returns
-    -------
-    array, shape (rows, columns)
-        Height [m].
-
-    Notes
-    -----
-    White noise times the square root of the density, by Fourier transform. The corners of the frequency
-    square are kept, so that a row of the map has the profile spectrum apart from what its cross frequencies
-    lack above the sampling limit.
+    Its points are a ``spacing`` [m] apart; D [-] is that of its profiles, and the areal G [m] belongs to that of
+    :func:`asperity.surface.conventions.profile_roughness_from_areal`. ``periodic`` is one period, otherwise it is a
+    quarter cut from a period twice as long and wide. White noise times the square root of the density, by Fourier
+    transform; the corners of the frequency square are kept, so that a row of the map has the profile spectrum apart
+    from what its cross frequencies lack above the sampling limit.
     """
     D, G = conventions.validated_fractal(
         fractal_dimension=fractal_dimension, fractal_roughness=areal_fractal_roughness

@@ -112,37 +112,15 @@ def periodic_weierstrass_surface(
     frequency_ratio: float,
     random: np.random.Generator,
 ) -> NDArray[np.float64]:
-    r"""Isotropic Weierstrass–Mandelbrot height map on a periodic square.
+    r"""Isotropic Weierstrass–Mandelbrot height map of mean zero [m] on a periodic square.
 
     .. math::
         z = \sqrt{\ln\gamma}\,G_a^{D-1} \sum_n f_n^{D-2}\, \frac{1}{\sqrt{M_n}} \sum_{m=1}^{M_n}
         \cos(2\pi\,\mathbf k_{nm}\cdot\mathbf x + \phi_{nm}), \qquad f_n = \gamma^n f_0
 
-    Parameters
-    ----------
-    points : int
-        Points along each side, at least 8.
-    side : float
-        Side of the square and period [m].
-    longest_wavelength, shortest_wavelength : float
-        Wavelengths of the first and of the last frequency at most [m]; at most the side and at least two
-        pixels.
-    fractal_dimension, fractal_roughness : float
-        D [-] and G [m] of the profiles.
-    frequency_ratio : float
-        gamma [-], above 1.
-    random : numpy.random.Generator
-        Source of the phases and directions.
-
-    Returns
-    -------
-    array, shape (points, points)
-        Height [m], mean zero.
-
-    Raises
-    ------
-    InputError
-        For a surface that does not fit the grid.
+    At least 8 points along each ``side`` [m], which is the period; the wavelengths [m] of the first and of the last
+    frequency are at most the side and at least two pixels. D [-] and G [m] are those of the profiles. An ``InputError``
+    for a surface that does not fit the grid.
 
     Notes
     -----

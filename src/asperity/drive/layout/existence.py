@@ -137,26 +137,13 @@ def _driven(drive: Drive, measures: _Measures) -> np.ndarray:
 
 
 def neighbour_gaps(drive: Drive) -> dict[tuple[str, str], Array]:
-    r"""Clearances between bodies that have no contact with each other.
+    r"""Clearances between bodies without a contact with each other: their two names → gap [m], negative in overlap.
 
     .. math:: \sqrt{r_i^2 + r_j^2 - 2 r_i r_j \cos\varphi} - R_i - R_j, \qquad R_j - r_i - R_i
 
     with the orbits r of their centres and the smallest angle φ between any two of their copies; the second in a ring.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    dict
-        Names of the two bodies → clearance [m], negative where they overlap. Neighbours of one kind are taken with
-        their largest track, others, whose tracks may lie in different planes, with their smallest.
-
-    References
-    ----------
-    Law of cosines.
+    Neighbours of one kind are taken with their largest track, others, whose tracks may lie in different planes, with
+    their smallest. Law of cosines.
     """
     radii: dict[str, list[Array]] = {}
     for k, contact in enumerate(drive.contacts):
