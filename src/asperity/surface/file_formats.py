@@ -19,9 +19,9 @@ class FileFormat:
     """A format of surface files.
 
     ``extensions`` are the usual ends of file names, with blanks between; ``instruments`` what writes it; ``reader`` is
-    text, npy, x3p, nanofocus or tiff, package for SurfaceTopography, whose names of it are ``package``, or empty where
-    it is not read: then ``export`` says what to do. ``stated`` is what the file does not hold and the user has to say,
-    ``signatures`` the first bytes of a file, after blanks.
+    text, npy, x3p, nanofocus, records or tiff, package for SurfaceTopography, whose names of it are ``package``, or
+    empty where it is not read: then ``export`` says what to do. ``stated`` is what the file does not hold and the user
+    has to say, ``signatures`` the first bytes of a file, after blanks.
     """
 
     name: str
@@ -64,6 +64,8 @@ FORMATS = (
     FileFormat("NumPy", "npy", "Python", signatures=(b"\x93NUMPY",), reader="npy", stated=SCALE),
     X3P,
     FileFormat("NanoFocus NMS", "nms", "NanoFocus µsurf", reader="nanofocus"),
+    FileFormat("SMD", "smd", "reference profiles (ISO 5436-2), NPL, PTB", "", (b"ISO 5436",), "records"),
+    FileFormat("NPL profile", "prf", "softgauges of NPL, Form Talysurf as text", reader="records"),
     FileFormat("TIFF", "tif tiff", "grey images, 8 to 32 bit", "", (b"II*\0", b"MM\0*"), "tiff", SCALE),
     FileFormat("SDF", "sdf", "any (ISO 25178-71), NIST", "sdf", (b"aISO-1.0", b"bISO-1.0")),
     FileFormat("SUR", "sur pro", "Digital Surf, MountainsMap, many", "sur", (b"DIGITAL SURF",)),
@@ -101,7 +103,7 @@ FORMATS = (
     FileFormat("PRF", "prf", "Form Talysurf, Mahr, Metrex", "", (b"[p3dlin]",), "", export=_IN_ITS_PROGRAM),
     FileFormat("Taylor Hobson", "fts ruf mod ten six str", "Talysurf, Talyrond", reader="", export=_IN_ITS_PROGRAM),
     FileFormat("Mahr", "pcd pra s2p", "MarSurf, Perthometer", reader="", export=_MAHR_TEXT),
-    FileFormat("Hommel", "pip hwp smd", "Jenoptik Hommel-Etamic", reader="", export=_IN_ITS_PROGRAM),
+    FileFormat("Hommel", "pip hwp", "Jenoptik Hommel-Etamic", reader="", export=_IN_ITS_PROGRAM),
 )  # fmt: skip
 
 
@@ -115,7 +117,8 @@ def file_format(path: Path, beginning: bytes) -> FileFormat:
     """The format of a file that is not bare text: by its signature, its content as a container, or its name."""
     extension = path.suffix.lstrip(".").lower()
     unknown = FileFormat(extension.upper() or "unknown", extension, "")
-    by_name = next((known for known in FORMATS if extension in known.extensions.split()), unknown)
+    named = (known for known in FORMATS if extension in known.extensions.split())
+    by_name = next((known for known in named if known.reader != "records"), unknown)  # told by its content
     if is_x3p(path):
         return X3P
     signed = signed_format(beginning)

@@ -40,6 +40,7 @@ from asperity.surface.measure import (
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 from asperity.surface.measurement import surface_measurement
 from asperity.surface.read_instrument import instrument_topography, nanofocus_topography, tiff_topography
+from asperity.surface.read_records import in_records, record_topography
 from asperity.surface.read_text import looks_like_text, numpy_topography, text_topography
 from asperity.surface.read_x3p import x3p_topography
 from asperity.surface.topography import Topography
@@ -295,6 +296,9 @@ def _read(
     decimal: str,
 ) -> Topography:
     """The surface as its file has it."""
+    if in_records(beginning):
+        _refuse_unit(height_unit, path, "in records")
+        return record_topography(path=path)
     if looks_like_text(beginning) and signed_format(beginning) is None:
         return text_topography(
             path=path, position_unit=position_unit, height_unit=height_unit, spacing=spacing, decimal=decimal
@@ -307,13 +311,18 @@ def _read(
         if topography is not None:
             return topography
     if known.reader in ("x3p", "nanofocus"):
-        if height_unit is not None and metres_per_unit(height_unit) != 1.0:
-            raise InputError(
-                f"{path.name} ({known.name}) has its units, not {height_unit}; do not state a unit",
-                options=["height-unit"],
-            )
+        _refuse_unit(height_unit, path, known.name)
         return x3p_topography(path=path) if known.reader == "x3p" else nanofocus_topography(path=path)
     return instrument_topography(path=path, beginning=beginning, known=known, height_unit=height_unit)
+
+
+def _refuse_unit(height_unit: str | None, path: Path, kind: str) -> None:
+    """Raise if a unit of the heights is stated that a file has already, other than the metre."""
+    if height_unit is not None and metres_per_unit(height_unit) != 1.0:
+        raise InputError(
+            f"{path.name} ({kind}) has its units, not {height_unit}; do not state a unit",
+            options=["height-unit"],
+        )
 
 
 def _check_plausibility(topography: Topography, any_size: bool) -> None:

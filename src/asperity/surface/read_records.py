@@ -1,0 +1,71 @@
+"""Profiles in records of text: ISO 5436-2 (``.smd``) and the layout of the National Physical Laboratory (``.prf``).
+
+Both say of each axis its number of points, its unit and scale; then come notes, then one height a line. The records of
+ISO 5436-2 end with the control character 3 and its texts with NUL; those of NPL end with EOR.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.surface.file_formats import metres_per_unit
+from asperity.surface.topography import Topography
+
+_BEGINNING = re.compile(rb"\s*(ISO 5436|\d+[ \t]+\d+\s*\n[^\n]*\bPRF\b)")
+#: Steps between stated positions differ by less than this share of the mean one.
+_EVEN = 1e-3
+
+
+def in_records(beginning: bytes) -> bool:
+    """Whether the first bytes of a file are those of a profile in records."""
+    return _BEGINNING.match(beginning) is not None
+
+
+def record_topography(*, path: Path) -> Topography:
+    """The profile of such a file, in metres.
+
+    An ``InputError`` if it lacks an axis, a unit or the spacing, is a map, or has not as many numbers as it says.
+
+    References
+    ----------
+    ISO 5436-2:2012, the file of reference data of type F1; the files of NPL's softgauges, as `Nmm2Profile` (BEV) writes
+    and `surfile` (INRIM) reads them.
+    """
+    text = path.read_bytes().decode("latin-1").replace("\0", " ")
+    records = [part.splitlines() for part in re.split(r"\x03|^EOR\s*$", text, flags=re.MULTILINE)]
+    head = [line.split() for record in records[:2] for line in record]
+    along, across, up = (
+        next((words for words in head if words[:1] == [name]), None) for name in ("CX", "CY", "CZ")
+    )
+    if across is not None:
+        raise InputError(f"{path.name} is a map in records, which is not read; export it as X3P or SDF")
+    if along is None or up is None or len(records) < 3:
+        raise InputError(f"{path.name} has no axes CX and CZ, or no heights: it is damaged")
+    try:
+        lateral, vertical = _scale(along), _scale(up)
+        stated = next((words[2] for words in head if words[:2] == ["SPACING", "CX"]), along[6:7])
+        lines = [line.split() for line in records[2] if line.strip()]
+        numbers = np.array([[float(number) for number in line] for line in lines])
+        count = round(float(up[2]))
+        step = float(stated if isinstance(stated, str) else stated[0]) if stated else None
+    except (ValueError, IndexError) as error:
+        raise InputError(f"{path.name}: its records cannot be read ({error}): it is damaged") from None
+    if numbers.ndim != 2 or len(numbers) != count:
+        raise InputError(f"{path.name} speaks of {count} points and has {len(numbers)}: it is damaged")
+    if numbers.shape[1] == 2:
+        steps = np.diff(numbers[:, 0])
+        step = float(np.mean(steps))
+        if not np.all(np.abs(steps - step) <= _EVEN * abs(step)):
+            raise InputError(f"{path.name}: its points are not evenly spaced, which profiles must be")
+    if step is None or not step > 0.0:
+        raise InputError(f"{path.name} states no spacing of its points, or none above 0; export it as text")
+    return Topography(vertical * numbers[:, -1], lateral * step, source=path.name)
+
+
+def _scale(axis: list[str]) -> float:
+    """Metres in one count of an axis: name, type, points, unit, scale."""
+    return float(axis[4]) * metres_per_unit(axis[3].lower())
