@@ -109,7 +109,24 @@ class CrownedSprings(eqx.Module):
 
 
 def crowned_springs(*, lines: CrownedLines, rest_force: Array) -> CrownedSprings:
-    """What crowns add to the normal springs of contacts around their forces at rest; (B12) of :doc:`/equations`."""
+    """What crowns add to the normal springs of contacts.
+
+    Parameters
+    ----------
+    lines : CrownedLines
+        The contacts.
+    rest_force : Array
+        Normal forces at rest, shape (5, ...) [N].
+
+    Returns
+    -------
+    CrownedSprings
+        Around these forces.
+
+    References
+    ----------
+    Equation (B12) of :doc:`/equations`.
+    """
     return CrownedSprings(
         lines=lines,
         rest_compression=crown_compression(normal_force=rest_force, **vars(lines)),
@@ -167,9 +184,23 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
 
 
 def total_approach(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
-    r"""Approach of the two bodies of each contact from first touch, :math:`\delta(N)` [m].
+    r"""Approach of the two bodies of each contact from first touch, :math:`\delta(N)`.
 
-    As far from that at rest as :func:`compression` says; equation (B12) of :doc:`/equations` for crowned contacts.
+    Parameters
+    ----------
+    springs : NormalSprings
+        Secant and incremental compliance at rest [m/N].
+    normal_force, rest_force : Real
+        Normal force N and its value N_0 at rest [N].
+
+    Returns
+    -------
+    Real
+        Approach [m], as far from that at rest as :func:`compression` says.
+
+    References
+    ----------
+    As for :func:`compression`; equation (B12) of :doc:`/equations` for crowned contacts.
     """
     beyond = compression(springs=springs, normal_force=normal_force, rest_force=rest_force)
     even = beyond + springs.secant_compliance * rest_force
@@ -184,9 +215,18 @@ def _crown(crowns: CrownedSprings, normal_force: Real, rest_force: Real) -> Arra
 
 
 def steepest_compliance(springs: NormalSprings) -> Real:
-    r"""Largest slope of :func:`compression` [m/N], that of a contact about to lift off, with that of the crowns.
+    r"""Largest slope of :func:`compression`, that of a contact about to lift off.
 
-    :math:`t_0 - (s_0 - t_0) \ln 10^{-6}`, the tangent with which :func:`compression` is continued.
+    Parameters
+    ----------
+    springs : NormalSprings
+        Secant and incremental compliance at rest [m/N].
+
+    Returns
+    -------
+    Real
+        :math:`t_0 - (s_0 - t_0) \ln 10^{-6}` [m/N], the tangent with which :func:`compression` is continued; plus
+        that of the crowns.
     """
     bend = springs.secant_compliance - springs.incremental_compliance
     steepest = springs.incremental_compliance - bend * math.log(_SMALL_LOAD)

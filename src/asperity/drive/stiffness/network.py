@@ -188,12 +188,27 @@ def _tied(drive: Drive, names: list[str]) -> np.ndarray:
 def with_shafts(
     *, stiffness: Array, ratio: Real, input_shaft_stiffness: Real, output_shaft_stiffness: Real
 ) -> tuple[Array, Array, Array]:
-    r"""Stiffness at the output with shafts [N·m/rad], and the shares of the input and of the output shaft in 1/K' [-].
+    r"""Stiffness at the output with shafts, and the shafts' shares in the compliance.
 
     .. math:: \frac1{K'} = \frac1K + \frac1{i^2 k_{in}} + \frac1{k_{out}}
 
-    Torsional stiffnesses [N·m/rad], ``math.inf`` of a rigid shaft; elementary: the angle of the input shaft divided by
-    the ratio, under the torque divided by the ratio.
+    Parameters
+    ----------
+    stiffness : Array
+        Of the drive, at the output [N·m/rad].
+    ratio : Real
+        Speed ratio i [-].
+    input_shaft_stiffness, output_shaft_stiffness : Real
+        Torsional stiffness of the shafts [N·m/rad]; ``math.inf`` is rigid.
+
+    Returns
+    -------
+    tuple of Array
+        Stiffness [N·m/rad], shares of the input and of the output shaft [-].
+
+    References
+    ----------
+    Elementary: the angle of the input shaft divided by the ratio, under the torque divided by the ratio.
     """
     at_input = (
         1.0 / jnp.asarray(input_shaft_stiffness, dtype=float) / ratio**2

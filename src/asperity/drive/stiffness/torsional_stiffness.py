@@ -63,9 +63,21 @@ def contact_torsional_stiffness(*, tangential_stiffness: Real, radius: Real) -> 
 
 
 def driven_radii(geometry: DriveGeometry) -> Real:
-    """Radius of the driven roller of each contact, shape (5, ...) [m]: R_p for ``sp``, R_w for the other four.
+    """Radius of the driven roller of each contact: R_p for ``sp``, R_w for the other four.
 
-    Equation (30) of Zou et al. 2025 as used in Fig. 6; only this choice gives the order of the curves there.
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The drive.
+
+    Returns
+    -------
+    Real
+        Radii, shape (5, ...) [m].
+
+    References
+    ----------
+    Zou et al. 2025, equation (30) as used in Fig. 6; only this choice gives the order of the curves there.
     """
     planet, roller = jnp.broadcast_arrays(geometry.planet_radius, geometry.loading_roller_radius)
     return jnp.stack([planet, roller, roller, roller, roller])

@@ -150,7 +150,24 @@ def branch_forces(
 
 
 def carrier_residual(branch: Branch, force: BranchForces) -> Array:
-    """Equation (5) of Zou et al. 2025, the carrier's moment, over n (R_o − R_w): 0 N in equilibrium."""
+    """Equation (5), the carrier's moment, over n (R_o − R_w).
+
+    Parameters
+    ----------
+    branch : Branch
+        The branch.
+    force : BranchForces
+        Its forces.
+
+    Returns
+    -------
+    Array
+        Residual [N]; 0 in equilibrium.
+
+    References
+    ----------
+    Zou et al. 2025, equation (5).
+    """
     geometry = branch.mechanism.geometry
     left, right = geometry.left_push_angle, geometry.right_push_angle
     push = force.pin_left * jnp.cos(left) - force.pin_right * jnp.cos(right)
@@ -166,8 +183,23 @@ def contact_floors(branch: Branch, sun_force: Array) -> tuple[Array, Array]:
         S_{sp} = \frac{C_p + \sqrt{C_p^2 - 4 k T_{sp}^2 \sin\theta\cos\theta}}{2\cos\theta}, \quad
         k = \cot\frac\theta2
 
-    with the planet's centrifugal force C_p: S at N_pwl = 0, and S at N_sp = 0 [N], which is 0 where N_sp never
-    vanishes. Zou et al. 2025, equation (2), with equal creep (A3) of :doc:`/equations`.
+    with the planet's centrifugal force C_p.
+
+    Parameters
+    ----------
+    branch : Branch
+        The branch.
+    sun_force : Array
+        T_sp [N].
+
+    Returns
+    -------
+    roller, planet : Array
+        S at N_pwl = 0, and S at N_sp = 0 under the planet's centrifugal force [N]; 0 where N_sp never vanishes.
+
+    References
+    ----------
+    Zou et al. 2025, equation (2), with equal creep (A3) of :doc:`/equations`.
     """
     side, centrifugal = branch.sides, branch.planet_centrifugal
     difference = sun_force * ((1.0 + side.cos_direction) / side.sin_direction)
@@ -178,7 +210,20 @@ def contact_floors(branch: Branch, sun_force: Array) -> tuple[Array, Array]:
 
 
 def held_load_sum(branch: Branch, load_sum: Array, sun_force: Array) -> Array:
-    """S, or the smallest S at which no normal force is negative: the largest of S and :func:`contact_floors` [N]."""
+    """S, or the smallest S at which no normal force is negative: a lifted contact carries no force.
+
+    Parameters
+    ----------
+    branch : Branch
+        The branch.
+    load_sum, sun_force : Array
+        S and T_sp [N].
+
+    Returns
+    -------
+    Array
+        The larger of S and of both :func:`contact_floors` [N].
+    """
     roller, planet = contact_floors(branch, sun_force)
     floor = jnp.where(roller > planet, roller, planet)
     return jnp.where(load_sum > floor, load_sum, floor)

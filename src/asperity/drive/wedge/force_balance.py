@@ -92,7 +92,24 @@ def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
 
 
 def closure_misfit(branch: Branch, force: BranchForces) -> Real:
-    """Equation (A3) of :doc:`/equations`, as a force [N]: zero where the closure holds, increasing with S."""
+    """Equation (A3), as a force: zero where the closure holds, increasing with S.
+
+    Parameters
+    ----------
+    branch : Branch
+        The branch.
+    force : BranchForces
+        Its forces.
+
+    Returns
+    -------
+    Real
+        Residual [N].
+
+    References
+    ----------
+    Equation (A3) of :doc:`/equations`.
+    """
     if branch.mechanism.closure == "constant_pin_force":
         return force.pin_right - branch.rest.pin_force_right
     if branch.mechanism.springs.crowns is not None:
@@ -177,11 +194,25 @@ def _largest(values: tuple[Array, ...]) -> Array:
 
 
 def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
-    r"""A branch under an output torque [N·m]: all quantities that are constant while its forces are solved for.
+    r"""A branch under an output torque: all quantities that are constant while its forces are solved for.
 
     .. math:: F_p = m_p \omega_c^2 (R_s + R_p), \qquad F_w = m_w \omega_c^2 (R_o - R_w)
 
-    The centrifugal terms of equations (2)–(4) of Zou et al. 2025.
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The preloaded drive.
+    output_torque : Real
+        Torque T_out at the carrier [N·m].
+
+    Returns
+    -------
+    Branch
+        Triangle, state at rest and centrifugal forces.
+
+    References
+    ----------
+    Zou et al. 2025, the centrifugal terms of equations (2)–(4).
     """
     sides = mechanism.sides
     speed_squared = mechanism.carrier_speed**2

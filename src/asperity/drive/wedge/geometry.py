@@ -157,10 +157,23 @@ def carrier_speed(*, geometry: DriveGeometry, sun_speed: Real) -> Real:
 
 
 def contact_radii(geometry: DriveGeometry) -> tuple[Real, Real, Real]:
-    """Radii of the driving and the driven body of the five contacts, shape (5, ...) [m], and their kind.
+    """Radii and kind of the five contacts.
 
-    The sign is +1 for the external contacts, −1 for those inside the ring, shape (5, 1, ...) [-]. Zou et al. 2025,
-    Table 2 and the two signs of equation (11).
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The radii [m].
+
+    Returns
+    -------
+    driving_radius, driven_radius : Real
+        Radii of the driving and the driven body, shape (5, ...) [m].
+    sign : Real
+        +1 for the external contacts, −1 for those inside the ring, shape (5, 1, ...) [-].
+
+    References
+    ----------
+    Zou et al. 2025, Table 2 and the two signs of equation (11).
     """
     names = ("sun", "planet", "loading_roller", "ring")
     values = jnp.broadcast_arrays(*(getattr(geometry, f"{name}_radius") for name in names))
