@@ -67,27 +67,13 @@ def _reach(layer_ratio: float) -> float:
 
 
 def rough_pressure(*, layer_ratio: float, strips: int) -> RoughPressure:
-    r"""Normal pressure of cylinders with asperities between them.
+    r"""Normal pressure of cylinders with asperities between them, symmetric in x.
 
     .. math:: s \ln p(x) + \frac1\pi \int p(x') \ln\frac1{|x - x'|}\,\mathrm dx' + \frac{x^2}2 = C, \qquad
               \int p\,\mathrm dx = \frac\pi2
 
-    Parameters
-    ----------
-    layer_ratio : float
-        s = u_0 R/a^2, positive [-].
-    strips : int
-        Number of strips, even [-].
-
-    Returns
-    -------
-    RoughPressure
-        Symmetric in x.
-
-    Raises
-    ------
-    NoSolutionError
-        If Newton's method does not converge.
+    ``layer_ratio`` is s = u_0 R/a^2, positive [-], ``strips`` an even number. A ``NoSolutionError`` if Newton's method
+    does not converge.
 
     Notes
     -----

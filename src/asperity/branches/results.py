@@ -98,24 +98,7 @@ class _Sums(NamedTuple):
 
 
 def unequal_branches(branches: AssembledBranches, states: DriveStates) -> UnequalBranches:
-    """What each branch carries.
-
-    Parameters
-    ----------
-    branches : AssembledBranches
-        The joint with every branch by itself.
-    states : DriveStates
-        Its states under a torque.
-
-    Returns
-    -------
-    UnequalBranches
-        A state that does not exist is None.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
-    """
+    """What each branch carries; a state that does not exist is None. Equation (I4) of :doc:`/equations`."""
     equal, joint, count = branches.equal, branches.joint, branches.sectors
     drive_states = (states.rest, states.standing, states.rolling)
     options = (count, branches.floating)

@@ -79,32 +79,13 @@ def lives_of_bearings(
     duty: BearingState | None = None,
     shares: Array | None = None,
 ) -> BearingLives:
-    r"""Lives, static safeties and load ratios of bearings, whatever their drive; pure.
+    r"""Lives, static safeties and load ratios of bearings, whatever their drive; nine in ten reach these lives; pure.
 
     .. math:: L_{10} = 10^6 \left(\frac CP\right)^p, \qquad
               \frac1T = \sum_j \varphi_j \frac{\omega_j}{2\pi L_{10,j}}, \qquad S_0 = \frac{C_0}{\max_j P_j}
 
-    Parameters
-    ----------
-    rated : tuple of RatedBearing or None
-        Ratings of the bearings; None where there are none.
-    working : BearingState
-        Under the joint's torque.
-    rest : Array
-        Radial forces without torque, shape (bearings, ...) [N].
-    duty : BearingState or None, optional
-        Under the loads of the duty; None without a duty.
-    shares : Array or None, optional
-        Shares of these loads in the time [-].
-
-    Returns
-    -------
-    BearingLives
-        Nine bearings in ten reach these lives.
-
-    References
-    ----------
-    Equation (L2) of :doc:`/equations`.
+    ``rest``: radial forces without torque [N]; ``shares`` of the loads of the duty in the time [-]. Equation (L2) of
+    :doc:`/equations`.
     """
     load, at_rest = _radial_loads(rated, working.force), _radial_loads(rated, rest)
     life = _spectrum(rated, load[None], working.speed[None], jnp.ones(1))
@@ -164,24 +145,8 @@ def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Arra
 def joint_bearing_lives(joint: Joint, result: JointResult, laws: ContactLaws) -> BearingLives:
     """Lives, static safeties and load ratios of the bearings of a drive; pure.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-    laws : ContactLaws
-        Laws of its contacts.
-
-    Returns
-    -------
-    BearingLives
-        Of the rollers on pins, then of input and output, which only unlike sectors load; as
-        :func:`asperity.joint.bearing_lives.lives_of_bearings`.
-
-    References
-    ----------
-    Equation (L2) of :doc:`/equations`.
+    Of the rollers on pins, then of input and output, which only unlike sectors load; equation (L2) of
+    :doc:`/equations`.
     """
     drive, under = joint.drive, {}
     if joint.rolling.duty:

@@ -175,25 +175,10 @@ def _named(joint: Joint, limit: FirstLimit) -> TorqueCapacity:
 def torque_capacities(
     joint: Joint, without_torque: Pressed, under: Callable[..., UnderTorque]
 ) -> TorqueCapacities:
-    """Torque capacities of one joint in both directions, and its first slip.
+    """Torque capacities of one joint, of NumPy's numbers, in both directions, and its first slip, as positive torques.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint, of NumPy's numbers.
-    without_torque : Pressed
-        The joint as it is assembled.
-    under : callable
-        :func:`under_torque` of this joint, compiled: of the torque and the two flags.
-
-    Returns
-    -------
-    TorqueCapacities
-        As positive torques [N·m].
-
-    References
-    ----------
-    Equations (A9) and (M3) of :doc:`/equations`.
+    ``under`` is :func:`under_torque` of this joint, compiled: of the torque and the two flags. [N·m], equations (A9)
+    and (M3) of :doc:`/equations`.
     """
 
     def search(rolls: bool, holds: bool) -> TorqueCapacity:

@@ -61,25 +61,11 @@ def play_angle(*, play: Play, output_torque: Real | np.ndarray) -> Array:
 
 
 def play_compliance(*, play: Play, output_torque: Real | np.ndarray) -> Array:
-    r"""Derivative of :func:`play_angle` by the torque.
+    r"""Derivative of :func:`play_angle` by the torque [rad/(N·m)].
 
     .. math:: \frac{d\varphi_p}{dT} = \frac{\varphi_0}{2 T_p} \left[1 - \tanh^2(T/T_p)\right]
 
-    Parameters
-    ----------
-    play : Play
-        Play and take-up torque.
-    output_torque : Real
-        Output torque T, shape (...) [N·m].
-
-    Returns
-    -------
-    Array
-        Compliance, shape (...) [rad/(N·m)]; for a take-up torque of 0 infinite at zero torque and 0 elsewhere.
-
-    References
-    ----------
-    Equation (A9) of :doc:`/equations`.
+    For a take-up torque of 0 infinite at zero torque and 0 elsewhere. Equation (A9) of :doc:`/equations`.
     """
     torque = jnp.asarray(output_torque)
     gradual = jnp.asarray(play.take_up_torque) > 0.0

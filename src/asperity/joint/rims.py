@@ -36,30 +36,12 @@ def bends(joint: Joint) -> tuple[bool, ...]:
 
 
 def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
-    """Strength of the bodies that bend; pure.
+    """Strength of the bodies that bend, with the axis of the bodies last; nan for the others; pure.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    BodyRims
-        With the axis of the bodies last; nan for the others. Away from the contacts, whose own stresses are judged by
-        yield, shakedown and rolling fatigue.
-
-    Notes
-    -----
-    Exact plane elasticity. Where the input turns, the forces under the torque are those of rolling. Pins of a stated
-    diameter press in their bores with the forces that balance those of the contacts; the stress of rotation is not
-    included.
-
-    References
-    ----------
-    Equation (L3) of :doc:`/equations`.
+    Exact plane elasticity, equation (L3) of :doc:`/equations`. Where the input turns, the forces under the torque are
+    those of rolling. Pins of a stated diameter press in their bores with the forces that balance those of the contacts;
+    the stress of rotation is not included. Contacts have stresses of their own, judged by yield, shakedown and rolling
+    fatigue.
     """
     states = (working_forces(joint, result), (result.rest.normal, result.rest.tangential))
     width = jnp.asarray(result.diagnostics.hertz_half_width)

@@ -93,31 +93,11 @@ def loaded_stiffness(
     slides: Array,
     pin_force: Array,
 ) -> LoadedStiffness:
-    """Stiffness of a joint under given forces; nan where a law does not hold.
+    """Stiffness of a joint under given forces [N] on three levels; nan where a law does not hold.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    contacts : JointContacts
-        Its contacts.
-    normal_force, tangential_force : Array
-        Their forces, positive where the first body drives the second, shape (contacts,) [N].
-    slides : Array
-        Signs of those that slide as a whole, as in :class:`asperity.drive.state.state.DriveState`, shape (contacts,)
-        [-].
-    pin_force : Array
-        Forces of the rollers on their pins, shape (pins,) [N].
-
-    Returns
-    -------
-    LoadedStiffness
-        On three levels. A contact that slides has no tangential stiffness: its force follows its normal force, all over
-        the strip.
-
-    References
-    ----------
-    Equations (A8) and (M4) of :doc:`/equations`.
+    Forces are positive where the first body drives the second; ``slides`` are the signs of the contacts that slide as a
+    whole, as in :class:`asperity.drive.state.state.DriveState`. A contact that slides has no tangential stiffness: its
+    force follows its normal force, all over the strip. Equations (A8) and (M4) of :doc:`/equations`.
     """
     holds = slides == 0.0
     most = (1.0 - SLIP_TOLERANCE) * contacts.pairs.friction_coefficient * normal_force

@@ -40,27 +40,9 @@ class SectorSizes(eqx.Module):
 
 
 def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: tuple[str, ...]) -> Joint:
-    """The same joint with every sector by itself.
+    """The same joint with every sector by itself, without a duty; equation (I4) of :doc:`/equations`.
 
-    Parameters
-    ----------
-    joint : Joint
-        A joint with equal sectors and an interference.
-    sizes : SectorSizes
-        What differs between them.
-    sectors : int
-        Their number.
-    floating : tuple of str
-        Names of the bodies on the axis whose centres can move.
-
-    Returns
-    -------
-    Joint
-        Without a duty.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
+    ``floating``: the bodies on the axis whose centres can move.
     """
     sector_drive = joint.drive
     count = len(sector_drive.contacts)
@@ -129,25 +111,8 @@ def settled_sectors(
 
     .. math:: N_{ref} = N_{ref}^{equal} \, \frac{N}{N^{equal}}
 
-    Parameters
-    ----------
-    sectors : int
-        Their number.
-    floating : tuple of str
-        Names of the bodies on the axis whose centres can move.
-    joint : Joint
-        A joint with equal sectors and an interference.
-    sizes : SectorSizes
-        What differs between them; their forces are not read.
-
-    Returns
-    -------
-    SettledSectors
-        With equal sizes the laws are those of equal sectors.
-
-    References
-    ----------
-    Equation (I4) of :doc:`/equations`.
+    ``floating``: the bodies on the axis whose centres can move; the forces of the sizes are not read. With equal sizes
+    the laws are those of equal sectors. Equation (I4) of :doc:`/equations`.
     """
     alone = assembled(joint, joint_contacts(joint))
     base, equal = alone.laws.reference_force, alone.rest.normal

@@ -86,24 +86,9 @@ class ReportSource:
 
 
 def joint_report(source: ReportSource) -> Report:
-    """Solve a joint and write down everything about it.
+    """Solve a joint and write down everything about it, to be shown as HTML or PDF.
 
-    Parameters
-    ----------
-    source : ReportSource
-        The joint file.
-
-    Returns
-    -------
-    Report
-        The report, ready to be shown as HTML or PDF.
-
-    Raises
-    ------
-    InputError
-        If the joint cannot exist.
-    NoSolutionError
-        If the force balance does not close.
+    An ``InputError`` if the joint cannot exist, a ``NoSolutionError`` if the force balance does not close.
     """
     parts = _parts(source)
     document, solved = parts.document, parts.solved

@@ -25,30 +25,10 @@ def examined_windup(
     level: StiffnessLevel,
     stage_shares: tuple[float, float] = STAGE_SHARES,
 ) -> tuple[Windup, tuple[Solution, Solution]]:
-    """Wind-up of a joint in both directions, and its solution at the largest torque of each.
+    """Wind-up of a joint in both directions, and its solutions at the largest positive and negative torque.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    largest_torque : float or None
-        Largest torque of the curve, of either sign [N·m]; None for the joint's own output torque.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness is integrated.
-    stage_shares : tuple of float, optional
-        Bounds of the stages as shares of the largest torque [-].
-
-    Returns
-    -------
-    tuple
-        Curves and their figures; the solutions in the positive and in the negative direction.
-
-    Raises
-    ------
-    InputError
-        If the rollers do not fit, or the torque or the stages are out of range.
-    NoSolutionError
-        If the force balance does not close.
+    The largest torque has either sign [N·m], None for the joint's own. An ``InputError`` if the rollers do not fit, or
+    the torque or the stages are out of range; a ``NoSolutionError`` if the force balance does not close.
     """
     largest = abs(float(joint.output_torque) if largest_torque is None else largest_torque)
     if largest == 0.0:
@@ -66,28 +46,10 @@ def examined_windup(
 def windup_onsets(
     joint: Joint, curve: Windup, solutions: tuple[Solution, Solution], *, creep_share: float
 ) -> tuple[RollingOnset | None, RollingOnset | None]:
-    """What becomes of both ends of a wind-up when the joint turns under its largest torque.
+    """What becomes of both ends of a wind-up when the joint turns there; None where there is no steady rolling.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    curve : Windup
-        Its wind-up.
-    solutions : tuple of Solution
-        The joint at the largest torque in the positive and in the negative direction.
-    creep_share : float
-        Creep over wind-up up to which the static curve is said to hold [-], above 0.
-
-    Returns
-    -------
-    tuple of RollingOnset or None
-        In the positive and in the negative direction; None where there is no steady rolling.
-
-    Raises
-    ------
-    InputError
-        If the share is not positive and finite.
+    ``creep_share``: creep over wind-up up to which the static curve is said to hold [-]; an ``InputError`` if it is not
+    positive and finite.
     """
     forward, reverse = (
         rolling_onset(joint=joint, result=solution.result, windup=angle, creep_share=creep_share)
@@ -104,26 +66,10 @@ def windup_document(
     *,
     level: StiffnessLevel,
 ) -> dict[str, Any]:
-    """The figures of a wind-up in SI units, ready for :func:`json.dumps`.
+    """The figures of a wind-up in SI units, ready for :func:`json.dumps`, the unit at the end of every key.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    curve : Windup
-        Curves and figures.
-    solutions : tuple of Solution
-        The joint at the largest torque in the positive and in the negative direction.
-    onsets : tuple of RollingOnset or None
-        What becomes of both when the joint turns.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness was integrated.
-
-    Returns
-    -------
-    dict
-        The unit at the end of every key; angles of ``rolling`` without sign; capacities as
-        :func:`asperity.joint.torque_limits.capacity_document` says them.
+    Angles of ``rolling`` are without sign; capacities as :func:`asperity.joint.torque_limits.capacity_document` says
+    them.
     """
     forward, reverse = solutions
     return {

@@ -33,23 +33,8 @@ def windup_figure(
 ) -> Figure:
     """Torque–angle loop, its deviation from a straight line, and stiffness; below them the joint that turns.
 
-    Parameters
-    ----------
-    curve : Windup
-        What to draw.
-    onset : RollingOnset, optional
-        The same joint when it turns: angle behind, and drift of swings to and fro.
-    title : str
-        Title of the picture.
-    stacked : bool, optional
-        Whether there are at most two panels beside each other, for a narrow page.
-    capacities : tuple of float, optional
-        Torque capacities of positive and of negative torques, as positive torques [N·m]; infinite where there are none.
-
-    Returns
-    -------
-    Figure
-        A matplotlib figure; call its ``savefig``.
+    ``stacked`` has at most two panels beside each other, for a narrow page; ``capacities`` of positive and of negative
+    torques, as positive torques [N·m], are infinite where there are none.
     """
     from matplotlib.figure import Figure
 

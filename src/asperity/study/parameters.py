@@ -85,25 +85,10 @@ def axis_from_dict(plain: dict[str, Any]) -> SweepAxis:
 
 
 def parse_axis(text: str, *, kind: str | None = None) -> Axis:
-    """Read an axis from text.
+    """Read an axis, in SI units, from ``KEY=start:stop:count`` or ``KEY=start:stop:count:log`` with units.
 
-    Parameters
-    ----------
-    text : str
-        ``KEY=start:stop:count`` or ``KEY=start:stop:count:log``; start and stop carry their units.
-    kind : str, optional
-        Type of the drive that must have this number; any of them if not given.
-
-    Returns
-    -------
-    Axis
-        In SI units.
-
-    Raises
-    ------
-    InputError
-        If the text has another form, a joint file has no such number, or a value is of the wrong unit or outside its
-        range.
+    ``kind`` is the type of the drive that must have this number, None for any. An ``InputError`` if the text has
+    another form, a joint file has no such number, or a value is of the wrong unit or outside its range.
 
     Examples
     --------

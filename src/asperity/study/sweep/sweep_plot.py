@@ -43,28 +43,12 @@ def sweep_figure(
     result: str | None = None,
     limits: Sequence[MapLimit] = (),
 ) -> Figure:
-    """Draw a sweep.
+    """Draw a sweep: one result, by default the fullest model's stiffness at the output among those there.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        What :func:`asperity.study.sweep.sweep.sweep` returns.
-    result : str, optional
-        Which result; by default the fullest model's stiffness at the output among those there.
-    limits : sequence of MapLimit, optional
-        Limits whose lines a map shows; by default those of the model for the results that are there.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        Curves over one axis, with all three levels of stiffness; a map over two, with contours, limits, hatched regions
-        without a solution, and the joint of the file where it lies within; curves in panels over three and more, at
-        values that the titles and the legend state. Failed points are counted.
-
-    Raises
-    ------
-    InputError
-        If the dataset has no such result.
+    Curves over one axis, with all three levels of stiffness; a map over two, with contours, the lines of ``limits``, by
+    default those of the model, hatched regions without a solution, and the joint of the file where it lies within;
+    curves in panels over three and more, at values that the titles and the legend state. Failed points are counted. An
+    ``InputError`` if the dataset has no such result.
     """
     from matplotlib.figure import Figure
 

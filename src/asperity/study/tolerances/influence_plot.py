@@ -34,28 +34,11 @@ def tornado_figure(
     panels: tuple[str, ...] = _PANELS,
     width: float | None = None,
 ) -> Figure:
-    """Elasticities as bars, the largest on top.
+    """Elasticities as bars, the largest on top: change in per cent for one per cent more of the input.
 
-    Parameters
-    ----------
-    sensitivities : xarray.Dataset
-        What :func:`asperity.study.tolerances.sensitivity.sensitivity` returns.
-    result : str
-        Which result orders the inputs.
-    panels : tuple of str, optional
-        Results that stand beside it in the same order, where they are known.
-    width : float, optional
-        Width of the figure [in]; by default it grows with the number of panels.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        One panel per result, one bar per input: change of the result in per cent for one per cent more of the input.
-
-    Raises
-    ------
-    InputError
-        If there is no such result.
+    ``result`` orders the inputs; ``panels`` are results that stand beside it in the same order, where they are known;
+    the ``width`` of the figure [in] grows with their number if it is not stated. An ``InputError`` if there is no such
+    result.
     """
     from matplotlib.figure import Figure
 

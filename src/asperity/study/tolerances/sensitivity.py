@@ -142,24 +142,9 @@ def refuse_failed(case: AnyCase, status: int) -> None:
 
 
 def ranking(sensitivities: xarray.Dataset, result: str) -> xarray.Dataset:
-    """The inputs in the order of their influence on one result.
+    """The inputs in the order of their influence on one result, along ``input``, largest absolute elasticity first.
 
-    Parameters
-    ----------
-    sensitivities : xarray.Dataset
-        What :func:`sensitivity` returns.
-    result : str
-        Which result.
-
-    Returns
-    -------
-    xarray.Dataset
-        Along ``input``, largest absolute elasticity first.
-
-    Raises
-    ------
-    InputError
-        If there is no such result.
+    An ``InputError`` if there is no such result.
     """
     known_result(result, among=sensitivities["result"].values.tolist())
     one = sensitivities.sel(result=result)
