@@ -26,22 +26,10 @@ def push_angles(drive: Drive) -> Array:
 
 
 def pins_in_bores(joint: Joint) -> Bores | None:
-    """What the pins of a joint and the contacts of their rollers do to each other.
+    """What the pins of a joint and the contacts of their rollers do to each other; (E5) of :doc:`/equations`.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    Bores or None
-        None where no pin is known to press in a bore. Rollers that are springs have the compliance of their bores
-        alone, each track by itself beside the others.
-
-    References
-    ----------
-    Equation (E5) of :doc:`/equations`.
+    None where no pin is known to press in a bore. Rollers that are springs have the compliance of their bores alone,
+    each track by itself beside the others.
     """
     drive, count = joint.drive, len(joint.drive.contacts)
     if all(joint.shapes[body].pin_diameter is None for body in drive.pinned):

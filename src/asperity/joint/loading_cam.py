@@ -47,25 +47,9 @@ class CamOfJoint(eqx.Module):
 
 
 def pressed_at(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> Callable[[Real], Pressed]:
-    """A joint as its cam presses it under a torque.
+    """A joint as its cam presses it under an output torque of either sign [N·m]; equation (I3) of :doc:`/equations`.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-    without_torque : Pressed
-        The joint as it is assembled, under its preload or interference alone.
-
-    Returns
-    -------
-    callable
-        Of an output torque of either sign [N·m]; of a joint without a cam the same at every torque.
-
-    References
-    ----------
-    Equation (I3) of :doc:`/equations`.
+    Without a cam it is the same at every torque, as it is assembled under its preload or interference alone.
     """
     if joint.cam is None:
         return lambda torque: without_torque
