@@ -3,38 +3,48 @@
 from __future__ import annotations
 
 import csv
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-from asperity.cli.terminal import about, json_option, prepare_computation, print_json, say_written
+from asperity.cli.terminal import (
+    about,
+    json_option,
+    prepare_computation,
+    print_json,
+    read_option,
+    say_written,
+)
 from asperity.writing import check_file, replacing
 
-if TYPE_CHECKING:
-    from asperity.joint_file.model import Case
-
 Document = dict[str, Any]
-
-#: Units of the table and of the CSV file for those of the document.
-_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm"}
 
 
 @click.command()
 @click.argument("file", type=click.Path())
+@click.option("--mounting-gap", default="0 um", show_default=True, metavar="LENGTH",
+              help="Radial gap between a ring and its rollers while it is slipped on.")  # fmt: skip
 @click.option("--csv", "csv_file", type=click.Path(dir_okay=False), help="Write the table to this CSV file.")
 @json_option("Print one JSON document in SI units instead of a table.")
-def loads(file: str, csv_file: str | None, as_json: bool) -> None:
+def loads(file: str, mounting_gap: str, csv_file: str | None, as_json: bool) -> None:
     """Forces and torques on pins, bearings, shafts and housing of the joint described in FILE, for their supplier.
 
-    One column each: without torque, under the working torque, and under every load [[duty]] of FILE.
+    And the force, or the temperature, that mounts its rings, and their stress. One column each: without torque, under
+    the working torque, and under every load [[duty]] of FILE.
     """
     from asperity.joint_file.reader import read_case
+    from asperity.unit_table import Dimension
 
+    gap = read_option("mounting-gap", mounting_gap, Dimension.LENGTH)
     check_file(csv_file, file)
     case = read_case(file)
     prepare_computation()
+    from asperity.joint_file.solved_document import solved_case
+    from asperity.results.loads_document import bearing_entries, loads_document
+
     with about(file):
-        document = _document(case)
+        solved = solved_case(case)
+        document = loads_document(solved, bearing_entries(solved), gap)
     if csv_file:
         _write(document, csv_file)
         say_written(csv_file)
@@ -42,15 +52,6 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
         print_json(document)
         return
     _show(document, file)
-
-
-def _document(case: Case) -> Document:
-    from asperity.joint_file.solved_document import solved_case
-    from asperity.results.loads_document import bearing_entries, loads_document
-
-    solved = solved_case(case)
-    bearings = bearing_entries(solved)
-    return loads_document(solved, bearings)
 
 
 def _column(case: Document, line: str) -> str:
@@ -68,7 +69,7 @@ def _show(document: Document, file: str) -> None:
 
     from asperity.cli.document_text import number, print_wrapped
     from asperity.cli.terminal import console, table
-    from asperity.units import from_si
+    from asperity.results.loads_document import shown_rows
 
     target = console()
     target.print(escape(file))
@@ -81,14 +82,10 @@ def _show(document: Document, file: str) -> None:
         "unit",
     )
     last = ""
-    for row in document["loads"]:
-        part = f"{row['part']}, {row['position']}"
-        unit = _SHOWN[row["unit"]]
-        values = [None if value is None else from_si(value, unit) for value in row["values"]]
-        if part != last:
-            shown.add_row(part)
-            last = part
-        shown.add_row(f"  {row['quantity']}", *map(number, values), unit.replace("*", "·"))
+    for *part, quantity, unit, values in shown_rows(document):
+        if (title := ", ".join(part)) != last:
+            shown.add_row(last := title)
+        shown.add_row(f"  {quantity}", *map(number, values), unit.replace("*", "·"))
     target.print(shown)
     if document["bearings"]:
         _show_bearings(document["bearings"])
@@ -125,13 +122,11 @@ def _show_bearings(entries: list[Document]) -> None:
 
 def _write(document: Document, path: str) -> None:
     """The table as a CSV file: one row a load, one column a case."""
-    from asperity.units import from_si
+    from asperity.results.loads_document import shown_rows
 
     columns = [_column(case, ", ") for case in document["cases"]]
     with replacing(path) as part, part.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream)
         writer.writerow(["part", "position", "load", "unit", *columns])
-        for row in document["loads"]:
-            unit = _SHOWN[row["unit"]]
-            values = ["" if value is None else repr(float(from_si(value, unit))) for value in row["values"]]
-            writer.writerow([row["part"], row["position"], row["quantity"], unit, *values])
+        for *words, values in shown_rows(document):
+            writer.writerow([*words, *("" if value is None else repr(value) for value in values)])
