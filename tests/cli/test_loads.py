@@ -22,6 +22,13 @@ def test_table_and_json_agree_with_the_joint(call, zou_file):
     document = json.loads(call("loads", zou_file, "--json").out)
     torque = [row["values"] for row in document["loads"] if row["quantity"] == "torque of all pins"]
     assert torque[0] == pytest.approx([0.0, -5.0])
+    mounted = {row["quantity"]: row["values"] for row in document["loads"] if row["part"] == "ring"}
+    solved = json.loads(call("joint", zou_file, "--json").out)["standing"]["forces"][
+        "normal_without_torque_N"
+    ]
+    force = 3 * 0.12 * (solved["wro"] + solved["wlo"])
+    assert mounted["axial force that presses it on"] == [pytest.approx(force), None]
+    assert mounted["heating of the ring, for a gap of 0 um"] == [None, None]
 
 
 @pytest.mark.slow

@@ -42,7 +42,7 @@ def test_sizes_grades_and_shares_in_a_table(asked):
     assert asked["distribution"].kind == "uniform"
     said = " ".join(result.stdout.split())
     assert "drive.sun_radius 20 mm 0.9 um 3.6 um IT3 25 %/um" in said
-    assert "finer than IT01" in said
+    assert "load.interference (bore) 100 mm 0.01 um 0.04 um finer than IT01 10 %/um" in said
     assert "9990 of 10000 drives keep all limits (99.9 % are asked for)" in said
     assert "no influence: drive.planet_radius" in said
 

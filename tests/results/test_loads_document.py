@@ -46,6 +46,24 @@ def test_pins_and_torques_by_hand(planetary, values):
     assert 3.0 * (10e-3 * (sun + drag[0]) + 50e-3 * (ring - drag[1])) == pytest.approx(10.0, rel=1e-9)
 
 
+def test_what_mounts_the_ring_by_hand(planetary, values):
+    """Three planets; 30 um over 12.6e-6 of 50 mm a kelvin; the ring of a free rim bends."""
+    _, solution, _ = planetary
+    place = ("ring", "mounted over its rollers")
+    force = 3 * 0.08 * float(solution.result.rest.normal[1])
+    assert values[*place, "axial force that presses it on"] == ([pytest.approx(force), None], "N")
+    rise = 30e-6 / (12.6e-6 * (0.05 - 30e-6))
+    for what in ("heating of the ring", "or cooling of all inside it"):
+        assert values[*place, f"{what}, for a gap of 0 um"] == ([pytest.approx(rise, rel=1e-3), None], "K")
+    stress, unit = values[*place, "largest hoop stress, mounted"]
+    assert unit == "Pa"
+    # curved beam under three forces, thin-ring formula at the load: 0.19 F R of moment, and F/(2 tan 60) of tension
+    n, wall, width = float(solution.result.rest.normal[1]), 8e-3, 10e-3
+    bending = 0.189 * n * 54e-3 * 6.0 / (width * wall**2)
+    assert stress[0] == pytest.approx(bending + 0.289 * n / (width * wall), rel=0.25)
+    assert values[*place, "its yield strength"][0][0] == pytest.approx(2034e6, rel=0.01)
+
+
 def test_speeds_are_those_of_a_drive_that_creeps(planetary, values):
     """A planet rolls 50 mm of the ring in a radian of the carrier, less what the contact with the ring creeps."""
     _, solution, _ = planetary

@@ -8,23 +8,23 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.api.joint import DescribedJoint, require_joint
+from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.section_build import inertias_from_case
 from asperity.joint_file.solved_document import solved_case
 from asperity.results.dynamics_document import dynamics_document, response_columns
-from asperity.results.loads_document import bearing_entries, loads_document
+from asperity.results.loads_document import bearing_entries, loads_document, shown_rows
 from asperity.standing.dynamics import Dynamics
 from asperity.standing.dynamics import dynamics as solved_dynamics
-from asperity.units import format_quantity, from_si
+from asperity.unit_table import Dimension
+from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Document = dict[str, Any]
 
-#: Units of tables for those of the document of loads.
-_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm"}
 _BEARING_COLUMNS = {
     "C\nN": "dynamic_rating_N",
     "C_0\nN": "static_rating_N",
@@ -36,13 +36,15 @@ _BEARING_COLUMNS = {
 }
 
 
-def loads(joint: DescribedJoint) -> JointLoads:
-    """Forces and torques on pins, bearings, shafts and housing, for their supplier.
+def loads(joint: DescribedJoint, *, mounting_gap: str | NamedQuantity = "0 um") -> JointLoads:
+    """Forces and torques on pins, bearings, shafts and housing, for their supplier, and what mounts the rings.
 
     Parameters
     ----------
     joint : DescribedJoint
         From :func:`asperity.load`.
+    mounting_gap : str or NamedQuantity, optional
+        Radial gap between a ring and its rollers while it is slipped on, with its unit.
 
     Returns
     -------
@@ -57,8 +59,9 @@ def loads(joint: DescribedJoint) -> JointLoads:
         If the force balance does not close.
     """
     require_joint(joint)
+    gap = si_number(mounting_gap, Dimension.LENGTH, name="mounting_gap")
     solved = solved_case(joint.case)
-    return JointLoads(joint.source, loads_document(solved, bearing_entries(solved)))
+    return JointLoads(joint.source, loads_document(solved, bearing_entries(solved), gap))
 
 
 class JointLoads(Shown):
@@ -77,18 +80,13 @@ class JointLoads(Shown):
 
     def columns(self) -> dict[str, list[Any]]:
         """One row a load: part, position, load, unit of the row, and its value in each case."""
-        rows = self.document["loads"]
-        units = [_SHOWN[row["unit"]] for row in rows]
-        values = [
-            [np.nan if value is None else float(from_si(value, unit)) for value in row["values"]]
-            for row, unit in zip(rows, units, strict=True)
-        ]
-        words = {
-            title: [row[key] for row in rows]
-            for title, key in (("part", "part"), ("position", "position"), ("load", "quantity"))
-        }
-        cases = [_case_title(case, ", ") for case in self.document["cases"]]
-        return words | {"unit": units} | dict(zip(cases, map(list, zip(*values, strict=True)), strict=True))
+        titles = ["part", "position", "load", "unit"]
+        titles += [_case_title(case, ", ") for case in self.document["cases"]]
+        rows = (
+            (*words, *(np.nan if value is None else value for value in values))
+            for *words, values in shown_rows(self.document)
+        )
+        return dict(zip(titles, map(list, zip(*rows, strict=True)), strict=True))
 
     def to_frame(self) -> Any:
         """The same as a pandas data frame."""

@@ -30,6 +30,7 @@ COMMANDS: dict[str, str] = {
     "tolerances": "Deviations and IT grades that keep nearly all drives above stated results.",
     "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",
     "roll": "Drift, losses, thrust and life of a joint that turns.",
+    "crown": "Crown radius and logarithmic profile for tilted rollers.",
     "loads": "Forces on pins, bearings, shafts and housing.",
     "draw": "Draw the drive of a joint file to scale.",
     "report": "One document about a joint for a design review.",

@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import about, json_option, prepare_computation, print_json, say_written
+from asperity.cli.terminal import (
+    about,
+    json_option,
+    prepare_computation,
+    print_json,
+    read_option,
+    say_written,
+)
 from asperity.writing import check_file, replacing
 
 if TYPE_CHECKING:
@@ -17,15 +24,25 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("file", type=click.Path())
+@click.option(
+    "--mounting-gap",
+    default="0 um",
+    show_default=True,
+    metavar="LENGTH",
+    help="Radial gap between a ring and its rollers while it is slipped on.",
+)
 @click.option("--csv", "csv_file", type=click.Path(dir_okay=False), help="Write the table to this CSV file.")
 @json_option("Print one JSON document in SI units instead of a table.")
-def loads(file: str, csv_file: str | None, as_json: bool) -> None:
+def loads(file: str, mounting_gap: str, csv_file: str | None, as_json: bool) -> None:
     """Forces and torques on pins, bearings, shafts and housing of the joint described in FILE, for their supplier.
 
-    One column each: without torque, under the working torque, and under every load [[duty]] of FILE.
+    And the force, or the temperature, that mounts its rings, and their stress. One column each: without torque, under
+    the working torque, and under every load [[duty]] of FILE.
     """
     from asperity.joint_file.reader import read_case
+    from asperity.unit_table import Dimension
 
+    read_option("mounting-gap", mounting_gap, Dimension.LENGTH)  # refuses what is no length
     check_file(csv_file, file)
     case = read_case(file)
     prepare_computation()
@@ -33,7 +50,7 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
     from asperity.api.structure import loads as loads_of
 
     with about(file):
-        carried = loads_of(DescribedJoint(case, file))
+        carried = loads_of(DescribedJoint(case, file), mounting_gap=mounting_gap)
     if csv_file:
         _write(carried, csv_file)
         say_written(csv_file)

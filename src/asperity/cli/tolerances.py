@@ -80,11 +80,11 @@ def _show(allowed: AllowedDeviations) -> None:
 
     target = console()
     rows = table(
-        target, "Allowed sizes", "size", "diameter", "radius ±", "width of the diameter", "grade", "influence"
+        target, "Allowed sizes", "size", "diameter", "radius ±", "width of diameter", "grade", "influence"
     )
     for size in allowed.sizes:
         rows.add_row(
-            size.path,
+            "load.interference (bore)" if size.path == "load.interference" else size.path,
             format_quantity(size.diameter, "mm"),
             format_quantity(size.deviation, "um", 3),
             format_quantity(4.0 * size.deviation, "um", 3),

@@ -30,8 +30,8 @@ SLICES = 8
 
 _POWER = 4  # of the smooth minimum of the free length of contact and the length of the rollers
 _NEWTON_STEPS = 3
-# of the middle slice: below, the contact is less than twice as long as wide
-_LEAST_TARGET = 2.2 - math.log(2.2)
+#: Of the middle slice: below, the contact is less than twice as long as wide
+LEAST_TARGET = 2.2 - math.log(2.2)
 _RESIDUAL = 1e-11
 
 
@@ -124,7 +124,7 @@ def _factor(approach: Array, crown: Array) -> Array:
 def _logarithm(compression: Array, factor: Array) -> Array:
     """Compression over squared width of a slice."""
     target = factor - jnp.log(compression)
-    return jnp.asarray(strip_logarithm(jnp.maximum(target, _LEAST_TARGET)))
+    return jnp.asarray(strip_logarithm(jnp.maximum(target, LEAST_TARGET)))
 
 
 def _carried(approach: Array, crown: Array) -> tuple[Array, Array]:
@@ -246,7 +246,7 @@ def crowned_line(
         length_share=weight * share,
         end_line_load=end * per_squared,
         loaded_share=share,
-        solved=(jnp.abs(carried / load - 1.0) < _RESIDUAL) & (factor - jnp.log(approach) > _LEAST_TARGET),
+        solved=(jnp.abs(carried / load - 1.0) < _RESIDUAL) & (factor - jnp.log(approach) > LEAST_TARGET),
     )
 
 
@@ -268,16 +268,8 @@ def crown_compression(
 
     Parameters
     ----------
-    normal_force : Real
-        Normal force N [N], positive.
-    crown_curvature : Real
-        Curvature kappa of the crowns of both bodies along the axis, the sum of :math:`1/R_c`, 0 for cylinders [1/m].
-    contact_length : Real
-        Length B of the rollers' contact line [m].
-    effective_radius : Real
-        Effective radius R in the rolling direction [m].
-    contact_modulus : Real
-        Contact modulus E* [Pa].
+    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus : Real
+        As for :func:`crowned_line`.
 
     Returns
     -------
@@ -317,16 +309,8 @@ def crown_compliance(
 
     Parameters
     ----------
-    normal_force : Real
-        Normal force N [N], positive.
-    crown_curvature : Real
-        Curvature kappa of the crowns of both bodies along the axis, 0 for cylinders [1/m].
-    contact_length : Real
-        Length B of the rollers' contact line [m].
-    effective_radius : Real
-        Effective radius R in the rolling direction [m].
-    contact_modulus : Real
-        Contact modulus E* [Pa].
+    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus : Real
+        As for :func:`crowned_line`.
 
     Returns
     -------
@@ -354,16 +338,8 @@ def shortening(
 
     Parameters
     ----------
-    normal_force : Real
-        Normal force N [N], positive.
-    crown_curvature : Real
-        Curvature kappa of the crowns of both bodies along the axis, 0 for cylinders [1/m].
-    contact_length : Real
-        Length B of the rollers' contact line [m].
-    effective_radius : Real
-        Effective radius R in the rolling direction [m].
-    contact_modulus : Real
-        Contact modulus E* [Pa].
+    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus : Real
+        As for :func:`crowned_line`.
 
     Returns
     -------

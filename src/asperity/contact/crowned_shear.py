@@ -15,15 +15,7 @@ from asperity.types import Real
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 
-def crown_shear_compliance(
-    *,
-    stick_force: Real,
-    crown_curvature: Real,
-    contact_length: Real,
-    effective_radius: Real,
-    contact_modulus: Real,
-    lateral_strain_compliance: Real,
-) -> Array:
+def crown_shear_compliance(*, stick_force: Real, lateral_strain_compliance: Real, **line: Real) -> Array:
     r"""Incremental compliance that crowns add to a line contact in the rolling direction.
 
     .. math::
@@ -34,16 +26,10 @@ def crown_shear_compliance(
     ----------
     stick_force : Real
         :math:`N - T/\mu` [N], positive: the normal force whose contact area is the region of stick.
-    crown_curvature : Real
-        Curvature kappa of the crowns of both bodies along the axis, 0 for cylinders [1/m].
-    contact_length : Real
-        Length B of the rollers' contact line [m].
-    effective_radius : Real
-        Effective radius R in the rolling direction [m].
-    contact_modulus : Real
-        Contact modulus E* [Pa].
     lateral_strain_compliance : Real
         :math:`\sum \nu_i (1+\nu_i)/E_i` of both bodies [1/Pa].
+    line : Real
+        As for :func:`asperity.contact.crowned_line.crowned_line`, without the force.
 
     Returns
     -------
@@ -61,15 +47,8 @@ def crown_shear_compliance(
     J. Jäger, Arch. Appl. Mech. 65 (1995) 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349; K. L. Johnson,
     Contact Mechanics, 1985, section 7.2; equation (B12) of :doc:`/equations`.
     """
-    numbers = {
-        "normal_force": stick_force,
-        "crown_curvature": crown_curvature,
-        "contact_length": contact_length,
-        "effective_radius": effective_radius,
-        "contact_modulus": contact_modulus,
-    }
-    ends = (2.0 / math.pi) * lateral_strain_compliance * shortening(**numbers)
-    return crown_compliance(**numbers) + ends
+    ends = (2.0 / math.pi) * lateral_strain_compliance * shortening(normal_force=stick_force, **line)
+    return crown_compliance(normal_force=stick_force, **line) + ends
 
 
 def crown_slip(
@@ -77,11 +56,8 @@ def crown_slip(
     normal_force: Real,
     stick_force: Real,
     friction_coefficient: Real,
-    crown_curvature: Real,
-    contact_length: Real,
-    effective_radius: Real,
-    contact_modulus: Real,
     lateral_strain_compliance: Real,
+    **line: Real,
 ) -> Array:
     r"""Slip that crowns add to a line contact that stands, on first loading in the rolling direction.
 
@@ -98,16 +74,10 @@ def crown_slip(
         P: the normal force whose contact area is the region of stick [N], positive.
     friction_coefficient : Real
         mu [-].
-    crown_curvature : Real
-        Curvature kappa of the crowns of both bodies along the axis, 0 for cylinders [1/m].
-    contact_length : Real
-        Length B of the rollers' contact line [m].
-    effective_radius : Real
-        Effective radius R in the rolling direction [m].
-    contact_modulus : Real
-        Contact modulus E* [Pa].
     lateral_strain_compliance : Real
         :math:`\sum \nu_i (1+\nu_i)/E_i` of both bodies [1/Pa].
+    line : Real
+        As for :func:`asperity.contact.crowned_line.crowned_line`, without the force.
 
     Returns
     -------
@@ -124,21 +94,13 @@ def crown_slip(
     J. Jäger, Arch. Appl. Mech. 65 (1995) 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349; equation (B12) of
     :doc:`/equations`.
     """
-    numbers = {
-        "crown_curvature": crown_curvature,
-        "contact_length": contact_length,
-        "effective_radius": effective_radius,
-        "contact_modulus": contact_modulus,
-    }
     normal, stick = jnp.broadcast_arrays(
         jnp.asarray(normal_force, dtype=float), jnp.asarray(stick_force, dtype=float)
     )
     first, last = jnp.cbrt(stick), jnp.cbrt(normal)
     nodes, weights = (jnp.asarray(rule).reshape(-1, *(1,) * normal.ndim) for rule in (_NODES, _WEIGHTS))
     root = 0.5 * ((last + first) + (last - first) * nodes)
-    per_root = 3.0 * root**2 * shortening(normal_force=root**3, **numbers)
+    per_root = 3.0 * root**2 * shortening(normal_force=root**3, **line)
     ends = 0.5 * (last - first) * jnp.sum(weights * per_root, axis=0)
-    added = crown_compression(normal_force=normal, **numbers) - crown_compression(
-        normal_force=stick, **numbers
-    )
+    added = crown_compression(normal_force=normal, **line) - crown_compression(normal_force=stick, **line)
     return jnp.asarray(friction_coefficient * (added + (2.0 / math.pi) * lateral_strain_compliance * ends))

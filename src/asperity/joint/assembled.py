@@ -22,43 +22,17 @@ _ASSEMBLIES = 3
 
 
 class Pressed(NamedTuple):
-    """An assembled joint.
-
-    Parameters
-    ----------
-    laws : ContactLaws
-        Laws of its contacts.
-    rest : DriveState
-        Its state without the forces of a torque.
-    """
+    """An assembled joint: laws of its contacts, and its state without the forces of a torque."""
 
     laws: ContactLaws
     rest: DriveState
 
 
 def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
-    """A joint under its preload or interference alone.
+    """A joint under its preload or interference alone, its laws around its forces; (A3), (E3) of :doc:`/equations`.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-
-    Returns
-    -------
-    Pressed
-        Its state, and the laws of its contacts around the forces of that state.
-
-    Notes
-    -----
     Where the preload is an interference, the joint is assembled several times, each time with the laws around the force
     of the time before: the same force, stated as the preload, gives the same joint.
-
-    References
-    ----------
-    Equations (A3) and (E3) of :doc:`/equations`.
     """
     around = functools.partial(
         pressed_around,

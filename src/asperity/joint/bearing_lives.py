@@ -143,10 +143,9 @@ def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Arra
 
 
 def joint_bearing_lives(joint: Joint, result: JointResult, laws: ContactLaws) -> BearingLives:
-    """Lives, static safeties and load ratios of the bearings of a drive; pure.
+    """Lives, static safeties and load ratios of the bearings of a drive, (L2) of :doc:`/equations`; pure.
 
-    Of the rollers on pins, then of input and output, which only unlike sectors load; equation (L2) of
-    :doc:`/equations`.
+    Of the rollers on pins, then of input and output, which only unlike sectors load.
     """
     drive, under = joint.drive, {}
     if joint.rolling.duty:

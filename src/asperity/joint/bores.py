@@ -26,7 +26,7 @@ def push_angles(drive: Drive) -> Array:
 
 
 def pins_in_bores(joint: Joint) -> Bores | None:
-    """What the pins of a joint and the contacts of their rollers do to each other, equation (E5) of :doc:`/equations`.
+    """What the pins of a joint and the contacts of their rollers do to each other; (E5) of :doc:`/equations`.
 
     None where no pin is known to press in a bore. Rollers that are springs have the compliance of their bores alone,
     each track by itself beside the others.

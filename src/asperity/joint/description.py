@@ -206,18 +206,7 @@ def pin_names(drive: Drive) -> tuple[str, ...]:
 
 
 def places(drive: Drive) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """Numbers of the first and of the second body of each contact.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    tuple of tuple of int
-        Places in the drive's bodies.
-    """
+    """Numbers of the first and of the second body of each contact: their places in the drive's bodies."""
     names = [body.name for body in drive.bodies]
     return (
         tuple(names.index(contact.first) for contact in drive.contacts),

@@ -143,21 +143,9 @@ class JointResult(eqx.Module):
 
 
 def evaluate(joint: Joint) -> JointResult:
-    """The chain itself: pure, for ``jit``, ``vmap`` and ``grad``; never raises.
+    """The chain itself, (M1)–(M4) of :doc:`/equations`: pure, for ``jit``, ``vmap`` and ``grad``; never raises.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    JointResult
-        Look at its ``solved``; the results of slipping or lifted contacts have no meaning.
-
-    References
-    ----------
-    Equations (M1)–(M4) of :doc:`/equations`.
+    Look at ``solved`` of the result; the results of slipping or lifted contacts have no meaning.
     """
     return evaluated_with_laws(joint)[0]
 

@@ -47,9 +47,9 @@ class CamOfJoint(eqx.Module):
 
 
 def pressed_at(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> Callable[[Real], Pressed]:
-    """A joint as its cam presses it, of an output torque of either sign [N·m]; without a cam the same at every torque.
+    """A joint as its cam presses it under an output torque of either sign [N·m]; equation (I3) of :doc:`/equations`.
 
-    ``without_torque``: as it is assembled, under its preload or interference alone. Equation (I3) of :doc:`/equations`.
+    Without a cam it is the same at every torque, as it is assembled under its preload or interference alone.
     """
     if joint.cam is None:
         return lambda torque: without_torque

@@ -15,18 +15,9 @@ from asperity.joint.working_loads import working_forces
 
 
 def bends(joint: Joint) -> tuple[bool, ...]:
-    """Which bodies have one track and a rim that nothing rigid holds.
+    """Which bodies, in the order of the drive's, have one track and a rim that nothing rigid holds.
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    tuple of bool
-        In the order of the drive's bodies. The tracks of a stepped roller lie in different planes: what bends it is not
-        part of plane elasticity.
+    The tracks of a stepped roller lie in different planes: what bends it is not part of plane elasticity.
     """
     return tuple(
         (shape.kind == "hollow" or (shape.kind == "ring" and shape.support != "rigid_housing"))
@@ -36,12 +27,11 @@ def bends(joint: Joint) -> tuple[bool, ...]:
 
 
 def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
-    """Strength of the bodies that bend, with the axis of the bodies last; nan for the others; pure.
+    """Strength of the bodies that bend, their axis last, nan for the others; equation (L3) of :doc:`/equations`; pure.
 
-    Exact plane elasticity, equation (L3) of :doc:`/equations`. Where the input turns, the forces under the torque are
-    those of rolling. Pins of a stated diameter press in their bores with the forces that balance those of the contacts;
-    the stress of rotation is not included. Contacts have stresses of their own, judged by yield, shakedown and rolling
-    fatigue.
+    Away from the contacts, whose own stresses are judged by yield, shakedown and rolling fatigue. Exact plane
+    elasticity. Where the input turns, the forces under the torque are those of rolling. Pins of a stated diameter press
+    in their bores with the forces that balance those of the contacts; the stress of rotation is not included.
     """
     states = (working_forces(joint, result), (result.rest.normal, result.rest.tangential))
     width = jnp.asarray(result.diagnostics.hertz_half_width)

@@ -18,23 +18,9 @@ from asperity.types import namespace
 
 
 def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
-    """Loads of the structure of a joint under its torque; pure.
+    """Loads of the structure of a joint under its torque, equations (M1) and (M3) of :doc:`/equations`; pure.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    MemberLoads
-        Of steady rolling where the input turns, else of the state standing under the torque; nan where there is none.
-
-    References
-    ----------
-    Equations (M1) and (M3) of :doc:`/equations`.
+    Of steady rolling where the input turns, else of the state standing under the torque; nan where there is none.
     """
     xp = namespace(joint, result)
     known = xp.where(joint.input_speed != 0.0, xp.isfinite(result.rolling.residual), result.solved)

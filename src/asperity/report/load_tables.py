@@ -8,24 +8,21 @@ from typing import Any
 
 from asperity.report.content import Block, Bullets, Heading, Paragraph, Table, number, quantity
 from asperity.results.branch_document import deviations, force_size
-from asperity.units import from_si
+from asperity.results.loads_document import shown_rows
 
 Document = dict[str, Any]
 _MISES = (
     "The safety against yield is that of the Mises stress in plane strain, as in the middle of a long body; at the "
     'faces of a short one it is up to 11 % lower, which model.plane_state = "plane_stress" counts everywhere.'
 )
-_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm"}
 
 
 def loads(document: Document) -> Iterator[Block]:
     """What pins, bearings, shafts and housing carry, and how long the bearings live."""
-    rows = []
-    for row in document["loads"]:
-        unit = _SHOWN[row["unit"]]
-        values = (None if value is None else from_si(value, unit) for value in row["values"])
-        part = f"{row['part']}, {row['position']}"
-        rows.append((part, row["quantity"], *map(number, values), unit.replace("*", "·")))
+    rows = [
+        (f"{part}, {position}", quantity, *map(number, values), unit.replace("*", "·"))
+        for part, position, quantity, unit, values in shown_rows(document)
+    ]
     columns = (_column(case) for case in document["cases"])
     yield Table("Loads of the structure", ("part", "load", *columns, "unit"), rows, words=(0, 1))
     unknown = [f"{c['name']}: {c['unknown_because']}." for c in document["cases"] if c["unknown_because"]]

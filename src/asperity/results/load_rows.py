@@ -31,6 +31,12 @@ _stress = functools.partial(
     present=lambda solved: bends(solved.joint),
     note="tension positive, the larger of both rims, away from the contacts; nan for bodies that do not bend",
 )
+_mounting = functools.partial(
+    _load,
+    axis="body",
+    needs="geometry",
+    present=lambda solved: tuple(shape.kind == "ring" for shape in solved.joint.shapes),
+)
 _safety = functools.partial(
     Result,
     group="stresses",
@@ -110,6 +116,31 @@ ROWS = (
         ),
         positive=False,
         note=f"positive in the sense in which the input turns; {_STATE}",
+    ),
+    _mounting(
+        "mounting_force",
+        "axial mounting force",
+        Dimension.FORCE,
+        "N",
+        lambda solved: solved.mounting().force,
+        note="of a ring over its rollers: friction coefficient times normal force of all its contacts at the assembly",
+    ),
+    _mounting(
+        "mounting_heating",
+        "heating that takes the interference, for mounting",
+        Dimension.TEMPERATURE_RISE,
+        "K",
+        lambda solved: solved.mounting().heating,
+        note="of a ring, with its housing, above the rest of the drive; without a gap; nan without thermal_expansion",
+    ),
+    _load(
+        "mounting_cooling",
+        "cooling of the rollers that takes the interference, for mounting",
+        Dimension.TEMPERATURE_RISE,
+        "K",
+        lambda solved: solved.mounting().cooling,
+        needs="geometry",
+        note="of everything but the rings, below these; without a gap; nan without thermal_expansion",
     ),
     _bearing(
         "bearing_load",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -16,6 +17,7 @@ from asperity.drive.state.loads import MemberLoads, pin_components
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.rim_safety import RIM_NAMES, BodyRims
+from asperity.joint.rims import bends
 from asperity.joint.working_loads import (
     forces_on_axis,
     loads_without_torque,
@@ -27,6 +29,7 @@ from asperity.joint.working_loads import (
 )
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.document import unknown_because
+from asperity.units import format_quantity, from_si
 
 _DIRECTIONS = (
     "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
@@ -48,6 +51,13 @@ _IN_ONE_PLANE = (
     "also carry a tilting moment."
 )
 
+_MOUNTING = (
+    "Mounting, at the temperature of the assembly: the force slides a ring along its axis over all its rollers, with "
+    "the friction coefficients mu of the file; a chamfer of angle a needs up to (mu + tan a)/(mu - mu^2 tan a) times "
+    "that. Heated or cooled by these temperatures, a ring has this radial gap around its rollers; its housing is "
+    "heated with it; they need the thermal_expansion of the materials. No state on the way strains a ring more than "
+    "its seat does."
+)
 _AXIAL = (
     "Axial forces are those of skewed contacts in rolling; those of rollers on pins act on the carrier as well. "
     "Rollers without a pin need flanges or a cage, which are not described."
@@ -57,10 +67,10 @@ _BEARINGS = (
 )
 
 
-def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
+def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: float = 0.0) -> Document:
     """Loads of the structure without torque, under the working torque, and under every load of the duty, for JSON.
 
-    With :func:`bearing_entries`; None where a value is not known.
+    With :func:`bearing_entries`, and what mounts the rings with a radial gap [m]; None where a value is not known.
     """
     joint, result = solved.joint, solved.result
     cases = [case_entry("without torque", 0.0, 0.0, None, None)]
@@ -80,7 +90,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
         why = unknown_because(at_load, under)[0] if unknown else None
         cases.append(case_entry(name, float(at_load.output_torque), float(at_load.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
-    notes = [_DIRECTIONS, _EQUAL if joint.unlike is None else UNEQUAL, _STATES]
+    notes = [_MOUNTING, _DIRECTIONS, _EQUAL if joint.unlike is None else UNEQUAL, _STATES]
     if len(drive.pinned) < len(drive.floating):
         notes.append(_FREE)
     if stepped:
@@ -97,12 +107,9 @@ def loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
             under.rolling.axial_thrust if at_load.input_speed > 0.0 else none for *_, at_load, under in loaded
         ]
         thrust = np.stack([none, *turning], axis=-1)
-    return document_of_rows(
-        cases,
-        _rows(joint, loads, np.stack(held, axis=-1), speeds, thrust),
-        bearings=bearings,
-        notes=notes,
-    )
+    rows = _rows(joint, loads, np.stack(held, axis=-1), speeds, thrust)
+    mounted = _mounting_rows(solved, mounting_gap, len(cases))
+    return document_of_rows(cases, itertools.chain(rows, mounted), bearings=bearings, notes=notes)
 
 
 def _rows(
@@ -153,6 +160,30 @@ def _rows(
         yield *part, "speed in the housing", "rad/s", turned[number]
 
 
+def _mounting_rows(solved: SolvedJoint, gap: float, cases: int) -> Iterator[Row]:
+    """What mounts each ring, with a value for the first case alone."""
+    joint, mounted, bent = solved.joint, solved.mounting(gap), bends(solved.joint)
+    with_gap = f", for a gap of {format_quantity(gap, 'um')}"
+    for number, shape in enumerate(joint.shapes):
+        if shape.kind != "ring":
+            continue
+        stated: list[tuple[str, str, Any]] = [
+            ("axial force that presses it on", "N", mounted.force[number]),
+            (f"heating of the ring{with_gap}", "K", mounted.heating[number]),
+            (f"or cooling of all inside it{with_gap}", "K", mounted.cooling),
+        ]
+        if bent[number]:
+            stated += [
+                ("largest hoop stress, mounted", "Pa", np.max(solved.rims.stress_at_rest[:, number])),
+                ("its yield strength", "Pa", joint.materials[number].yield_strength),
+            ]
+        for quantity, unit, value in stated:
+            name = joint.drive.bodies[number].name.replace("_", " ")
+            yield name, "mounted over its rollers", quantity, unit, [value, *[math.nan] * (cases - 1)]
+
+
+#: Units of tables for those of the document.
+_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm", "K": "K"}
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
 _ROUNDING = 1e-12
 Document = dict[str, Any]
@@ -217,6 +248,14 @@ def document_of_rows(
         "bearings": bearings,
         "notes": notes,
     }
+
+
+def shown_rows(document: Document) -> Iterator[tuple[str, str, str, str, list[float | None]]]:
+    """Part, position, quantity, unit and values of each row of a document of loads, in units of tables."""
+    for row in document["loads"]:
+        unit = _SHOWN[row["unit"]]
+        values = [None if value is None else float(from_si(value, unit)) for value in row["values"]]
+        yield row["part"], row["position"], row["quantity"], unit, values
 
 
 def _plain(value: Any, rounding: float = 0.0) -> float | None:

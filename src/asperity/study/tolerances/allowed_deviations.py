@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -16,7 +17,7 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.quantity_key import Distribution
-from asperity.joint_file.si_tables import NumericKey, numeric_keys, si_values
+from asperity.joint_file.si_tables import NumericKey, Values, numeric_keys, si_values
 from asperity.library.tolerance_grades import grade_within, standard_tolerances
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at, evaluate_points
@@ -40,10 +41,7 @@ _NO_INFLUENCE = 1e-6
 
 @dataclass(frozen=True)
 class AllowedSize:
-    """A size, its diameter, and the deviation of its radius either way that is allowed [m]; the grade of the diameter.
-
-    ``influence``: share of the margin of a limit that one micrometre of the radius uses [1/um].
-    """
+    """A size, its diameter, the deviation of its radius allowed [m], the share of a limit's margin that 1 um uses."""
 
     path: str
     diameter: float
@@ -54,10 +52,7 @@ class AllowedSize:
 
 @dataclass(frozen=True)
 class AllowedDeviations:
-    """Sizes with what is allowed of them; ``kept`` of ``samples`` drives meet all limits, at least a ``share`` [-].
-
-    ``without_influence`` are sizes that move no limited result.
-    """
+    """What is allowed of the sizes that move a result; ``kept`` of ``samples`` drives meet all limits [-]."""
 
     sizes: tuple[AllowedSize, ...]
     without_influence: tuple[str, ...]
@@ -103,7 +98,7 @@ def allowed_deviations(
     case : Case
         The joint file; its preload must be made by ``load.interference``.
     limits : tuple of Constraint
-        What has to be kept, see :func:`limits_from_text`.
+        Of :func:`limits_from_text`.
     share : float
         Share of the drives that meet all limits [-].
     sharing : {"equal", "grade", "cost"}
@@ -112,22 +107,15 @@ def allowed_deviations(
         :math:`s_j` of a radius, the part of a limit's margin that it uses.
     distribution : Distribution
         Of each size within its deviation.
-    samples : int
-        Drives of each try; the same random numbers in all.
-    seed : int
-        Of the random numbers.
+    samples, seed : int
+        Drives of each try; of the random numbers, the same in all.
     report : callable, optional
         Called with the number of finished tries and the most that there may be.
-
-    Returns
-    -------
-    AllowedDeviations
-        Deviations and grades.
 
     Raises
     ------
     InputError
-        If the file lists its contacts, states a preload force, or the drive of nominal sizes misses a limit; if the
+        If the file lists its contacts or states a preload force, the drive of nominal sizes misses a limit, or the
         samples are too few.
     NoSolutionError
         If no size moves a limited result, or the limits are kept whatever the deviations.
@@ -142,79 +130,130 @@ def allowed_deviations(
     ISO 286-1:2010; the least cost by Lagrange's multipliers, as in M. F. Spotts, J. Eng. Ind. 95 (1973) 762.
     """
     require_double_precision()
-    if samples * (1.0 - share) < _FEWEST_MISSES:
-        needed = int(np.ceil(_FEWEST_MISSES / (1.0 - share)))
+    if samples < (needed := int(np.ceil(_FEWEST_MISSES / (1.0 - share) - 1e-6))):
         raise InputError(
             f"{samples} drives are too few for a share of {share:g}; at least {needed} are needed"
         )
-    sizes = _sizes(case)
-    refuse_impossible_joint(joint_from_case(case))
-    tables, names = with_nominal_sizes(si_values(case)), tuple(dict.fromkeys(limit.name for limit in limits))
-    nominal = {path: np.array([entry.value]) for path, (entry, _) in sizes.items()}
-    status, at_nominal, slopes = derivatives_at(tables, nominal, names, tuple(sizes))
-    if status[0] != 0 or not all(_met(limits, at_nominal)):
-        found = "; ".join(
-            f"{limit.name} is {float(value):.6g}, {'at most' if limit.at_most else 'at least'} {limit.limit:.6g} is "
-            "asked for [SI]"
-            for limit in limits
-            for value in at_nominal[limit.name][list(limit.rows), 0]
+    drives = _Drives.of_nominal_sizes(case, limits)
+    influence = drives.influence()
+    weight = _weights(drives.diameters, influence, sharing)
+    steps = weight * drives.spread(distribution, samples, seed)
+    deviation, missed = _widest(drives, steps, share, report)
+    sizes = tuple(
+        AllowedSize(path, float(diameter), float(t), grade_within(diameter, 4.0 * t), 1e-6 * float(used))
+        for path, diameter, t, used in zip(
+            drives.sizes, drives.diameters, deviation * weight, influence, strict=True
         )
-        raise InputError(f"the drive of nominal sizes misses a limit: {found}")
-    influence = _influence(limits, at_nominal, slopes)
+        if t > 0.0
+    )
+    without_influence = tuple(path for path, part in zip(drives.sizes, weight, strict=True) if not part)
+    return AllowedDeviations(sizes, without_influence, samples - missed, samples, share)
+
+
+def _weights(diameters: np.ndarray, influence: np.ndarray, sharing: Sharing) -> np.ndarray:
+    """Deviation of each size over the largest one; 0 of a size without influence."""
     moving = influence > _NO_INFLUENCE * influence.max()
     if not moving.any():
         raise NoSolutionError(
             "no size of the drive moves a result that is limited; nothing follows for deviations"
         )
-    diameters = np.array([diameter for _, diameter in sizes.values()])
-    units = np.array([standard_tolerances(diameter)["IT6"] for diameter in diameters])
-    weights = {
-        "equal": np.ones(len(sizes)),
-        "grade": units,
+    shares = {
+        "equal": np.ones(diameters.size),
+        "grade": np.array([standard_tolerances(diameter)["IT6"] for diameter in diameters]),
         "cost": np.where(moving, influence, np.inf) ** (-2 / 3),
-    }
-    weight = np.where(moving, weights[sharing] / weights[sharing][moving].max(), 0.0)
-    cube = np.random.default_rng(seed).uniform(1e-12, 1.0 - 1e-12, size=(samples, len(sizes)))
-    unit = np.stack(
-        [quantiles(NumericKey(path, 0.0, 1.0, entry.key, None), distribution, cube[:, k])
-         for k, (path, (entry, _)) in enumerate(sizes.items())]
-    )  # fmt: skip
-    steps = weight * unit.T  # of each drive, per metre of the largest deviation
-    order, estimate = _linearised(limits, at_nominal, slopes, steps, share)
-    misses, tries = samples - int(np.ceil(share * samples)), 0
-    worst, most = order[: _LOOKED_AT * (misses + 1)], 2 + _HALVINGS
+    }[sharing]
+    return np.where(moving, shares / shares[moving].max(), 0.0)
 
-    def missing(deviation: float, drives: np.ndarray) -> int:
-        nonlocal tries
-        points = {
-            path: entry.value + deviation * steps[drives, k]
-            for k, (path, (entry, _)) in enumerate(sizes.items())
-        }
-        _, found = evaluate_points(tables, points, names)
-        tries += 1
+
+def _widest(
+    drives: _Drives, steps: np.ndarray, share: float, report: Callable[[int, int], Any] | None
+) -> tuple[float, int]:
+    """The largest deviation [m] that keeps a share of the drives, and how many miss a limit; steps per metre of it."""
+    misses, tries, most = len(steps) - int(np.ceil(share * len(steps))), itertools.count(1), 2 + _HALVINGS
+
+    def missing(deviation: float, which: np.ndarray) -> int:
+        missed = drives.missing(deviation * steps[which])
         if report is not None:
-            report(min(tries, most), most)
-        return int((~_met(limits, {name: np.atleast_2d(value) for name, value in found.items()})).sum())
+            report(min(next(tries), most), most)
+        return missed
 
+    order, estimate = drives.linearised(steps, share)
+    worst = order[: _LOOKED_AT * (misses + 1)]
     deviation = _largest(lambda deviation: missing(deviation, worst) <= misses, estimate)
     while (missed := missing(deviation, order)) > misses:  # drives that the linearised ones do not tell
         deviation *= 0.97
-    if report is not None:
-        report(most, most)
-    return AllowedDeviations(
-        sizes=tuple(
-            AllowedSize(path, diameter, t, grade_within(diameter, 4.0 * t), 1e-6 * float(influence[k]))
-            for k, (path, (_, diameter)) in enumerate(sizes.items())
-            if (t := deviation * float(weight[k])) > 0.0
-        ),
-        without_influence=tuple(path for path, moves in zip(sizes, moving, strict=True) if not moves),
-        kept=samples - missed,
-        samples=samples,
-        share=share,
-    )
+    return deviation, missed
 
 
-def _sizes(case: Case) -> dict[str, tuple[NumericKey, float]]:
+@dataclass(frozen=True)
+class _Drives:
+    """Drives around that of nominal sizes: its limited results there, and their slopes by the sizes."""
+
+    tables: Values
+    limits: tuple[Constraint, ...]
+    sizes: dict[str, NumericKey]
+    diameters: np.ndarray
+    nominal: Mapping[str, np.ndarray]
+    slopes: Mapping[str, np.ndarray]
+
+    @classmethod
+    def of_nominal_sizes(cls, case: Case, limits: tuple[Constraint, ...]) -> _Drives:
+        """An ``InputError`` is raised if the drive of nominal sizes misses a limit."""
+        sizes, diameters = _sizes(case)
+        refuse_impossible_joint(joint_from_case(case))
+        tables, names = (
+            with_nominal_sizes(si_values(case)),
+            tuple(dict.fromkeys(limit.name for limit in limits)),
+        )
+        points = {path: np.array([entry.value]) for path, entry in sizes.items()}
+        status, nominal, slopes = derivatives_at(tables, points, names, tuple(sizes))
+        if status[0] != 0 or not all(_met(limits, nominal)):
+            found = "; ".join(
+                f"{limit.name} is {float(value):.6g}, {'at most' if limit.at_most else 'at least'} {limit.limit:.6g} "
+                "is asked for [SI]"
+                for limit in limits
+                for value in nominal[limit.name][list(limit.rows), 0]
+            )
+            raise InputError(f"the drive of nominal sizes misses a limit: {found}")
+        return cls(tables, limits, sizes, diameters, nominal, slopes)
+
+    def spread(self, distribution: Distribution, samples: int, seed: int) -> np.ndarray:
+        """Deviations of each drive over those allowed, shape (samples, sizes)."""
+        cube = np.random.default_rng(seed).uniform(1e-12, 1.0 - 1e-12, size=(samples, len(self.sizes)))
+        units = [NumericKey(path, 0.0, 1.0, entry.key, None) for path, entry in self.sizes.items()]
+        return np.stack([quantiles(unit, distribution, cube[:, k]) for k, unit in enumerate(units)], axis=1)
+
+    def missing(self, deviations: np.ndarray) -> int:
+        """How many drives of these deviations miss a limit, shape (drives, sizes) [m]."""
+        points = {path: entry.value + deviations[:, k] for k, (path, entry) in enumerate(self.sizes.items())}
+        _, found = evaluate_points(self.tables, points, tuple(self.nominal))
+        return int((~_met(self.limits, {name: np.atleast_2d(value) for name, value in found.items()})).sum())
+
+    def _rows(self) -> Iterator[tuple[Constraint, float, np.ndarray]]:
+        """Each limited number: its limit, its margin, and its slopes by the sizes, shape (sizes,)."""
+        for limit in self.limits:
+            for row in limit.rows:
+                margin = abs(float(self.nominal[limit.name][row, 0]) - limit.limit)
+                yield limit, margin, np.nan_to_num(self.slopes[limit.name][row, 0])
+
+    def influence(self) -> np.ndarray:
+        """Largest share of the margin of a limit that each size uses, shape (sizes,) [1/m]."""
+        used = [np.abs(slope) / max(margin, 1e-9 * abs(limit.limit)) for limit, margin, slope in self._rows()]
+        largest: np.ndarray = np.stack(used).max(axis=0)
+        return largest
+
+    def linearised(self, steps: np.ndarray, share: float) -> tuple[np.ndarray, float]:
+        """Drives by the slopes, those that miss a limit first in front; the deviation that the share allows [m]."""
+        furthest = np.full(len(steps), np.inf)
+        for limit, margin, slope in self._rows():
+            loss = (1.0 if limit.at_most else -1.0) * (steps @ slope)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                furthest = np.fmin(furthest, np.where(loss > 0.0, margin / loss, np.inf))
+        order = np.argsort(furthest)
+        return order, float(furthest[order[len(steps) - int(np.ceil(share * len(steps)))]])
+
+
+def _sizes(case: Case) -> tuple[dict[str, NumericKey], np.ndarray]:
     """Radii of the rollers and the interference of the rings, with the diameters that they belong to [m]."""
     radii = radii_of(type(case))
     if not radii:
@@ -231,7 +270,7 @@ def _sizes(case: Case) -> dict[str, tuple[NumericKey, float]]:
     if "drive.ring_radius" not in sizes:  # then the bores of the rings follow from the rollers
         sizes["load.interference"] = stated["load.interference"]
         diameters["load.interference"] = 2.0 * float(np.max(joint_from_case(case).drive.second_radius))
-    return {path: (entry, diameters[path]) for path, entry in sizes.items()}
+    return sizes, np.array(list(diameters.values()))
 
 
 def _met(limits: tuple[Constraint, ...], results: Mapping[str, np.ndarray]) -> np.ndarray:
@@ -241,38 +280,6 @@ def _met(limits: tuple[Constraint, ...], results: Mapping[str, np.ndarray]) -> n
         for limit in limits
     ]
     return np.asarray((np.concatenate(margins) >= 0.0).all(axis=0))
-
-
-def _influence(
-    limits: tuple[Constraint, ...], results: Mapping[str, np.ndarray], slopes: Mapping[str, np.ndarray]
-) -> np.ndarray:
-    """Largest share of the margin of a limit that each size uses, shape (sizes,) [1/m]."""
-    parts = []
-    for limit in limits:
-        rows = list(limit.rows)
-        margin = np.abs(results[limit.name][rows, 0] - limit.limit)[:, None]
-        parts.append(np.abs(slopes[limit.name][rows, 0]) / np.maximum(margin, 1e-9 * abs(limit.limit)))
-    largest: np.ndarray = np.nan_to_num(np.concatenate(parts)).max(axis=0)
-    return largest
-
-
-def _linearised(
-    limits: tuple[Constraint, ...],
-    results: Mapping[str, np.ndarray],
-    slopes: Mapping[str, np.ndarray],
-    steps: np.ndarray,
-    share: float,
-) -> tuple[np.ndarray, float]:
-    """Drives by the slopes, those that miss a limit first in front, and the deviation that the share allows [m]."""
-    furthest = np.full(len(steps), np.inf)
-    for limit in limits:
-        for row in limit.rows:
-            margin = abs(results[limit.name][row, 0] - limit.limit)
-            loss = (1.0 if limit.at_most else -1.0) * (steps @ np.nan_to_num(slopes[limit.name][row, 0]))
-            with np.errstate(divide="ignore", invalid="ignore"):
-                furthest = np.fmin(furthest, np.where(loss > 0.0, margin / loss, np.inf))
-    order = np.argsort(furthest)
-    return order, float(furthest[order[len(steps) - int(np.ceil(share * len(steps)))]])
 
 
 def _largest(kept: Callable[[float], bool], estimate: float) -> float:

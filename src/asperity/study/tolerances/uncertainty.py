@@ -34,6 +34,7 @@ DEFAULT_RESULTS = (*(f"{level}_stiffness_output" for level in LEVELS), "slip_rat
 #: Share of the samples within the stated intervals.
 COVERAGE = 0.95
 _RESAMPLES = 100
+_OPEN = 1e-12  # the ends of the unit interval are at infinity for a normal distribution
 _FEWEST = 100
 #: Numbers of inputs and results together that are held in memory.
 _MOST_NUMBERS = 200_000_000
@@ -102,10 +103,8 @@ def uncertainty(
         Results or groups of them; by default those of :data:`DEFAULT_RESULTS` that the drive has.
     distribution : Distribution, optional
         For the tolerances whose distribution the file does not state.
-    samples : int, optional
-        Monte-Carlo samples; about the same number is added for the Sobol indices.
-    seed : int, optional
-        Of the random numbers: the same seed, the same sample.
+    samples, seed : int, optional
+        Monte-Carlo samples, to which about as many are added for the Sobol indices; of the random numbers.
     block : int, optional
         Points after which progress is reported, at most; by default as many as run fastest.
     report : callable, optional
@@ -119,12 +118,8 @@ def uncertainty(
         ``sample``: the samples themselves and their ``status``. ``failed`` is the share of the samples without a value,
         as of a drive that slips: the quantiles count them as the worst, mean and standard deviation leave them out;
         Sobol indices are nan where any of their samples has no result. A result that is not a quantity, such as the
-        contact that slips first, has samples only.
-
-    Raises
-    ------
-    InputError
-        If the file has no tolerances, a distribution is missing, or the joint itself has no result.
+        contact that slips first, has samples only. An ``InputError`` is raised if the file has no tolerances, a
+        distribution is missing, or the joint itself has no result.
 
     Notes
     -----
@@ -137,138 +132,142 @@ def uncertainty(
     A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; T. Iwanaga, W. Usher and J. Herman,
     Socio-Environ. Syst. Model. 4 (2022) 18155 (SALib).
     """
-    xr, sampler, analyser = (require(m) for m in ("xarray", "SALib.sample.sobol", "SALib.analyze.sobol"))
     values = si_values(case)
     table = results_of(values)
     asked = [name for name in DEFAULT_RESULTS if name in table] if results is None else results
     names, inputs = chosen_results(asked, table=table), toleranced_inputs(case, otherwise=distribution)
+    rows = [table[name] for name in names]
+    _refuse_samples(samples, sum(len(row.row_names) for row in rows), len(inputs))
+    refuse_impossible_joint(with_own_branches(case))
+    cube = _cube(len(inputs), samples, seed)
+    points = {
+        path: quantiles(entry, spread, cube[:, k]) for k, (path, (entry, spread)) in enumerate(inputs.items())
+    }
+    tables, counted = with_nominal_sizes(values), _counter(report, cube.shape[0])
+    codes, found = evaluate_points(tables, points, names, batch=block, report=counted)
+    refuse_failed(case, int(codes[0]))
+    numbers = np.concatenate([np.atleast_2d(found[name]) for name in names])
+    return _dataset(rows, inputs, numbers, codes, np.stack(list(points.values())), samples, seed)
+
+
+def _refuse_samples(samples: int, results: int, inputs: int) -> None:
+    """Refuse samples that are too few for intervals, or too many for the memory."""
     if samples < _FEWEST:
         raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
-    tables = with_nominal_sizes(values)
-    rows = result_rows(table[name] for name in names)
-    most = _MOST_NUMBERS // (2 * (len(rows) + len(inputs)))
-    if samples > most:
+    if samples > (most := _MOST_NUMBERS // (2 * (results + inputs))):
         raise InputError(
-            f"{samples} samples of {len(rows)} results need too much memory; at most {most} are allowed; "
+            f"{samples} samples of {results} results need too much memory; at most {most} are allowed; "
             "choose fewer samples, or fewer results"
         )
-    refuse_impossible_joint(with_own_branches(case))
-    base = 1 << max(math.floor(math.log2(samples / (len(inputs) + 2))), 3)
-    problem = {"num_vars": len(inputs), "names": list(inputs), "bounds": [[0.0, 1.0]] * len(inputs)}
+
+
+def _cube(inputs: int, samples: int, seed: int) -> np.ndarray:
+    """The middle, random points and those for Sobol indices in the unit cube, shape (points, inputs)."""
+    base = 1 << max(math.floor(math.log2(samples / (inputs + 2))), 3)
+    sampler, problem = require("SALib.sample.sobol"), _problem(inputs)
     design = sampler.sample(problem, base, calc_second_order=False, seed=seed)
-    random = np.random.default_rng(seed).uniform(size=(samples, len(inputs)))
-    cube = np.clip(np.concatenate([np.full((1, len(inputs)), 0.5), random, design]), _OPEN, 1.0 - _OPEN)
+    random = np.random.default_rng(seed).uniform(size=(samples, inputs))
+    return np.clip(np.concatenate([np.full((1, inputs), 0.5), random, design]), _OPEN, 1.0 - _OPEN)
+
+
+def _problem(inputs: int) -> dict[str, Any]:
+    """The unit cube as SALib takes it."""
+    return {"num_vars": inputs, "names": list(map(str, range(inputs))), "bounds": [[0.0, 1.0]] * inputs}
+
+
+def _counter(report: Callable[[int, int], Any] | None, total: int) -> Callable[[int], None]:
+    """Adds up points done, and reports them with their total."""
     done = 0
 
     def count(points: int) -> None:
         nonlocal done
         done += points
         if report is not None:
-            report(done, cube.shape[0])
+            report(done, total)
 
-    points = {
-        path: quantiles(entry, spread, cube[:, k]) for k, (path, (entry, spread)) in enumerate(inputs.items())
-    }
-    codes, result_values = evaluate_points(tables, points, names, batch=block, report=count)
-    numbers = np.concatenate([np.atleast_2d(result_values[name]) for name in names])
-    refuse_failed(case, int(codes[0]))
-    mine = slice(1, 1 + samples)
-    nominal, sampled, status = numbers[:, 0], numbers[:, mine], codes[mine]
-    indices = np.stack([_sobol(analyser, problem, row, seed) for row in numbers[:, 1 + samples :]])
+    return count
 
-    shares = np.array([0.5 * (1.0 - COVERAGE), 0.5, 0.5 * (1.0 + COVERAGE)])
-    solved = sampled[:, status == 0]
-    if solved.shape[1] < _FEWEST:
-        raise InputError(
-            f"only {solved.shape[1]} of {samples} samples have a result: the tolerances are too wide"
-        )
+
+def _dataset(
+    rows: Sequence[Result],
+    inputs: dict[str, tuple[NumericKey, Distribution]],
+    numbers: np.ndarray,
+    codes: np.ndarray,
+    drawn: np.ndarray,
+    samples: int,
+    seed: int,
+) -> xarray.Dataset:
+    """Statistics of results, shape (results, points), of the points of :func:`_cube`, which stand for inputs drawn."""
+    mine, one, pair, unit = slice(1, 1 + samples), ("result",), ("result", "input"), "unit"
+    sampled, status = numbers[:, mine], codes[mine]
+    if (solved := int((status == 0).sum())) < _FEWEST:
+        raise InputError(f"only {solved} of {samples} samples have a result: the tolerances are too wide")
     # a category, such as the contact that slips first, has samples, but no mean, no quantiles and no variance
-    numbered = np.array([not table[name].categories for name in names for _ in table[name].row_names])
-    quantity = np.where(numbered[:, None], sampled, np.nan)
-    ends = [worse_end(table[name]) for name in names for _ in table[name].row_names]
-    moments = np.full((2, len(rows)), np.nan)
-    for index, known in enumerate(row[~np.isnan(row)] for row in quantity):
-        if known.size > 1:
-            moments[:, index] = known.mean(), known.std(ddof=1)
-    failed = np.isnan(sampled).mean(axis=1)
-    indices[~numbered], nominal = np.nan, np.where(numbered, nominal, np.nan)
-    with_unit = {"units": "unit"}
-    pair = ("result", "input")
-    made: xarray.Dataset = xr.Dataset(
+    quantities = np.array([not row.categories for row in rows for _ in row.row_names])
+    quantity = np.where(quantities[:, None], numbers, np.nan)
+    indices = np.stack([_sobol(row, len(inputs), seed) for row in quantity[:, 1 + samples :]])
+    known = [row[~np.isnan(row)] for row in quantity[:, mine]]
+    mean, deviation = np.transpose(
+        [(row.mean(), row.std(ddof=1)) if row.size > 1 else (np.nan, np.nan) for row in known]
+    )
+    shares = np.array([0.5 * (1.0 - COVERAGE), 0.5, 0.5 * (1.0 + COVERAGE)])
+    ends = [worse_end(row) for row in rows for _ in row.row_names]
+    ordered = [quantiles_with_failed(row, shares, worse=end) for row, end in zip(sampled, ends, strict=True)]
+    below = "value that this share of all samples is below, those without a value as the worst"
+    variables: dict[str, tuple[tuple[str, ...], np.ndarray, str, str]] = {
+        "nominal": (one, quantity[:, 0], "result at the stated values", unit),
+        "mean": (one, mean, "mean of those with a value", unit),
+        "standard_deviation": (one, deviation, "standard deviation of those with a value", unit),
+        "quantiles": (("result", "share"), np.where(quantities[:, None], ordered, np.nan), below, unit),
+        "failed": (one, np.isnan(sampled).mean(axis=1), "share of the samples without a value", "1"),
+        "first_order": (pair, indices[:, 0], "Sobol index of first order", "1"),
+        "first_order_half_width": (pair, indices[:, 1], "95 % half-width", "1"),
+        "total_order": (pair, indices[:, 2], "Sobol index of total order", "1"),
+        "total_order_half_width": (pair, indices[:, 3], "95 % half-width", "1"),
+        "status": (("sample",), status, "status", "1"),
+        "samples": (("result", "sample"), sampled, "sampled results", unit),
+        "sampled_inputs": (("input", "sample"), drawn[:, mine], "sampled inputs", "input_unit"),
+    }
+    named, keys = result_rows(rows), [entry for entry, _ in inputs.values()]
+    made: xarray.Dataset = require("xarray").Dataset(
         {
-            "nominal": (("result",), nominal, {"long_name": "result at the stated values", **with_unit}),
-            "mean": (("result",), moments[0], {"long_name": "mean of those with a value", **with_unit}),
-            "standard_deviation": (
-                ("result",),
-                moments[1],
-                {"long_name": "standard deviation of those with a value", **with_unit},
-            ),
-            "quantiles": (
-                ("result", "share"),
-                np.stack(
-                    [
-                        quantiles_with_failed(row, shares, worse=end)
-                        if named
-                        else np.full(shares.size, np.nan)
-                        for row, end, named in zip(quantity, ends, numbered, strict=True)
-                    ]
-                ),
-                {
-                    "long_name": "value that this share of all samples is below, those without a value as the worst",
-                    **with_unit,
-                },
-            ),
-            "failed": (
-                ("result",),
-                failed,
-                {"long_name": "share of the samples without a value", "units": "1"},
-            ),
-            "first_order": (pair, indices[:, 0], {"long_name": "Sobol index of first order", "units": "1"}),
-            "first_order_half_width": (pair, indices[:, 1], {"long_name": "95 % half-width", "units": "1"}),
-            "total_order": (pair, indices[:, 2], {"long_name": "Sobol index of total order", "units": "1"}),
-            "total_order_half_width": (pair, indices[:, 3], {"long_name": "95 % half-width", "units": "1"}),
-            "status": (
-                ("sample",),
-                status,
-                {"long_name": "status", "units": "1", "flag_meanings": " ".join(STATUS_NAMES)},
-            ),
-            "samples": (("result", "sample"), sampled, {"long_name": "sampled results", **with_unit}),
-            "sampled_inputs": (
-                ("input", "sample"),
-                np.stack([column[mine] for column in points.values()]),
-                {"long_name": "sampled inputs", "units": "input_unit"},
-            ),
+            name: (dimensions, values, {"long_name": words, "units": of})
+            for name, (dimensions, values, words, of) in variables.items()
         },
         coords={
-            "result": [name for name, _, _ in rows],
-            "unit": ("result", [unit for _, unit, _ in rows]),
-            "result_name": ("result", [words for _, _, words in rows]),
-            "categories": (
-                "result",
-                [" ".join(table[n].categories) for n in names for _ in table[n].row_names],
-            ),
+            "result": [name for name, _, _ in named],
+            "unit": ("result", [of for _, of, _ in named]),
+            "result_name": ("result", [words for _, _, words in named]),
+            "categories": ("result", [" ".join(row.categories) for row in rows for _ in row.row_names]),
             "share": shares,
             "input": list(inputs),
-            "input_unit": ("input", [entry.key.dimension.si_unit for entry, _ in inputs.values()]),
+            "input_unit": ("input", [entry.key.dimension.si_unit for entry in keys]),
             "input_name": ("input", [long_name(path) for path in inputs]),
             "distribution": ("input", [str(spread) for _, spread in inputs.values()]),
-            "tolerance": ("input", [entry.tolerance for entry, _ in inputs.values()]),
+            "tolerance": ("input", [entry.tolerance for entry in keys]),
         },
-        attrs={**common_attributes("uncertainty of a joint"), "seed": seed, "sobol_samples": design.shape[0]},
+        attrs={
+            **common_attributes("uncertainty of a joint"),
+            "seed": seed,
+            "sobol_samples": numbers.shape[1] - 1 - samples,
+        },
     )
+    made["status"].attrs["flag_meanings"] = " ".join(STATUS_NAMES)
     return made
 
 
-_OPEN = 1e-12  # the ends of the unit interval are at infinity for a normal distribution
-
-
-def _sobol(analyser: Any, problem: dict[str, Any], row: np.ndarray, seed: int) -> np.ndarray:
+def _sobol(row: np.ndarray, inputs: int, seed: int) -> np.ndarray:
     """First and total indices with their half-widths, shape (4, inputs); nan for a result that does not vary."""
     spread = np.ptp(row)
     if not np.isfinite(spread) or spread <= 1e-12 * np.max(np.abs(row)):
-        return np.full((4, problem["num_vars"]), np.nan)
-    indices = analyser.analyze(
-        problem, row, calc_second_order=False, num_resamples=_RESAMPLES, conf_level=COVERAGE, seed=seed
+        return np.full((4, inputs), np.nan)
+    indices = require("SALib.analyze.sobol").analyze(
+        _problem(inputs),
+        row,
+        calc_second_order=False,
+        num_resamples=_RESAMPLES,
+        conf_level=COVERAGE,
+        seed=seed,
     )
     return np.stack([indices[name] for name in ("S1", "S1_conf", "ST", "ST_conf")])
 

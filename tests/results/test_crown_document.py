@@ -1,0 +1,37 @@
+"""Crowns of the planetary example for a tilt, by hand where a hand can."""
+
+import pytest
+
+from asperity.results.crown_document import crown_document
+from asperity.results.solved import solved_with_capacities
+
+
+@pytest.fixture(scope="module")
+def contacts(planetary):
+    joint, solution, _ = planetary
+    return crown_document(solved_with_capacities(joint, solution), 0.5e-3)["contacts"]
+
+
+def test_the_file_first_then_half_all_and_twice_the_recommended_drop(planetary, contacts):
+    _, solution, _ = planetary
+    assert list(contacts) == ["sp", "pr"]
+    for number, contact in enumerate(contacts.values()):
+        states = (solution.result.rest, solution.result.forces, solution.result.rolling)
+        assert contact["normal_force_N"] == max(float(state.normal[number]) for state in states)
+        stated, *others = contact["profiles"]
+        assert (stated["end_drop_m"], stated["crown_radius_m"]) == (0.0, None)
+        assert [(entry["profile"], entry["share_of_recommended"]) for entry in others] == [
+            (kind, share) for kind in ("circular", "logarithmic") for share in (0.5, 1.0, 2.0)
+        ]
+        for half, recommended, double in (others[:3], others[3:]):
+            assert 2.0 * half["end_drop_m"] == pytest.approx(recommended["end_drop_m"])
+            assert half["end_over_mean"] > recommended["end_over_mean"] == double["end_over_mean"] == 0.0
+            assert recommended["peak_pressure_Pa"] < double["peak_pressure_Pa"]
+            assert recommended["peak_pressure_Pa"] < stated["peak_pressure_Pa"]
+        circular = others[1]
+        assert 8.0 * circular["end_drop_m"] * circular["crown_radius_m"] == pytest.approx(0.01**2)
+        at_end = (
+            others[4]["end_drop_m"] / others[4]["coefficient_m"]
+        )  # 1.193 + ln(B/2b), here of a contact 60 times
+        assert 1.193 + 3.0 < at_end < 1.193 + 5.0  # to 150 times as long as wide
+        assert others[4]["peak_pressure_Pa"] < circular["peak_pressure_Pa"]
