@@ -138,33 +138,15 @@ def one_sided_secants(contacts: JointContacts, half_width: Array) -> tuple[Array
 def body_compliance(
     *, joint: Joint, contacts: JointContacts, half_width: Array, stick_half_width: Array
 ) -> Array:
-    r"""Incremental compliance of all bodies of one sector between its contacts.
+    r"""Incremental compliance of all bodies of one sector between its contacts, shape (2 contacts, 2 contacts) [m/N].
 
     .. math:: C = \sum_{exact} P_b^\mathsf{T} C^{(b)} P_b + \operatorname{diag}\sum_{springs} \frac{1-\nu^2}{\pi E B}
               \left(2 \ln\frac{4R}{b} - 2\right) + \sum_{bores} \Delta C
 
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-    contacts : JointContacts
-        Its contacts.
-    half_width, stick_half_width : Array
-        Half-widths of the strips and of their stick zones, shape (contacts,) [m].
-
-    Returns
-    -------
-    Array
-        First the normal, then the tangential springs, shape (2 contacts, 2 contacts) [m/N].
-
-    Notes
-    -----
-    A stepped roller is a spring under each of its contacts; tangentially as stiff as normally, with the stick zone in
-    place of the strip. To it comes what its bore adds, :func:`asperity.body.stepped.bore_addition`.
-
-    References
-    ----------
-    Equations (E3) and (E6) of :doc:`/equations`.
+    First the normal, then the tangential springs, from the half-widths of the strips and of their stick zones [m]. A
+    stepped roller is a spring under each of its contacts; tangentially as stiff as normally, with the stick zone in
+    place of the strip. To it comes what its bore adds, :func:`asperity.body.stepped.bore_addition`. Equations (E3) and
+    (E6) of :doc:`/equations`.
     """
     count = len(joint.drive.contacts)
     exact = _exact_sides(joint)

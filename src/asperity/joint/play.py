@@ -30,29 +30,13 @@ NO_PLAY = Play(angle=0.0, take_up_torque=0.0)
 
 
 def play_angle(*, play: Play, output_torque: Real | np.ndarray) -> Array:
-    r"""Angle that the play adds to the wind-up.
+    r"""Angle that the play adds to the wind-up under an output torque T [rad].
 
     .. math:: \varphi_p(T) = \tfrac12 \varphi_0 \tanh(T/T_p)
 
-    Parameters
-    ----------
-    play : Play
-        Play and take-up torque.
-    output_torque : Real
-        Output torque T, shape (...) [N·m].
-
-    Returns
-    -------
-    Array
-        Angle, shape (...) [rad]; :math:`\tfrac12 \varphi_0 \operatorname{sgn} T` for a take-up torque of 0.
-
-    Notes
-    -----
-    The same angle on loading and on unloading: play without friction makes lost motion, but no hysteresis.
-
-    References
-    ----------
-    An empirical law; equation (A9) of :doc:`/equations`.
+    For a take-up torque of 0 it is :math:`\tfrac12 \varphi_0 \operatorname{sgn} T`. The same on loading and on
+    unloading: play without friction makes lost motion, but no hysteresis. An empirical law; equation (A9) of
+    :doc:`/equations`.
     """
     torque = jnp.asarray(output_torque)
     gradual = jnp.asarray(play.take_up_torque) > 0.0

@@ -159,31 +159,11 @@ def windup_of(
 ) -> Windup:
     """Integrate a torque-dependent compliance into the loading curves and the hysteresis loop.
 
-    Parameters
-    ----------
-    compliances : callable
-        Incremental compliance on first loading, and the same without slip [rad/(N·m)], at an array of torques of
-        either sign [N·m].
-    largest_torque : Real
-        Largest torque T_m > 0 [N·m].
-    stage_shares : tuple of float
-        Bounds T1/T_m and T2/T_m of the catalogue stages [-], 0 < T1 < T2 < T_m.
-    play : Play
-        Play, added to every curve.
-    steps : int, optional
-        Even steps from 0 to the largest torque, between which the compliance is integrated.
-    divisions : ndarray or None, optional
-        Shares of the largest torque at which the compliance grows without bound, and goes on beyond; None for none.
-
-    Returns
-    -------
-    Windup
-        The curves and their figures.
-
-    Raises
-    ------
-    InputError
-        If the torque or the stages are out of range.
+    ``compliances`` gives the incremental compliance on first loading, and the same without slip [rad/(N·m)], at an
+    array of torques of either sign [N·m]; ``largest_torque`` is T_m > 0 [N·m], ``stage_shares`` are T1/T_m and T2/T_m of
+    the catalogue stages [-]; ``play`` is added to every curve. The compliance is integrated between even ``steps``;
+    ``divisions`` are shares of the largest torque at which it grows without bound, and goes on beyond. An
+    ``InputError`` if the torque or the stages are out of range.
 
     Notes
     -----

@@ -137,24 +137,12 @@ def roughness_average(*, fractal_dimension: Any, fractal_roughness: Any, cut_off
 
 
 def fractal_roughness_from_average(*, roughness_average: Any, cut_off: Any, fractal_dimension: Any) -> Any:
-    r"""Fractal roughness G of a surface with given Ra and D; the inverse of :func:`roughness_average`.
+    r"""Fractal roughness G [m] of a surface with given Ra [m] and D [-]; the inverse of :func:`roughness_average`.
 
     .. math::
         G = \left[\frac{\pi R_a^2}{\lambda_c^{2H}\, I(H)}\right]^{1/(2(D-1))}
 
-    Parameters
-    ----------
-    roughness_average : float or Array
-        Ra [m].
-    cut_off : float or Array
-        Cut-off lambda_c of the profile filter [m].
-    fractal_dimension : float or Array
-        D [-], 1 < D < 2.
-
-    Returns
-    -------
-    float or Array
-        G [m].
+    ``cut_off`` is that of the profile filter, lambda_c [m].
 
     Examples
     --------

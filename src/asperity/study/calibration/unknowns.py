@@ -38,31 +38,16 @@ _LINEAR_KINDS = ("fractal_dimension", "poisson_ratio", "push_angle")
 def read_unknowns(
     texts: Iterable[str], *, case: AnyCase, measurements: tuple[Measurement, ...]
 ) -> tuple[Variable, ...]:
-    """Read the unknowns of a calibration.
+    """Read the unknowns of a calibration, with bounds and scale.
 
-    Parameters
-    ----------
-    texts : iterable of str
-        ``KEY`` or ``KEY=LOWER:UPPER`` with units, for example ``load.preload=500 N:2000 N``; a key is a number of
-        the joint file, or ``offset``, ``drift``.
-    case : Case
-        The joint file. Its value is the first guess; without bounds, five times it and a fifth of it are the bounds
-        (1.05 to 1.95 for a fractal dimension).
-    measurements : tuple of Measurement
-        The data: one curve, or one of the joint at rest and one of the joint that turns. Without bounds ``play.angle``,
-        offset and drift may be as large as the whole range of angles, and ``play.take_up_torque`` as the largest
-        torque. With several repetitions each has its own offset. Of data of the drift per turn only the offset can be
-        unknown; beside a curve at rest it is called ``offset of drift``.
-
-    Returns
-    -------
-    tuple of Variable
-        Bounds and scale. ``offset`` of several repetitions becomes ``offset 1``, ``offset 2``, …
-
-    Raises
-    ------
-    InputError
-        If a text cannot be read, or an unknown or the measurements together make no sense.
+    Texts are ``KEY`` or ``KEY=LOWER:UPPER`` with units, for example ``load.preload=500 N:2000 N``; a key is a number of
+    the joint file, or ``offset``, ``drift``. The value of the joint file is the first guess; without bounds, five times
+    it and a fifth of it are the bounds (1.05 to 1.95 for a fractal dimension), and ``play.angle``, offset and drift may
+    be as large as the whole range of angles, ``play.take_up_torque`` as the largest torque. The measurements are one
+    curve, or one of the joint at rest and one of the joint that turns. With several repetitions each has its own offset,
+    ``offset 1``, ``offset 2``, …. Of data of the drift per turn only the offset can be unknown; beside a curve at rest
+    it is called ``offset of drift``. An ``InputError`` if a text cannot be read, or an unknown or the measurements
+    together make no sense.
     """
     _refuse_alike(measurements)
     unknowns: list[Variable] = []
