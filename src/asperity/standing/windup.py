@@ -160,8 +160,8 @@ def windup_of(
     """Integrate a torque-dependent compliance into the loading curves and the hysteresis loop.
 
     ``compliances`` gives the incremental compliance on first loading, and the same without slip [rad/(N·m)], at an
-    array of torques of either sign [N·m]; ``largest_torque`` is T_m > 0 [N·m], ``stage_shares`` are T1/T_m and T2/T_m of
-    the catalogue stages [-]; ``play`` is added to every curve. The compliance is integrated between even ``steps``;
+    array of torques of either sign [N·m]; ``largest_torque`` is T_m > 0 [N·m], ``stage_shares`` are T1/T_m and T2/T_m
+    of the catalogue stages [-]; ``play`` is added to every curve. The compliance is integrated between even ``steps``;
     ``divisions`` are shares of the largest torque at which it grows without bound, and goes on beyond. An
     ``InputError`` if the torque or the stages are out of range.
 

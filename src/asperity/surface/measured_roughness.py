@@ -124,8 +124,8 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     .. math::
         S(\tau) = S_1(\tau) + S_2(\tau)
 
-    For equal D exactly :math:`G^{2(D-1)} = G_1^{2(D-1)} + G_2^{2(D-1)}`. Otherwise the sum of two power laws is not one;
-    the straight line that fits ln S best, evenly in the logarithm of lag over the common band, is returned. The
+    For equal D exactly :math:`G^{2(D-1)} = G_1^{2(D-1)} + G_2^{2(D-1)}`. Otherwise the sum of two power laws is not
+    one; the straight line that fits ln S best, evenly in the logarithm of lag over the common band, is returned. The
     covariance follows from those of both by the derivatives of that rule. An ``InputError`` if the two were measured
     for different gamma; a ``NoSolutionError`` if the bands share less than a decade, or the sum departs from a power
     law by more than 15 % rms.
