@@ -241,37 +241,40 @@ def test_one_planet_is_no_plural(document, shown):
 
 def test_the_interval_of_a_measured_surface(document, shown):
     bounds = {"low_Nm_per_rad": 7000.0, "high_Nm_per_rad": 9000.0}
-    document["measured_surface"] = {"fractal_dimension": 1.4, "fractal_roughness_m": 1e-11}
     document["stiffness_interval"] = {
-        "confidence": 0.95,
-        "draws": 100,
-        "outside": 2,
-        "unsolved": 0,
-        "all_plastic": 0,
+        "title": "95 % interval from the measured surface, D = 1.400, G = 1e-8 mm",
+        "words": "It does not hold the error of the law.",
         **dict.fromkeys(("assembly", "series_with_bulk", "published"), bounds),
         "drift": {"low_rad_per_output_turn": math.pi / 1e4, "high_rad_per_output_turn": math.pi / 5e3},
     }
     text = " ".join(" ".join(shown(document)).split())  # titles and sentences are wrapped
-    assert "95% interval from the measured surface (D = 1.400, G = 1e-8 mm)" in text
+    assert "95 % interval from the measured surface, D = 1.400, G = 1e-8 mm" in text
     assert text.count("7000") == text.count("9000") == 3
     assert "drift from 1.08 arcmin to 2.16 arcmin per output turn" in text
-    assert "2 had a D outside 1 to 2, 0 had no solution and 0 had plastic spots only" in text
+    assert text.index("drift from") < text.index("It does not hold the error of the law.")
 
 
 def test_laws_side_by_side_have_a_line_each(document, shown):
     assert "side by side" not in " ".join(shown(document))
     document["contact_laws"] = [
-        {"law": "zou_2025", "used": False, "assembly_Nm_per_rad": None, "drift_rad_per_output_turn": None},
+        {
+            "law": "zou_2025",
+            "used": False,
+            "assembly_Nm_per_rad": None,
+            "drift_rad_per_output_turn": None,
+            "over_boundary_elements": [0.045, 0.5],
+        },
         {
             "law": "exponential",
             "used": True,
             "assembly_Nm_per_rad": 7000.0,
             "drift_rad_per_output_turn": math.pi / 5400.0,
+            "over_boundary_elements": [0.39, 1.24],
         },
     ]
     lines = [line.split() for line in shown(document)]
-    assert ["zou_2025", "-", "-"] in lines
-    assert ["exponential", "7000", "2", "used", "here"] in lines
+    assert ["zou_2025", "-", "-", "0.045", "to", "0.5"] in lines
+    assert ["exponential", "7000", "2", "0.39", "to", "1.24", "used", "here"] in lines
 
 
 def test_bearings_and_bodies_that_bend_have_a_row_each(shown, document):

@@ -61,7 +61,7 @@ def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_repo
     outcome = call("report", joint_file(), "--surface", file, "--out", tmp_path / "r.html")
     assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'r.html'}")
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
-    assert "95 % interval from the measured surface, D = 1.45, G = 1e-8 mm" in text
+    assert "95 % interval from the measured surface, D = 1.450, G = 1e-8 mm" in text
     assert html.escape(file.read_text()) in text
     assert "asperity report --surface&#x27; on it" in text
 
@@ -79,6 +79,8 @@ def test_a_surface_without_a_power_law_is_in_the_report_with_its_interval(call, 
     assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'r.html'}")
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert "Interval of the contact law, and of the rms of the heights" in text
+    assert "Contact laws side by side" in text
+    assert "0.43 to 1.14" in text
     assert "the joint uses the measured spectrum; no power law of &lt;white&gt; noise" in text
 
 

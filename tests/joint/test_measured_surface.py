@@ -57,7 +57,7 @@ def test_draws_beyond_the_dimensions_of_profiles_are_counted(monkeypatch, dimens
     """Two standard deviations from a bound: 2.3 % of 2000 draws, which scatter by 7."""
     asked = []
     monkeypatch.setattr(module, "over_surfaces", lambda joint, surfaces, shape: asked.append(surfaces[0]))
-    monkeypatch.setattr(module, "result_ends", lambda result, **_: {})
+    monkeypatch.setattr(module, "result_ends", lambda result, **_: {"unsolved": 0, "all_plastic": 0})
     joint = SimpleNamespace(surfaces=[SimpleNamespace(asperity_base=1.0)])
     outside = stiffness_interval(joint, measurement(dimension, deviation=0.02))["outside"]
     assert outside == pytest.approx(45.5, abs=21.0)
@@ -213,6 +213,11 @@ def test_ends_are_the_quantiles_of_the_draws(drawn):
 def test_one_draw_in_twenty_may_lack_a_stiffness(drawn):
     found = drawn(60, 40)
     assert (found["unsolved"], found["all_plastic"]) == (60, 40)
+    assert found["title"] == "95 % interval from the measured surface, D = 1.400, G = 1e-8 mm"
+    assert found["words"].startswith(
+        "Of 2000 draws of D and G, 0 had a D outside 1 to 2, 60 had no solution and 40 had plastic spots only"
+    )
+    assert drawn(0, 0)["words"] == "It does not hold the error of the law."
     # 60 to 1959: 1900 draws, whose ends are 2.5 % of 1899 steps inside
     expected = {"low_Nm_per_rad": 0.06 + 0.025 * 1.899, "high_Nm_per_rad": 1.959 - 0.025 * 1.899}
     assert found["published"] == pytest.approx(expected)

@@ -5,6 +5,7 @@ import math
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
+import numpy as np
 import pytest
 
 pytest.importorskip("starlette")
@@ -17,6 +18,8 @@ from asperity.page import joint_request
 from asperity.page.application import ASSETS, application
 from asperity.page.computation import Computations
 from asperity.page.joint_request import JointRequest
+from asperity.surface.height_spectrum import spectrum_of_profiles
+from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 
 HOST = "127.0.0.1:8642"
 
@@ -62,6 +65,46 @@ def printed(zou_file):
 def test_the_document_is_that_of_the_command(client, joint_text, printed):
     answer = client.post("/api/joint", json={"toml": joint_text}).json()
     assert answer["document"] == printed
+
+
+@pytest.mark.slow
+def test_a_measured_surface_makes_the_joint_of_the_command(client, joint_text, zou_file, tmp_path):
+    """White noise, which has no power law, as a profile of a stated lay."""
+    from click.testing import CliRunner
+
+    from asperity.cli import asperity
+
+    def command(*arguments):
+        done = CliRunner().invoke(asperity, ["joint", *map(str, arguments), "--json"], catch_exceptions=False)
+        return json.loads(done.stdout)
+
+    heights = 1e-7 * np.random.default_rng(0).standard_normal((1, 4000))
+    spectrum = spectrum_of_profiles(profiles=heights, spacing=1e-6, lay="axis", source="roller.csv")
+    surface = roughness_document(MeasuredRoughness(None, "no power law", (spectrum,), "roller.csv"))
+    (tmp_path / "m.json").write_text(json.dumps(surface))
+    body = {"toml": joint_text, "surfaces": [surface]}
+    answer = client.post("/api/joint", json=body).json()
+    assert answer["document"] == command(zou_file, "--surface", tmp_path / "m.json")
+    assert [entry["law"] for entry in answer["document"]["contact_laws"]] == ["exponential", "persson_2007"]
+    # the file that is saved has what the contacts feel, and makes the same joint by itself; with the measurement, all
+    text = client.get(f"/api/joint/{answer['id']}/joint.toml").text
+    assert "roller.csv" in text
+    (tmp_path / "saved.toml").write_text(text)
+    saved = command(tmp_path / "saved.toml")
+    for key in ("torsional_stiffness", "drift_rad_per_output_turn", "standing", "input"):
+        assert saved[key] == answer["document"][key]
+    (tmp_path / "saved.json").write_text(json.dumps(answer["document"]["measured_surface"]))
+    everything = command(tmp_path / "saved.toml", "--surface", tmp_path / "saved.json")
+    assert everything == answer["document"]
+    # the report has the laws, and the measurement from which it can be made again
+    report = client.get(f"/api/joint/{answer['id']}/joint.html").text
+    assert "Contact laws side by side" in report
+    assert "asperity report --surface" in report
+    # the chart goes through the joint
+    chart = {"over": "load.preload", "from": "900 N", "to": "1.1 kN", "points": 3}
+    drawn = client.post("/api/chart", json=body | {"chart": chart | {"result": "assembly_stiffness_output"}})
+    stiffness = saved["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    assert drawn.json()["joint"]["y"] == pytest.approx(stiffness, rel=1e-6)
 
 
 @pytest.mark.slow

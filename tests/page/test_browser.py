@@ -269,7 +269,7 @@ def test_a_chart_of_any_number_shows_where_there_is_no_result_and_why(page):
     assert "expected a torque" in page.locator("#chart-message").inner_text()
 
 
-def test_a_surface_is_measured_and_put_into_the_joint(page, tmp_path):
+def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
     heights = np.cumsum(np.random.default_rng(1).normal(size=4096)) * 1e-9
     rows = "".join(f"{2e-7 * i:.9g},{z:.9g}\n" for i, z in enumerate(heights))
     (tmp_path / "profile.csv").write_text("x [m],z [m]\n" + rows)
@@ -279,14 +279,48 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, tmp_path):
     assert "fractal dimension D" in said
     assert " to " in said  # the intervals
     assert "Pq, µm, without a filter" in said
+    # a profile needs its lay, which is measured with
+    assert page.locator("#use-surface").is_disabled()
+    page.locator("#surface-lay").select_option("axis")
+    page.wait_for_selector("#use-surface:enabled", timeout=300_000)
+    before = card(page)
     do(page, page.locator("#use-surface").click)
-    assert float(field(page, "surface.fractal_dimension").input_value()) == pytest.approx(1.5, abs=0.03)
     assert page.locator("#error").is_hidden()
+    assert card(page) != before
+    levels = page.locator("#levels").inner_text()
+    assert "exponential\nused here" in levels
+    assert "zou_2025" in levels
+    assert "Interval of the contact law, and of the rms of the heights" in levels
+    assert "Measured: profile.csv." in page.locator("details[data-group=surface]").inner_text()
+    assert field(page, "surface.fractal_dimension").count() == 0
+    # the saved file makes the same joint, the link too
+    with page.expect_download() as waiting:
+        page.get_by_role("link", name="Save joint file").click()
+    waiting.value.save_as(tmp_path / "saved.toml")
+    text = (tmp_path / "saved.toml").read_text(encoding="utf-8")
+    assert card(page) == shown(solve_joint(joint_from_case(parse_case(text, source="saved.toml"))))[0]
+    measured = card(page)
+    do(page, lambda: page.locator("#remove-surface").click())
+    assert card(page) == before
+    assert field(page, "surface.fractal_dimension").input_value() == "1.5"
+    do(page, lambda: page.keyboard.press("Control+z"))
+    assert card(page) == measured
+    page.wait_for_timeout(500)  # until the address has the joint
+    other = chromium.new_page()
+    other.goto(page.url)
+    other.wait_for_selector("html[data-state=ready]", timeout=60_000)
+    assert card(other) == measured
+    other.close()
+    # a surface without a power law makes a joint too
     rows = "".join(f"{1e-6 * i:.9g},{3e-7 * np.sin(0.1 * i):.9g}\n" for i in range(6000))
     (tmp_path / "sine.csv").write_text("x [m],z [m]\n" + rows)
     page.locator("#open-file").set_input_files(tmp_path / "sine.csv")
-    page.wait_for_selector("#measured p.fail", timeout=300_000)
-    assert "Ra, µm, behind the cut-off 0.8 mm\t0.19" in page.locator("#measured").inner_text()  # 0.6/pi
+    page.wait_for_selector('#measured h2:has-text("sine.csv")', timeout=300_000)
+    said = page.locator("#measured").inner_text()
+    assert "Ra, µm, behind the cut-off 0.8 mm\t0.19" in said  # 0.6/pi
+    assert "No power law" in said
+    assert "The joint uses the measured spectrum" in said
+    assert page.locator("#use-surface").count() == 1
 
 
 def test_a_study_shows_its_progress_its_result_and_can_be_stopped(page, tmp_path):

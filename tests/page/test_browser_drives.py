@@ -133,7 +133,7 @@ def test_a_finish_of_the_library_takes_the_ra_of_the_drawing(page):
     )
     assert page.locator('[data-value="Stiffness at the output"]').inner_text() == stiffness(text)
     expected = drawn_interval(parse_case(text, source="planetary"))
-    (row,) = page.locator("#levels tr", has_text="assembled").all()[1:]
+    (row,) = page.locator("#levels tbody tr", has_text="assembled").all()[1:]
     ends = [expected["assembly"][f"{end}_Nm_per_rad"] for end in ("low", "high")]
     shown = [format_quantity(each, "N*m/arcmin").split(" ")[0] for each in ends]
     assert row.locator("td").all_inner_texts() == shown

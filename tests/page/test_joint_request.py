@@ -147,6 +147,8 @@ def test_the_number_of_loads_is_bounded(joint_text):
         ({}, "either as 'toml'"),
         ({"toml": "x", "joint": {"load": 1}}, "either as 'toml'"),
         ({"toml": "x", "what": 1}, "unknown entry 'what'"),
+        ({"toml": "x", "surfaces": {}}, "'surfaces' must be a list of one measured surface"),
+        ({"toml": "x", "surfaces": [{}] * 3}, "one for each of two bodies"),
         ({"toml": "x", "name": ""}, "'name'"),
         ({"toml": "x", "name": "x" * 121}, "'name'"),
         ({"toml": "x", "changes": []}, "'changes'"),
@@ -245,3 +247,41 @@ def test_the_rms_of_the_heights_takes_the_place_of_all_other_roughness(joint_tex
     back = JointRequest("b.toml", request.file_text(), {"surface.fractal_roughness": "1e-8 mm"})
     with pytest.raises(InputError, match=r"surface\.fractal_dimension: this key is missing"):
         back.case()
+
+
+DOCUMENT = {
+    "schema": "asperity-surface-measurement", "schema_version": 1, "source": "shaft.txt", "estimator": "made up",
+    "fractal_dimension": 1.45, "fractal_roughness_m": 1e-11, "frequency_ratio": 1.5, "profiles": 10,
+    "covariance_of_dimension_and_log_roughness": [[1e-6, 0.0], [0.0, 1e-3]],
+    "shortest_wavelength_m": 1e-6, "longest_wavelength_m": 1e-4,
+}  # fmt: skip
+
+
+def test_a_measured_surface_takes_the_place_of_the_files(joint_text):
+    """A document without a spectrum, of which D and G go in."""
+    request = joint_request({"toml": joint_text, "surfaces": [DOCUMENT]})
+    assert request.measured().measured.source == "shaft.txt"
+    assert request.case().surface.fractal_dimension.value == 1.4  # what the form shows is the file's
+    assert request.solved_case().surface.fractal_dimension.value == 1.45
+    saved = parse_case(request.file_text(), source="a.toml")
+    assert si_values(saved) == si_values(request.solved_case())
+    assert "# measured, shaft.txt: what each contact feels" in request.file_text()
+    assert request.stated_text() == joint_text
+    plain = joint_request({"toml": joint_text})
+    assert (plain.measured(), plain.solved_case()) == (None, plain.case())
+    assert plain.identity != request.identity
+
+
+def test_a_surface_that_is_no_measurement_is_refused(joint_text):
+    for surface, said in (
+        ({}, "its key 'schema'"),
+        (3, "its key 'schema'"),
+        (DOCUMENT | {"profiles": 0}, "0 profiles"),
+    ):
+        with pytest.raises(InputError, match=f"joint.toml: .*{said}"):
+            joint_request({"toml": joint_text, "surfaces": [surface]}).solved_case()
+    deep = {}
+    for _ in range(100):
+        deep = {"a": deep}
+    with pytest.raises(InputError, match="nested too deeply"):
+        joint_request({"toml": joint_text, "surfaces": [deep]})

@@ -128,19 +128,26 @@ def test_a_profile_of_a_known_dimension_is_measured(tmp_path, monkeypatch):
     )
     low, high = found["document"]["fractal_dimension_interval_95"]
     assert low < 1.5 < high
-    assert found["changes"]["surface.fractal_dimension"] == found["document"]["fractal_dimension"]
-    # the document of the measurement is opened as well, and says the same
+    assert found["surface"]["fractal_dimension"] == found["document"]["fractal_dimension"]
+    # the document of the measurement is opened as well, and says the same; of its profile the lay can be stated
     again = measured_upload(json.dumps(found["document"]).encode(), "m.json", {})
-    assert again["changes"] == found["changes"]
-    # a smooth surface has no power law, and nothing to put into the joint
+    assert again["surface"] == found["surface"]
+    axis = measured_upload(json.dumps(found["document"]).encode(), "m.json", {"lay": "axis"})["surface"]
+    (spectrum,), (turned,) = found["surface"]["spectra"], axis["spectra"]
+    assert (spectrum["lay"], turned["lay"]) == (None, "axis")
+    assert turned["rolling_frequency_edges_per_m"] == spectrum["axial_frequency_edges_per_m"]
+    # a smooth surface has no power law; a joint takes its spectrum
     x = np.arange(2000) * 1e-6
     smooth = np.stack([x, 1e-7 * np.sin(2 * np.pi * x / 1e-3)], 1)
     text = io.BytesIO()
     np.savetxt(text, smooth, delimiter=",", header="x [m],z [m]", comments="")
-    refused = measured_upload(text.getvalue(), "smooth.csv", {})
+    refused = measured_upload(text.getvalue(), "smooth.csv", {"lay": "rolling"})
     assert refused["document"]["no_power_law"]
-    assert refused["changes"] == {}
-    assert started == ["measure"] * 3
+    assert refused["surface"]["spectra"][0]["lay"] == "rolling"
+    # too few points for a spectrum leave nothing
+    short = measured_upload(profile(points=10), "short.csv", {})
+    assert short["surface"] is None
+    assert started == ["measure"] * 5
 
 
 @pytest.mark.slow
@@ -183,6 +190,12 @@ def test_the_end_of_the_server_ends_a_measurement(monkeypatch):
 
     with pytest.raises(StoppedError):
         asyncio.run(measure())
+
+
+@pytest.mark.parametrize(("key", "word"), [("lay", "across"), ("direction", "z"), ("missing", "keep")])
+def test_a_lay_and_a_direction_are_words(key, word):
+    with pytest.raises(InputError, match=f"{key}: '{word}' is not one of"):
+        measured_upload(b"1\n2\n", "p.csv", {key: word})
 
 
 def test_a_spacing_needs_its_unit():

@@ -6,9 +6,8 @@ from asperity.report.content import Paragraph, Table
 from asperity.report.result_tables import (
     averages,
     contacts,
-    drawn_stiffness,
     drive,
-    measured_stiffness,
+    interval,
     stiffness,
     windup,
 )
@@ -164,13 +163,13 @@ def test_the_drive_in_degrees_grams_and_millimetres():
 
 
 def test_an_interval_over_ra_with_its_drift():
-    table, drift, words = drawn_stiffness(INTERVAL)
+    table, drift, words = interval({"stiffness_interval": INTERVAL})
     assert isinstance(table, Table)
     assert table.title == INTERVAL["title"]
     assert [row[1:] for row in table.rows] == [("7000", "–")] * 3
     assert drift == Paragraph("Drift from 10 arcmin to – per output turn.")
     assert words == Paragraph("D from 1.15 to 1.5.")
-    assert list(drawn_stiffness(None)) == []
+    assert list(interval({})) == []
 
 
 def test_the_ra_of_every_surface():
@@ -193,18 +192,25 @@ def test_the_ra_of_every_surface():
     assert list(averages({"surfaces": []})) == []  # by their heights
 
 
-def test_interval_of_a_measured_surface_says_which_draws_are_left_out():
-    ends = {"low_Nm_per_rad": 2e4, "high_Nm_per_rad": 3e4}
-    interval = dict.fromkeys(("assembly", "series_with_bulk", "published"), ends)
-    interval["drift"] = INTERVAL["drift"]
-    interval |= {"confidence": 0.95, "draws": 200, "outside": 1, "unsolved": 2, "all_plastic": 3}
-    measured = {"fractal_dimension": 1.5, "fractal_roughness_m": 1e-9}
-    table, drift, said = measured_stiffness(measured, interval)
-    assert table.title == "95 % interval from the measured surface, D = 1.5, G = 1e-6 mm"
-    assert [tuple(row[1:]) for row in table.rows] == [("20000", "30000")] * 3
-    assert drift.text.startswith("Drift from 10 arcmin")
-    assert said.text.startswith(
-        "Of 200 draws of D and G, 1 had a D outside 1 to 2, 2 had no solution and 3 had plastic"
-    )
-    none = interval | {"outside": 0, "unsolved": 0, "all_plastic": 0}
-    assert len(list(measured_stiffness(measured, none))) == 2
+def test_contact_laws_have_a_row_each():
+    entry = {"law": "zou_2025", "used": False, "over_boundary_elements": [0.045, 0.5]}
+    numbers = {"assembly_Nm_per_rad": 7000.0, "drift_rad_per_output_turn": 2.0 * ARCMINUTE}
+    laws = [
+        entry | dict.fromkeys(numbers),
+        entry | numbers | {"law": "exponential", "used": True, "over_boundary_elements": [0.39, 1.24]},
+    ]
+    level = dict.fromkeys(("input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin"), 1.0)
+    document = {
+        "torsional_stiffness": dict.fromkeys(LEVELS, level),
+        "preload": {"loading_cam": None},
+        "geometry": {"input": "sun"},
+        "stiffness_unknown_because": None,
+        "diagnostics": [],
+        "stiffness_budget": {},
+    }
+    title = "Contact laws side by side"
+    assert title not in rows_of(stiffness(document))
+    assert rows_of(stiffness(document | {"contact_laws": laws}))[title] == [
+        ("zou_2025", "–", "–", "0.045 to 0.5", ""),
+        ("exponential", "7000", "2", "0.39 to 1.24", "used here"),
+    ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -44,20 +44,11 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     check_image(plot_file)
     case = read_case(file)
     prepare_computation()
-    from asperity.joint_file.solved_document import laws_of_file, solve_case
+    from asperity.joint_file.solved_document import solve_with_surface
 
     with about(file):
         measured = _with_surfaces(case, surfaces) if surfaces else None
-        solved, document = solve_case(case if measured is None else measured.case)
-        if measured is not None:
-            document["assumptions"] += measured.assumed
-            document |= measured.document(solved.joint)
-            laws = measured.laws(solved.joint, solved.result)
-        else:
-            document |= _interval(case)
-            laws = laws_of_file(case, solved.joint, solved.result)
-        if laws:
-            document["contact_laws"] = laws
+        solved, document = solve_with_surface(case, measured)
     if plot_file:
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
@@ -73,15 +64,6 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     show_joint(console(), document, source=file, in_full=in_full)
 
 
-def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:
-    """Branches of unlike sizes over the size of the first; None where the file has none."""
-    if solved.branches is None:
-        return None
-    from asperity.branches.size_errors import size_error_curves
-
-    return size_error_curves(solved.branches)
-
-
 def _with_surfaces(case: Case, paths: tuple[str, ...]) -> MeasuredCase:
     """The joint with measured surfaces."""
     from asperity.joint.measured_surface import measured_surface
@@ -90,9 +72,10 @@ def _with_surfaces(case: Case, paths: tuple[str, ...]) -> MeasuredCase:
     return case_with_surface(case, measured_surface(paths))
 
 
-def _interval(case: Case) -> dict[str, Any]:
-    """Intervals of stiffness and drift from what a file leaves open of its surfaces."""
-    from asperity.joint_file.drawn_surface import drawn_interval
+def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:
+    """Branches of unlike sizes over the size of the first; None where the file has none."""
+    if solved.branches is None:
+        return None
+    from asperity.branches.size_errors import size_error_curves
 
-    interval = drawn_interval(case)
-    return {} if interval is None else {"stiffness_interval": interval}
+    return size_error_curves(solved.branches)

@@ -6,7 +6,6 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from asperity.cli.document_text import (
-    count,
     in_unit,
     number,
     print_wrapped,
@@ -22,18 +21,18 @@ from asperity.cli.terminal import show_table
 from asperity.joint.torque_limits import first_slip_words, may_carry_more
 from asperity.results.document import (
     INTERVAL_HEADS,
+    LAW_HEADS,
     LEVEL_WORDS,
     NO_SHARE,
     budget_words,
     has_elastic_bodies,
     input_member,
     interval_rows,
+    law_rows,
     stiffness_rows,
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from rich.console import Console
 
 Document = dict[str, Any]
@@ -66,13 +65,14 @@ def _show_stiffness(target: Console, document: Document) -> None:
     if document["stiffness_unknown_because"]:
         print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
     show_law_range(target, document)
-    _show_laws(target, document.get("contact_laws", ()))
+    if laws := law_rows(document, number):
+        show_table(target, "Contact laws side by side", LAW_HEADS, laws)
     interval = document.get("stiffness_interval")
     if interval is None:
         return
     show_table(
         target,
-        _interval_title(document),
+        interval["title"],
         ("model", "output from\nN·m/rad", "output to\nN·m/rad"),
         (
             (meaning, *(number(interval[name][f"{end}_Nm_per_rad"]) for end in ("low", "high")))
@@ -86,45 +86,8 @@ def _show_stiffness(target: Console, document: Document) -> None:
     rows = interval_rows(interval)
     if rows:
         show_table(target, "Asperities of the contacts in this interval", INTERVAL_HEADS, rows)
-    if "surfaces" in interval:
-        print_wrapped(target, f"  {interval['words']}", indent=2)
-        target.print()
-    elif interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
-        print_wrapped(
-            target,
-            f"of {count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2, "
-            f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
-            "contact law has no stiffness; these are left out, and from one draw in twenty on there is no interval",
-            indent=2,
-        )
-
-
-def _show_laws(target: Console, laws: Sequence[Document]) -> None:
-    """The joint by every contact law that its surfaces allow, one line each."""
-    if not laws:
-        return
-    head = ("law", "assembled, output\nN·m/rad", "drift per turn\narcmin", "")
-    rows = (
-        (
-            entry["law"],
-            number(entry["assembly_Nm_per_rad"]),
-            in_unit(entry["drift_rad_per_output_turn"], "arcmin").removesuffix(" arcmin"),
-            "used here" if entry["used"] else "",
-        )
-        for entry in laws
-    )
-    show_table(target, "Contact laws side by side", head, rows)
-
-
-def _interval_title(document: Document) -> str:
-    interval = document["stiffness_interval"]
-    if "title" in interval:
-        return str(interval["title"])
-    measured = document["measured_surface"]
-    return (
-        f"{interval['confidence']:.0%} interval from the measured surface "
-        f"(D = {measured['fractal_dimension']:.3f}, G = {in_unit(measured['fractal_roughness_m'], 'mm')})"
-    )
+    print_wrapped(target, f"  {interval['words']}", indent=2)
+    target.print()
 
 
 def _show_drift(target: Console, document: Document) -> None:

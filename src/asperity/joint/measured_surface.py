@@ -15,6 +15,7 @@ from asperity.joint.description import Joint
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.surface.measured_roughness import MeasuredRoughness, read_roughness, two_bodies
 from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement
+from asperity.units import format_quantity
 
 #: Draws of (D, ln G); the ends of a 95 % interval then scatter by about 3 % of its width.
 DRAWS = 2000
@@ -65,8 +66,8 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     dict
         As :func:`asperity.joint.surface_interval.result_ends`, the ends are the 2.5 % and 97.5 % points; besides
         ``draws``, ``outside`` (draws with D outside 1…2), ``unsolved``, ``all_plastic`` (draws in which the
-        contact law has no stiffness) and ``confidence``. Such draws are left out; both ends are None where one draw in
-        twenty has no stiffness.
+        contact law has no stiffness), ``confidence``, ``title`` and ``words``. Such draws are left out; both ends are
+        None where one draw in twenty has no stiffness.
 
     Raises
     ------
@@ -95,14 +96,20 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     shape = np.shape(surface.fractal_dimension)
     result = over_surfaces(joint, (surface,), shape=shape)
     tail = 50.0 * (1.0 - CONFIDENCE)
+    outside = int(np.count_nonzero(~inside))
+    ends = result_ends(result, shape=shape, percentiles=(tail, 100.0 - tail), least_usable=0.95)
+    words = (
+        f"Of {DRAWS} draws of D and G, {outside} had a D outside 1 to 2, {ends['unsolved']} had no solution and "
+        f"{ends['all_plastic']} had plastic spots only, where the contact law has no stiffness. These are left out; "
+        "from one draw in twenty on there is no interval. "
+    )
     return {
         "confidence": CONFIDENCE,
         "draws": DRAWS,
-        "outside": int(np.count_nonzero(~inside)),
-        **result_ends(
-            result,
-            shape=shape,
-            percentiles=(tail, 100.0 - tail),
-            least_usable=0.95,
-        ),
+        "outside": outside,
+        **ends,
+        "title": f"95 % interval from the measured surface, D = {centre[0]:.3f}, G = "
+        f"{format_quantity(float(measurement.fractal_roughness), 'mm', 4)}",
+        "words": f"{words if outside or ends['unsolved'] or ends['all_plastic'] else ''}"
+        "It does not hold the error of the law.",
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import tomlkit
@@ -134,6 +134,18 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str], words:
         )
     set_texts(document, written)
     set_words(document, words)
+    return tomlkit.dumps(document)
+
+
+def with_surfaces_of(text: str, case: Case, *, comment: Iterable[str]) -> str:
+    """The TOML of a joint file with the surfaces of another one in place of its own, below a comment."""
+    document, table = tomlkit.parse(text), tomlkit.table()
+    for line in comment:
+        table.add(tomlkit.comment(line))
+    for name, stated in _texts(case.surface).items():
+        table.add(name, stated)
+    del document["surface"]
+    document.add("surface", table)
     return tomlkit.dumps(document)
 
 

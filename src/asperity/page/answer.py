@@ -14,12 +14,11 @@ from asperity.drive.layout.drive import sector_rotation
 from asperity.errors import AsperityError
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
-from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.edited_text import entered_values
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys
-from asperity.joint_file.solved_document import solve_case
+from asperity.joint_file.solved_document import solve_with_surface
 from asperity.joint_file.stated_parts import made_interference
 from asperity.page.description import form_of
 from asperity.page.joint_request import JointRequest, choices_of_case
@@ -42,10 +41,7 @@ _WINDUP_STEPS = 20
 def joint_answer(request: JointRequest) -> Answer:
     """Everything that the page shows of one joint."""
     case = request.case()
-    solved, document = solve_case(case)
-    interval = drawn_interval(case)
-    if interval is not None:
-        document["stiffness_interval"] = interval
+    solved, document = solve_with_surface(case, request.measured())
     with ThreadPoolExecutor(1) as beside:  # the programs of both run at the same time
         wound = beside.submit(contextvars.copy_context().run, _windup, solved)
         curves = _curves(solved)
@@ -55,7 +51,7 @@ def joint_answer(request: JointRequest) -> Answer:
         **stated_values(case, request.file_tables),
         "document": document,
         "drawing": drive_shapes(solved.joint, solved.result)
-        | {"made_interference_m": made_interference(case, solved.result).size},
+        | {"made_interference_m": made_interference(request.solved_case(), solved.result).size},
         "margins": [_margin(margin) for margin in margins(solved)],
         "curves": curves,
         "creep": _creep(solved),

@@ -198,14 +198,17 @@ async def _failed(request: Request, error: Exception) -> Response:
 def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> bytes:
     if kind == "json":
         return (json.dumps(document, indent=2, allow_nan=False) + "\n").encode()
-    text = asked.file_text()
     if kind == "toml":
-        return text.encode()
+        return asked.file_text().encode()
     from asperity.report.html import report_html
     from asperity.report.joint_report import ReportSource, joint_report
     from asperity.report.pdf import report_pdf, require_typst
 
     if kind == "pdf":
         require_typst()  # before the work
-    report = joint_report(ReportSource(name=asked.name, text=text, case=asked.case()))
+    measurements = tuple(json.dumps(surface, indent=2) + "\n" for surface in asked.surfaces)
+    source = ReportSource(
+        asked.name, asked.stated_text(), asked.solved_case(), asked.measured(), measurement_texts=measurements
+    )
+    report = joint_report(source)
     return report_pdf(report) if kind == "pdf" else report_html(report).encode()

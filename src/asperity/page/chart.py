@@ -124,7 +124,7 @@ def _family(entry: Any) -> tuple[str, tuple[str, ...]]:
 
 def chart_answer(request: ChartRequest) -> dict[str, Any]:
     """The curves of a chart."""
-    case = request.joint.case()
+    case = request.joint.solved_case()
     kind = case.type
     values = si_values(case)
     rows = result_rows(results_of(values))

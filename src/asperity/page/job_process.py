@@ -13,6 +13,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -158,11 +159,15 @@ def design_words(result: DesignResult) -> dict[str, Any]:
 
 
 def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
+    from asperity.surface.height_spectrum import with_lay
     from asperity.surface.measure_files import files_document, measured_files
     from asperity.surface.measured_roughness import read_roughness, roughness_document
 
+    lay = options.get("lay")
     if options.get("document"):
-        return roughness_document(read_roughness(path=file))
+        roughness = read_roughness(path=file)
+        spectra = (one if one.is_map or one.lay else with_lay(one, lay) for one in roughness.spectra)
+        return roughness_document(replace(roughness, spectra=tuple(spectra)))
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource
 
@@ -174,9 +179,9 @@ def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, An
         spacing=options.get("spacing"),
         decimal="auto",
         any_size=False,
-        missing="refuse",
-        direction="x",
-        lay=None,
+        missing=options.get("missing", "refuse"),
+        direction=options.get("direction", "x"),
+        lay=lay,
         estimator="automatic",
         frequency_ratio=1.5,
         start=None,

@@ -161,7 +161,7 @@ def job_request(body: Any) -> tuple[str, JointRequest, dict[str, bytes], dict[st
     unknown = sorted(set(job) - set(allowed[kind]))
     if unknown:
         raise InputError(f"job: a {kind} has no entry {quoted(unknown[0])}")
-    case = joint.case()  # says at once what is wrong
+    case = joint.solved_case()  # says at once what is wrong
     text = joint.file_text().encode()
     if kind == "sensitivity":
         return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text}, {}

@@ -14,7 +14,14 @@ import tomlkit
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
-from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words
+from asperity.joint_file.edited_text import (
+    entered_key_at,
+    leave_out,
+    set_texts,
+    set_words,
+    with_surfaces_of,
+)
+from asperity.joint_file.measured_surface import MeasuredCase, case_with_surface
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, material_keys, type_of
 from asperity.joint_file.reader import case_from_tables
@@ -30,6 +37,7 @@ from asperity.page.list_changes import (
     without_lists,
 )
 from asperity.reading import check_depth, parse_toml
+from asperity.surface.measured_roughness import roughness_from_document, two_bodies
 
 #: The key of the finish of all surfaces, and what a file need not state beside it.
 FINISH = "surface.finish"
@@ -81,24 +89,26 @@ def choices_of_case(case: Case) -> dict[str, tuple[str, ...]]:
 class JointRequest:
     """One joint, by what messages call it, as TOML or, where that is empty, as the tables of a joint file.
 
-    ``changes``: dotted path → new value as a file states it.
+    ``changes``: dotted path → new value as a file states it; ``surfaces``: documents of measurements, of the surface of
+    all contacts or of both bodies, which take the place of the surfaces of the file.
     """
 
     name: str
     text: str
     changes: Mapping[str, Any] = field(default_factory=dict)
     tables: Mapping[str, Any] = field(default_factory=dict)
+    surfaces: tuple[Any, ...] = ()
     _made: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def identity(self) -> str:
         """A name of the content, the same for the same content; of changes that exclude each other the last holds."""
         changes = list(self.changes.items())
-        content = json.dumps([self.name, self.text, changes, self.tables], sort_keys=True)
+        content = json.dumps([self.name, self.text, changes, self.tables, self.surfaces], sort_keys=True)
         return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:32]
 
     def case(self) -> Case:
-        """The checked joint file.
+        """The checked joint file, with the surfaces that it states itself.
 
         Raises
         ------
@@ -106,6 +116,24 @@ class JointRequest:
             If it contains something that is not allowed, has too many loads, or names another file.
         """
         return self._once("case", self._checked)
+
+    def measured(self) -> MeasuredCase | None:
+        """The joint with its measured surfaces, in terms of its contact law; None where it has none."""
+        return self._once("measured", self._with_surfaces) if self.surfaces else None
+
+    def _with_surfaces(self) -> MeasuredCase:
+        try:
+            measured = [roughness_from_document(document) for document in self.surfaces]
+            return case_with_surface(
+                self.case(), measured[0] if len(measured) == 1 else two_bodies(*measured)
+            )
+        except InputError as error:
+            raise InputError(f"{self.name}: {error}") from None
+
+    def solved_case(self) -> Case:
+        """The joint file that is solved: with what its contacts feel of measured surfaces."""
+        measured = self.measured()
+        return self.case() if measured is None else measured.case
 
     def _checked(self) -> Case:
         tables = copy.deepcopy(self.file_tables)
@@ -139,7 +167,18 @@ class JointRequest:
         return self._made[name]
 
     def file_text(self) -> str:
-        """The joint file with its changes, with the comments and the layout of the original text."""
+        """The joint file that is solved, with the comments and the layout of the original text."""
+        measured = self.measured()
+        if measured is None:
+            return self.stated_text()
+        comment = (
+            f"measured, {measured.measured.source}: what each contact feels under the torque of this file.",
+            "Interval and all laws: asperity joint with --surface and the measurement that the page saves.",
+        )
+        return with_surfaces_of(self.stated_text(), measured.case, comment=comment)
+
+    def stated_text(self) -> str:
+        """The file with its changes and the surfaces that it states itself, with its comments and layout."""
         text = self.text or tomlkit.dumps(dict(self.tables))
         places = places_of_lists(self.file_tables, self.changes, _model_of(self.file_tables))
         for name, wanted in places.items():
@@ -217,14 +256,14 @@ def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
 def joint_request(body: Any) -> JointRequest:
     """The joint that the JSON body of a request asks about.
 
-    ``toml`` (text) or ``joint`` (nested tables); optional ``changes`` (dotted path → value) and ``name``. An
-    ``InputError`` is raised if an entry is missing, unknown or of the wrong kind.
+    ``toml`` (text) or ``joint`` (nested tables); optional ``changes`` (dotted path → value), ``surfaces`` (documents of
+    measurements) and ``name``. An ``InputError`` is raised if an entry is missing, unknown or of the wrong kind.
     """
     if not isinstance(body, dict):
         raise InputError("the body must be a JSON object with the joint file as 'toml' or 'joint'")
-    unknown = sorted(set(body) - {"toml", "joint", "changes", "name"})
-    if unknown:
-        raise InputError(f"unknown entry {quoted(unknown[0])}; known are toml, joint, changes, name")
+    known = ("toml", "joint", "changes", "surfaces", "name")
+    if unknown := sorted(set(body) - set(known)):
+        raise InputError(f"unknown entry {quoted(unknown[0])}; known are {', '.join(known)}")
     text, tables = body.get("toml", ""), body.get("joint", {})
     changes, name = body.get("changes", {}), body.get("name", "joint.toml")
     if not isinstance(text, str) or not isinstance(tables, dict) or bool(text.strip()) == bool(tables):
@@ -240,5 +279,11 @@ def joint_request(body: Any) -> JointRequest:
             raise InputError(f"{path}: a value is text with its unit or a number, got {quoted(value)}")
         if isinstance(value, str) and len(value) > LONGEST_VALUE:
             raise InputError(f"{path}: a value has at most {LONGEST_VALUE} characters, got {len(value)}")
-    check_depth(tables, name)
-    return JointRequest(name=name, text=text, changes=changes, tables=tables)
+    surfaces = body.get("surfaces", [])
+    if not isinstance(surfaces, list) or len(surfaces) > 2:
+        raise InputError(
+            "'surfaces' must be a list of one measured surface, or of one for each of two bodies"
+        )
+    for tree in (tables, *surfaces):
+        check_depth(tree, name)
+    return JointRequest(name=name, text=text, changes=changes, tables=tables, surfaces=tuple(surfaces))

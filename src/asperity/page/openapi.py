@@ -14,6 +14,7 @@ from asperity.page.joint_request import MOST_CHANGES
 from asperity.page.list_changes import ONE_PER_BRANCH
 from asperity.page.upload import LARGEST_SURFACE, LONGEST_MEASUREMENT
 from asperity.results import SEVERITIES
+from asperity.surface.height_spectrum import LAYS
 
 Schema = dict[str, Any]
 
@@ -189,6 +190,13 @@ def _work_paths() -> Schema:
         file = {"type": "string", "format": "binary", "maxLength": LARGEST_SURFACE}
         units = ("position_unit", "height_unit", "spacing")
         parameters = [_parameter(name, "Where the file does not say it.") for name in units]
+        parameters += [
+            _parameter(
+                "lay", f"Grooves of a profile, which it crosses: {', '.join(LAYS)}; a joint needs it."
+            ),
+            _parameter("direction", "In which the contact rolls over a map: x or y; x if absent."),
+            _parameter("missing", "What happens with missing points: refuse, longest or interpolate."),
+        ]
         return _post(
             summary,
             file,
@@ -209,8 +217,14 @@ def _work_paths() -> Schema:
             {"kind": {"enum": ["joint", "design", "measurement"]}},
         ),
         "/api/measure": upload(
-            f"D and G of a measured surface, or of a measurement document, {within}.",
-            {"document": _OBJECT, "changes": _OBJECT},
+            f"Spectrum, D and G of a measured surface, or of a measurement document, {within}.",
+            {
+                "document": _OBJECT,
+                "surface": _said(
+                    {"type": ["object", "null"]},
+                    "For 'surfaces' of a request; null without spectrum and power law.",
+                ),
+            },
         ),
         "/api/jobs": _post(
             begin, _request_schema(job=_asked_job_schema()), _json(_ref("Job"), begin), status="202"
@@ -335,6 +349,12 @@ def _request_schema(**asked: Schema) -> Schema:
             "toml": _said(_TEXT, "The text of a joint file."),
             "joint": _said(_OBJECT, "The tables of a joint file; /api/schema is their schema."),
             "changes": {**_OBJECT, **changes},
+            "surfaces": _list(
+                _OBJECT,
+                maxItems=2,
+                description="Documents of 'asperity surface measure --json' in place of the surfaces of the file: "
+                "one of both bodies together, or one of each.",
+            ),
             "name": _said(_TEXT, "What messages and downloads call the joint."),
             **asked,
         },

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
-from asperity.errors import InputError, printable
+from asperity.errors import InputError, printable, quoted
 from asperity.joint_file.reader import parse_case
 from asperity.page.answer import stated_values
 from asperity.page.child import Child, file_name
@@ -15,6 +15,8 @@ from asperity.page.computation import Computations
 from asperity.page.joint_request import LONGEST_NAME, refuse_named_files
 from asperity.reading import LARGEST_FILE, parse_toml
 from asperity.surface.file_formats import signed_format
+from asperity.surface.height_spectrum import LAYS
+from asperity.surface.measured_roughness import roughness_document, roughness_from_document
 from asperity.surface.measurement import SCHEMA
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
@@ -25,6 +27,9 @@ LARGEST_RESULT = 8 * 1024**2
 #: Largest file of a surface [byte], and the time in which it must be measured [s].
 LARGEST_SURFACE = 64 * 1024**2
 LONGEST_MEASUREMENT = 120.0
+
+#: Choices of a measurement → their words.
+_WORDS = {"lay": LAYS, "direction": ("x", "y"), "missing": ("refuse", "longest", "interpolate")}
 
 Kind = Literal["joint", "design", "measurement", "surface"]
 
@@ -144,9 +149,16 @@ class Measurements:
 def measured_upload(
     content: bytes, name: str, units: Mapping[str, str], begun: Callable[[Child], Any] = lambda child: None
 ) -> dict[str, Any]:
-    """D and G of the file of an instrument, or those of a measurement that was made before."""
+    """The measurement of the file of an instrument, or one made before, and the ``surface`` that a joint takes of it.
+
+    ``units``: also the ``lay`` of a profile, the ``direction`` in which a contact rolls over a map, and what happens
+    with ``missing`` points; empty if not stated.
+    """
     refuse_downloads(content, name)
     options: dict[str, Any] = {key: value for key, value in units.items() if value}
+    for key, words in _WORDS.items():
+        if options.get(key, words[0]) not in words:
+            raise InputError(f"{key}: {quoted(options[key])} is not one of {', '.join(words)}")
     if "spacing" in options:
         options["spacing"] = parse_quantity(options["spacing"], Dimension.LENGTH)
     options["document"] = recognised(content, "") == "measurement"
@@ -154,15 +166,6 @@ def measured_upload(
     child = Child("measure", {safe: content}, options)
     begun(child)
     document = child.run(longest=LONGEST_MEASUREMENT)
-    return {"name": safe, "document": document, "changes": _changes(document)}
-
-
-def _changes(document: Mapping[str, Any]) -> dict[str, float | str]:
-    """Changes of the joint file that state a measured surface; empty without a power law."""
-    if document.get("schema") != SCHEMA or "no_power_law" in document:
-        return {}
-    return {
-        "surface.fractal_dimension": document["fractal_dimension"],
-        "surface.fractal_roughness": f"{document['fractal_roughness_m']!r} m",
-        "surface.frequency_ratio": document["frequency_ratio"],
-    }
+    measured = roughness_from_document(document)
+    usable = measured.fractal is not None or measured.spectra
+    return {"name": safe, "document": document, "surface": roughness_document(measured) if usable else None}

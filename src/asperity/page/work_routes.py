@@ -27,9 +27,8 @@ def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -
     """The addresses."""
 
     async def measured(request: Request, content: bytes, name: str) -> Response:
-        units = {
-            key: request.query_params.get(key, "")[:40] for key in ("position_unit", "height_unit", "spacing")
-        }
+        stated = ("position_unit", "height_unit", "spacing", "lay", "direction", "missing")
+        units = {key: request.query_params.get(key, "")[:40] for key in stated}
         measurement = await measurements.run(content, name, units)
         return JSONResponse({"kind": "measurement", **measurement})
 

@@ -14,10 +14,9 @@ import asperity
 from asperity.errors import AsperityError
 from asperity.joint.description import Joint
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
-from asperity.joint_file.solved_document import solve_case
+from asperity.joint_file.solved_document import solve_with_surface
 from asperity.joint_file.stated_parts import made_interference, stated_parts
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables
 from asperity.report.content import (
@@ -113,7 +112,7 @@ def joint_report(source: ReportSource) -> Report:
         inputs_table(source.case),
         choices_table(source.case),
         Heading("Assumptions"),
-        Bullets([*document["assumptions"], *(source.measurement.assumed if source.measurement else ())]),
+        Bullets(document["assumptions"]),
         Heading("Drawing"),
         Paragraph(
             "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
@@ -160,7 +159,7 @@ class _Parts:
 
 
 def _parts(source: ReportSource) -> _Parts:
-    solved, document = solve_case(source.case)
+    solved, document = solve_with_surface(source.case, source.measurement)
     bearings = document["bearings"]
     loads = loads_document(solved, bearings)
     drive = result_tables.drive(document)
@@ -168,7 +167,7 @@ def _parts(source: ReportSource) -> _Parts:
         solved,
         document,
         loads,
-        surfaces=(*_measured(solved.joint, source, source.case), *result_tables.averages(document)),
+        surfaces=(*result_tables.interval(document), *result_tables.averages(document)),
         drive=(*drive, *load_tables.rims(document)),
         branches=() if solved.branches is None else tuple(branch_tables(document["branches"])),
     )
@@ -230,18 +229,6 @@ def _rolling(document: dict[str, Any], examined: _Examined, pictures: dict[str, 
     yield from rolling_tables.rolling(document)
     if "rolling" in pictures:
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
-
-
-def _measured(joint: Joint, source: ReportSource, case: Case) -> Iterator[Block]:
-    """The interval of stiffness and drift from the uncertainty of a measured surface, or of one stated by its Ra."""
-    if source.measurement is None:
-        yield from result_tables.drawn_stiffness(drawn_interval(case))
-        return
-    document = source.measurement.document(joint)
-    if source.measurement.heights is not None:
-        yield from result_tables.drawn_stiffness(document["stiffness_interval"])
-        return
-    yield from result_tables.measured_stiffness(document["measured_surface"], document["stiffness_interval"])
 
 
 def _appendix(source: ReportSource) -> Iterator[Block]:

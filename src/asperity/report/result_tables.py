@@ -9,6 +9,7 @@ from asperity.joint.torque_limits import first_slip_words
 from asperity.report.content import Block, Paragraph, Table, number, percent, quantity
 from asperity.results.document import (
     INTERVAL_HEADS,
+    LAW_HEADS,
     LEVEL_WORDS,
     NO_SHARE,
     budget_words,
@@ -16,6 +17,7 @@ from asperity.results.document import (
     input_member,
     interval_rows,
     law_range_words,
+    law_rows,
     stiffness_rows,
 )
 
@@ -105,6 +107,8 @@ def stiffness(document: Document) -> Iterator[Block]:
         yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")
     if words := law_range_words(document):
         yield Paragraph(f"{words[0].upper()}{words[1:]}.")
+    if laws := law_rows(document, number):
+        yield Table("Contact laws side by side", LAW_HEADS, laws, words=(0, 4))
     shares = []
     for name, share in document["stiffness_budget"].items():
         words = name.removesuffix("_share").replace("_", " ")
@@ -269,35 +273,13 @@ def windup(curves: Document) -> Iterator[Block]:
     )
 
 
-def measured_stiffness(measured: Document, interval: Document) -> Iterator[Block]:
-    """Interval of stiffness and drift that follows from the uncertainty of a measured surface."""
-    yield from _interval(
-        f"{percent(interval['confidence'])} interval from the measured surface, D = "
-        f"{number(measured['fractal_dimension'])}, G = {quantity(measured['fractal_roughness_m'], 'mm')}",
-        interval,
-    )
-    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
-        yield Paragraph(
-            f"Of {number(interval['draws'])} draws of D and G, {interval['outside']} had a D outside 1 to 2, "
-            f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
-            "contact law has no stiffness. These are left out."
-        )
-
-
-def drawn_stiffness(interval: Document | None) -> Iterator[Block]:
-    """Interval of stiffness and drift over what a file leaves open of its surfaces."""
-    if interval is not None:
-        yield from _interval(interval["title"], interval)
-        rows = interval_rows(interval)
-        if rows:
-            yield Table("Asperities of the contacts in this interval", INTERVAL_HEADS, rows)
-        yield Paragraph(interval["words"])
-
-
-def _interval(title: str, interval: Document) -> Iterator[Block]:
-    ends = ("low", "high")
+def interval(document: Document) -> Iterator[Block]:
+    """Interval of stiffness and drift over what is open of the surfaces, drawn or measured."""
+    interval, ends = document.get("stiffness_interval"), ("low", "high")
+    if interval is None:
+        return
     yield Table(
-        title,
+        interval["title"],
         ("level of the model", "output from\nN·m/rad", "output to\nN·m/rad"),
         [
             (words, *(number(interval[level][f"{end}_Nm_per_rad"]) for end in ends))
@@ -306,6 +288,9 @@ def _interval(title: str, interval: Document) -> Iterator[Block]:
     )
     low, high = (quantity(interval["drift"][f"{end}_rad_per_output_turn"], "arcmin") for end in ends)
     yield Paragraph(f"Drift from {low} to {high} per output turn.")
+    if rows := interval_rows(interval):
+        yield Table("Asperities of the contacts in this interval", INTERVAL_HEADS, rows)
+    yield Paragraph(interval["words"])
 
 
 def averages(document: Document) -> Iterator[Table]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import jax
@@ -34,7 +34,7 @@ from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
 from asperity.rolling.document import losses, rolling_document
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
-from asperity.units import format_quantity
+from asperity.units import format_quantity, from_si
 
 Document = dict[str, Any]
 
@@ -260,6 +260,28 @@ def interval_rows(interval: Document) -> list[tuple[str, ...]]:
         parts = [normal[part] for part in ("both", "contact_law", "rms_height")]
         rows.append((name, *(cell(ends) for ends in (*parts, tangential["both"]))))
     return rows
+
+
+#: Heads of the columns of :func:`law_rows`.
+LAW_HEADS = ("law", "assembled, output\nN·m/rad", "drift per turn\narcmin", "over boundary\nelements", "")
+
+
+def law_rows(document: Document, number: Callable[[float | None], str]) -> list[tuple[str, ...]]:
+    """The joint by every contact law that its surfaces allow, one row each, below :data:`LAW_HEADS`; none for one law.
+
+    ``number`` writes a number, or that there is none.
+    """
+    drifts = [entry["drift_rad_per_output_turn"] for entry in document.get("contact_laws", ())]
+    return [
+        (
+            entry["law"],
+            number(entry["assembly_Nm_per_rad"]),
+            number(None if drift is None else from_si(drift, "arcmin")),
+            " to ".join(f"{end:g}" for end in entry["over_boundary_elements"]),
+            "used here" if entry["used"] else "",
+        )
+        for entry, drift in zip(document.get("contact_laws", ()), drifts, strict=True)
+    ]
 
 
 def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:

@@ -3,12 +3,15 @@
 import { choiceRows, finishRow, showChoice } from "/choices.js";
 import { Height, isDepth, otherHeight } from "/heights.js";
 import { Lists, sectionOf } from "/lists.js";
-import { element, number, unitText } from "/numbers.js";
+import { element, jsonLink, number, unitText } from "/numbers.js";
 
 const OPEN = ["drive", "load", "surface", "bodies"];
 const STEPS = 400;
 
 let contacts = []; // names of the contacts of the drive on the page
+
+/** The measurement in place of the surfaces of the file, as text; empty where there is none. */
+const measurement = (stated) => (stated.document?.measured_surface ? JSON.stringify(stated.document.measured_surface, null, 2) : "");
 
 /** What a number is called on the page. */
 export function label(path) {
@@ -61,10 +64,12 @@ function scale(kind, low, high, step = 0) {
 export class Controls {
   /**
    * `changed(path, text, moving, also)` is called for each new value; null puts back that of the file; `also` are values
-   * that follow from it. `together(values, sections)` sets several keys in one step.
+   * that follow from it. `together(values, sections)` sets several keys in one step; `unmeasured()` takes measured
+   * surfaces out of the joint.
    */
-  constructor(form, description, changed, together) {
+  constructor(form, description, changed, together, unmeasured) {
     this.form = form;
+    this.unmeasured = unmeasured;
     this.together = together;
     this.description = description;
     this.changed = changed;
@@ -105,15 +110,26 @@ export class Controls {
     groups.splice(3, 0, ["bodies", "Bodies"]);
     groups.push(["model", "Model"]);
     this.finish = null;
+    this.measured = measurement(stated);
     for (const [name, heading] of groups) {
       const fields = () => [...choiceRows(this, name, stated), ...this.numberRows(name, stated)];
-      const rows = name in stated.lists ? [this.lists.group(name)] : fields();
-      if (name === "surface") rows.unshift(finishRow(this, stated));
+      const measured = name === "surface" && this.measured;
+      const rows = measured ? [this.measuredRow()] : name in stated.lists ? [this.lists.group(name)] : fields();
+      if (name === "surface" && !measured) rows.unshift(finishRow(this, stated));
       if (!rows.length) continue;
       const details = element("details", { "data-group": name }, element("summary", {}, heading), ...rows);
       details.open = first ? OPEN.includes(name) : open.has(name);
       this.form.append(details);
     }
+  }
+
+  /** What stands in place of the surfaces of the file where measured ones do. */
+  measuredRow() {
+    const back = element("button", { type: "button", id: "remove-surface" }, "Back to the surfaces of the file");
+    back.addEventListener("click", this.unmeasured);
+    const { source } = JSON.parse(this.measured);
+    const said = `Measured: ${source}. It takes the place of the surfaces of the file at every contact. Model, contact law, chooses the law. The joint file that is saved has what each contact feels, and makes the same joint; with the saved measurement, asperity joint gives the interval and all laws too.`;
+    return element("div", { class: "measured" }, element("p", { class: "note" }, said), back, " ", jsonLink("Save measurement", source, this.measured));
   }
 
   numberRows(group, stated) {
@@ -222,8 +238,9 @@ export class Controls {
   /** Show the values of an answer; what the user has typed stays as typed. */
   show(stated, changes) {
     this.values = { ...stated.numbers, ...stated.entered };
-    const missing = Object.keys(this.values).some((path) => !this.rows.has(path) && !sectionOf(path) && this.isShown(path, stated));
-    if (missing || this.materials !== this.used(stated)) this.build(stated);
+    const measured = measurement(stated);
+    const missing = Object.keys(this.values).some((path) => !this.rows.has(path) && !(measured && path.startsWith("surface.")) && !sectionOf(path) && this.isShown(path, stated));
+    if (missing || this.materials !== this.used(stated) || this.measured !== measured) this.build(stated);
     this.materials = this.used(stated);
     if (this.finish) this.finish.show(stated);
     this.lists.show(changes, stated.numbers);

@@ -68,7 +68,7 @@ async function askOnce(state) {
   const slow = setTimeout(() => say("Computing…"), 400);
   const slower = setTimeout(() => say("Computing. The first time on this computer, the programs are compiled: up to a minute."), 3000);
   try {
-    const [ok, found] = await post("/api/joint", JSON.stringify({ name: state.name, toml: state.toml, changes: state.changes }));
+    const [ok, found] = await post("/api/joint", JSON.stringify(state));
     banner("");
     if (ok) {
       page.dataset.state = "ready";
@@ -119,10 +119,11 @@ function links() {
 
 /** What the form says, and the joint with the newest results does not: dotted paths, or the name of another file. */
 function leftOut() {
-  const { name, toml, changes } = history.state;
+  const { name, toml, changes, surfaces } = history.state;
   if (toml !== shown.toml) return [name];
   const paths = [...new Set([...Object.keys(shown.changes), ...Object.keys(changes)])];
-  return paths.filter((path) => shown.changes[path] !== changes[path]);
+  const left = paths.filter((path) => shown.changes[path] !== changes[path]);
+  return surfaces === shown.surfaces ? left : [...left, "the measured surface"];
 }
 
 /** What is saved, in words; where the form is ahead of the results, what is not part of it. */
@@ -231,7 +232,14 @@ function step(count) {
 /** Another joint on the page, as a new state. */
 function takeJoint({ name, toml }) {
   lastPath = null;
-  history.add({ name, toml, changes: {} });
+  history.add({ name, toml, changes: {}, surfaces: [] });
+  refresh();
+}
+
+/** Other measured surfaces in the joint: one, one of each body, or none. */
+function takeSurfaces(surfaces) {
+  lastPath = null;
+  history.add({ ...history.state, surfaces });
   refresh();
 }
 
@@ -314,7 +322,7 @@ async function begin() {
   }
   const described = await (await fetch("/api/description")).json();
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
-  controls = new Controls(get("controls"), described, changed, changedTogether);
+  controls = new Controls(get("controls"), described, changed, changedTogether, () => takeSurfaces([]));
   controls.build(described.start);
   showHelp(get("controls"));
   jobs = new JobList(get("jobs"), post, takeJoint);
@@ -323,11 +331,13 @@ async function begin() {
     say,
     joint: takeJoint,
     design: (found) => jobs.offerDesign(found),
-    surface: (changes) => changedTogether(changes, ["surface"]),
+    surface: (found, beside = []) => takeSurfaces([...beside, found]),
+    surfaces: () => history.state.surfaces,
+    opened: () => page.dataset.state === "ready" && showError(""), // what an earlier file was refused for
     fail: refused,
   });
   chart = new Chart(get("chart"), controls, post);
-  history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {} });
+  history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {}, surfaces: [] });
   connect();
   refresh();
 }

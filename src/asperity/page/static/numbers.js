@@ -36,7 +36,13 @@ export function element(name, attributes = {}, ...children) {
   return made;
 }
 
-/** The same for SVG. */
+/** A link that saves a text as a JSON file. */
+export function jsonLink(label, name, text) {
+  const href = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+  return element("a", { class: "button", download: `${name}.json`, href }, label);
+}
+
+/** An element of SVG. */
 export function svg(name, attributes = {}, ...children) {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);

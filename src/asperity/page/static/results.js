@@ -37,7 +37,7 @@ export function showAnswer(answer, baseline) {
   get("forces").hidden = !bodies.length;
   get("forces").classList.toggle("several", bodies.length > 0 && answer.drawing.bodies.length > 1);
   get("bodies").replaceChildren(...bodies);
-  get("levels").replaceChildren(levels(found, before), ...lawRange(found), drift(found), ...interval(found));
+  get("levels").replaceChildren(levels(found, before), ...lawRange(found), drift(found), ...laws(found), ...interval(found));
   get("budget").replaceChildren(budget(found));
   get("margins").replaceChildren(margins(answer));
   get("warnings").replaceChildren(...branchNote(found), warnings(found));
@@ -153,6 +153,25 @@ function drift(found) {
       ? `Drift: ${standing(found)}.`
       : `Beside every stiffness: the output drifts by ${number(per)} arcmin in each turn under this torque. The wind-up comes back, the drift does not.`;
   return element("p", { class: "note strong" }, said);
+}
+
+/** Stiffness and drift by every contact law that the surfaces allow. */
+function laws(found) {
+  if (!found.contact_laws) return [];
+  const rows = found.contact_laws.map((each) => [
+    element("span", {}, each.law, element("small", {}, each.used ? "used here" : "")),
+    number(scaled(each.assembly_Nm_per_rad, 1 / arcmin(1))),
+    number(arcmin(each.drift_rad_per_output_turn)),
+    each.over_boundary_elements.map((end) => number(end)).join("–"),
+  ]);
+  const title = "Contact laws side by side";
+  const headings = ["law", "assembled, N·m/arcmin", "drift per turn, arcmin", "over boundary elements"];
+  const words = "Last column: how stiff a contact is by this law, over boundary elements on measured surfaces.";
+  return [
+    element("h3", {}, title),
+    element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": `${title}, scrollable` }, table(title, headings, rows)),
+    element("p", { class: "note" }, words),
+  ];
 }
 
 /** From what to what stiffness and drift reach over what a file leaves open of its surfaces. */
@@ -307,6 +326,7 @@ function contacts(found) {
 
 /** Which Ra of two like bodies the D and G of the surfaces mean. */
 function roughness(found) {
+  if (!found.surfaces.length) return "";
   const micro = (value) => number(scaled(value, 1e6), 3);
   const all = Object.keys(found.standing.contacts).length;
   const rows = found.surfaces.map((each) => [

@@ -1,4 +1,4 @@
-// The joint that the page shows: a joint file and its changes; undo; and the same in the address.
+// The joint that the page shows: a joint file, its changes and its measured surfaces; undo; and the same in the address.
 
 const MOST_STEPS = 200;
 
@@ -22,7 +22,8 @@ export async function unpacked(text) {
     const bytes = Uint8Array.from(raw, (letter) => letter.charCodeAt(0));
     const found = JSON.parse(new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes)));
     const plain = typeof found.toml === "string" && typeof found.name === "string" && typeof found.changes === "object";
-    return plain && found.changes !== null ? { name: found.name, toml: found.toml, changes: found.changes } : null;
+    const surfaces = Array.isArray(found.surfaces) ? found.surfaces : [];
+    return plain && found.changes !== null ? { name: found.name, toml: found.toml, changes: found.changes, surfaces } : null;
   } catch {
     return null;
   }

@@ -1,11 +1,22 @@
 // Files that are opened or dropped: joint, design, measured surface; the server recognises them by their content.
 
-import { element, number, table } from "/numbers.js";
+import { element, jsonLink, number, table } from "/numbers.js";
 
 const LARGEST = 64 * 1024 * 1024; // byte, as the server
+const MISSING = [
+  ["", "are refused"],
+  ["longest", "the largest complete piece"],
+  ["interpolate", "filled by straight lines"],
+];
+const LAYS = [
+  ["", "not stated"],
+  ["rolling", "grooves in the rolling direction"],
+  ["axis", "grooves along the rollers' axis"],
+  ["isotropic", "no grooves"],
+];
 
 export class Uploads {
-  /** `take` has: joint({name, toml}), design({name, design}), surface(changes), say(text), fail(text, name), post. */
+  /** `take` has: joint({name, toml}), design({name, design}), surface(document, beside), surfaces(), opened(), say(text), fail(text, name), post. */
   constructor(panel, take) {
     this.panel = panel;
     this.take = take;
@@ -28,9 +39,10 @@ export class Uploads {
     } finally {
       clearTimeout(slow);
     }
+    if (ok) this.take.opened();
     if (!ok) {
       this.take.fail(found.error, file.name);
-      if (/unit|spacing/i.test(found.error) && !file.name.endsWith(".toml")) this.show(file.name, [element("p", { class: "fail" }, found.error), this.units(file, units)]);
+      if (/unit|spacing|missing/i.test(found.error) && !file.name.endsWith(".toml")) this.show(file.name, [element("p", { class: "fail" }, found.error), this.units(file, units)]);
     } else if (found.kind === "joint") this.take.joint(found);
     else if (found.kind === "design") this.take.design(found);
     else this.measured(found, file, units);
@@ -46,7 +58,7 @@ export class Uploads {
     this.panel.scrollIntoView({ block: "nearest" });
   }
 
-  /** What the file does not say: units and the distance of the points. */
+  /** What the file does not say: units, the distance of the points, and what happens with those that are missing. */
   units(file, given) {
     const fields = [
       ["position_unit", "Unit of positions", "mm"],
@@ -56,8 +68,14 @@ export class Uploads {
       const input = element("input", { type: "text", id: `units-${name}`, placeholder: `e.g. ${example}`, value: given[name] || "" });
       return [name, input, element("div", { class: "field" }, element("label", { for: `units-${name}` }, text), input)];
     });
+    const gaps = element("select", { id: "units-missing" }, ...MISSING.map(([value, text]) => element("option", { value, selected: value === given.missing }, text)));
+    fields.push(["missing", gaps, element("div", { class: "field" }, element("label", { for: gaps.id }, "Missing points"), gaps)]);
     const again = element("button", { type: "button" }, "Measure again");
-    again.addEventListener("click", () => this.open(file, Object.fromEntries(fields.map(([name, input]) => [name, input.value.trim()]).filter((pair) => pair[1]))));
+    again.addEventListener("click", () => {
+      const { lay, direction } = given;
+      const stated = [["lay", lay], ["direction", direction], ...fields.map(([name, input]) => [name, input.value.trim()])];
+      this.open(file, Object.fromEntries(stated.filter((pair) => pair[1])));
+    });
     return element("div", { class: "chart-fields" }, ...fields.map((field) => field[2]), element("div", { class: "field" }, again));
   }
 
@@ -72,35 +90,62 @@ export class Uploads {
         if (key in values) heights.push([name, number(1e6 * values[key]), ""]);
       }
     }
-    if (measured.no_power_law !== undefined) {
-      this.show(found.name, [table("Measured surface", ["number", "value", ""], heights), element("p", { class: "fail" }, `No D and G: ${measured.no_power_law}. 'asperity surface measure --json' and 'asperity joint --surface' make a joint of its spectrum.`), ...notes.map((text) => element("p", { class: "note" }, text)), this.units(file, units)]);
-      this.take.say("The surface has no power law; see the message.");
-      return;
-    }
     const interval = (pair, factor = 1) => `${number(pair[0] * factor)} to ${number(pair[1] * factor)}`;
-    const rows = [
+    const refused = measured.no_power_law;
+    const fractal = refused !== undefined ? [] : [
       ["fractal dimension D", number(measured.fractal_dimension), interval(measured.fractal_dimension_interval_95)],
       ["fractal roughness G, nm", number(1e9 * measured.fractal_roughness_m), interval(measured.fractal_roughness_interval_95_m, 1e9)],
-      ...heights,
     ];
-    const band = `Self-affine from ${number(1e6 * measured.shortest_wavelength_m, 3)} to ${number(1e6 * measured.longest_wavelength_m, 3)} µm; estimator ${measured.estimator}, ${measured.profiles} profile${measured.profiles === 1 ? "" : "s"}. D and G belong together: their errors are almost fully correlated.`;
-    const use = element("button", { type: "button", id: "use-surface" }, "Put into the joint, at every contact");
-    use.addEventListener("click", () => {
-      this.take.surface(found.changes);
-      this.panel.hidden = true;
-    });
-    const save = element("a", { class: "button", download: `${found.name}.json`, href: URL.createObjectURL(new Blob([JSON.stringify(measured, null, 2)], { type: "application/json" })) }, "Save measurement");
+    const band = refused !== undefined
+      ? `${refused[0].toUpperCase()}${refused.slice(1)}.`
+      : `Self-affine from ${number(1e6 * measured.shortest_wavelength_m, 3)} to ${number(1e6 * measured.longest_wavelength_m, 3)} µm; estimator ${measured.estimator}, ${measured.profiles} profile${measured.profiles === 1 ? "" : "s"}. D and G belong together: their errors are almost fully correlated.`;
+    const [use, ...parts] = this.uses(found, file, units);
     this.show(found.name, [
-      table("Measured surface", ["number", "value", "95 % interval"], rows),
-      element("p", { class: "note" }, band),
-      ...notes.map((text) => element("p", { class: "note" }, text)),
-      element("p", { class: "note" }, "The joint needs the roughness of both bodies together. This takes the measured one for it; two measurements are combined by 'asperity surface combine'. D and G go to the published contact law, which is 2 to 22 times too soft on measured surfaces; 'asperity joint --surface' takes the measured spectrum."),
-      use,
-      " ",
-      save,
+      table("Measured surface", ["number", "value", refused === undefined ? "95 % interval" : ""], [...fractal, ...heights]),
+      ...[band, ...notes].map((text) => element("p", { class: "note" }, text)),
+      ...(refused === undefined ? [] : [this.units(file, units)]),
+      ...parts,
+      ...(use ? [use, " "] : []),
+      jsonLink("Save measurement", found.name, JSON.stringify(measured, null, 2)),
       " ",
     ]);
-    this.take.say(`Measured: D ${number(measured.fractal_dimension)}, G ${number(1e9 * measured.fractal_roughness_m)} nm.`);
-    use.focus();
+    this.take.say(refused === undefined ? `Measured: D ${number(measured.fractal_dimension)}, G ${number(1e9 * measured.fractal_roughness_m)} nm.` : found.surface ? "Measured: no power law; the joint uses the measured spectrum." : "The surface has neither a power law nor a spectrum; see the message.");
+    if (use && !use.disabled) use.focus();
+  }
+
+  /** The button that puts a measured surface into the joint, null where none can be, and what stands before it. */
+  uses(found, file, units) {
+    if (!found.surface) return [null, element("p", { class: "fail" }, "No joint: a spectrum needs 16 points or more.")];
+    const { spectra = [], source } = found.surface;
+    const [spectrum] = spectra;
+    const sentence = spectrum
+      ? "The joint uses the measured spectrum: of its waves those that each contact feels, by the exponential contact law where Model, contact law states none. One measurement stands for both bodies together."
+      : "A document of an earlier release, without a spectrum: its D and G go into the joint.";
+    const use = element("button", { type: "button", id: "use-surface" }, "Put into the joint, at every contact");
+    const parts = [element("p", { class: "note" }, sentence)];
+    const put = (beside) => () => {
+      this.take.surface(found.surface, beside);
+      this.panel.hidden = true;
+    };
+    use.addEventListener("click", put([]));
+    const choice = (key, label, words, chosen) => {
+      const select = element("select", { id: `surface-${key}` }, ...words.map(([value, text]) => element("option", { value, selected: value === chosen }, text)));
+      select.addEventListener("change", () => this.open(file, { ...units, [key]: select.value }));
+      parts.push(element("div", { class: "chart-fields" }, element("div", { class: "field wide" }, element("label", { for: select.id }, label), select)));
+    };
+    if (spectrum && spectrum.is_map && found.document.direction) {
+      choice("direction", "The contact rolls along", [["x", "x"], ["y", "y"]], found.document.direction);
+    } else if (spectrum && !spectrum.is_map) {
+      choice("lay", "Lay of the profile", LAYS, spectrum.lay || "");
+      if (!spectrum.lay) parts.push(element("p", { class: "note strong" }, "State the lay: a profile crosses its grooves and tells nothing of the waves along them. Ground rollers, measured along their axis, have grooves in the rolling direction."));
+      use.disabled = !spectrum.lay;
+    }
+    const there = this.take.surfaces();
+    if (there.length === 1 && !use.disabled) {
+      const other = element("button", { type: "button", id: "use-other-body" }, `Put in as the other body, beside ${there[0].source}`);
+      other.addEventListener("click", put(there));
+      parts.push(other, " ");
+    }
+    return [use, ...parts];
   }
 }
