@@ -14,6 +14,7 @@ from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.contact_laws import laws_side_by_side, with_law
 from asperity.joint_file.decay_ratios import RATIOS_OF, refuse_without_elements
 from asperity.joint_file.drawn_surface import (
     Ends,
@@ -29,7 +30,6 @@ from asperity.joint_file.felt_heights import (
 )
 from asperity.joint_file.material_entries import BY_DECAY_LENGTH
 from asperity.joint_file.model import Case
-from asperity.joint_file.solved_document import laws_side_by_side, with_law
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 

@@ -45,9 +45,9 @@ def read_unknowns(
     it and a fifth of it are the bounds (1.05 to 1.95 for a fractal dimension), and ``play.angle``, offset and drift may
     be as large as the whole range of angles, ``play.take_up_torque`` as the largest torque. The measurements are one
     curve, or one of the joint at rest and one of the joint that turns. With several repetitions each has its own
-    offset, ``offset 1``, ``offset 2``, …. Of data of the drift per turn only the offset can be unknown; beside a curve at
-    rest it is called ``offset of drift``. An ``InputError`` if a text cannot be read, or an unknown or the measurements
-    together make no sense.
+    offset, ``offset 1``, ``offset 2``, …. Of data of the drift per turn only the offset can be unknown; beside a curve
+    at rest it is called ``offset of drift``. An ``InputError`` if a text cannot be read, or an unknown or the
+    measurements together make no sense.
     """
     _refuse_alike(measurements)
     unknowns: list[Variable] = []

@@ -1,0 +1,76 @@
+"""Stiffness and drift of a joint by every contact law that its surfaces allow, side by side."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS
+from asperity.contact.persson_2007 import PERSSON_OVER_BOUNDARY_ELEMENTS
+from asperity.contact.roller_pairs import Roughness
+from asperity.errors import AsperityError
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.drawn_surface import surface_entries, surfaces_by_average
+from asperity.joint_file.material_entries import ContactLaw
+from asperity.joint_file.model import Case
+
+#: Laws side by side, from the one that knows least of the surface → its stiffness over that of boundary elements on
+#: measured surfaces (``docs/validity.md``): of maps with D and G, of nine states in ten, of 15 rollers in 17.
+_OVER_BOUNDARY_ELEMENTS: dict[ContactLaw, tuple[float, float]] = {
+    "zou_2025": (0.045, 0.5),
+    "exponential": OVER_BOUNDARY_ELEMENTS,
+    "persson_2007": PERSSON_OVER_BOUNDARY_ELEMENTS,
+    "measured": (0.41, 1.59),
+}
+
+
+def with_law(case: Case, law: ContactLaw) -> Case:
+    """The joint file with a contact law."""
+    return case.model_copy(update={"model": case.model.model_copy(update={"contact_law": law})})
+
+
+def laws_of_file(case: Case, joint: Joint, result: JointResult) -> list[dict[str, Any]]:
+    """The joint of a file by every law that its surfaces allow, as :func:`laws_side_by_side`: both for Ra with D."""
+    if len(surfaces_by_average(case)) < len(list(surface_entries(case))):
+        return []
+    laws: tuple[ContactLaw, ...] = ("exponential", "zou_2025")
+    surfaces = {law: joint_from_case(with_law(case, law)).surfaces for law in laws}
+    return laws_side_by_side(joint, result, used=case.contact_law(), surfaces=surfaces)
+
+
+def laws_side_by_side(
+    joint: Joint, result: JointResult, *, used: ContactLaw, surfaces: dict[ContactLaw, tuple[Roughness, ...]]
+) -> list[dict[str, Any]]:
+    """Assembled stiffness at the output and drift of a solved joint by several laws.
+
+    ``used`` is the law of the joint, ``surfaces``: law → those of all contacts or of each. One entry a law; its numbers
+    are None where the joint has no solution or no stiffness; an empty list for one law only. Laws that take surfaces
+    of the same kind are solved by the programs that solved the joint.
+    """
+    entries = []
+    for law in (law for law in _OVER_BOUNDARY_ELEMENTS if law in surfaces and len(surfaces) > 1):
+        one: JointResult | None = result
+        if law != used:
+            try:
+                one = solve_joint(dataclasses.replace(joint, surfaces=surfaces[law])).result
+            except AsperityError:  # by this law it does not carry the torque
+                one = None
+        if one is None or not bool(one.contact_law_holds):
+            numbers = [math.nan, math.nan]
+        else:
+            numbers = [float(one.assembly.stiffness.output), float(one.rolling.drift_per_output_turn)]
+        stiffness, drift = (number if math.isfinite(number) else None for number in numbers)
+        entries.append(
+            {
+                "law": law,
+                "used": law == used,
+                "assembly_Nm_per_rad": stiffness,
+                "drift_rad_per_output_turn": drift,
+                "over_boundary_elements": list(_OVER_BOUNDARY_ELEMENTS[law]),
+            }
+        )
+    return entries
