@@ -14,11 +14,11 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, joint_from_values
+from asperity.joint_file.contact_laws import laws_of_file, with_law
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.material_entries import contact_law_of
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.si_tables import replace_values, si_values
-from asperity.joint_file.contact_laws import laws_of_file, with_law
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FRACTAL = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
