@@ -10,6 +10,7 @@ from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import replace_values, si_values
+from asperity.joint_file.solved_document import solve_case
 from asperity.library import read_finishes
 from asperity.units import format_quantity
 
@@ -77,6 +78,39 @@ def test_numbers_have_the_digits_of_the_commands(page):
     for digits in (3, 4, 6):
         written = page.evaluate(script, [values, digits])
         assert written == [format_quantity(value, "1", digits) for value in values]
+
+
+def test_a_number_alone_keeps_the_unit_of_its_field(page):
+    script = "([text, other]) => import('/controls.js').then((m) => m.withUnit(text, other))"
+    for text, other, expected in (
+        ("5", "4 mm", "5 mm"),
+        ("5", "4 mm +- 5 um", "5 mm"),
+        ("5", "4 mm ± 5 um, uniform", "5 mm"),
+        ("1e-3", "3e4 N*m/rad", "1e-3 N*m/rad"),
+        ("-3", " degC", "-3 degC"),
+        ("5 in", "4 mm", "5 in"),
+        ("5", "1.5e3", "5"),
+        ("5", "", "5"),
+        ("five", "4 mm", "five"),
+        ("", "4 mm", ""),
+    ):
+        assert page.evaluate(script, [text, other]) == expected
+    write(page, "load.preload", "1.1 kN")
+    write(page, "load.preload", "1.2")
+    assert field(page, "load.preload").input_value() == "1.2 kN"
+    assert card(page) == stiffness(load__preload=1200.0)[0]
+
+
+def test_the_joint_in_numbers(page):
+    document = json.loads(json.dumps(solve_case(read_case(FILE)).document))
+    told = page.locator("#numbers").inner_text()
+    for value, unit in (
+        (document["mass_kg"], "kg"),
+        (1e3 * document["envelope_diameter_m"], "mm"),
+        (1e6 * document["preload"]["interference_m"], "µm"),
+    ):
+        assert f"{format_quantity(value, '1')}\t{unit}" in told
+    assert "on its pin, standing" in told
 
 
 def test_what_is_not_known_and_what_is_a_state_are_no_failures(page):

@@ -42,6 +42,13 @@ export function sliderScale(parameter, value) {
   return scale("linear", value < 0 || lowest < 0 ? Math.max(-reach, lowest) : 0, reach);
 }
 
+/** A text as it is; of a number alone with the unit of another text. */
+export function withUnit(text, other) {
+  const begins = /^\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*/i;
+  const unit = other.replace(begins, "").trimStart().match(/^[^\s±,+\d][^\s±,+]*/);
+  return unit && text && text.replace(begins, "") === "" ? `${text} ${unit[0]}` : text;
+}
+
 function scale(kind, low, high, step = 0) {
   const round = (value) => Number(value.toPrecision(kind === "log" ? 3 : 4));
   return {
@@ -201,9 +208,9 @@ export class Controls {
     });
     slider.addEventListener("change", () => this.changed(null));
     const commit = () => {
-      const written = input.value.trim();
+      const written = withUnit(input.value.trim(), row.shown || unit);
       if (written === row.shown.trim()) return;
-      row.shown = input.value;
+      row.shown = input.value = written;
       this.changed(path, written === "" && row.base === null && !list ? null : written);
     };
     input.addEventListener("change", commit);

@@ -39,10 +39,11 @@ export function showAnswer(answer, baseline) {
   get("bodies").replaceChildren(...bodies);
   get("levels").replaceChildren(levels(found, before), ...lawRange(found), drift(found), ...laws(found), ...interval(found));
   get("budget").replaceChildren(budget(found));
+  get("numbers").replaceChildren(...numbers(found, answer.drawing.made_interference_m));
   get("margins").replaceChildren(margins(answer));
   get("warnings").replaceChildren(...branchNote(found), warnings(found));
   get("plots").replaceChildren(...curves(answer, baseline));
-  get("contacts").replaceChildren(contacts(found), roughness(found), ...branches(found));
+  get("contacts").replaceChildren(contacts(found), ...surfaces(found), roughness(found), ...branches(found));
   get("assumptions").replaceChildren(...found.assumptions.map((text) => element("li", {}, text)));
 }
 
@@ -186,6 +187,42 @@ function interval(found) {
     element("p", { class: "note" }, `Drift from ${low} to ${high} arcmin per output turn.`),
     element("p", { class: "note" }, ends.words),
   ];
+}
+
+/** What a designer asks of a joint besides its stiffness, and the forces of its rollers on their pins. */
+function numbers(found, made) {
+  const { geometry, preload, rolling, standing: { forces } } = found;
+  const torque = rolling.input_torque_Nm ?? forces.input_torque_Nm;
+  const rows = [
+    [`speed ratio, ${geometry.input} over ${geometry.output}`, number(geometry.speed_ratio), ""],
+    ["rolling parts, mass", number(found.mass_kg), "kg"],
+    ["outside diameter", number(scaled(found.envelope_diameter_m, 1e3)), "mm"],
+    ["preload of the first contact", number(preload.force_N), "N"],
+    ["interference", number(scaled(preload.interference_m, 1e6)), "µm"],
+    ["interference to be made", number(scaled(made, 1e6)), "µm"],
+    [`torque at the input, ${rolling.input_torque_Nm === null ? "standing" : "rolling"}`, number(torque), "N·m"],
+    ...Object.entries(forces.pin_N).map(([name, { radial, tangential }]) => [`${name.replaceAll("_", " ")} on its pin, standing`, number(Math.hypot(radial, tangential)), "N"]),
+  ];
+  const of = table("The joint in numbers", ["quantity", "value", "unit"], rows);
+  return [of, element("p", { class: "note" }, "Bearings, shafts and housing, and what mounts the rings: asperity loads.")];
+}
+
+/** Temperatures and oil film of the contacts in rolling, where the file has the numbers for them. */
+function surfaces(found) {
+  const entries = Object.entries(found.rolling.contacts);
+  const columns = [
+    ["flash temperature, K", "flash_temperature_K", 1],
+    ["thinnest film, µm", "film_thickness_m", 1e6],
+    ["film over roughness λ", "film_ratio", 1],
+    ["drag of the oil, N", "oil_drag_N", 1],
+    ["loss, W", "total", 1],
+  ];
+  const value = (each, key) => (key === "total" ? each.losses_W.total : each[key]);
+  const known = columns.filter(([, key]) => entries.some((entry) => value(entry[1], key)));
+  if (!known.length) return [];
+  const rows = entries.map(([name, each]) => [name, ...known.map(([, key, factor]) => number(scaled(value(each, key), factor)))]);
+  const title = "Contacts in rolling: temperature, film, losses";
+  return [element("h3", {}, title), table(title, ["contact", ...known.map(([heading]) => heading)], rows)];
 }
 
 function bar(share, kind = "") {
