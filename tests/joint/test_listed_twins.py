@@ -270,9 +270,9 @@ def test_a_drive_and_its_listed_twin_are_one_joint(planar_case, name, features):
 
 CASES = [
     ("planetary", False),
-    pytest.param("zou2025", True, marks=pytest.mark.slow),
+    pytest.param("zou2025", True, marks=pytest.mark.long),
     pytest.param("multiroller", False, marks=pytest.mark.slow),
-    pytest.param("stepped_planet", False, marks=pytest.mark.slow),
+    pytest.param("stepped_planet", False, marks=pytest.mark.long),
 ]
 
 

@@ -119,11 +119,16 @@ def test_slopes_are_the_derivatives(values):
             assert slopes[name][..., index] == pytest.approx(difference, rel=1e-5, abs=1e-7 * scale), name
 
 
-@pytest.mark.slow
-def test_derivatives_in_reverse_are_those_forwards(planar_case, monkeypatch):
+@pytest.mark.parametrize(
+    "results",
+    [
+        pytest.param(("assembly_stiffness_output",), marks=pytest.mark.slow),
+        pytest.param(("torque_capacity",), marks=pytest.mark.long),
+    ],
+)
+def test_derivatives_in_reverse_are_those_forwards(planar_case, monkeypatch, results):
     case = planar_case("planetary")
     tables, numeric = si_values(case), numeric_keys(case)
-    results = ("assembly_stiffness_output", "torque_capacity")
     paths = (
         "load.output_torque",
         "drive.ring_wall_thickness",
@@ -176,8 +181,13 @@ def test_programs_run_one_at_a_time(values, monkeypatch):
     np.testing.assert_array_equal(found[1][1][name], [900.0, 1000.0])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("name", "roller"), [("planetary", "planet"), ("multiroller", "second_row")])
+@pytest.mark.parametrize(
+    ("name", "roller"),
+    [
+        pytest.param("planetary", "planet", marks=pytest.mark.slow),
+        pytest.param("multiroller", "second_row", marks=pytest.mark.long),
+    ],
+)
 def test_bending_of_pins_by_the_balance_of_the_carrier(planar_case, name, roller):
     """Pins carry what output and input leave to the carrier, and bend by F (2 l - b)/8."""
     pins = '[bearings]\npin_diameter = "4 mm"\npin_length = "24 mm"\n\n[model]'

@@ -143,7 +143,7 @@ def test_exact_data_give_exact_values(case, model):
         assert each.value == pytest.approx(true, rel=1e-5), each.path
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_intervals_hold_the_truth_as_often_as_they_say(case, model):
     """Forty curves: the counts of three binomial variables, and the scatter of the estimates by chi-squared."""
     count, scatter = 40, 0.2 * ARCMIN

@@ -179,7 +179,7 @@ def test_a_noisy_loop_gives_the_known_numbers_back(case, loop):
         assert abs(each.value - true) < 2.0 * (each.upper - each.lower), each.path
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_intervals_hold_the_truth_as_often_as_they_say(case):
     """Forty drift curves: the counts of three binomial variables, and the size of the errors by chi-squared."""
     count, scatter, truth = 40, 1e-4, np.array([*KNOWN[:2], OFFSET])

@@ -199,7 +199,7 @@ def test_plastic_samples_are_counted_and_left_out(joint_text):
     assert np.isfinite(float(found["mean"].squeeze()))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_small_tolerances_are_linear(joint_text):
     # the standard deviation of the published stiffness is its derivative times that of the preload
     text = joint_text.replace('"1000 N"', '"1000 N +- 0.1 N, normal 1 sigma"').replace('"printed"', '"unity"')
