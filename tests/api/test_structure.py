@@ -52,7 +52,7 @@ def test_inertias_are_needed(joint):
 def test_rolling_has_the_results_of_the_joint(joint, solution, printed, zou_file):
     rolling = asperity.roll(joint)
     assert rolling.document == printed("roll", zou_file)
-    for name in ("efficiency", "rolling_drift"):
+    for name in ("efficiency", "drift"):
         assert rolling[name].si == solution[name].si
     shown = repr(rolling)
     assert shown.index("drift per output turn") < shown.index("efficiency")
