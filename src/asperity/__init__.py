@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from asperity.api.calibration import calibrate
     from asperity.api.comparison import compare
     from asperity.api.design import design
-    from asperity.api.documents import draw, report
+    from asperity.api.documents import draw, write_report
     from asperity.api.export import export_joint
     from asperity.api.joint import load
     from asperity.api.rolling import roll
@@ -37,12 +37,12 @@ _OFFERED = {
     "loads": "asperity.api.structure",
     "measure_surface": "asperity.api.surface",
     "plot": "asperity.api.studies",
-    "report": "asperity.api.documents",
     "roll": "asperity.api.rolling",
     "sensitivity": "asperity.api.studies",
     "sweep": "asperity.api.studies",
     "uncertainty": "asperity.api.studies",
     "windup": "asperity.api.windup",
+    "write_report": "asperity.api.documents",
 }
 
 __all__ = [
@@ -57,12 +57,12 @@ __all__ = [
     "loads",
     "measure_surface",
     "plot",
-    "report",
     "roll",
     "sensitivity",
     "sweep",
     "uncertainty",
     "windup",
+    "write_report",
 ]
 
 

@@ -26,7 +26,7 @@ def test_parts_are_files_beside_it(joint, tmp_path):
 @pytest.mark.slow
 def test_a_report_is_that_of_the_command(joint, call, zou_file, tmp_path):
     by_call, by_command = tmp_path / "a.html", tmp_path / "b.html"
-    assert asperity.report(joint, by_call, title={"part": "7"}) == by_call
+    assert asperity.write_report(joint, by_call, title={"part": "7"}) == by_call
     assert call("report", zou_file, "--out", by_command, "--part", "7").code == 0
     assert by_call.read_text() == by_command.read_text()
 
@@ -38,8 +38,8 @@ def test_a_report_is_that_of_the_command(joint, call, zou_file, tmp_path):
         (asperity.draw, "a.svg", {"title": {"author": "x"}}, "a title block has no 'author'"),
         (asperity.draw, "a.svg", {"title": {"part": "x" * 61}}, "part: at most 60 characters, got 61"),
         (asperity.draw, "no/a.svg", {}, "no"),
-        (asperity.report, "a.txt", {}, "must end in .html or .pdf"),
-        (asperity.report, "a.html", {"distribution": "uniform"}, "belongs to tolerances=True"),
+        (asperity.write_report, "a.txt", {}, "must end in .html or .pdf"),
+        (asperity.write_report, "a.html", {"distribution": "uniform"}, "belongs to tolerances=True"),
     ],
 )
 def test_refusals(joint, tmp_path, write, name, options, message):

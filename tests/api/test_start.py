@@ -33,6 +33,12 @@ def test_import_and_dir_load_nothing_heavy():
     assert python(script).split() == []
 
 
+def test_no_name_is_that_of_a_room():
+    """A room that is imported takes the place of the function: its name becomes an attribute of the package."""
+    rooms = {path.stem for path in (ROOT / "src" / "asperity").iterdir()}
+    assert set(asperity.__all__) & rooms == {"errors"}
+
+
 @pytest.mark.slow
 def test_load_and_solve_in_single_precision_jax_load_no_plotting_and_no_tables():
     script = (

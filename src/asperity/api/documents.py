@@ -146,7 +146,7 @@ def _interference(
     return made.size
 
 
-def report(
+def write_report(
     joint: DescribedJoint,
     path: str | Path,
     *,

@@ -69,12 +69,12 @@ def report(
         raise InputError("--distribution belongs to --tolerances")
     case = read_case(file)
     prepare_computation()
-    from asperity.api.documents import report as reported
+    from asperity.api.documents import write_report
     from asperity.api.joint import DescribedJoint
     from asperity.cli.terminal import progress_bar
 
     with about(file, *surfaces, design_file):
-        reported(
+        write_report(
             DescribedJoint(case, file),
             out,
             surfaces=surfaces,
