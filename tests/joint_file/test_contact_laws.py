@@ -112,7 +112,7 @@ def test_both_laws_of_an_average_side_by_side():
 def test_a_law_that_has_no_stiffness_has_no_numbers(monkeypatch):
     """All spots plastic by one law, no balance by the other: null, not an error."""
     plastic = SimpleNamespace(contact_law_holds=np.array(False))
-    monkeypatch.setattr("asperity.joint_file.solved_document.solve_joint", refuse)
+    monkeypatch.setattr("asperity.joint_file.contact_laws.solve_joint", refuse)
     joint = joint_from_case(case_of(AVERAGE))
     entries = laws_of_file(case_of(AVERAGE), joint, plastic)
     assert [entry["assembly_Nm_per_rad"] for entry in entries] == [None, None]
