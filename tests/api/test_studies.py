@@ -80,6 +80,9 @@ def test_units_that_are_asked_for(joint, grid):
     drawn = [[line.get_xydata() for line in picture.axes[0].lines] for picture in pictures]
     assert drawn[0]
     np.testing.assert_allclose(*drawn, rtol=1e-12)
+    warm = {"temperature.working": ["20 degC", "40 degC"]}
+    with pytest.raises(InputError, match="'K' measures nothing here"):  # kelvins count from another zero
+        asperity.sweep(joint, warm, results="stiffness", units=["K"])
     for unit, message in (("kg", "'kg' measures nothing here"), ("foo", "unknown unit 'foo'")):
         with pytest.raises(InputError, match=message):
             asperity.sweep(joint, over, results="stiffness", units=[unit])

@@ -243,7 +243,7 @@ def test_the_interval_of_a_measured_surface(document, shown):
     bounds = {"low_Nm_per_rad": 7000.0, "high_Nm_per_rad": 9000.0}
     document["stiffness_interval"] = {
         "title": "95 % interval from the measured surface, D = 1.400, G = 1e-8 mm",
-        "words": "It does not hold the error of the law.",
+        "words": "The interval leaves out the error of the contact law.",
         **dict.fromkeys(("assembly", "series_with_bulk", "published"), bounds),
         "drift": {"low_rad_per_output_turn": math.pi / 1e4, "high_rad_per_output_turn": math.pi / 5e3},
     }
@@ -251,7 +251,7 @@ def test_the_interval_of_a_measured_surface(document, shown):
     assert "95 % interval from the measured surface, D = 1.400, G = 1e-8 mm" in text
     assert text.count("7000") == text.count("9000") == 3
     assert "drift from 1.08 arcmin to 2.16 arcmin per output turn" in text
-    assert text.index("drift from") < text.index("It does not hold the error of the law.")
+    assert text.index("drift from") < text.index("The interval leaves out the error of the contact law.")
 
 
 def test_laws_side_by_side_have_a_line_each(document, shown):

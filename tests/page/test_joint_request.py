@@ -5,9 +5,10 @@ import tomllib
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint_file.choices import CHOICES, choices_of_case
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
-from asperity.page.joint_request import CHOICES, JointRequest, choices_of_case, joint_request
+from asperity.page.joint_request import JointRequest, joint_request
 
 
 def test_changes_are_those_of_the_file(joint_text):

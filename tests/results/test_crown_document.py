@@ -1,5 +1,8 @@
 """Crowns of the planetary example for a tilt, by hand where a hand can."""
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 
 from asperity.results.crown_document import crown_document
@@ -35,3 +38,14 @@ def test_the_file_first_then_half_all_and_twice_the_recommended_drop(planetary, 
         )  # 1.193 + ln(B/2b), here of a contact 60 times
         assert 1.193 + 3.0 < at_end < 1.193 + 5.0  # to 150 times as long as wide
         assert others[4]["peak_pressure_Pa"] < circular["peak_pressure_Pa"]
+
+
+def test_a_contact_without_force_has_no_profile(planetary):
+    joint, *_ = planetary
+    states = {
+        state: SimpleNamespace(normal=np.array([0.0, 800.0])) for state in ("rest", "forces", "rolling")
+    }
+    solved = SimpleNamespace(joint=joint, result=SimpleNamespace(**states))
+    contacts = crown_document(solved, 0.5e-3)["contacts"]
+    assert contacts["sp"]["profiles"] == []
+    assert len(contacts["pr"]["profiles"]) == 7

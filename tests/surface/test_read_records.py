@@ -77,6 +77,9 @@ def test_a_profile_comes_back(tmp_path, name, text):
     ("text", "says"),
     [
         (npl(count="4.000000e+003"), "speaks of 4000 points and has 400"),
+        (npl(count="inf"), "cannot be read"),
+        (npl().replace("MM 1.000000e-009 L", "MM nan L"), "the scale of CZ is nan"),
+        (npl().replace("EOR\r\nEOF", "1 2 3\r\nEOR\r\nEOF"), "speaks of 400 points"),
         (npl(spacing="COMMENT no spacing"), "states no spacing of its points"),
         (npl().replace("CZ M", "CW M"), "has no axes CX and CZ"),
         (npl().replace("MM 1.000000e-009 L", "furlongs 1.0 L"), "unknown unit 'furlongs'"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -118,9 +119,9 @@ class DescribedJoint(Shown):
         InputError
             If there is no such number or word, a unit is missing or wrong, or a number is outside its range.
         """
+        from asperity.joint_file.choices import choices_of_case
         from asperity.joint_file.edited_text import joint_file_text
         from asperity.joint_file.si_tables import check_values, key_at
-        from asperity.page.joint_request import choices_of_case
 
         if not isinstance(changes, Mapping):
             raise InputError(f"expected changes such as {{'load.preload': '1200 N'}}, got {quoted(changes)}")
@@ -135,7 +136,13 @@ class DescribedJoint(Shown):
             if path not in words
         }
         check_values(numbers)
-        return self.edited(joint_file_text(self.case, numbers, comment="", words=words))
+        changed = self.edited(joint_file_text(self.case, numbers, comment="", words=words))
+        for path, value in numbers.items() if words else ():  # without words the text is compared as a whole
+            if path not in changed.numbers or not math.isclose(changed[path].si, value, rel_tol=1e-12):
+                raise InputError(
+                    f"{path}: cannot be written into the text of {self.source}; change words and numbers in two steps"
+                )
+        return changed
 
     def with_surface(self, measurement: MeasuredRoughness) -> DescribedJoint:
         """The same joint with a measured surface at every contact, in terms of its contact law.

@@ -62,6 +62,9 @@ def _show(document: dict[str, Any]) -> None:
 
     target, tilt = console(), in_unit(document["tilt_rad"], "mrad")
     for name, contact in document["contacts"].items():
+        if not contact["profiles"]:
+            print_wrapped(target, f"{name}: carries no force", indent=2)
+            continue
         rows = (
             (
                 entry["profile"].replace("_", " ") + _SHARES[entry["share_of_recommended"]],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from asperity.cli.terminal import about, prepare_computation, say, say_written, title_of, title_options
+from asperity.cli.terminal import about, check_title, prepare_computation, say, say_written, title_options
 from asperity.writing import check_file
 
 
@@ -40,7 +40,7 @@ def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
     from asperity.joint_file.reader import read_case
 
     check_drawing(out)
-    title_of(stated)
+    check_title(stated)
     check_file(out, file)
     case = read_case_of_branches(file) if forces else read_case(file)
     prepare_computation()

@@ -6,10 +6,10 @@ import click
 
 from asperity.cli.terminal import (
     about,
+    check_title,
     prepare_computation,
     say_written,
     surface_option,
-    title_of,
     title_options,
 )
 from asperity.errors import InputError
@@ -64,7 +64,7 @@ def report(
     from asperity.joint_file.reader import read_case
 
     check_report(out, file, *surfaces, *([design_file] if design_file else []))
-    title_of(stated)
+    check_title(stated)
     if distribution is not None and not tolerances:
         raise InputError("--distribution belongs to --tolerances")
     case = read_case(file)

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from asperity.joint_file.si_tables import AnyCase
-    from asperity.show.title_block import Title
     from asperity.unit_table import Dimension
 
 
@@ -351,8 +350,8 @@ def title_options(command: Callable[..., Any]) -> Callable[..., Any]:
     return command
 
 
-def title_of(stated: dict[str, str]) -> Title:
-    """The title block of these options, or a refusal of one that is too long."""
+def check_title(stated: dict[str, str]) -> None:
+    """Refuse an option of the title block that is too long."""
     from asperity.show.title_block import stated_title
 
-    return stated_title(stated, option="--")
+    stated_title(stated, option="--")

@@ -133,5 +133,27 @@ def logarithmic_drop(*, even_half_width: Real, contact_length: Real) -> Array:
     G. Lundberg, Forsch. Ing.-Wes. 10 (1939) 201; P. M. Johns and R. Gohar, Tribol. Int. 14 (1981) 131; H. Fujiwara and
     T. Kawase, NTN Tech. Rev. 75 (2007) 140. Equation (B13) of :doc:`/equations`.
     """
-    left = 2.0 * 0.3033 * even_half_width / contact_length
-    return jnp.log1p(-(1.0 - left) * (2.0 * PLACES) ** 2) / jnp.log(left)
+    coefficients = logarithmic_end_drop(even_half_width=even_half_width, contact_length=contact_length)
+    return -jnp.log1p(jnp.expm1(-coefficients) * (2.0 * PLACES) ** 2) / coefficients
+
+
+def logarithmic_end_drop(*, even_half_width: Real, contact_length: Real) -> Array:
+    r"""Drop of a logarithmic profile at its ends over its coefficient, after Johns and Gohar.
+
+    .. math:: \frac{z_m}{A} = \ln\frac{B}{2 \cdot 0.3033\,b} = 1.193 + \ln\frac{B}{2b}
+
+    Parameters
+    ----------
+    even_half_width, contact_length : Real
+        As for :func:`logarithmic_drop` [m].
+
+    Returns
+    -------
+    Array
+        Shape (...) [-].
+
+    References
+    ----------
+    P. M. Johns and R. Gohar, Tribol. Int. 14 (1981) 131; equation (B13) of :doc:`/equations`.
+    """
+    return -jnp.log(2.0 * 0.3033 * jnp.asarray(even_half_width) / contact_length)

@@ -101,7 +101,7 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     words = (
         f"Of {DRAWS} draws of D and G, {outside} had a D outside 1 to 2, {ends['unsolved']} had no solution and "
         f"{ends['all_plastic']} had plastic spots only, where the contact law has no stiffness. These are left out; "
-        "from one draw in twenty on there is no interval. "
+        "where they are one draw in twenty or more, there is no interval. "
     )
     return {
         "confidence": CONFIDENCE,
@@ -111,5 +111,5 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
         "title": f"95 % interval from the measured surface, D = {centre[0]:.3f}, G = "
         f"{format_quantity(float(measurement.fractal_roughness), 'mm', 4)}",
         "words": f"{words if outside or ends['unsolved'] or ends['all_plastic'] else ''}"
-        "It does not hold the error of the law.",
+        "The interval leaves out the error of the contact law.",
     }

@@ -173,3 +173,10 @@ def _notes_of(path: str, annotation: Any, metadata: tuple[Any, ...]) -> dict[str
     elif isinstance(annotation, type) and issubclass(annotation, BaseModel):
         notes_by_path.update({f"{path}.{below}": key for below, key in _notes(annotation).items()})
     return notes_by_path
+
+
+def is_list(annotation: Any) -> bool:
+    """Whether a section of a joint file is a list of tables, by its annotation."""
+    return annotation is not None and (
+        get_origin(annotation) is tuple or any(is_list(part) for part in get_args(annotation))
+    )

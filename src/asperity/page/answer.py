@@ -14,6 +14,7 @@ from asperity.drive.layout.drive import sector_rotation
 from asperity.errors import AsperityError
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
+from asperity.joint_file.choices import choices_of_case
 from asperity.joint_file.edited_text import entered_values
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key
@@ -21,7 +22,7 @@ from asperity.joint_file.si_tables import numeric_keys
 from asperity.joint_file.solved_document import solve_with_surface
 from asperity.joint_file.stated_parts import made_interference
 from asperity.page.description import form_of
-from asperity.page.joint_request import JointRequest, choices_of_case
+from asperity.page.joint_request import JointRequest
 from asperity.page.list_changes import stated_lists
 from asperity.results.margins import Margin, margins
 from asperity.results.solved import SolvedJoint

@@ -10,13 +10,13 @@ from pydantic import BaseModel
 
 import asperity
 from asperity.joint_file.case_types import WedgeCase
+from asperity.joint_file.choices import CHOICES, choices_of_case
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import CONTACTS, WEDGE_TYPE, contacts_of
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import keys_by_path, meaning, models_of
 from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
-from asperity.page.joint_request import CHOICES, choices_of_case
 from asperity.units import from_si, parse_quantity
 
 #: Section of a joint file → heading of its group, in the order of the page.

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import copy
-import functools
 import hashlib
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal, get_args, get_origin
+from typing import Any
 
 import tomlkit
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
+from asperity.joint_file.choices import FINISH, choices_of
 from asperity.joint_file.edited_text import (
     entered_key_at,
     leave_out,
@@ -23,15 +23,13 @@ from asperity.joint_file.edited_text import (
 )
 from asperity.joint_file.measured_surface import MeasuredCase, case_with_surface
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import WEDGE_TYPE, material_keys, type_of
+from asperity.joint_file.part_names import type_of
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.section import models_of
 from asperity.joint_file.si_tables import key_at
-from asperity.library import read_finishes
 from asperity.page.list_changes import (
     MOST_LOADS,
     arrange,
-    is_list,
     places_of_lists,
     rearranged_text,
     without_lists,
@@ -39,50 +37,12 @@ from asperity.page.list_changes import (
 from asperity.reading import check_depth, parse_toml
 from asperity.surface.measured_roughness import roughness_from_document, two_bodies
 
-#: The key of the finish of all surfaces, and what a file need not state beside it.
-FINISH = "surface.finish"
+#: What a file need not state beside the finish of all surfaces.
 _GIVEN_BY_FINISH = ("surface.fractal_dimension", "surface.frequency_ratio")
 
 MOST_CHANGES = 600
 LONGEST_VALUE = 200
 LONGEST_NAME = 120
-
-
-def _words(annotation: Any) -> tuple[str, ...]:
-    """The words that an annotation allows."""
-    if get_origin(annotation) is Literal:
-        return get_args(annotation)
-    return tuple(word for part in get_args(annotation) for word in _words(part))
-
-
-def choices_of(model: type[Case], bodies: Iterable[str]) -> dict[str, tuple[str, ...]]:
-    """The choices that a joint file offers."""
-    return {
-        **{f"bodies.{name}": () for name in bodies},
-        FINISH: tuple(read_finishes()),
-        **_words_of_sections(model),
-    }
-
-
-@functools.cache
-def _words_of_sections(model: type[Case]) -> dict[str, tuple[str, ...]]:
-    return {
-        f"{section}.{name}": _words(field.annotation)
-        for section, above in model.model_fields.items()
-        if not is_list(above.annotation)
-        for below in models_of(above.annotation)
-        for name, field in below.model_fields.items()
-        if not models_of(field.annotation) and _words(field.annotation)
-    }
-
-
-#: The choices of a joint file with the paper's drive.
-CHOICES = choices_of(WedgeCase, material_keys(WEDGE_TYPE))
-
-
-def choices_of_case(case: Case) -> dict[str, tuple[str, ...]]:
-    """The choices of one joint file, as :func:`choices_of`."""
-    return choices_of(type(case), case.bodies)
 
 
 @dataclass(frozen=True)

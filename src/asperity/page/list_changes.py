@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any, get_args, get_origin
+from typing import Any
 
 import tomlkit
 
@@ -13,7 +13,7 @@ from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import sized_tracks, type_of
-from asperity.joint_file.section import keys_by_path, meaning
+from asperity.joint_file.section import is_list, keys_by_path, meaning
 from asperity.joint_file.si_tables import key_at, si_values
 from asperity.reading import parse_toml
 
@@ -27,13 +27,6 @@ _REMARK = re.compile(r"^\s*(#.*)?$")
 
 #: One section: the lines above it that are about it, and those from its header to its last key.
 _Section = tuple[list[str], list[str]]
-
-
-def is_list(annotation: Any) -> bool:
-    """Whether a section of a joint file is a list of tables, by its annotation."""
-    return annotation is not None and (
-        get_origin(annotation) is tuple or any(is_list(part) for part in get_args(annotation))
-    )
 
 
 def lists_of(model: type[WedgeCase] | type[Case]) -> dict[str, str | None]:

@@ -11,7 +11,13 @@ from jax import Array
 from scipy.optimize import brentq, minimize_scalar
 
 from asperity.contact.hertz_line import half_width
-from asperity.contact.tilted_line import PLACES, ProfiledLine, logarithmic_drop, profiled_line
+from asperity.contact.tilted_line import (
+    PLACES,
+    ProfiledLine,
+    logarithmic_drop,
+    logarithmic_end_drop,
+    profiled_line,
+)
 from asperity.errors import NoSolutionError
 from asperity.joint.description import joint_contacts
 from asperity.results.solved import SolvedJoint
@@ -24,8 +30,8 @@ def crown_document(solved: SolvedJoint, tilt: float) -> dict[str, Any]:
     """The contacts of a joint whose axes are tilted [rad] with several profiles, in SI units, for :func:`json.dumps`.
 
     Under the largest normal force of each contact: without torque, standing and rolling under it. ``profiles``: as the
-    file crowns it, then circular and logarithmic ones with half, all and twice the drop of
-    :func:`~asperity.contact.tilted_line.least_pressed_drop`, of both bodies together. ``end_over_mean`` is the line
+    file crowns it, then circular and logarithmic ones with half, all and twice the drop of :func:`least_pressed_drop`,
+    of both bodies together; none of a contact without force. ``end_over_mean`` is the line
     load at the ends over the mean, without the stress of an edge. A ``NoSolutionError`` is raised if no profile takes
     the tilt up.
     """
@@ -45,7 +51,7 @@ def crown_document(solved: SolvedJoint, tilt: float) -> dict[str, Any]:
     for name, *values, curvature in zip(joint.contact_names, *numbers, strict=True):
         pair = dict(zip(of_all, map(float, values), strict=True))
         try:
-            profiles = list(_profiles(pair, tilt, float(curvature)))
+            profiles = list(_profiles(pair, tilt, float(curvature))) if pair["normal_force"] > 0.0 else []
         except NoSolutionError as error:
             raise NoSolutionError(f"{name}: {error}") from None
         force, length = pair["normal_force"], pair["contact_length"]
@@ -58,7 +64,7 @@ def _profiles(pair: dict[str, float], tilt: float, curvature: float) -> Iterator
     length, mean = pair["contact_length"], pair["normal_force"] / pair["contact_length"]
     circle, width = (2.0 * PLACES) ** 2, float(half_width(**pair))
     logarithm = np.asarray(logarithmic_drop(even_half_width=width, contact_length=length))
-    end_drop = -math.log(2.0 * 0.3033 * width / length)  # over the coefficient
+    end_drop = float(logarithmic_end_drop(even_half_width=width, contact_length=length))
     chosen = [("as_stated", circle, 1.0, curvature * length**2 / 8.0)]
     for profile, shape in (("circular", circle), ("logarithmic", logarithm)):
         drop = least_pressed_drop(shape, tilt=tilt, **pair)

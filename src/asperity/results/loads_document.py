@@ -90,7 +90,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: 
         why = unknown_because(at_load, under)[0] if unknown else None
         cases.append(case_entry(name, float(at_load.output_torque), float(at_load.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
-    notes = [_MOUNTING, _DIRECTIONS, _EQUAL if joint.unlike is None else UNEQUAL, _STATES]
+    notes = [_DIRECTIONS, _EQUAL if joint.unlike is None else UNEQUAL, _STATES, _MOUNTING]
     if len(drive.pinned) < len(drive.floating):
         notes.append(_FREE)
     if stepped:

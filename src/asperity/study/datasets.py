@@ -151,10 +151,9 @@ def _measures(unit: str, dimension: Dimension) -> bool:
     if dimension is Dimension.DIMENSIONLESS and unit != "%":
         return False
     try:
-        parse_quantity(f"1 {unit}", dimension)
+        return parse_quantity(f"0 {unit}", dimension) == 0.0  # a temperature in K has another zero
     except InputError:
         return False
-    return True
 
 
 def in_units(dataset: xarray.Dataset, units: Mapping[str, str]) -> xarray.Dataset:

@@ -6,15 +6,19 @@ ISO 5436-2 end with the control character 3 and its texts with NUL; those of NPL
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.surface.file_formats import metres_per_unit
+from asperity.surface.file_formats import MEBIBYTE, metres_per_unit
+from asperity.surface.read_text import decoded
 from asperity.surface.topography import Topography
 
+#: Larger files are refused [bytes]; a profile of a million points takes some 10 MiB.
+LARGEST_RECORDS = 64 * MEBIBYTE
 _BEGINNING = re.compile(rb"\s*(ISO 5436|\d+[ \t]+\d+\s*\n[^\n]*\bPRF\b)")
 #: Steps between stated positions differ by less than this share of the mean one.
 _EVEN = 1e-3
@@ -35,9 +39,9 @@ def record_topography(*, path: Path) -> Topography:
     ISO 5436-2:2012, the file of reference data of type F1; the files of NPL's softgauges, as `Nmm2Profile` (BEV) writes
     and `surfile` (INRIM) reads them.
     """
-    text = path.read_bytes().decode("latin-1").replace("\0", " ")
-    records = [part.splitlines() for part in re.split(r"\x03|^EOR\s*$", text, flags=re.MULTILINE)]
-    head = [line.split() for record in records[:2] for line in record]
+    text = decoded(path, largest=LARGEST_RECORDS).replace("\0", " ")
+    records = re.split(r"\x03|^EOR\s*$", text, maxsplit=3, flags=re.MULTILINE)
+    head = [line.split() for record in records[:2] for line in record.splitlines()]
     along, across, up = (
         next((words for words in head if words[:1] == [name]), None) for name in ("CX", "CY", "CZ")
     )
@@ -48,13 +52,13 @@ def record_topography(*, path: Path) -> Topography:
     try:
         lateral, vertical = _scale(along), _scale(up)
         stated = next((words[2] for words in head if words[:2] == ["SPACING", "CX"]), along[6:7])
-        lines = [line.split() for line in records[2] if line.strip()]
-        numbers = np.array([[float(number) for number in line] for line in lines])
+        columns = len(records[2].strip().partition("\n")[0].split())
+        numbers = np.array(records[2].split(), dtype=float).reshape(-1, columns)
         count = round(float(up[2]))
         step = float(stated if isinstance(stated, str) else stated[0]) if stated else None
-    except (ValueError, IndexError) as error:
+    except (ValueError, IndexError, OverflowError, ZeroDivisionError) as error:
         raise InputError(f"{path.name}: its records cannot be read ({error}): it is damaged") from None
-    if numbers.ndim != 2 or len(numbers) != count:
+    if len(numbers) != count or columns > 2:
         raise InputError(f"{path.name} speaks of {count} points and has {len(numbers)}: it is damaged")
     if numbers.shape[1] == 2:
         steps = np.diff(numbers[:, 0])
@@ -68,4 +72,7 @@ def record_topography(*, path: Path) -> Topography:
 
 def _scale(axis: list[str]) -> float:
     """Metres in one count of an axis: name, type, points, unit, scale."""
-    return float(axis[4]) * metres_per_unit(axis[3].lower())
+    scale = float(axis[4])
+    if not (scale > 0.0 and math.isfinite(scale)):
+        raise ValueError(f"the scale of {axis[0]} is {scale}")
+    return scale * metres_per_unit(axis[3].lower())

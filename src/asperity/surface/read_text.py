@@ -30,7 +30,7 @@ def text_topography(
     Two columns are position and height; three columns are position, height and a valid flag (a heading that
     says so) or x, y, z of a full grid; one column, or more than three, are heights that need ``spacing``.
     """
-    text = _decoded(path)
+    text = decoded(path, largest=LARGEST_TEXT)
     lines = re.split(r"\r\n|\n|\r", text)
     first, separator, comma = _data_block(lines, decimal, path)
     header = [line for line in lines[:first] if line.strip()]
@@ -107,8 +107,9 @@ def looks_like_text(beginning: bytes) -> bool:
     return control < 0.01 * len(beginning)
 
 
-def _decoded(path: Path) -> str:
-    data = file_bytes(path=path, largest=LARGEST_TEXT)
+def decoded(path: Path, *, largest: int) -> str:
+    """The text of a file of at most so many bytes, in UTF-8 or Latin-1."""
+    data = file_bytes(path=path, largest=largest)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
