@@ -73,12 +73,14 @@ def test_without_a_home_nothing_is_kept(folder):
     assert _folder(folder) == ("None", "")
 
 
+@pytest.mark.slow
 def test_what_is_no_folder_or_cannot_be_made_is_passed_over(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     for each in (tmp_path / "pipe", "/proc/none", "/dev/null/x", tmp_path / ("x" * 300)):
         assert _folder(each) == ("None", "")
 
 
+@pytest.mark.slow
 def test_a_folder_that_others_can_write_to_or_replace_is_not_used_and_a_note_says_so(tmp_path):
     cache = tmp_path / "above" / "cache"
     cache.mkdir(parents=True)
@@ -94,6 +96,7 @@ def test_a_folder_that_others_can_write_to_or_replace_is_not_used_and_a_note_say
     assert _folder(cache) == (str(cache), "")
 
 
+@pytest.mark.slow
 def test_a_folder_of_another_user_and_with_files_of_another_is_not_used(tmp_path):
     if os.geteuid() != 0:
         pytest.skip("only root can give files away")

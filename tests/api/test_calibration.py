@@ -24,6 +24,7 @@ def found(joint, curve):
     return asperity.calibrate(joint, curve, ["load.preload"], starts=1)
 
 
+@pytest.mark.slow
 def test_values_are_those_of_the_command(found, curve, printed, zou_file):
     document = printed("calibrate", zou_file, curve, "-u", "load.preload", "--starts", "1")
     (estimate,) = document["estimates"]

@@ -40,6 +40,7 @@ def test_values_are_those_of_the_command(found, folder, printed):
     assert found.result.objective_after == pytest.approx(document["objective"]["after"], rel=1e-9)
 
 
+@pytest.mark.long
 def test_the_designed_joint_keeps_its_limit_when_it_is_solved(found):
     """The limit is active: pressure rises with the preload, and so does the stiffness."""
     solution = found.joint.solve()

@@ -88,7 +88,7 @@ def test_units_that_are_asked_for(joint, grid):
             asperity.sweep(joint, over, results="stiffness", units=[unit])
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_an_elasticity_is_a_small_change_of_the_file(joint):
     """By two joints whose preload differs by a thousandth."""
     found = asperity.sensitivity(joint, ["assembly_stiffness_output"])

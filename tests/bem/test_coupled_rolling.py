@@ -18,7 +18,7 @@ BENTALL = [
 ]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("friction", "q", "creepage", "peak"), BENTALL)
 def test_unlike_rollers_creep_without_torque(friction, q, creepage, peak):
     pair = elastic_pair(
@@ -50,7 +50,7 @@ def test_unlike_rollers_creep_without_torque(friction, q, creepage, peak):
     assert mirrored.dundurs_constant == pytest.approx(-pair.dundurs_constant, rel=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_alternations_that_do_not_settle_are_an_error():
     pair = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.2)
     strip = FreeHalfSpace(pair, shape=(64,), pixel_size=(0.04,), reference_distance=10.0)

@@ -40,7 +40,7 @@ def same(one, other):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_decay_length_of_a_self_affine_surface(pressed):
     """0.48 h at 100 and 300 MPa: 512² surfaces are within 9 %; four patches of 128² add 8 %."""
     np.testing.assert_allclose(pressed.rms_height, RMS, rtol=0.2)
@@ -63,7 +63,7 @@ def test_plastic_spots_make_it_stiffer(pressed):
     assert np.all(pressed.contact_fractions[1][known] >= 0.999 * pressed.contact_fractions[0][known])
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_ratios_do_not_depend_on_the_scale(pressed):
     """Twice as high and twice as large, at the same pressures: the same slopes, so the same ratios."""
     larger = Topography(2.0 * self_affine_map().heights, 2e-6, 2e-6, source="a map")

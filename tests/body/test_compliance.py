@@ -302,7 +302,7 @@ def test_a_batch_is_its_bodies_one_by_one():
         assert np.asarray(batch[..., k]) == pytest.approx(one, rel=1e-12, abs=1e-24)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("support", [0.0, 1e12, math.inf])
 def test_slopes_are_finite_and_those_of_differences(support):
     def energy(p):

@@ -111,7 +111,7 @@ def test_against_finite_elements_in_space(step, bore, length, by_ring, by_roller
 @pytest.mark.parametrize(
     ("step", "bore", "by_ring", "by_rollers", "around", "on_first", "on_second"),
     [
-        (1.5, 0.6, 97.317, 52.008, 4.6017, 89.825, 121.62),
+        pytest.param(1.5, 0.6, 97.317, 52.008, 4.6017, 89.825, 121.62, marks=pytest.mark.slow),
         (0.5, 0.5, 35.093, 12.070, 2.9119, 40.052, 22.118),
     ],
 )
@@ -158,6 +158,7 @@ def test_the_addition_goes_with_the_square_of_a_narrow_bore():
     assert 0.0 < work(1e-5) < 1e-4 * work(4e-3)
 
 
+@pytest.mark.slow
 def test_equal_sectors_are_copies_of_the_loads():
     roller, angles, turn = stepped((10e-3, 7e-3), (5e-3, 6e-3), 4e-3), np.array([0.1, 0.9]), 2.0 * np.pi / 3.0
     one = addition(roller=roller, contact_angles=jnp.asarray(angles), contact_tracks=(0, 1), sectors=3.0)
@@ -171,6 +172,7 @@ def test_equal_sectors_are_copies_of_the_loads():
     np.testing.assert_allclose(one, summed, rtol=1e-9, atol=1e-12 * float(jnp.max(jnp.abs(one))))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("second", [6e-3, 14e-3])
 def test_slopes_are_finite_differences(second):
     def work(sizes):

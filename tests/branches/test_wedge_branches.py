@@ -54,6 +54,7 @@ def names(result, body):
     return result.body_names.index(body)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("support", [None, "50 N/um"])
 def test_nothing_acts_from_outside_on_sun_carrier_and_ring_together(branches, support):
     found, result = branches([2.0, 0.0, -2.0], support)

@@ -65,7 +65,7 @@ def test_preload_is_recovered_and_written(folder):
     assert f": identifiable, load.preload to ±{share:.2g} % (95 %)" in " ".join(table.stdout.split())
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_drift_curve(folder):
     """Written with 900 N and 0.14; the table, the document, the picture and the joint file say the same."""
     names = ("load.preload", "load.friction_coefficient", "offset")
@@ -88,7 +88,7 @@ def test_a_drift_curve(folder):
     assert "arcsec (standard deviation)" in table.stdout
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_columns_for_the_same_drift_give_the_same_preload(folder):
     torque, drift = np.loadtxt(DRIFT, delimiter=",", skiprows=2).T
     lost = drift * ARCMIN / (2.0 * np.pi)
@@ -133,7 +133,7 @@ def test_a_drive_of_another_type_is_compared_with_its_own_ratio(tmp_path):
     assert "far from 6, that of the joint file without creep" in str(refused)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
     """The drift of the example itself, by its solution at three torques: the friction is found again."""
     file, data, out = DRIFT.with_name("planetary.toml"), tmp_path / "drift.csv", tmp_path / "out.toml"

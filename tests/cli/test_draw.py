@@ -56,6 +56,7 @@ def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change,
     assert not list(tmp_path.glob("d.*"))
 
 
+@pytest.mark.slow
 def test_parts_are_pages_of_a_pdf_and_files_of_their_own_otherwise(call, joint_file, tmp_path):
     file = joint_file(('"13.5 mm"', '"13.5 mm +- 2 um"'))
     assert call("draw", file, "--parts", "--out", tmp_path / "d.pdf").code == 0
@@ -97,7 +98,14 @@ def preload_of(joint):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("forces", [(), ("--forces",)])
-@pytest.mark.parametrize("name", ["zou2025", "planetary", "stepped_planet", "multiroller", "planar"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "zou2025",
+        "planetary",
+        *(pytest.param(name, marks=pytest.mark.long) for name in ("stepped_planet", "multiroller", "planar")),
+    ],
+)
 def test_a_ring_under_a_preload_is_as_small_as_one_under_the_interference_that_makes_it(
     call, tmp_path, name, forces
 ):

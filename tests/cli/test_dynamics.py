@@ -74,7 +74,7 @@ def test_a_joint_that_stands(call, joint_file):
     assert "loss_factor" not in outcome.out
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_drive_of_another_type(call, zou_file, tmp_path):
     file, picture = zou_file.with_name("multiroller.toml"), tmp_path / "response.svg"
     outcome = call("dynamics", file, "--plot", picture, "--json")

@@ -21,7 +21,7 @@ def test_html_is_written(call, joint_file, tmp_path):
     assert str(tmp_path) not in text  # a report says nothing about the machine's folders
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_pdf_is_written(call, joint_file, tmp_path):
     pytest.importorskip("typst", reason="the extra 'report' is not installed")
     assert call("report", joint_file(), "--out", tmp_path / "r.pdf").code == 0
@@ -46,7 +46,7 @@ def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change,
     assert not list(tmp_path.glob("r.*"))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_report(
     call, joint_file, tmp_path
 ):
@@ -66,7 +66,7 @@ def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_repo
     assert "asperity report --surface&#x27; on it" in text
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_surface_without_a_power_law_is_in_the_report_with_its_interval(call, joint_file, tmp_path):
     noise = 1e-7 * np.random.default_rng(0).standard_normal((1, 1000))
     spectrum = spectrum_of_profiles(profiles=noise, spacing=1e-6, lay="rolling", source="ring")

@@ -19,7 +19,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("reproduction") / "made" / "here"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_json_and_files(folder: Path) -> None:
     result = CliRunner().invoke(asperity, ["reproduce", "--json", "--out", str(folder)])
     assert result.exit_code == 0, result.output

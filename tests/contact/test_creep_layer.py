@@ -55,7 +55,7 @@ def by_boundary_elements(s, slip_ratios, stiffness_ratio, strips):
         (0.4, 0.7, 120, 2e-3),
         (2.2, 1.17, 120, 6e-3),
         (45.0, STEEL, 200, 6e-3),
-        pytest.param(0.013, STEEL, 400, 2e-3, marks=pytest.mark.slow),
+        pytest.param(0.013, STEEL, 400, 2e-3, marks=pytest.mark.long),
         pytest.param(0.05, 0.95, 240, 2e-3, marks=pytest.mark.slow),
         pytest.param(400.0, 1.3, 160, 6e-3, marks=pytest.mark.slow),
     ],

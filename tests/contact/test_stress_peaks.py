@@ -64,14 +64,14 @@ def test_peaks_are_the_largest_of_flamants_field():
         assert np.all(np.array(largest) <= np.array(expected) * (1 + 1e-6))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_stored_coefficients_are_those_of_the_field():
     shear, mises = fitted_coefficients(shear_terms=len(SHEAR), mises_terms=(len(MISES), len(MISES[0])))
     np.testing.assert_allclose(SHEAR, shear, atol=1e-9)
     np.testing.assert_allclose(MISES, mises, atol=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_surface_overtakes_every_tabulated_peak_within_the_table():
     """At the largest tabulated friction the surface is more stressed than the peak, and the peak's lead only falls."""
     assert 1 / float(shear_peak(friction_coefficient=SHEAR_FRICTION).stress) > 1 / SHEAR_FRICTION

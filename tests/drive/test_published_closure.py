@@ -90,7 +90,7 @@ def test_forces_are_those_of_the_papers_statics(closure, torque, turns):
     np.testing.assert_allclose(np.abs(found.pin_force[1]), expected.pin_left, rtol=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_only_the_standing_drive_has_equal_coefficients():
     """In rolling creep decides, with the assumption and without it."""
     with_springs, assumed = general(Closure(), 5.0, 0.0), general(CLOSURES["elastic"], 5.0, 0.0)
@@ -113,7 +113,7 @@ def test_the_first_slip_ends_it():
     assert not np.any(np.asarray(beyond.slides))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("rolls", [False, True])
 def test_every_sector_keeps_the_pin_force_and_the_coefficients_of_its_own(rolls):
     """One planet 2 µm larger: its right pin keeps another force than those of the other two."""

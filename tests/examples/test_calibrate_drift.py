@@ -23,7 +23,7 @@ def test_the_file_is_that_of_the_model(example, tmp_path):
     np.testing.assert_allclose(written, expected, atol=0.1)  # arcmin; the file has errors of 0.2
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_coverage(example):
     found = example.coverage(5)
     assert list(found) == ["load.preload", "load.friction_coefficient", "offset"]

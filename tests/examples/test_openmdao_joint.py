@@ -17,6 +17,7 @@ def example(load_example, monkeypatch, tmp_path):
     return load_example("openmdao_joint")
 
 
+@pytest.mark.long
 def test_partials_and_preload(example, zou_file):
     problem = example.problem(zou_file)
     problem.run_model()

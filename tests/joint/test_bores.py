@@ -59,7 +59,7 @@ def test_a_hollow_planet_on_its_pin_by_hand(hollow):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_drive_winds_up_as_its_assembly_gives_way(hollow):
     """What pins add to the wind-up of the standing drive and to the compliance of the assembly, without torque."""
 
@@ -73,6 +73,7 @@ def test_the_drive_winds_up_as_its_assembly_gives_way(hollow):
     assert (turned(joint) - turned(bare)) / 0.5 == pytest.approx(added, rel=0.05)
 
 
+@pytest.mark.long
 def test_both_senses_are_alike(hollow):
     _, (joint, found) = hollow
     back = solve_joint(dataclasses.replace(joint, output_torque=-joint.output_torque))
@@ -80,7 +81,7 @@ def test_both_senses_are_alike(hollow):
     assert float(found.result.assembly.pin_share) > 0.3
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_solid_planet_with_a_pin_of_12_mm(planar_joint, planetary):
     _, solution, _ = planetary
     pins = {"[model]": '[bearings]\npin_diameter = "12 mm"\n\n[model]'}
@@ -88,7 +89,7 @@ def test_a_solid_planet_with_a_pin_of_12_mm(planar_joint, planetary):
     assert changed == pytest.approx(0.83, abs=0.01)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_bore_of_a_loading_roller_counts_more_than_its_pin(planar_joint):
     """4 mm in 10 mm: the bore makes the squeezed roller 15 % softer, the pressure of its pin changes that by 0.2 %."""
     pins = (

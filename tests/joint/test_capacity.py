@@ -48,7 +48,7 @@ def _taken_by_the_oil(solution):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("rolls", [False, True])
+@pytest.mark.parametrize("rolls", [False, pytest.param(True, marks=pytest.mark.long)])
 def test_half_of_the_searches_finds_the_capacity_by_hand(planetary, rolls):
     """As above, both ways: without skew, what turns passes as much as what stands, less what the oil takes."""
     joint, solution, _ = planetary
@@ -133,7 +133,7 @@ def unlike_planets(angles, friction):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_two_planets_of_different_friction_hold_the_sum():
     """By hand: n times two orbits times (mu_1 + mu_2) N; at 25 N·m the weak one bears 60 N, the strong one the rest."""
     text = unlike_planets({"one": 90, "two": 30}, "{ sone = 0.06, rone = 0.06, stwo = 0.1, rtwo = 0.1 }")

@@ -73,9 +73,8 @@ def _approaches(joint, radius, normal):
     return np.asarray(line * normal + crown)
 
 
-@pytest.mark.parametrize(
-    "place", [pytest.param(2, marks=pytest.mark.long), pytest.param(4, marks=pytest.mark.slow)]
-)
+@pytest.mark.long
+@pytest.mark.parametrize("place", [2, 4])
 def test_closure_and_interference_by_their_definition(springs_joint, crowned, place):
     """(A3) with approaches written anew; the interference is the virtual work of the forces at rest."""
     loaded, rest = crowned.forces.normal[:, place], crowned.rest.normal[:, place]

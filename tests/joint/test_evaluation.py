@@ -50,7 +50,7 @@ def chain(paper_joint):
     return run
 
 
-@pytest.mark.parametrize("closure", ["elastic", "constant_pin_force"])
+@pytest.mark.parametrize("closure", ["elastic", pytest.param("constant_pin_force", marks=pytest.mark.long)])
 def test_agreement_with_the_independent_script(chain, closure):
     """Forces by fsolve, contacts by brentq and quad: benchmarks/baseline_scipy.py, which shares no code with us."""
     path = Path(__file__).parents[2] / "benchmarks" / "baseline_scipy.py"

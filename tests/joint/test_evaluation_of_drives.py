@@ -52,6 +52,7 @@ def test_crowns_of_infinite_radius_are_cylinders(springs):
     assert float(round_ones.assembly.stiffness.output) < 0.97 * float(even.assembly.stiffness.output)
 
 
+@pytest.mark.long
 def test_no_skew_is_skew_zero(springs):
     joint = springs
     parallel, zero = (
@@ -83,6 +84,7 @@ def test_every_state_satisfies_the_published_balance(springs):
     assert beta > 0.0
 
 
+@pytest.mark.long
 def test_derivatives_are_those_of_differences(springs):
     joint = dataclasses.replace(springs, input_speed=0.0)
 
@@ -134,6 +136,7 @@ def with_duty(joint, *loads):
     return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=points))
 
 
+@pytest.mark.long
 def test_a_duty_of_a_planetary_drive(planar_case):
     """Its loads as the joint that is solved under each; sizes of the springs alone make the program small."""
     springs = {

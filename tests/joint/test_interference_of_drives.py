@@ -14,14 +14,14 @@ def springs(paper_joint, evaluated_together):
     return evaluated
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_thousand_newtons_are_thirteen_micrometres_at_any_torque(springs):
     """12.904 um, computed independently."""
     found = springs(output_torque=np.array([0.0, 5.0, 12.0]))
     np.testing.assert_allclose(found.interference, 12.904e-6, atol=5e-10)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_planets_too_large_or_too_small(springs):
     """5 um on every planet radius make 218 or 1854 N, 2 um 676 or 1335 N; a planet counts 1.9413 times."""
     sizes = np.array([-5e-6, -2e-6, 0.0, 2e-6, 5e-6])

@@ -60,7 +60,7 @@ def test_reference_force_of_an_interference(planar_joint):
     assert force * secants.sum() == pytest.approx(compression(force), rel=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_crowns_take_from_the_force_of_an_interference(planar_joint):
     """30 um are the approaches of both contacts, that of the crowned planet's track included."""
     crown = {'contact_length = "10 mm"': 'planet_crown_radius = "1 m"\ncontact_length = "10 mm"'}
@@ -93,10 +93,14 @@ def test_crowns_take_from_the_force_of_an_interference(planar_joint):
 @pytest.mark.parametrize(
     ("name", "sections"),
     [
-        ("zou2025", {"bearings": {"pin_diameter": 3e-3, "pin_friction_coefficient": 1e-3}}),
-        ("planetary", {"compliance": {"planet_support_stiffness": 1e7}}),
+        pytest.param(
+            "zou2025",
+            {"bearings": {"pin_diameter": 3e-3, "pin_friction_coefficient": 1e-3}},
+            marks=pytest.mark.long,
+        ),
+        pytest.param("planetary", {"compliance": {"planet_support_stiffness": 1e7}}, marks=pytest.mark.long),
         ("multiroller", {"compliance": {"pin_stiffness": 2e7}}),
-        ("stepped_planet", {}),
+        pytest.param("stepped_planet", {}, marks=pytest.mark.long),
     ],
 )
 def test_an_interference_makes_the_preload_that_makes_it(planar_case, name, sections):
@@ -197,13 +201,13 @@ def preload(joint):
     return float(solve_joint(joint).result.preload)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_thousand_newtons_by_length(paper_joint):
     """Bodies as springs, computed independently: 12.904 um."""
     assert preload(paper_joint(interference=12.904e-6, **THICK)) == pytest.approx(1000.0, abs=0.1)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("body_model", "rel"), [("springs", 1e-9), ("exact", 2e-5)])
 def test_force_and_length_are_two_names_of_one_joint(paper_joint, body_model, rel):
     found = solve_joint(paper_joint(interference=11e-6, body_model=body_model)).result
@@ -237,7 +241,7 @@ def test_force_and_length_exclude_each_other(paper_values, joint_text):
     assert joint_from_values(tables).preload == 500.0
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_free_ring_takes_more_micrometres_and_minds_errors_less(paper_values):
     """At 10 mm of wall 1000 N take about twice the interference, and 5 um on the planets matter half as much."""
     spread = {}

@@ -269,9 +269,9 @@ def test_a_drive_and_its_listed_twin_are_one_joint(planar_case, name, features):
 
 
 CASES = [
-    ("planetary", False),
+    pytest.param("planetary", False, marks=pytest.mark.slow),
     pytest.param("zou2025", True, marks=pytest.mark.long),
-    pytest.param("multiroller", False, marks=pytest.mark.slow),
+    pytest.param("multiroller", False, marks=pytest.mark.long),
     pytest.param("stepped_planet", False, marks=pytest.mark.long),
 ]
 
@@ -293,7 +293,7 @@ def assert_alike(one, other):
         np.testing.assert_allclose(other[what], value, rtol=1e-6, atol=1e-8 * size, err_msg=what)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "preload", "torques"),
     [  # the paper's drive beyond its first slip too
@@ -337,7 +337,12 @@ def numbers_of(document, path=""):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "torque"),
-    [("zou2025", -9.0), ("planetary", 8.0), ("multiroller", -0.5), ("stepped_planet", 6.0)],
+    [
+        pytest.param("zou2025", -9.0, marks=pytest.mark.long),
+        pytest.param("planetary", 8.0, marks=pytest.mark.long),
+        ("multiroller", -0.5),
+        pytest.param("stepped_planet", 6.0, marks=pytest.mark.long),
+    ],
 )
 def test_documents_of_a_drive_and_its_listed_twin_have_the_same_numbers(tables, name, torque):
     """All that ``asperity roll --json`` prints: states, contacts, losses, lives, limits, margins and capacities."""

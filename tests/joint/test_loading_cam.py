@@ -79,7 +79,7 @@ def test_a_cam_without_force_changes_nothing(plain):
         assert one == pytest.approx(other, rel=1e-8)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("torque", [10.0, -40.0])
 def test_at_a_torque_it_is_the_drive_with_the_preload_of_that_torque(plain, least, torque):
     found = solve_joint(under_torque(with_cam(plain), torque))
@@ -196,7 +196,7 @@ def test_a_strong_cam_never_slips_and_ends_with_another_limit(plain):
         assert float(capacity.output_torque) > 1e3
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_wall_ends_what_is_computed_and_is_said_to(planar_joint):
     """Hertz by hand: the half-width of the planet in the ring, b = sqrt(4 N R/(pi L E*)), is 1.6 mm, a fifth of the
     wall, under 66.8 kN, at 415.9 N·m; with a wall of 1 mm under 1044 N, at 4.653 N·m.

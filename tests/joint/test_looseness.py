@@ -76,7 +76,7 @@ def test_bodies_that_expand_alike_never_come_loose(case_of, rounding):
     assert fit_document(alike.fit, 1000.0)["loose_temperature_degC"] is None
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_studies_follow_the_temperature_and_say_where_it_is_loose(case_of):
     values = si_values(case_of())
     temperatures = np.array([-20.0, 0.0, 20.0, 40.0, 60.0])

@@ -99,7 +99,7 @@ def test_two_bodies_of_equal_dimension_add_their_structure_functions(write):
     assert float(both.fractal_dimension) == pytest.approx(1.4, abs=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_command_runs_a_joint_from_two_measured_files(zou_file, write):
     files = [str(write(name, measurement())) for name in ("a.json", "b.json")]
     shown = CliRunner().invoke(

@@ -71,7 +71,7 @@ def test_a_material_without_expansion_has_no_temperatures():
     assert np.isnan(mounted.cooling)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_joint_that_works_warm_is_mounted_cold():
     text = (
         (EXAMPLES / "planetary.toml")

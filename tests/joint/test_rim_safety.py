@@ -38,7 +38,7 @@ def found(joint, result):
     return call_compiled(joint_rims, joint, result)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_ring_at_rest_as_by_finite_elements(found):
     """614.45 Pa per N/m midway between the planets, the largest of the inner rim (body/test_rim_stress.py)."""
     roller = 1000.0 / (2.0 * math.cos(math.radians(27.0831))) * math.cos(math.radians(13.1582))

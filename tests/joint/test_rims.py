@@ -24,7 +24,7 @@ def result_of(normal, tangential, rest, width, rest_tangential=0.0):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_thin_hollow_planet_by_hand(planar_joint):
     """Two opposite loads P on a thin ring: the moment under a load is P R/pi, and the bore is in tension there."""
     joint = planar_joint(
@@ -50,7 +50,7 @@ def test_a_thin_hollow_planet_by_hand(planar_joint):
     assert float(found.amplitude[0, at]) == pytest.approx(0.5 * (bending + away), rel=0.03)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["planetary", "planetary_hollow"])
 def test_sectors_that_are_alike_bend_as_those_of_an_even_drive(planar_joint, name):
     joint = planar_joint(name)

@@ -44,7 +44,7 @@ def test_the_sun_contact_slips_at_one_torque_at_rest_and_in_rolling(solved_paper
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_skew_takes_its_share_of_the_friction_at_the_capacity(wedged, solution):
     """At the capacity one contact uses all that skew leaves it, and skew that slips by itself leaves no capacity."""
 

@@ -192,7 +192,7 @@ def test_preload_and_interference_make_each_other(planar_case):
     assert by_force["interference_m"] == pytest.approx(30e-6, rel=1e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_hollow_planets_are_softer(planar_case):
     """A thin planet is the preload's spring: the same interference presses less, and the stiffness falls."""
     hollow, thick = (
@@ -268,7 +268,7 @@ def test_the_papers_drive_as_a_list_of_rollers(planar_case):
     assert document["rolling"]["residual"] < 1e-9
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_thin_ring_is_the_spring_of_the_preload(planar_case):
     """Thin-ring theory: three loads bend a free ring by 0.01593859 P R^3/EI, stretch and shear it."""
     force, radius, wall, length = 100.0, 51.5e-3, 3e-3, 10e-3

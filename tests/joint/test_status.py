@@ -93,7 +93,7 @@ def test_what_has_a_meaning_is_kept(codes):
     np.testing.assert_array_equal(np.isnan(found["wedge_angle"]).ravel(), no_place)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_point_whose_spots_are_all_plastic_is_not_solved_and_keeps_its_forces(case):
     """docs/validity.md: at D = 1.2 the contact law says 0, boundary elements 13 to 780 N/um of a square millimetre."""
     names = (

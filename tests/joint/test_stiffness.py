@@ -166,7 +166,7 @@ def joint(paper_joint):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("support", ["free", "rigid_housing"])
+@pytest.mark.parametrize("support", [pytest.param("free", marks=pytest.mark.long), "rigid_housing"])
 def test_the_papers_joint_over_the_wall_of_its_ring(joint, load_example, support, output):
     """With asperities too stiff to count, against the bodies alone of examples/ring_wall.py: one matrix a body."""
     walls = np.array([4e-3, 10e-3, 20e-3, 60e-3])
@@ -178,7 +178,7 @@ def test_the_papers_joint_over_the_wall_of_its_ring(joint, load_example, support
     assert found == pytest.approx(expected, rel=1e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_matrix_of_the_machine_is_the_sum_of_those_of_its_bodies(joint):
     """Every body summed mode by mode with the Bessel functions of its contacts; hollow rollers and a free ring."""
     made = joint(
@@ -211,7 +211,7 @@ def test_the_matrix_of_the_machine_is_the_sum_of_those_of_its_bodies(joint):
     assert np.asarray(total) == pytest.approx(expected, rel=1e-9, abs=1e-9 * expected.max())
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_bodies_of_unequal_contacts(joint):
     """A contact half as long as its body compresses its surroundings on half the length; the body bends as a whole."""
     members = exact_bodies(joint())
@@ -255,7 +255,7 @@ def test_shear_follows_the_logarithm_of_the_traction(joint):
     assert compliance(0.6) - compliance(0.0) == pytest.approx(np.full(5, added), rel=5e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_housing_lies_between_a_free_ring_and_a_rigid_housing(joint, output):
     housing = np.array([0.0, 1e6, 1e10, 1e11, 1e12, 1e13])
     found = output(
@@ -274,7 +274,7 @@ def test_a_housing_lies_between_a_free_ring_and_a_rigid_housing(joint, output):
     assert 0.9 * held < found[-1] < held
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_ring_with_its_own_spring_keeps_the_spring(joint, solved):
     """ring_bending_stiffness stays a spring under each loading roller of a ring in a rigid housing."""
     found, plain = solved(joint(compliance__ring_bending_stiffness=6.3e7)), solved(joint())
@@ -320,7 +320,7 @@ def test_published_series_assembled_in_this_order(joint, solved):
     assert np.all((levels[1] > 2.0 * levels[2])[works])
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_held_planets_may_exceed_the_series(joint, solved):
     """Where planets do not float, contacts that move along with their neighbours are stiffer than springs in series."""
     held = {"compliance__planet_support_stiffness": 1e15, "compliance__pin_transverse_stiffness": 1e15}
@@ -389,7 +389,7 @@ def test_every_wall_that_is_admitted_has_a_stiffness(joint, solved):
     assert np.all(np.diff(found[holds]) > 0.0)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_hollow_planets_make_the_joint_softer(joint, solved, output):
     bores = np.array([0.01e-3, 8e-3, 16e-3, 22e-3])
     found = solved(joint(ring_wall_thickness=np.full(4, 20e-3), drive__planet_bore_diameter=bores))
@@ -401,7 +401,7 @@ def test_hollow_planets_make_the_joint_softer(joint, solved, output):
     assert np.asarray(found.masses[1]) == pytest.approx(mass, rel=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_wind_up_integrates_the_exact_bodies(joint, output):
     made = joint(ring_support="free")
     found = windup(made, largest_torque=4.0, level="assembly", stage_shares=(0.3, 0.6))

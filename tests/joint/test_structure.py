@@ -42,23 +42,26 @@ def shares(assembly: Assembly) -> dict[str, float]:
             1.3018212055349064e-05,
             {"pin": 0.045136788254889294, "input_shaft": 0.3245547865103125},
         ),
-        (
+        pytest.param(
             {"planet_support_stiffness": 4e7},
             60641.7678163772,
             1.2719353717310108e-05,
             {"planet_support": 0.4444029980394197, "normal": 0.3655546194423609},
+            marks=pytest.mark.long,
         ),
-        (
+        pytest.param(
             {"pin_stiffness": 2e8, "ring_bending_stiffness": 3e8},
             24397.34104008148,
             1.4691564036951152e-05,
             {"ring_bending": 0.19074667326536965, "normal": 0.7108468334556154},
+            marks=pytest.mark.long,
         ),
-        (
+        pytest.param(
             {"shapes": (*4 * (SOLID,), RING)},
             30143.460955762737,
             1.3248317771187401e-05,
             {"tangential": 0.10192121107236307},
+            marks=pytest.mark.long,
         ),
     ],
 )
@@ -99,6 +102,7 @@ def test_an_elastic_housing_moves_the_ring_as_it_expands(case):
     assert float(fit.change_per_kelvin) == pytest.approx(-2.1268698060941811e-07, rel=1e-12)
 
 
+@pytest.mark.long
 def test_a_housing_between_none_and_a_rigid_one(case):
     """The assembled stiffness grows with the housing's, from that of a free ring to nearly that of a held one."""
     joint = dataclasses.replace(

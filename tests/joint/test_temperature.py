@@ -131,7 +131,7 @@ def test_it_is_the_joint_with_the_interference_that_is_left(planetary_at):
     assert STATUS_NAMES[int(joint_status(hot, solved(hot)))] == "no_interference_left"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_drive_as_rollers_and_contacts(planar_case, joint_text):
     """Rollers of steel in a ring of aluminium with 12.6 and 23.6 um/m/K: both types of file make one joint."""
     text = joint_text.replace('preload = "1000 N"', 'interference = "13 um"').replace('"steel"', '"52100"')

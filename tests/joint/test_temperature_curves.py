@@ -45,7 +45,7 @@ def test_there_is_stiffness_below_their_capacity(torque, limit):
     assert np.interp(40.0, temperature, np.asarray(found.torque_capacity)) == pytest.approx(limit)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_curve_goes_through_the_solved_joint(joint_text):
     text = joint_text.replace('preload = "1000 N"', 'interference = "13 um"').replace('"steel"', '"52100"')
     text = text.replace('ring = "52100"', 'ring = "6061-T6"').replace(

@@ -36,7 +36,7 @@ def whole(planetary):
     return unfolded(planetary, np.zeros(3))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("level", ["assembly", "published"])
 def test_equal_sectors_wind_up_as_the_joint(planetary, whole, level):
     found, expected = (
@@ -84,7 +84,7 @@ def opposed(planar_joint):
     return own, alike
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_two_opposed_planets_are_two_springs_side_by_side(opposed):
     """Between a sun, a ring and a carrier that are held both turn by one angle, and their torques add.
 
@@ -132,7 +132,7 @@ def test_beyond_the_slip_of_one_planet_the_other_bears_the_rest(opposed):
     assert float(found.stiffness[-1]) == pytest.approx(0.5 * float(other.stiffness[-1]), rel=1e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_loop_of_unlike_sectors_is_divided_where_contacts_begin_to_slide(planetary):
     """Halfway from the first slip to the most that they carry: few steps have the loop of many."""
     joint = unfolded(planetary, np.array([1e-6, 0.0, -1e-6]))

@@ -77,7 +77,7 @@ def balanced(joint, normal, tangential):
     return force, float(closure_misfit(branch, force)), float(carrier_residual(branch, force))
 
 
-@pytest.mark.parametrize("springs", ["bulk", "bulk_and_asperities"])
+@pytest.mark.parametrize("springs", ["bulk", pytest.param("bulk_and_asperities", marks=pytest.mark.long)])
 def test_forces_close_as_in_the_paper(listed, springs):
     """With exact bodies in the assembly: those of the closure are springs, around the same forces at rest."""
     joint = listed(closure_springs=springs)
@@ -92,6 +92,7 @@ def test_forces_close_as_in_the_paper(listed, springs):
         assert abs(moment) < 1e-10
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("torque", "speed"), [(5.0, 628.0), (-4.0, 628.0), (4.0, -300.0), (-3.0, 0.0)])
 def test_bearings_brake_the_drive_that_stands(listed, torque, speed):
     """Constant friction, and that of pins in proportion to their force, against either sense of rotation."""
@@ -125,6 +126,7 @@ def test_a_drive_that_turns_backwards_mirrors_its_speeds(listed, torque):
     assert one_in > 0.0
 
 
+@pytest.mark.long
 def test_an_interference_makes_the_preload_that_makes_it(listed):
     joint = listed(output_torque=3.0)
     stated = solved(joint)
@@ -139,6 +141,7 @@ def test_an_interference_makes_the_preload_that_makes_it(listed):
     )
 
 
+@pytest.mark.long
 def test_a_torque_and_a_rotation_the_other_way_round_are_the_mirror_image(listed):
     """Of a drive whose two sides are alike, bearing friction included; the capacities too."""
     joint = dataclasses.replace(
@@ -161,6 +164,7 @@ def test_a_torque_and_a_rotation_the_other_way_round_are_the_mirror_image(listed
         assert float(image.output_torque) == pytest.approx(float(mine.output_torque), rel=1e-9)
 
 
+@pytest.mark.long
 def test_the_wind_up_of_a_drive_with_alike_sides_is_alike_both_ways(listed):
     joint = dataclasses.replace(listed(), bearings=BEARINGS)
     curve, solutions = examined_windup(joint, largest_torque=None, level="assembly")

@@ -82,7 +82,7 @@ def numbers_of(solution):
     }
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_points_are_the_solutions_of_their_files(values, found):
     status, numbers, _ = found
     # five planets of 20 mm do not fit around a sun of 10 mm
@@ -173,8 +173,8 @@ def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts
     ("name", "path"),
     [
         ("multiroller", "drive.first_row_radius"),
-        ("stepped_planet", "drive.driven_ring_wall_thickness"),
-        ("planar", "contact.2.first_radius"),
+        pytest.param("stepped_planet", "drive.driven_ring_wall_thickness", marks=pytest.mark.long),
+        pytest.param("planar", "contact.2.first_radius", marks=pytest.mark.long),
     ],
 )
 def test_every_type_can_be_evaluated_at_points(planar_case, name, path):

@@ -126,7 +126,7 @@ def test_the_surface_of_the_joint_has_the_ra_of_both_bodies(head):
     assert back == pytest.approx(0.25e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_joints_at_the_ends_lie_inside(drawn_case, interval):
     half = 1.959964 * np.array([scatter_of_average(fractal_dimension=d, cut_offs=5) for d in (1.15, 1.5)])
     corners = (
@@ -208,7 +208,7 @@ def test_surfaces_of_other_drives_by_their_ra(planar_case):
     assert drawn_interval(planar_case("planetary")) is None
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_what_leaves_nothing_open_is_the_joint_of_another_drive(planar_case):
     """D without a tolerance, Ra within a millionth."""
     exact = (
@@ -227,7 +227,7 @@ def test_what_leaves_nothing_open_is_the_joint_of_another_drive(planar_case):
     assert found["surfaces"]["surface"]["fractal_dimension"] == [1.5, 1.5]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["zou2025", "planetary"])
 def test_a_surface_by_its_heights_has_the_interval_of_its_law(name):
     """K_n = N/(0.48 h) in every drive; both ends are the joints with 0.39 and 1.24 of the heights."""

@@ -25,7 +25,7 @@ def test_that_of_the_file_or_of_the_result(planar_case, joint_text):
     assert made_interference(stated).size == pytest.approx(13e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("cam", ["", '\ncam_force_per_torque = "100 N/Nm"'])
 @pytest.mark.parametrize("known", [None, SimpleNamespace(interference=math.nan)])
 def test_without_a_result_it_is_that_which_makes_the_force_at_rest(planar_case, joint_text, cam, known):

@@ -137,7 +137,7 @@ def test_heights_and_stiffness_of_a_joint_by_hand(example_case, isotropic_map):
     assert again == made.case.surface["sp"].rms_height.value
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_interval_has_the_part_of_the_law_and_that_of_the_measurement(example_case):
     made = case_with_surface(example_case, roughness(profile_spectrum("rolling")))
     interval = made.document(None)["stiffness_interval"]
@@ -167,7 +167,9 @@ def test_stiffness_of_the_asperities_at_the_ends_by_hand(example_case):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["planetary", "planar", "multiroller"])
+@pytest.mark.parametrize(
+    "kind", ["planar", *(pytest.param(kind, marks=pytest.mark.long) for kind in ("planetary", "multiroller"))]
+)
 def test_two_bodies_in_every_drive(planar_case, kind):
     """The mean squares of two bodies add: of heights in the ratio 3 to 4 the pair has 5."""
     one, other = (profile_spectrum("rolling", factor) for factor in (0.3, 0.4))
@@ -326,7 +328,9 @@ def decay_length_by_hand(waves, pressure):
     ("kind", "replaced"),
     [
         ("planetary", ()),
-        ("planetary", (("[load]", 'planet_crown_radius = "20 m"\n\n[load]'),)),
+        pytest.param(
+            "planetary", (("[load]", 'planet_crown_radius = "20 m"\n\n[load]'),), marks=pytest.mark.long
+        ),
         ("planar", ()),
         ("multiroller", ()),
     ],

@@ -195,7 +195,7 @@ def test_under_a_torque_that_only_the_branches_of_the_file_carry(zou_file):
         )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_windup_is_that_of_the_branches_of_the_file(zou_file):
     """The same as that of `asperity windup`, in half as many steps; the joint's own loop is another."""
     text = zou_file.read_text(encoding="utf-8").replace('preload = "1000 N"', 'interference = "13 um"')

@@ -67,7 +67,7 @@ def test_the_document_is_that_of_the_command(client, joint_text, printed):
     assert answer["document"] == printed
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_measured_surface_makes_the_joint_of_the_command(client, joint_text, zou_file, tmp_path):
     """White noise, which has no power law, as a profile of a stated lay."""
     from click.testing import CliRunner

@@ -159,6 +159,7 @@ def test_shares_that_do_not_add_up_are_said_at_the_field_and_rows_stay(page):
     assert page.evaluate("document.activeElement.textContent") == "Add a load"
 
 
+@pytest.mark.long
 def test_a_click_below_a_field_in_use_reaches_what_it_is_meant_for(page):
     """The help of the field closes as the focus leaves it, and everything below moves up: after the click."""
     opened(page, "duty")

@@ -91,7 +91,7 @@ def test_results_of_another_drive_are_its_own(zou_file):
     assert rows["published_stiffness_input"]["label"] == "torsional stiffness at the input, asperities alone"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_chart_of_another_drive_says_what_single_joints_say(zou_file):
     """Over a wall that only such a file has, up to one that makes too little preload for the torque."""
     text = zou_file.with_name("planetary.toml").read_text(encoding="utf-8")

@@ -34,7 +34,7 @@ def tables(report):
     return {block.title: block for block in report.blocks if isinstance(block, Table)}
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_sections_in_the_order_of_a_review(made):
     assert made.sections == (
         "Summary", "Inputs", "Assumptions", "Drawing", "Stiffness", "Forces and contacts", "Loads of the structure",
@@ -73,7 +73,7 @@ def test_every_row_has_as_many_cells_as_the_table_has_columns(made):
         assert {len(row) for row in table.rows} == {len(table.head)}, table.title
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_report_follows_from_the_file_that_it_contains(made):
     (listing,) = [block for block in made.blocks if isinstance(block, Listing)]
     assert listing.text == TEXT
@@ -126,7 +126,7 @@ def test_a_drive_of_another_type_has_all_sections():
     assert "slip" in report_html(report)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_unequal_branches_have_tables_of_their_own():
     file = Path(__file__).parents[2] / "examples" / "zou2025.toml"
     branches = "".join(f'\n[[branch]]\nplanet_deviation = "{size} um"\n' for size in (1.0, 0.0, -1.0))

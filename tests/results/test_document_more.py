@@ -36,7 +36,7 @@ def dimensions(document):
     return {e["contact"]: e for e in document["diagnostics"] if e["name"] == "fractal_dimension"}
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_range_in_which_the_law_is_verified_is_a_diagnostic(joint_text, document):
     assert all(entry["ok"] for entry in dimensions(document()).values())
     text = joint_text

@@ -109,7 +109,7 @@ def test_a_wedge_that_pins_hold_works(zou_file):
     assert "not judged without [pin_bearing]" in check.meaning
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_it_fails_where_the_bearings_of_the_pins_do(zou_file):
     strong, _ = judged(zou_file, friction=0.1, static=1200)
     weak, margin = judged(zou_file, friction=0.1, static=1)

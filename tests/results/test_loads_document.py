@@ -24,6 +24,7 @@ def values(planetary):
     }
 
 
+@pytest.mark.slow
 def test_pins_and_torques_by_hand(planetary, values):
     """10 N·m at the carrier with a ratio of 6: three pins on a circle of 30 mm; the oil drags on every surface."""
     _, solution, _ = planetary
@@ -79,7 +80,7 @@ def test_speeds_are_those_of_a_drive_that_creeps(planetary, values):
     assert sun == pytest.approx([0.0, 1500.0 * math.pi / 30.0], rel=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_loads_of_a_duty_are_cases_of_their_own(planar_case):
     """Torque of the ring over that of the carrier 5/6 without a drag of the oil; speeds in proportion."""
     duty = "".join(
@@ -105,7 +106,7 @@ def test_the_loads_of_a_duty_are_cases_of_their_own(planar_case):
     assert rows["sun", "speed in the housing"] == pytest.approx([0.0, one, 2.0 * one, 0.0], rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_axial_forces_of_skewed_contacts(skewed_planetary):
     """Pins, shafts and the ring bear the thrust of their bodies, together none."""
     joint, solution, document = skewed_planetary

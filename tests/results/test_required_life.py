@@ -126,7 +126,7 @@ def test_margins_of_drive_and_bearings_are_in_the_list(text):
     assert not any(name.startswith("required") for name in without)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     "duty",
     [pytest.param(LOADS, id="duty", marks=pytest.mark.long), pytest.param((), id="no duty")],

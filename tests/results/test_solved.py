@@ -68,7 +68,7 @@ def test_only_the_ring_bends(solved):
     assert np.isnan(np.asarray(solved.rims.yield_safety)).tolist() == [True, True, False]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     "branches", ["", pytest.param(3 * '[[branch]]\nplanet_deviation = "0.5 um"\n\n', marks=pytest.mark.long)]
 )
@@ -103,7 +103,7 @@ def test_rims_under_a_duty_are_those_of_the_same_load_as_working_torque(planar_c
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_unlike_branches_at_another_temperature_are_the_file_that_works_there(planar_case):
     """Laws of the contacts are taken around the forces of that temperature."""
 

@@ -122,7 +122,7 @@ def test_creep_of_every_contact_is_carters_times_its_factor(rolled):
     np.testing.assert_allclose(found.stick_fraction, np.sqrt(1 - tangential / (0.12 * normal)), rtol=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_skew_takes_from_the_zone_that_sticks(rolled):
     """The whole traction counts, the axial part with the tangential one; where it is all of friction nothing sticks."""
     found = rolled(conditions(skew=(1e-3, 5e-4, -3e-4, 8e-4, -1e-3)))
@@ -178,7 +178,7 @@ def test_creep_and_bearings_are_what_is_missing_at_the_output(rolled, torque):
         assert float(power.efficiency) == pytest.approx((entering - lost) / entering, rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_torque_that_drives_less_than_the_losses_has_no_efficiency(rolled):
     found = rolled(output_torque=-0.02, sun_torque=0.05)
     assert np.isnan(float(found.power.efficiency))
@@ -253,7 +253,7 @@ def test_thrusts_balance(rolled):
     assert np.sum(times * np.asarray(found.axial_thrust)) == pytest.approx(0.0, abs=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_no_skew_is_skew_zero(rolled):
     plain, zero = rolled(conditions(skew=None)), rolled(conditions())
     np.testing.assert_allclose(zero.creepage, plain.creepage, rtol=1e-9)
@@ -338,7 +338,7 @@ def test_miners_sum_over_a_duty(rolled):
     assert np.isnan(float(rolled(**HARD).duty_life_hours))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_damage_of_a_load_is_what_its_duration_takes_from_the_life(rolled):
     """D_j = -d ln(life)/d ln(time at load j), by differences; a drive that stands is not damaged."""
 

@@ -136,6 +136,7 @@ def crowned(paper_joint):
     )
 
 
+@pytest.mark.slow
 def test_even_contacts_beside_crowned_ones_are_even(strips, crowned):
     traction = np.array([0.03, 0.02, -0.02, 0.05, 0.0])
     even, found = strips(traction), crowned(traction)

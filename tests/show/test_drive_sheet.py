@@ -92,7 +92,9 @@ def sizes_of(name, planar_case):
     return sizes(joint, 1.0), drive_clearances(joint)
 
 
-@pytest.mark.parametrize("forces", [False, True, "section"])
+@pytest.mark.parametrize(
+    "forces", [*(pytest.param(forces, marks=pytest.mark.long) for forces in (False, True)), "section"]
+)
 @pytest.mark.parametrize("name", [*EXAMPLES, *ODD])
 def test_every_text_is_inside_the_frame_and_covers_no_other(sheet, name, forces):
     figure = sheet_figure(sheet(name, forces))
@@ -347,7 +349,7 @@ def test_a_dxf_file_has_the_texts_and_the_true_lengths_of_the_sheet(sheet):
     assert not shown & set(measured)  # each stands in the block of its dimension, once
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_long_list_is_written_smaller(idlers_case):
     drawn = drive_sheet(joint_from_case(idlers_case(12)), name="a")
     _, _, low, high = drawn.window

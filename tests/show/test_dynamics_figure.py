@@ -7,6 +7,7 @@ from asperity.show.dynamics_figure import dynamics_figure
 from asperity.standing.dynamics import Inertias, dynamics
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [0.0, 600.0])
 def test_lines_axes_and_units(paper_joint, speed):
     found = dynamics(paper_joint(sun_speed=speed), Inertias(2e-6, 0.05, 0.02))

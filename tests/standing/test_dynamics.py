@@ -22,7 +22,7 @@ def found(paper_joint):
     return dynamics(paper_joint(), COUPLED)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_inertias_by_hand(found):
     """Steel cylinders of 5 mm: sun 4, planets 13.5, rollers 5 mm; the ratio is 9."""
     mass = {r: 7850.0 * math.pi * r**2 * 5e-3 for r in (4e-3, 13.5e-3, 5e-3)}

@@ -11,7 +11,7 @@ def test_with_the_friction_of_no_slip_there_is_none():
     assert 1.0 - 1e6 / (NO_SLIP_FRICTION * 1.0) == 1.0
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_own_and_without_slip_are_those_of_single_joints(paper_joint):
     """Equal traction coefficients share the torque alike, whatever the friction: the forces are the same."""
     torques = np.array([-3.0, 4.0])

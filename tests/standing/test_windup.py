@@ -204,7 +204,7 @@ def directions(joint):
     return curve, np.asarray(curve.angle), -np.asarray(curve.angle)[::-1]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("speed", [0.0, 600.0])
 def test_a_symmetric_joint_is_mirrored(paper_joint, speed):
     """With friction in every bearing, turning or not."""
@@ -229,7 +229,7 @@ def test_an_asymmetric_joint_has_two_directions_that_swap_with_its_sides(paper_j
         assert float(other.hysteresis) == pytest.approx(float(curve.hysteresis), rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_stiffness_of_both_directions_is_that_of_the_solver(paper_joint):
     """With a constant pin force the paper's joint is stiffer at plus than at minus 8 N·m."""
     curve = windup(

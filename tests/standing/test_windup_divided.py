@@ -30,7 +30,7 @@ def test_a_curve_is_divided_where_its_compliance_is_infinite():
     assert abs(float(windup_of(compliances, **options).angle[-1]) / (largest + slipped) - 1.0) > 1e-5
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_joint_beyond_its_first_slip_needs_no_more_steps(case):
     """12 N·m, where one loading roller slides from 9.59 N·m on: the loop is that of eight times as many steps."""
     found = joint_from_case(case)

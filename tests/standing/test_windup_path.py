@@ -126,10 +126,10 @@ def path_following(paper_joint, changes, largest):
     ("closure", "largest", "width_error", "energy_error"),
     [
         ("elastic", 5.0, -0.012, -0.012),
-        ("elastic", 10.0, -0.080, -0.086),
-        ("elastic", 12.0, -0.151, -0.167),
-        ("constant_pin_force", 5.0, 0.117, 0.142),
-        ("constant_pin_force", 10.0, 0.468, 0.560),
+        pytest.param("elastic", 10.0, -0.080, -0.086, marks=pytest.mark.long),
+        pytest.param("elastic", 12.0, -0.151, -0.167, marks=pytest.mark.long),
+        pytest.param("constant_pin_force", 5.0, 0.117, 0.142, marks=pytest.mark.long),
+        pytest.param("constant_pin_force", 10.0, 0.468, 0.560, marks=pytest.mark.long),
     ],
 )
 def test_the_estimate_is_off_by_what_the_documentation_states(

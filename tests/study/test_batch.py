@@ -119,11 +119,12 @@ def test_slopes_are_the_derivatives(values):
             assert slopes[name][..., index] == pytest.approx(difference, rel=1e-5, abs=1e-7 * scale), name
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "results",
     [
-        pytest.param(("assembly_stiffness_output",), marks=pytest.mark.slow),
-        pytest.param(("torque_capacity",), marks=pytest.mark.long),
+        ("assembly_stiffness_output",),
+        ("torque_capacity",),
     ],
 )
 def test_derivatives_in_reverse_are_those_forwards(planar_case, monkeypatch, results):
@@ -147,7 +148,7 @@ def test_derivatives_in_reverse_are_those_forwards(planar_case, monkeypatch, res
         assert np.count_nonzero(forwards[2][name]) >= 6
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_both_ways_give_the_same_numbers_where_the_joint_exists(values):
     torque = {"load.output_torque": np.array([0.0, 5.0, 20.0])}
     names = ("assembly_stiffness_output", "slip_ratio", "clearance")
@@ -181,11 +182,12 @@ def test_programs_run_one_at_a_time(values, monkeypatch):
     np.testing.assert_array_equal(found[1][1][name], [900.0, 1000.0])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "roller"),
     [
-        pytest.param("planetary", "planet", marks=pytest.mark.slow),
-        pytest.param("multiroller", "second_row", marks=pytest.mark.long),
+        ("planetary", "planet"),
+        ("multiroller", "second_row"),
     ],
 )
 def test_bending_of_pins_by_the_balance_of_the_carrier(planar_case, name, roller):

@@ -33,7 +33,7 @@ def test_the_number_of_planets_cannot_vary_beside_their_sections(unlike):
         derivatives_at(values, {"drive.planets": np.array([3.0])}, ("normal_force",), ("drive.planets",))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_forces_stiffness_and_drift_are_those_of_the_branches(unlike, planar_case):
     """Planets that are all 2 um larger are an interference of 4 um more; of others, derivatives are differences."""
     first, step = "branch.1.planet_deviation", 1e-9
@@ -55,7 +55,7 @@ def test_forces_stiffness_and_drift_are_those_of_the_branches(unlike, planar_cas
         np.testing.assert_allclose(slopes[name][:, 0, 0], difference, rtol=1e-4, err_msg=name)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_bearings_of_the_sun_carry_what_unlike_planets_leave_unbalanced(planar_case):
     """Without torque the planets press the sun along their directions, 120 degrees apart."""
     rated = '[input_bearing]\ntype = "ball"\ndynamic_rating = "9 kN"\nstatic_rating = "9 kN"\n'

@@ -85,10 +85,10 @@ def fewest_covered(count, share=0.9):
 @pytest.mark.parametrize(
     ("kind", "estimator", "repeats"),
     [
-        ("K-correlation", "likelihood", 24),
-        ("flat", "likelihood", 24),
+        pytest.param("K-correlation", "likelihood", 24, marks=pytest.mark.long),
+        pytest.param("flat", "likelihood", 24, marks=pytest.mark.long),
         ("exact", "likelihood", 24),
-        ("row quarters", "likelihood", 24),
+        pytest.param("row quarters", "likelihood", 24, marks=pytest.mark.long),
         ("K-correlation", "structure_function", 12),
         ("exact", "structure_function", 12),
         ("K-correlation", "power_spectrum", 12),

@@ -104,7 +104,7 @@ def test_the_refusal_has_their_name():
         fit(scratched(heights, random, 0.6))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_intervals_of_accepted_profiles_with_scratches_hold():
     """Twelve scratches of 0.1, 0.3 and 1 rms height: 85 % of what is accepted, which was 30 to 80 %."""
     accepted, covered = 0, 0

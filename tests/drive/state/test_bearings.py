@@ -104,6 +104,7 @@ def test_what_enters_and_does_not_leave_is_creep_and_bearings(rolled):
     assert creep + bearings == pytest.approx(entered, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_without_friction_the_torque_is_that_of_the_ratio(rolled):
     _, _, free = rolled
     for state in (free.standing, free.rolling):

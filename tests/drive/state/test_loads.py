@@ -125,7 +125,7 @@ def test_drag_brakes_every_body_by_its_radius():
     np.testing.assert_allclose(moments, [-3 * 2.0 * SUN, (2.0 + 3.0) * PLANET, 3 * 3.0 * RING, 0.0])
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("rotation", [1.0, -1.0])
 def test_a_planetary_drive_with_oil_by_hand(drives, steel_laws, rotation):
     """T_1 - T_2 = g_1 + g_2 turns the planet, the pin takes the forces along its orbit, the sun feels T_1 + g_1."""

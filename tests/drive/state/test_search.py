@@ -102,6 +102,7 @@ def test_the_carrier_turns_by_the_planets_that_hold(standing):
     np.testing.assert_allclose(turned, [0.5 * FIRST / (2.0 * STIFFNESS), beyond, beyond], rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_no_state_beyond_the_friction_of_both(standing):
     found = standing(np.array([1.0 - 1e-9, 1.0 + 1e-9, 1.5]) * WHOLE)
     np.testing.assert_array_equal(np.asarray(found.residual) < STATE_TOLERANCE, [True, False, False])

@@ -179,7 +179,15 @@ def both(machine, task, pressed_sectors, slides, x):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", [ASSEMBLED, STANDING, ROLLING])
-@pytest.mark.parametrize("name", DRIVES)
+@pytest.mark.parametrize(
+    "name",
+    [
+        name
+        if name in ("wedge", "three branches, sun floating")
+        else pytest.param(name, marks=pytest.mark.long)
+        for name in DRIVES
+    ],
+)
 def test_slopes_are_those_of_the_equations(name, kind):
     drive, machine, load = described(
         name, coupled=name == "planetary", pressed=name in ("wedge", "planetary", "published closures")

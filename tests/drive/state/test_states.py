@@ -132,6 +132,7 @@ def _grown(law, normal, tangential):
     return dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * (1.0 + normal / 2000.0 + used**2))
 
 
+@pytest.mark.slow
 def test_the_creep_law_under_the_forces_is_met_by_the_rolling_state(drives, steel_laws):
     """By passes with the law around the forces of the last pass, until they stay; its derivative by differences."""
     drive = drives["planetary"]

@@ -98,7 +98,7 @@ def test_a_rigid_shaft_has_finite_derivatives():
     assert jax.value_and_grad(stiffness)(6.0) == (pytest.approx(1e5), 0.0)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("held", [None, (2e7, 3e7)])
 def test_the_stiffness_is_the_slope_of_the_states_also_where_a_contact_slides(drives, held):
     """Linear springs, whose slip does not depend on the normal force: 5 N·m, and 10 N·m with a roller that slides."""

@@ -297,7 +297,7 @@ def test_no_losses_nine_to_one_and_rest_at_no_torque(forces_of, closure):
         assert f[name][0] == pytest.approx(value, rel=1e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_gradients_of_all_forces_are_those_of_the_equations(solved_forces):
     """Derivatives along a random direction in all continuous inputs, against central differences."""
     x = random_drives(8)

@@ -125,7 +125,7 @@ def test_noisy_data_give_values_within_their_intervals(case, curve):
     assert distance < f_law(len(TRUTH), freedom).ppf(1.0 - 1e-4)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_misfit_shows_in_the_residuals(case, curve):
     """Neither play nor drift is among the unknowns, but both are in the data."""
     texts = ("load.preload", "load.friction_coefficient", "offset=-1 arcmin:1 arcmin")
@@ -153,7 +153,7 @@ def test_how_well_an_unknown_is_known(unknown, half_width, words):
     assert known_within(unknown, half_width) == words
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_what_cannot_be_told_apart_is_named(case, curve):
     # smooth surfaces are a thousand times stiffer than the bodies below them, so their roughness leaves no trace
     data, _ = curve
@@ -252,7 +252,7 @@ def test_no_play_says_nothing_about_its_torque(case):
     assert np.all(np.isfinite(found.covariance))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_slopes_of_the_model(case, curve):
     data, _ = curve
     unknowns = read_unknowns(
@@ -299,12 +299,12 @@ def test_stiffness_data(case):
         ("play.take_up_torque", "needs the unknown 'play.angle'"),
     ],
 )
-def test_bad_unknowns(case, curve, text, message):
+def test_bad_unknowns(case, text, message):
     with pytest.raises(InputError, match=message):
-        read_unknowns([text], case=case, measurements=(curve[0],))
+        read_unknowns([text], case=case, measurements=(blank(history()),))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_curve_past_slip_is_refused(case):
     # 20 N·m is beyond the capacity of 13.2 N·m: the fit would end where the preload just carries it, with an interval
     # of no width since the slope is infinite there
@@ -313,12 +313,12 @@ def test_a_curve_past_slip_is_refused(case):
         fitted(case, blank(torque), angle, texts=("load.preload",))
 
 
-def test_a_joint_whose_rollers_do_not_fit_is_refused(joint_text, curve):
+def test_a_joint_whose_rollers_do_not_fit_is_refused(joint_text):
     crowded = parse_case(joint_text.replace("planets = 3\n", "planets = 30\n"), source="crowded.toml")
     with pytest.raises(InputError, match="neighbours of planet overlap by 23"):
         calibrate(
             case=crowded,
-            measurements=(curve[0],),
+            measurements=(blank(history()),),
             unknowns=(),
             level="assembly",
             history="virgin",

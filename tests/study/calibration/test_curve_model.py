@@ -100,7 +100,7 @@ def test_a_joint_that_slips_below_the_largest_torque_has_no_prediction(zou_file)
     assert np.isfinite(curve(np.array([weak]))[0]).all()  # the search is led back, by the least stiffness
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     "change",
     [

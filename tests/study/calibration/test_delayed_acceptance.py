@@ -12,7 +12,7 @@ from asperity.study.calibration.delayed_acceptance import Chains, _chosen, _in_l
 MEAN, SPREAD = np.array([0.45, 0.6]), np.array([0.05, 0.08])
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
 def test_wrong_surrogate_and_a_cut_give_the_exact_density():
     # exact: independent normals, the first cut at 0.5; surrogate: shifted, wider, without the cut

@@ -127,7 +127,7 @@ def test_many_sets_are_as_one_by_one_and_slip_has_no_prediction(model):
     assert np.isfinite(model(slips[0])[0]).all(), "the search is led back"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_play_of_the_joint_file_is_no_drift(zou_file, tmp_path, model):
     file = tmp_path / "play.toml"
     file.write_text(Path(zou_file).read_text() + '\n[play]\nangle = "10 arcmin"\ntake_up_torque = "0 N*m"\n')
@@ -182,7 +182,7 @@ def test_what_cannot_be_told_apart_is_named(case):
     assert "NOT identifiable" in found.directions[0].words
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_polynomial_of_the_posterior(case, model):
     centre = scaled(model)
     fit = fit_surrogate(model, centre, (0.01 * np.eye(3)) ** 2, seed=0)

@@ -95,7 +95,7 @@ def exact(case):
     return found
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_each_curve_is_seen_by_its_own_unknowns(case, exact):
     curves = both(*exact)
     unknowns = read_unknowns(TEXTS, case=case, measurements=curves)
@@ -141,7 +141,7 @@ def test_intervals_and_errors_hold_as_often_as_they_say(case, exact):
         assert low - off < np.mean(size**2) / scatter**2 < high + off
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_together_they_tell_what_neither_tells_alone(case, exact):
     """The roughness raises the creep as a lower preload does; the torque–angle curve knows the preload."""
     rng = np.random.default_rng(5)
@@ -161,12 +161,13 @@ def test_together_they_tell_what_neither_tells_alone(case, exact):
         assert not alone.determined or joint.upper / joint.lower < (alone.upper / alone.lower) ** 0.5, path
 
 
+@pytest.mark.slow
 def test_exact_curves_give_exact_values(case, exact):
     for each, true in zip(fitted(case, both(*exact)).estimates, TRUTH, strict=True):
         assert each.value == pytest.approx(true, rel=1e-4, abs=0.0), each.path
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_what_cannot_be_fitted_together(case, exact):
     standing, turning = both(*exact)
     with pytest.raises(

@@ -94,7 +94,7 @@ def test_values_are_those_of_the_joint_solved_there(case):
     assert drift.exists.all()
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("shown", "slips"), [("assembly", True), ("series_with_bulk", False), ("drift", True)]
 )
@@ -152,7 +152,7 @@ def loop(case):
     return np.concatenate([torque[half], torque[::-1][1:], torque[1:]]), np.concatenate(angle)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_curve_is_that_of_the_wind_up(case, loop):
     torque, angle = loop
     data = measured(torque, angle=angle)

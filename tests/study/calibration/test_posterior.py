@@ -59,7 +59,7 @@ def sampled(shift, draws):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_linear_model():
     found = sampled(np.zeros(2), draws=300)
     expected = np.sqrt(np.diag(COVARIANCE))  # t with 58 degrees of freedom, nearly

@@ -37,7 +37,7 @@ def shortfall(front, values):
     return float(np.mean(1.0 - front["published_stiffness_output"].values / best))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_front(zou_file):
     pytest.importorskip("pymoo")
     problem = design_from_tables(tomllib.loads(TEXT), folder=zou_file.parent)

@@ -154,7 +154,7 @@ def test_local_workers_start_with_their_settings_and_leave_ours_alone():
     assert {name: os.environ.get(name) for name in names} == before
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("number", "code", "word"), [("TERM", 143, "terminated"), ("INT", 130, "interrupted")]
 )

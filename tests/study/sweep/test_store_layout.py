@@ -113,7 +113,7 @@ def test_damage_is_found_and_repaired(filled, name, block, accident, written):
     np.testing.assert_array_equal(open_store(path)[name][..., block, :], 0 if name == "status" else 5.0)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_every_bit_of_a_chunk_is_covered(filled):
     path, plan = filled
     file = chunk(path, "published_stiffness_output", 2)

@@ -67,7 +67,7 @@ def test_dataset_says_what_it_holds(in_memory):
     assert meanings[flag] == "beyond_torque_capacity"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_from_disk_it_is_the_same(in_memory, filled):
     stored = open_store(filled).load()
     assert set(stored.data_vars) == set(in_memory.data_vars)
@@ -140,6 +140,7 @@ def test_interruption_keeps_what_is_done(case, in_memory, tmp_path):
     np.testing.assert_array_equal(finished["status"].values, in_memory["status"].values)
 
 
+@pytest.mark.slow
 def test_another_sweep_is_not_written_over(case, joint_text, filled):
     before = json.dumps(sorted(str(p) for p in filled.rglob("*")))
     with pytest.raises(InputError, match="contains another sweep \\(different: the axes, the results"):
@@ -147,7 +148,7 @@ def test_another_sweep_is_not_written_over(case, joint_text, filled):
     assert json.dumps(sorted(str(p) for p in filled.rglob("*"))) == before
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_overwriting_is_only_for_stores_of_sweeps(case, filled, tmp_path):
     path = tmp_path / "s.zarr"
     shutil.copytree(filled, path)

@@ -126,7 +126,7 @@ def test_limits_are_read_or_refused(case, text, message):
         limits_from_text([text], case)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_planetary_keeps_its_capacity(case):
     """The interference at the contacts is sun + 2 planets - bore: their influences are as 1 : 2 : 1."""
     found = allowed(

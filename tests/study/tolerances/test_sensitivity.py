@@ -96,6 +96,7 @@ def test_ranking_is_by_influence(found):
         ranking(found, "weight")
 
 
+@pytest.mark.long
 def test_a_joint_that_slips_has_no_sensitivities(joint_text):
     with pytest.raises(InputError, match="beyond the torque capacity"):
         sensitivity(
@@ -115,6 +116,7 @@ def test_where_all_spots_are_plastic_only_the_stiffness_has_no_sensitivities(joi
     assert share == 0.0
 
 
+@pytest.mark.long
 def test_any_result_with_derivatives_can_be_asked_for(homogeneous):
     # a reduction of R_o/R_s - 1 = 9: d ratio/d R_o = -1/R_s
     found = sensitivity(homogeneous, ("speed_ratio",))
@@ -124,7 +126,7 @@ def test_any_result_with_derivatives_can_be_asked_for(homogeneous):
         sensitivity(homogeneous, ("limiting_contact",))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_planetary_by_hand(planar_case):
     found = sensitivity(planar_case("planetary"), ("interference", "speed_ratio", "slip_ratio", "mass"))
     derivative, elasticity = found["derivative"], found["elasticity"]

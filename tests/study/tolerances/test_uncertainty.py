@@ -187,7 +187,7 @@ def test_failed_samples_are_counted(joint_text):
     assert np.all(np.isnan(mass["first_order"].values))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_plastic_samples_are_counted_and_left_out(joint_text):
     """The stiffness of the solved samples rises with D from the value where the last spots turn elastic."""
     text = joint_text.replace("fractal_dimension = 1.4", 'fractal_dimension = "1.3 +- 0.1, uniform"')
@@ -228,7 +228,7 @@ def test_a_distribution_is_never_guessed(toleranced, case):
         uncertainty(toleranced, distribution=Distribution("uniform", 0.0), samples=10**12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_radii_of_finished_parts_make_the_interference_of_a_planetary(planar_case):
     toleranced = {
         'sun_radius = "10 mm"': 'sun_radius = "10 mm +- 2 um, uniform"',
