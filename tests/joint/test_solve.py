@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from asperity.errors import AsperityError, InputError, PrecisionError
-from asperity.joint.solve import refuse_short_contacts, solve_joint
+from asperity.joint.solve import refuse_short_contacts, solve_joint, states_and_limits
 
 
 def refusal(joint) -> str:
@@ -85,6 +85,27 @@ def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_join
     assert {int(found.limiting_contact) for found in capacities} == {0}
     torques = [float(found.output_torque) for found in capacities]
     assert torques == pytest.approx([torques[0]] * 3, rel=1e-9)
+
+
+def test_a_negative_torque_has_the_limits_of_its_own_direction(paper_joint):
+    """Wedges of unlike angles: the limits of the mirrored drive under the opposite torque, by another search."""
+    one, other = (
+        paper_joint(
+            left_push_angle=left, right_push_angle=right, output_torque=torque, friction_coefficient=0.25
+        )
+        for left, right, torque in ((0.1, -0.1, -5.0), (-0.1, 0.1, 5.0))
+    )
+    solution, mirrored = solve_joint(one), solve_joint(other)
+    limits = states_and_limits(one)[1]
+    back = float(solution.reverse_capacity.output_torque)
+    assert abs(back / float(solution.capacity.output_torque) - 1.0) > 0.02
+    assert float(mirrored.capacity.output_torque) == pytest.approx(back, rel=1e-9)
+    assert float(limits.standing.output_torque) == pytest.approx(back, rel=1e-9)
+    assert f"torque capacity -{back:.4g}"[:19] in refusal(
+        paper_joint(
+            left_push_angle=0.1, right_push_angle=-0.1, output_torque=-40.0, friction_coefficient=0.25
+        )
+    )
 
 
 def test_single_precision_is_refused(paper_joint):

@@ -158,7 +158,6 @@ def test_across_alone_the_layer_is_that_of_the_axial_force(creep):
         assert float(got) == pytest.approx(axial, abs=5e-4)  # the law repeats its factors three times
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("crown", [None, 2.0])
 def test_what_skew_takes_by_its_own_formulas(creep, crown):
     """z = gamma/xi_y,max leaves sqrt((1 - z^2)/(1 - z^2 + rho z^2)) at gross slip, with rho = xi_y,max/xi_x,max."""
@@ -180,7 +179,6 @@ def test_what_skew_takes_by_its_own_formulas(creep, crown):
     np.testing.assert_allclose(lateral, expected, rtol=1e-9)
 
 
-@pytest.mark.slow
 def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
     """Smooth: where Carter's slices carry 0.4 of friction, by bisection. Rough: the even contacts as before."""
     q, crown = 0.4, 2.0

@@ -182,6 +182,42 @@ def test_programs_run_one_at_a_time(values, monkeypatch):
     np.testing.assert_array_equal(found[1][1][name], [900.0, 1000.0])
 
 
+@pytest.mark.parametrize(("asked", "size", "done"), [(None, 8, [5]), (2, 2, [2, 2, 1]), (3, 4, [4, 1])])
+def test_points_are_evaluated_in_blocks_of_a_power_of_two(values, monkeypatch, asked, size, done):
+    name, sizes, quick = "assembly_stiffness_output", [], []
+
+    def program_of(structure, paths, results, block, fast):
+        sizes.append(block)
+        quick.append(fast)
+        return lambda base, column: (jnp.zeros(block, dtype=jnp.int8), {name: 2.0 * jnp.asarray(column)})
+
+    monkeypatch.setattr(batch, "_program", program_of)
+    preload, reported = np.array([900.0, 910.0, 920.0, 930.0, 940.0]), []
+    points = {"load.preload": preload}
+    status, found = evaluate_points(values, points, (name,), batch=asked, report=reported.append)
+    np.testing.assert_array_equal(status, 0)
+    np.testing.assert_array_equal(found[name], 2.0 * preload)
+    assert (sizes, reported, quick) == ([size], done, [True])
+    evaluate_points(values, {"load.preload": np.full(batch.QUICK_POINTS + 1, 900.0)}, (name,))
+    assert not quick[-1]
+
+
+def test_blocks_of_derivatives_are_put_together(monkeypatch):
+    """Five points in blocks of two: the last one is filled up, and what fills it up is left out."""
+    blocks = []
+
+    def run(function, *tables, options):
+        blocks.append([table.shape for table in tables])
+        return lambda *given: (3.0 * given[0][0], given[1])
+
+    monkeypatch.setattr(batch, "compile_fast", run)
+    table, directions = np.arange(5.0)[None], np.arange(10.0).reshape(2, 5)
+    first, second = batch._in_blocks(None, (), 2, table, directions)
+    np.testing.assert_array_equal(first, 3.0 * np.arange(5.0))
+    np.testing.assert_array_equal(second, directions)
+    assert blocks == 3 * [[(1, 2), (2, 2)]]
+
+
 @pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "roller"),
