@@ -48,9 +48,40 @@ def npl(*, spacing="SPACING CX 2.500000e-004", count="4.000000e+002"):
     return "\r\n".join(lines) + "\r\n"
 
 
+def sdf(*, scale="1E-06", values=None, compression=0):
+    """ISO 25178-71 as NPL and NIST write their reference profiles: with names of their own for the version."""
+    lines = [
+        "aNPL-V1.0",
+        "ManuFacID = Softgauges",
+        "CreateDate = 210520051200",
+        "ModDate = 210520051200",
+        "NumPoints = 400",
+        "NumProfiles = 1",
+        "Xscale = 2.5E-07",
+        "Yscale = 0",
+        f"Zscale = {scale}",
+        "Zresolution = -1",
+        f"Compression = {compression}",
+        "DataType = 7",
+        "CheckType = 0",
+        "*",
+        *(values or [f"{1e6 * height:.6f}" for height in HEIGHTS]),
+        "*",
+        "*",
+    ]
+    return "\r\n".join(lines) + "\r\n"
+
+
 @pytest.mark.parametrize(
     ("name", "text"),
     [
+        ("npl.sdf", sdf()),
+        (
+            "nist.sdf",
+            sdf(scale="1.0e-13", values=[f"{1e13 * height:.0f}" for height in HEIGHTS]).replace(
+                "aNPL-V", "aBC-"
+            ),
+        ),
         ("a.smd", smd()),
         ("scaled.smd", smd(axis="CX\0 I\0 400 um\0 0.25 D\0 1.0", scale="nm\0 1.0e3 D")),
         (
@@ -85,6 +116,12 @@ def test_a_profile_comes_back(tmp_path, name, text):
         (npl().replace("MM 1.000000e-009 L", "furlongs 1.0 L"), "unknown unit 'furlongs'"),
         (npl().replace("CZ M", "CY M 2 MM 1.0 D\r\nCZ M"), "is a map in records"),
         (npl().replace("EOR\r\nEOF", "seven\r\nEOR\r\nEOF"), "cannot be read"),
+        (sdf(scale="0"), "the scale of zscale is 0"),
+        (sdf(values=["1.0"] * 399), "speaks of 400 points and has 399"),
+        (sdf(values=["1.0"] * 399 + ["one"]), "cannot be read"),
+        (sdf(compression=1), "compressed"),
+        (sdf().replace("*", ""), "speaks of 400 points and has 0"),
+        (sdf().replace("Xscale", "Step"), "cannot be read"),
         (smd(values=[f"{k * k} 1.0" for k in range(400)], axis="CX A 400 mm 1 D"), "not evenly spaced"),
     ],
 )
@@ -92,3 +129,11 @@ def test_damaged_files(tmp_path, text, says):
     (tmp_path / "a.smd").write_bytes(text.encode("ascii"))
     with pytest.raises(InputError, match=says):
         read_surface(path=tmp_path / "a.smd")
+
+
+def test_bad_points_of_an_sdf_profile_are_missing(tmp_path):
+    values = [f"{1e6 * height:.6f}" for height in HEIGHTS]
+    values[7] = "BAD"
+    (tmp_path / "a.sdf").write_text(sdf(values=values))
+    got = read_surface(path=tmp_path / "a.sdf").heights
+    assert np.flatnonzero(np.isnan(got)).tolist() == [7]

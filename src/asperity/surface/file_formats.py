@@ -67,7 +67,7 @@ FORMATS = (
     FileFormat("SMD", "smd", "reference profiles (ISO 5436-2), NPL, PTB", "", (b"ISO 5436",), "records"),
     FileFormat("NPL profile", "prf", "softgauges of NPL, Form Talysurf as text", reader="records"),
     FileFormat("TIFF", "tif tiff", "grey images, 8 to 32 bit", "", (b"II*\0", b"MM\0*"), "tiff", SCALE),
-    FileFormat("SDF", "sdf", "any (ISO 25178-71), NIST", "sdf", (b"aISO-1.0", b"bISO-1.0")),
+    FileFormat("SDF", "sdf", "any (ISO 25178-71), NIST, NPL", "sdf", (b"aISO-1.0", b"bISO-1.0")),
     FileFormat("SUR", "sur pro", "Digital Surf, MountainsMap, many", "sur", (b"DIGITAL SURF",)),
     FileFormat("MNT", "mnt", "Digital Surf Mountains", "mnt"),
     FileFormat("AL3D", "al3d", "Bruker Alicona", "al3d", (b"AliconaImaging",)),

@@ -1,7 +1,8 @@
-"""Profiles in records of text: ISO 5436-2 (``.smd``) and the layout of the National Physical Laboratory (``.prf``).
+"""Profiles in records of text: ISO 5436-2 (``.smd``), the layout of NPL (``.prf``), and ISO 25178-71 (``.sdf``).
 
-Both say of each axis its number of points, its unit and scale; then come notes, then one height a line. The records of
-ISO 5436-2 end with the control character 3 and its texts with NUL; those of NPL end with EOR.
+The first two say of each axis its number of points, its unit and scale; then come notes, then one height a line. The
+records of ISO 5436-2 end with the control character 3 and its texts with NUL, those of NPL with EOR, those of
+ISO 25178-71 with an asterisk.
 """
 
 from __future__ import annotations
@@ -20,13 +21,16 @@ from asperity.surface.topography import Topography
 #: Larger files are refused [bytes]; a profile of a million points takes some 10 MiB.
 LARGEST_RECORDS = 64 * MEBIBYTE
 _BEGINNING = re.compile(rb"\s*(ISO 5436|\d+[ \t]+\d+\s*\n[^\n]*\bPRF\b)")
+_SDF_PROFILE = re.compile(
+    rb"\s*a[^\n]{1,9}\n\s*ManufacID\s*=[^*]*\n\s*NumProfiles\s*=\s*1\s*\n", re.IGNORECASE
+)
 #: Steps between stated positions differ by less than this share of the mean one.
 _EVEN = 1e-3
 
 
 def in_records(beginning: bytes) -> bool:
     """Whether the first bytes of a file are those of a profile in records."""
-    return _BEGINNING.match(beginning) is not None
+    return bool(_BEGINNING.match(beginning) or _SDF_PROFILE.match(beginning))
 
 
 def record_topography(*, path: Path) -> Topography:
@@ -37,9 +41,12 @@ def record_topography(*, path: Path) -> Topography:
     References
     ----------
     ISO 5436-2:2012, the file of reference data of type F1; the files of NPL's softgauges, as `Nmm2Profile` (BEV) writes
-    and `surfile` (INRIM) reads them.
+    and `surfile` (INRIM) reads them; ISO 25178-71:2017, with the examples of NPL's softgauges and of the NIST Virtual
+    Surface Calibration Database, which have their own names in place of ISO-1.0.
     """
     text = decoded(path, largest=LARGEST_RECORDS).replace("\0", " ")
+    if _SDF_PROFILE.match(text[:4096].encode()):
+        return _surface_data(path, text)
     records = re.split(r"\x03|^EOR\s*$", text, maxsplit=3, flags=re.MULTILINE)
     head = [line.split() for record in records[:2] for line in record.splitlines()]
     along, across, up = (
@@ -72,7 +79,29 @@ def record_topography(*, path: Path) -> Topography:
 
 def _scale(axis: list[str]) -> float:
     """Metres in one count of an axis: name, type, points, unit, scale."""
-    scale = float(axis[4])
+    return _positive(axis[4], axis[0]) * metres_per_unit(axis[3].lower())
+
+
+def _positive(word: str, name: str) -> float:
+    scale = float(word)
     if not (scale > 0.0 and math.isfinite(scale)):
-        raise ValueError(f"the scale of {axis[0]} is {scale}")
-    return scale * metres_per_unit(axis[3].lower())
+        raise ValueError(f"the scale of {name} is {scale}")
+    return scale
+
+
+def _surface_data(path: Path, text: str) -> Topography:
+    """The profile of an SDF file as text; points called BAD are missing."""
+    head, body = (text + "**").split("*")[:2]
+    stated = dict(re.findall(r"^\s*(\w+)\s*=\s*(\S*)", head.lower(), re.MULTILINE))
+    words = body.upper().replace("BAD", "nan").split()
+    try:
+        count, compression = int(stated["numpoints"]), int(stated["compression"])
+        step, scale = (_positive(stated[key], key) for key in ("xscale", "zscale"))
+        heights = scale * np.array(words, dtype=float)
+    except (KeyError, ValueError) as error:
+        raise InputError(f"{path.name}: its records cannot be read ({error}): it is damaged") from None
+    if compression:
+        raise InputError(f"{path.name}: its heights are compressed, which is not read; export it without")
+    if heights.size != count:
+        raise InputError(f"{path.name} speaks of {count} points and has {heights.size}: it is damaged")
+    return Topography(heights, step, source=path.name)
