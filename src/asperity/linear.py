@@ -66,9 +66,12 @@ def _batch_in_turn(size: int, batched: list[bool], matrix: Array, right_side: Ar
 def least_squares(matrix: Array, right_side: Array) -> Array:
     """The x, shape (n,), that makes :math:`|A x - b|` smallest, by the normal equations, refined once.
 
-    Where A, shape (m, n), has a rank below n it is not finite, or with NumPy's numbers the shortest of all.
+    Where A, shape (m, n), has a rank below n it is not finite, or with NumPy's numbers the shortest of all; nan where A
+    or b is not finite.
     """
     if namespace(matrix, right_side) is np:
+        if not (np.all(np.isfinite(matrix)) and np.all(np.isfinite(right_side))):
+            return namespace(matrix).full(matrix.shape[1], np.nan)
         shortest: Array = namespace(matrix).linalg.lstsq(matrix, right_side, rcond=None)[0]
         return shortest
     return _by_normal_equations(matrix, right_side)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import re
 import stat
+import sys
 import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -156,12 +157,15 @@ def _too_deep(source: str | Path) -> InputError:
 
 
 def check_depth(document: Any, source: str | Path) -> None:
-    """Raise if tables and lists are nested too deeply (:data:`MOST_LEVELS`) for code that walks through them."""
-    level = [document] if isinstance(document, dict | list) else []
-    for _ in range(MOST_LEVELS):
-        if not level:
-            return
-        nodes = [list(table.values()) if isinstance(table, dict) else table for table in level]
-        level = [node for below in nodes for node in below if isinstance(node, dict | list)]
-    if level:
-        raise _too_deep(source)
+    """Raise if tables and lists are nested too deeply (:data:`MOST_LEVELS`) for code that walks through them.
+
+    A whole number beyond what a float can hold is refused, too.
+    """
+    level = [document]
+    for left in range(MOST_LEVELS, -1, -1):
+        if any(isinstance(node, int) and abs(node) > sys.float_info.max for node in level):
+            raise InputError(f"{source}: a whole number has too many digits; at most 308 are read")
+        tables = [node for node in level if isinstance(node, dict | list)]
+        if tables and not left:
+            raise _too_deep(source)
+        level = [node for table in tables for node in (table.values() if isinstance(table, dict) else table)]

@@ -68,3 +68,10 @@ def test_numbers_that_a_user_may_give():
     assert si_number("1.2 kN", Dimension.FORCE, name="F") == 1200.0
     assert si_number(FORCE["pwr"], Dimension.FORCE, name="F") == 2500.0
     assert si_number(np.int64(3), Dimension.DIMENSIONLESS, name="n") == 3.0
+
+
+def test_what_is_not_known_has_a_dash_and_what_has_no_end_is_infinite():
+    life = NamedQuantity("life", "life", math.nan, Dimension.TIME, "h")
+    slip = NamedQuantity("slip", "slip", np.array([math.inf, -math.inf]), Dimension.FORCE, "N", rows=("a", "b"))
+    first = NamedQuantity("limiting", "slips first", math.nan, Dimension.DIMENSIONLESS, "1", categories=("sp",))
+    assert (str(life), str(first), str(slip)) == ("–", "–", "a infinite, b -infinite")

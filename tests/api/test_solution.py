@@ -143,3 +143,11 @@ def test_a_planetary_by_its_own_names(zou_file):
     text = str(solution)
     assert "efficiency" in text
     assert "\npr " in text
+
+
+def test_text_of_a_joint_beyond_what_is_known_shows_no_nan(joint):
+    """Loaded above shakedown the drive has no life; with plastic spots only it has no stiffness."""
+    for changes in ({"load.preload": "20 kN"}, {"surface.fractal_dimension": "1.05"}):
+        solution = joint.with_values(changes).solve()
+        assert math.isnan(solution["drive_life"].si) or math.isnan(solution["stiffness"].si)
+        assert "nan" not in str(solution)

@@ -65,6 +65,9 @@ def test_nothing_acts_from_outside_on_sun_carrier_and_ring_together(branches, su
     # the torque of each branch at its pins, on the circle of the loading rollers
     turned = np.abs(np.reshape(result.forces.pins, (3, 2)).sum(axis=1)) * 35e-3
     assert turned == pytest.approx(found.standing.torque, rel=1e-6)
+    shares = {name: np.sum(share) for name, share in vars(result.assembly).items() if name.endswith("_share")}
+    assert sum(shares.values()) == pytest.approx(1.0, abs=1e-11)
+    assert (shares["planet_support_share"] > 1e-9) == (support is not None)
     if support is not None:
         assert found.standing.sun_force == pytest.approx(5e7 * found.standing.sun_displacement, abs=0.05)
 

@@ -213,6 +213,14 @@ def test_a_flat_surface_is_one_message(example_case):
         case_with_surface(example_case, roughness(flat))
 
 
+@pytest.mark.parametrize("size", [1e-14, 1e-2])
+def test_heights_beyond_those_of_a_joint_file_are_one_message(example_case, size):
+    profile = size * np.random.default_rng(1).normal(size=(1, 100))
+    spectrum = spectrum_of_profiles(profiles=profile, spacing=1e-6, lay="axis", source="x")
+    with pytest.raises(InputError, match=r"makes rms_height: .* um is not allowed; it must be at least .* units"):
+        case_with_surface(example_case, roughness(spectrum))
+
+
 @pytest.mark.slow
 def test_a_roller_that_has_no_power_law_makes_a_joint(shared_data, example_case):
     """NU206-RE-1: Rq 0.127 µm on its middle 40 % after a parabola, by another program; until now a refusal."""

@@ -161,6 +161,11 @@ def test_the_speed_of_the_output_makes_that_of_the_input(text_of):
             {"planet_second_radius": 'planet_second_radius = "20 mm"', "sun_speed": 'output_speed = "1 rpm"'},
             r"load\.output_speed: '1 rpm'",
         ),
+        (
+            "multiroller",
+            {"first_row_radius": 'first_row_radius = "90 mm"', "sun_speed": 'output_speed = "1 rpm"'},
+            "a.toml: there is no place for second_row where it touches all the rollers",
+        ),
     ],
 )
 def test_a_speed_of_the_output_that_makes_none_of_the_input_is_refused(text_of, kind, lines, message):

@@ -114,9 +114,21 @@ def test_it_fails_where_the_bearings_of_the_pins_do(zou_file):
     strong, _ = judged(zou_file, friction=0.1, static=1200)
     weak, margin = judged(zou_file, friction=0.1, static=1)
     assert strong.rule.severity == "state"
-    assert "static safety of" in strong.meaning
+    assert "the static safety of their bearings is " in strong.meaning
     assert (weak.rule.severity, margin.severity, margin.state) == ("function", "function", "")
     assert "more than the static rating" in weak.meaning
+
+
+def test_a_safety_that_is_not_known_is_no_failure_of_the_pins(zou_file):
+    """Under a load of the duty that the joint does not carry its bearings have no load, and no safety."""
+    duty = '\n[[duty]]\noutput_torque = "900 N*m"\nsun_speed = "600 rpm"\nshare = 1.0\n'
+    text = zou_file.read_text().replace("friction_coefficient = 0.12", "friction_coefficient = 0.1")
+    text = text.replace("\n[model]", duty + PINS.format(static=1200))
+    checks = checked_limits(solved_case(parse_case(text, source="x")))
+    assert all(math.isnan(each.value) for each in checks if each.result.name == "bearing_static_safety")
+    check = next(each for each in checks if each.result.name == "self_locking_ratio")
+    assert (check.rule.severity, check.rule.state) == ("state", "held by the pins")
+    assert check.meaning.endswith("the static safety of their bearings is not known")
 
 
 def test_a_wedge_that_holds_itself_has_no_state(zou_file):

@@ -169,11 +169,14 @@ def test_the_document_keeps_everything(profiles):
         {"lay": "sideways"},
         {"rolling_frequency_edges_per_m": [[1.0, "a"]]},
         {"is_map": 1},
+        {"mean_square_height_m2": lambda rows: [[2.0 for _ in row] for row in rows]},
+        {"independent_ordinates": lambda rows: [[1e-3 for _ in row] for row in rows]},
     ],
 )
 def test_a_damaged_spectrum_is_one_message(profiles, change):
     document = spectrum_of_profiles(
         profiles=profiles[0][None], spacing=SPACING, lay=None, source="one"
     ).document()
+    change = {key: value(document[key]) if callable(value) else value for key, value in change.items()}
     with pytest.raises(InputError, match="damaged: measure again"):
         spectrum_from_document(document | change)

@@ -341,3 +341,8 @@ def test_an_image_that_is_no_map_of_heights_is_refused(tmp_path):
     (tmp_path / "d.tif").write_bytes(content[:8] + bytes(len(content) - 8))
     with pytest.raises(InputError, match="TIFF"):
         read_surface(path=tmp_path / "d.tif", height_unit="nm", spacing=1e-6)
+    entries = int.from_bytes(content[8:10], "little")  # the header points to the directory of the image at 8
+    end = 10 + 12 * entries  # where it points to that of a second image
+    (tmp_path / "e.tif").write_bytes(content[:end] + (4).to_bytes(4, "little") + content[end + 4 :])
+    with pytest.raises(InputError, match=r"e.tif \(TIFF\) cannot be opened"):
+        read_surface(path=tmp_path / "e.tif", height_unit="nm", spacing=1e-6)

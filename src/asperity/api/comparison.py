@@ -9,12 +9,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from asperity.api.joint import DescribedJoint, load, require_joint
-from asperity.api.named_quantity import NamedQuantity
+from asperity.api.named_quantity import NamedQuantity, shown_number
 from asperity.api.shown import Shown, Table
 from asperity.api.solution import JointSolution
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.si_tables import si_values
-from asperity.units import format_quantity
 
 #: Results that a table shows if not all are asked for.
 MAIN_RESULTS = (
@@ -226,7 +225,7 @@ def _alike(one: NamedQuantity | str | None, other: NamedQuantity | str | None) -
 
 def _shown(side: NamedQuantity | str | None) -> str:
     if isinstance(side, NamedQuantity) and not side.categories:
-        return "–" if math.isnan(side.si) else format_quantity(side.si, side.unit, 6)
+        return shown_number(side.si, side.unit, 6)
     return "–" if side is None else str(side)
 
 

@@ -104,15 +104,21 @@ class NamedQuantity:
 
     def __str__(self) -> str:
         if self.categories:
-            return str(self.value)
+            return "–" if self.value is None else str(self.value)
         if not self.rows:
-            return format_quantity(self.si, self.unit)
+            return shown_number(self.si, self.unit)
         return ", ".join(
-            f"{row} {format_quantity(si, self.unit)}" for row, si in zip(self.rows, self.si, strict=True)
+            f"{row} {shown_number(x, self.unit)}" for row, x in zip(self.rows, self.si, strict=True)
         )
 
     def __repr__(self) -> str:
         return f"{self.label}: {self}"
+
+
+def shown_number(si: float, unit: str, digits: int = 4) -> str:
+    """Text of a number in SI units, in the given unit: a dash where it is not known, nan."""
+    infinite = "infinite" if si > 0.0 else "-infinite"
+    return "–" if np.isnan(si) else infinite if np.isinf(si) else format_quantity(si, unit, digits)
 
 
 def columns_of(numbers: Iterable[NamedQuantity]) -> dict[str, list[Any]]:

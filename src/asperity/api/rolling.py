@@ -99,9 +99,7 @@ class JointRolling(JointSolution):
         for name in (name for group in _GROUPS for name in GROUPS[group] if name in self):
             quantity = self[name]
             if not np.all(np.isnan(quantity.si)):
-                singles = quantity.singles()
-                shown = ("–" if np.isnan(single.si) else str(single) for single in singles)
-                by_rows.setdefault(quantity.rows, []).append((quantity.label, *shown))
+                by_rows.setdefault(quantity.rows, []).append((quantity.label, *map(str, quantity.singles())))
         whole = Table(("result", "value"), by_rows.pop(()), "The joint that turns")
         parts = (
             Table(("result", *(part.replace("_", " ") for part in rows)), lines)

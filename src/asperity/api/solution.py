@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.api.named_quantity import NamedQuantity
+from asperity.api.named_quantity import NamedQuantity, shown_number
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
 from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import document_of
 from asperity.results import LEVELS, Result, known_result, name_at_level
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
-from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -172,7 +171,7 @@ class JointSolution(Shown):
             output, entry = (self[f"{level}_stiffness_{place}"] for place in ("output", "input"))
             words = output.label.split(", ")[-1]
             numbers = (entry.si, output.si, output.to("N*m/arcmin"))
-            rows.append((words, *(format_quantity(number, "1") for number in numbers)))
+            rows.append((words, *(shown_number(number, "1") for number in numbers)))
         return Table(
             ("model", f"{self._solved.joint.ends[0]} N·m/rad", "output N·m/rad", "output N·m/arcmin"),
             rows,
@@ -189,7 +188,7 @@ class JointSolution(Shown):
         shown = [self[name] for name in (*_PRINTED_CONTACTS, *drift)]
         head = ("contact", *(_titled(quantity) for quantity in shown))
         rows = [
-            (contact, *(format_quantity(_number(quantity, contact), "1") for quantity in shown))
+            (contact, *(shown_number(_number(quantity, contact), "1") for quantity in shown))
             for contact in self._solved.row_names("contact")
         ]
         return Table(head, rows)

@@ -6,6 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
+from pydantic import ValidationError
 
 from asperity.errors import InputError
 from asperity.joint.description import Joint
@@ -87,7 +88,12 @@ def with_heights(case: Case, felt: dict[str, Felt]) -> Case:
 
 def with_surfaces(case: Case, lengths: dict[str, dict[str, str]]) -> Case:
     """The joint file with the surface of each contact, from keys of a joint file."""
-    surface = {name: SurfaceEntry.model_validate(entry) for name, entry in lengths.items()}
+    try:
+        surface = {name: SurfaceEntry.model_validate(entry) for name, entry in lengths.items()}
+    except ValidationError as error:
+        (problem, *_) = error.errors()
+        said = f"{problem['loc'][0]}: {problem['msg'].removeprefix('Value error, ')}"
+        raise InputError(f"the measured surface makes {said}; check the units of the measured heights") from None
     return case.model_copy(update={"surface": surface}).with_text("")
 
 

@@ -166,12 +166,16 @@ def _impossible(kind: str, drive: Mapping[str, Any]) -> str:
 
 def refuse_output_speed(case: Case) -> None:
     """Raise if no speed of the input follows from the stated speed of the output."""
+    from asperity.drive.layout.existence import refuse_impossible
     from asperity.joint_file.build import joint_from_case
 
     if case.load.output_speed is None:
         return
     with np.errstate(all="ignore"):  # an output that stands: judged by what it makes
-        speed, written = float(joint_from_case(case).sun_speed), case.load.output_speed.text
+        joint, written = joint_from_case(case), case.load.output_speed.text
+    speed = float(joint.sun_speed)
+    if math.isnan(speed):  # rollers without a place have no ratio
+        refuse_impossible(joint.drive)
     if not math.isfinite(speed):
         raise InputError(
             f"load.output_speed: {quoted(written)}: this drive has no finite speed ratio, from which the speed of the "

@@ -6,6 +6,8 @@ import dataclasses
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from asperity.results import SEVERITIES, Limit, Result
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
@@ -73,10 +75,11 @@ def with_pins(row: Result, solved: SolvedJoint) -> Result:
         said += "; whether they can is not judged without [pin_bearing]"
     else:
         rows = table["bearing_static_safety"].rows_of(solved)
-        safety = min(value for name, value in rows.items() if name.endswith("_pin"))
-        if not safety >= 1.0:
+        safety = float(np.nanmin([math.inf, *(x for name, x in rows.items() if name.endswith("_pin"))]))
+        if safety < 1.0:
             return _fails(row, f"{said}, more than the static rating of their bearings (safety {safety:.3g})")
-        said += f"; their bearings have a static safety of {safety:.3g}"
+        unknown = any(math.isnan(x) for name, x in rows.items() if name.endswith("_pin"))
+        said += "; the static safety of their bearings is " + ("not known" if unknown else f"{safety:.3g}")
     return dataclasses.replace(row, limit=dataclasses.replace(row.limit, crossed=said))
 
 

@@ -100,7 +100,7 @@ ROWS = (
     _share("normal", "the contact's normal spring (rollers free to move)"),
     _share("ring_bending", "the spring compliance.ring_bending_stiffness"),
     _share("pin", "the carrier pins"),
-    _share("planet_support", "the supports of rollers without a pin"),
+    _share("planet_support", "the supports of rollers without a pin, the input among them"),
     _share("input_shaft", "the input shaft"),
     _share("output_shaft", "the output shaft"),
     _share("loading_cam", "the loading cam"),

@@ -178,7 +178,8 @@ def spectrum_from_document(entry: Any) -> HeightSpectrum:
             and (np.diff(first) >= 0.0).all()
             and (np.diff(second) >= 0.0).all()
             and max(first[-1], second[-1]) > 0.0
-            and (independent > 0.0).all()
+            and (independent >= 0.99 / _HANN_LOSS**2).all()  # as _independent makes them
+            and (square <= 1.0).all()
             and (lay is None or lay in LAYS)
             and isinstance(is_map, bool)
             and isinstance(source, str)

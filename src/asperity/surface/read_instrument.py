@@ -185,17 +185,16 @@ def tiff_topography(*, path: Path, height_unit: str | None, spacing: float | Non
     """
     import PIL.Image
 
-    with warnings.catch_warnings():
+    with open(path, "rb") as stream, warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
-            image = PIL.Image.open(path, formats=("TIFF",))
+            image = PIL.Image.open(stream, formats=("TIFF",))
+            tags = getattr(image, "tag_v2", {})
+            if _PARK_TAG in tags or "TiffTagDescData" in str(tags.get(_DESCRIPTION_TAG, "")):
+                return None
+            frames, bands = getattr(image, "n_frames", 1), len(image.getbands())
         except Exception as error:  # the parser raises whatever it meets
             raise InputError(f"{path.name} (TIFF) cannot be opened ({type(error).__name__})") from None
-    with image:
-        tags = getattr(image, "tag_v2", {})
-        if _PARK_TAG in tags or "TiffTagDescData" in str(tags.get(_DESCRIPTION_TAG, "")):
-            return None
-        frames, bands = getattr(image, "n_frames", 1), len(image.getbands())
         if frames > 1 or bands > 1 or image.mode in ("1", "P"):
             raise InputError(
                 f"{path.name} has {frames} image(s) of {bands} channel(s), mode {image.mode}; one grey image, whose "

@@ -34,7 +34,7 @@ class NetworkStiffness(NamedTuple):
     tangential_force, normal_force : Array
         Forces of the contacts under a unit torque, shape (contacts,) [N].
     support_share : Array
-        Shares of the supports on the carrier, shape (springs,) [-].
+        Shares of the supports on the carrier, then of the bearings along each displacement, shape (springs,) [-].
     """
 
     output: Array
@@ -119,6 +119,7 @@ def network_stiffness(
     turned = jnp.abs(moved[place - len(kinematic)]) * scale / length
     longer = jnp.where(slides, product(kinematic, moved) * scale, product(springs.compliance, force))
     shares, end = drive.sectors * force * longer / turned, first + count
+    held = drive.sectors * bearings * scale * moved**2 / turned
     return NetworkStiffness(
         output=1.0 / turned,
         tangential_share=shares[first:end],
@@ -126,7 +127,7 @@ def network_stiffness(
         pin_share=jnp.sum(shares[end : end + len(drive.pinned)]),
         tangential_force=force[first:end],
         normal_force=force[:count] if first else jnp.zeros(count),
-        support_share=shares[end + len(drive.pinned) :],
+        support_share=jnp.concatenate([shares[end + len(drive.pinned) :], held]),
     )
 
 
