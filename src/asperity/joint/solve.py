@@ -262,10 +262,9 @@ def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
 
 
 def _press_that_carries(joint: Joint, torque: float) -> str:
-    """The preload or interference whose torque capacity is larger than a torque, in words; "" where none is known.
+    """The preload or interference that carries a torque, in words; "" where none is known.
 
-    The capacity is about proportional to it: it is scaled by the missing share until the capacity agrees to a
-    thousandth, rounded up to three digits, and tried.
+    It is scaled by the missing share of the capacity to a thousandth, rounded up to three digits, and tried.
     """
     key, unit = ("preload", "N") if joint.interference is None else ("interference", "um")
     if joint.cam is not None or joint.fit is not None or joint.unlike is not None:

@@ -78,12 +78,11 @@ def contact_creep(
 
     Notes
     -----
-    The asperities' tangential over their normal stiffness is
-    :math:`4G^*/E^*`. Their yield per e-fold of pressure is :math:`u_0 = N/K_n` of the contact law in use; the published
-    law has no local form, so that its :math:`u_0` is taken to act at every place of the contact. Across the rolling
-    direction the same asperities lie on bodies that are softer in the ratio of the creepages at gross slip. The slices
-    of a crowned contact share one creepage; their widths give one more factor, and the layer's is then that on all. In
-    a skewed contact the factors are those at the slip ratio of both forces together, which sets the zone that slips.
+    The asperities' tangential over their normal stiffness is :math:`4G^*/E^*`. Their yield per e-fold of pressure is
+    :math:`u_0 = N/K_n` of the contact law in use; the published law has no local form: its :math:`u_0` acts at every
+    place. Across the rolling direction the same asperities lie on bodies that are softer in the ratio of the creepages
+    at gross slip. The slices of a crowned contact share one creepage; their widths give one more factor, and the
+    layer's is that on all. In a skewed contact the factors are those at the slip ratio of both forces together.
     """
     stiffness = rough_joint_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)

@@ -21,9 +21,7 @@ from asperity.surface.topography import Topography
 #: Larger files are refused [bytes]; a profile of a million points takes some 10 MiB.
 LARGEST_RECORDS = 64 * MEBIBYTE
 _BEGINNING = re.compile(rb"\s*(ISO 5436|\d+[ \t]+\d+\s*\n[^\n]*\bPRF\b)")
-_SDF_PROFILE = re.compile(
-    rb"\s*a[^\n]{1,9}\n\s*ManufacID\s*=[^*]*\n\s*NumProfiles\s*=\s*1\s*\n", re.IGNORECASE
-)
+_SDF_PROFILE = re.compile(rb"(?i)\s*a[^\n]{1,9}\n\s*ManufacID\s*=[^*]*\n\s*NumProfiles\s*=\s*1\s*\n")
 #: Steps between stated positions differ by less than this share of the mean one.
 _EVEN = 1e-3
 

@@ -9,6 +9,7 @@ import pytest
 
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.layout.drives import planetary_drive, stepped_planet_drive
+from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveLoad
@@ -71,6 +72,29 @@ def test_stepped_planets_by_virtual_work():
     )
     np.testing.assert_allclose(np.abs(found.tangential_force), forces, rtol=1e-9)
     assert 1.0 / float(found.output) == pytest.approx(3.0 * float(forces**2 @ compliance), rel=1e-9)
+
+
+def test_the_bearing_of_a_floating_sun_has_its_share(planetary):
+    """The share of a spring is k dC/dk over -C; unlike sectors push the sun into its bearing."""
+    drive = unfolded(planetary, sectors=COUNT, floating=("sun",))
+    count = len(drive.contacts)
+
+    def network(stiffness):
+        return network_stiffness(
+            drive=drive,
+            normal_compliance=jnp.full(count, 1e-9),
+            tangential_compliance=1e-9 * jnp.array([2.0, 3.0, 2.0, 3.0, 6.0, 4.0]),
+            support_stiffness=jnp.array([stiffness]),
+        )
+
+    found = network(1e8)
+    shares = (found.tangential_share, found.normal_share, found.pin_share, found.support_share)
+    assert sum(float(jnp.sum(share)) for share in shares) == pytest.approx(1.0, rel=1e-12)
+    step = 1e-4
+    softer, stiffer = (1.0 / float(network(1e8 * (1.0 + sign * step)).output) for sign in (-1.0, 1.0))
+    expected = (softer - stiffer) / (2.0 * step) * float(found.output)
+    assert expected > 1e-3
+    assert float(jnp.sum(found.support_share)) == pytest.approx(expected, rel=1e-6)
 
 
 def test_shafts_are_in_series():
