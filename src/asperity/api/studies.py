@@ -172,8 +172,7 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
         What :func:`asperity.sweep`, :func:`asperity.sensitivity`, :func:`asperity.uncertainty` or
         :func:`asperity.design` returns; others are drawn by their own ``plot()``.
     result : str, optional
-        Which result of a study; by default the first one, of a sweep the stiffness, on all levels if there is one
-        axis.
+        Which result of a study; by default the first one, of a sweep the stiffness, on all levels if there is one axis.
 
     Returns
     -------

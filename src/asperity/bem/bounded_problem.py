@@ -4,9 +4,8 @@ r"""Bounded minimisation for frictionless contact and for partial slip.
     \min_t\; \tfrac12\, t\cdot A t - t\cdot b \quad\text{with}\quad l \le t \le h
     \quad\text{and, if prescribed,}\quad \sum t = T
 
-t is the traction on the pixels, A the elastic response, b the imposed displacement. Where t lies between its
-bounds the misfit u - b, u = A t, vanishes up to one common shift, which is the rigid displacement if the
-total is prescribed.
+t is the traction on the pixels, A the elastic response, b the imposed displacement. Where t lies between its bounds the
+misfit u - b, u = A t, vanishes up to one common shift, which is the rigid displacement if the total is prescribed.
 
 The solver is the conjugate-gradient method of Polonsky and Keer (1999) with three changes: the gradient is
 preconditioned by a rough inverse of the response (operators of opposite order, Hiptmair 2006), so that the

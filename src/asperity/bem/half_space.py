@@ -1,11 +1,10 @@
 r"""Interface of the half-space models to the solvers, and the periodic half-space.
 
-The elastic surface is a grid of one axis (a strip in plane strain: loads are per metre of length) or two.
-Displacements are those of both bodies together; tractions act on the centre pixel areas. Each model maps
-traction to displacement by fast Fourier transforms, and also provides an approximate inverse that costs much less
-than the transforms: the inverse response of an unrestricted surface, :math:`E q/2`, or its nearest-neighbour
-part. It preconditions conjugate gradients; on a patchy contact area the nearest neighbours alone need about
-15 % more iterations than the whole.
+The elastic surface is a grid of one axis (a strip in plane strain: loads are per metre of length) or two. Displacements
+are those of both bodies together; tractions act on the centre pixel areas. Each model maps traction to displacement by
+fast Fourier transforms, and also provides an approximate inverse that costs much less than the transforms: the inverse
+response of an unrestricted surface, :math:`E q/2`, or its nearest-neighbour part. It preconditions conjugate gradients;
+on a patchy contact area the nearest neighbours alone need about 15 % more iterations than the whole.
 """
 
 from __future__ import annotations

@@ -117,11 +117,9 @@ def normal_contact(
     hardness : float, optional
         Upper limit of the pressure [Pa]; without it the contact is elastic at any pressure.
     start : NormalContact, optional
-        Initial solution at a similar load on the same grid; saves iterations and does not change the
-        result.
+        Initial solution at a similar load on the same grid; saves iterations and does not change the result.
     tolerance : float
-        Bound on the root mean square gap inside the contact, relative to the pressure-weighted mean
-        displacement [-].
+        Bound on the root mean square gap inside the contact, relative to the pressure-weighted mean displacement [-].
     max_iterations : int
         Maximum number of iterations.
 
@@ -133,8 +131,7 @@ def normal_contact(
     Raises
     ------
     InputError
-        For heights that do not fit, a load that is not positive, or one that the capped pressure cannot
-        carry.
+        For heights that do not fit, a load that is not positive, or one that the capped pressure cannot carry.
     NoSolutionError
         If the iteration does not converge or the pressure does not add up to the load.
 

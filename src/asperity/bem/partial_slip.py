@@ -236,8 +236,7 @@ def partial_slip(
     Raises
     ------
     InputError
-        For fields that do not fit, none or two histories, a force above the sliding force, or an invalid
-        direction.
+        For fields that do not fit, none or two histories, a force above the sliding force, or an invalid direction.
     NoSolutionError
         If a step does not converge or its traction does not add up to the force.
 

@@ -229,8 +229,7 @@ def tangential_stiffness(
     Raises
     ------
     InputError
-        If the mask does not fit the grid, is empty, or full on a periodic half-space; if the axis is neither
-        0 nor 1.
+        If the mask does not fit the grid, is empty, or full on a periodic half-space; if the axis is neither 0 nor 1.
     NoSolutionError
         If the iteration does not converge.
 

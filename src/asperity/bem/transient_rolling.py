@@ -69,11 +69,9 @@ def transient_rolling(
     friction_coefficient : float
         Coulomb's coefficient mu [-], positive.
     axis : {0, 1}
-        Direction of traction and displacement: 0 is the rolling direction, 1 across it (along a strip's
-        length).
+        Direction of traction and displacement: 0 is the rolling direction, 1 across it (along a strip's length).
     rolled_pixels : array of int, shape (steps,)
-        Pixels by which the contact moves towards the end of the first axis in each step; negative rolls
-        back.
+        Pixels by which the contact moves towards the end of the first axis in each step; negative rolls back.
     layer_compliance : array, scalar or shape (\*grid)
         Tangential displacement per traction of a thin layer between the bodies [m/Pa]; 0 for none.
     tangential_force : array, shape (steps,), optional

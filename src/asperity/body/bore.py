@@ -110,8 +110,7 @@ def bore_compliance(*, body: Annulus, contact_angles: Array, push_angle: Real) -
     Returns
     -------
     BoreCompliance
-        c, a and r [m/N]. The contacts are points: a half-width b changes their mode n by the share
-        :math:`(nb/2R)^2`.
+        c, a and r [m/N]. The contacts are points: a half-width b changes their mode n by the share :math:`(nb/2R)^2`.
 
     Notes
     -----

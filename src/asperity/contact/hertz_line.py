@@ -121,9 +121,8 @@ def first_yield_pressure(*, yield_strength: Real) -> Real:
 def logarithmic_compliance(*, contact_length: Real, youngs_modulus: Real, poisson_ratio: Real) -> Real:
     r"""Compliance scale of one body under a line load, :math:`(1-\nu^2)/(\pi E B)`.
 
-    Every line-contact compression is this times a logarithm of the load. It is also the difference between the
-    secant and the incremental compliance of one body, because the half-width grows with
-    :math:`\sqrt N`.
+    Every line-contact compression is this times a logarithm of the load. It is also the difference between the secant
+    and the incremental compliance of one body, because the half-width grows with :math:`\sqrt N`.
 
     Parameters
     ----------

@@ -118,9 +118,8 @@ def printed_contact_factor(
         \lambda = \left[\frac{1}{\pi (R_1 \pm R_2)}
         \sqrt{\frac{4B}{\pi E}\,\frac{R_1 R_2}{R_1 \pm R_2}}\right]^{1/R_1 \pm 1/R_2}
 
-    with the lengths in mm and the modulus in MPa: the expression is dimensionally inconsistent, so these units
-    are part of it. For an internal contact the magnitudes of :math:`R_1 - R_2` and
-    :math:`1/R_1 - 1/R_2` enter.
+    with the lengths in mm and the modulus in MPa: the expression is dimensionally inconsistent, so these units are part
+    of it. For an internal contact the magnitudes of :math:`R_1 - R_2` and :math:`1/R_1 - 1/R_2` enter.
 
     Parameters
     ----------

@@ -40,9 +40,8 @@ def result_ends(
 
     ``percentiles`` are the ends, 0 and 100 for the smallest and the largest value; ``least_usable``, the share of the
     batch that must be solved and have a stiffness, below which both ends are None. ``published``, ``series_with_bulk``
-    and ``assembly`` → ``low_Nm_per_rad`` and ``high_Nm_per_rad`` at the output; ``drift`` →
-    ``low_rad_per_output_turn`` and ``high_rad_per_output_turn``; ``unsolved`` and ``all_plastic``, the numbers of
-    surfaces that are left out.
+    and ``assembly`` → ``low_Nm_per_rad`` and ``high_Nm_per_rad`` at the output; ``drift`` → ``low_rad_per_output_turn``
+    and ``high_rad_per_output_turn``; ``unsolved`` and ``all_plastic``, the numbers of surfaces that are left out.
     """
     solved = np.broadcast_to(result.solved, shape)
     plastic = solved & ~np.broadcast_to(result.contact_law_holds, shape)

@@ -93,7 +93,9 @@ def with_surfaces(case: Case, lengths: dict[str, dict[str, str]]) -> Case:
     except ValidationError as error:
         (problem, *_) = error.errors()
         said = f"{problem['loc'][0]}: {problem['msg'].removeprefix('Value error, ')}"
-        raise InputError(f"the measured surface makes {said}; check the units of the measured heights") from None
+        raise InputError(
+            f"the measured surface makes {said}; check the units of the measured heights"
+        ) from None
     return case.model_copy(update={"surface": surface}).with_text("")
 
 

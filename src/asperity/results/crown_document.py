@@ -31,9 +31,8 @@ def crown_document(solved: SolvedJoint, tilt: float) -> dict[str, Any]:
 
     Under the largest normal force of each contact: without torque, standing and rolling under it. ``profiles``: as the
     file crowns it, then circular and logarithmic ones with half, all and twice the drop of :func:`least_pressed_drop`,
-    of both bodies together; none of a contact without force. ``end_over_mean`` is the line
-    load at the ends over the mean, without the stress of an edge. A ``NoSolutionError`` is raised if no profile takes
-    the tilt up.
+    of both bodies together; none of a contact without force. ``end_over_mean`` is the line load at the ends over the
+    mean, without the stress of an edge. A ``NoSolutionError`` is raised if no profile takes the tilt up.
     """
     joint, result = solved.joint, solved.result
     pairs, curvatures = joint_contacts(joint).pairs, joint.crown_curvatures or (0.0,)

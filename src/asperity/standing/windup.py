@@ -13,8 +13,7 @@ directions:
     \right] dT', \quad T \ge 0
 
 Only this part follows Masing's rule; the rest :math:`\rho(T) = \varphi(T) - \operatorname{sgn}(T)\,\gamma(|T|)` is
-reversible. The unloading branch from :math:`T_m` is
-:math:`\rho(T) + \gamma(T_m) - 2\,\gamma\bigl((T_m - T)/2\bigr)`.
+reversible. The unloading branch from :math:`T_m` is :math:`\rho(T) + \gamma(T_m) - 2\,\gamma\bigl((T_m - T)/2\bigr)`.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 r"""Definition of D and G, and their conversion to other conventions.
 
-The reference is equation (6): term n of the Weierstrass-Mandelbrot profile has the frequency
-:math:`f_n = \gamma^n / L` and the amplitude :math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{-(2-D)}`. Random phases
-give
+The reference is equation (6): term n of the Weierstrass-Mandelbrot profile has the frequency :math:`f_n = \gamma^n / L`
+and the amplitude :math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{-(2-D)}`. Random phases give
 
 .. math::
     S(\tau) = \langle [z(x+\tau) - z(x)]^2 \rangle
@@ -193,8 +192,7 @@ def profile_roughness_from_areal(*, fractal_dimension: float, areal_fractal_roug
     .. math::
         G^{2(D-1)} = G_a^{2(D-1)} \langle |\cos\theta|^{2H} \rangle
 
-    A wave of frequency f that runs at the angle theta to the profile shows the lower frequency
-    :math:`f\cos\theta`.
+    A wave of frequency f that runs at the angle theta to the profile shows the lower frequency :math:`f\cos\theta`.
     """
     m = mean_cosine_power(fractal_dimension=fractal_dimension)
     return areal_fractal_roughness * m ** (1.0 / (2.0 * (fractal_dimension - 1.0)))

@@ -200,8 +200,7 @@ class _Comb:
 def _fit_comb(z: NDArray[np.float64], spacing: float, gamma: float, log_start: float) -> _Comb:
     """Least squares for all amplitudes below the sampling limit and, by Gauss-Newton, the place of the comb.
 
-    Lines longer than the record represent remaining form; lines above the sampling limit count
-    as noise.
+    Lines longer than the record represent remaining form; lines above the sampling limit count as noise.
     """
     n = z.size
     length = n * spacing

@@ -267,10 +267,9 @@ def read_surface(
     """Profile or map from any supported file, heights and positions in metres; missing points are NaN and counted.
 
     The formats are those of :data:`asperity.surface.file_formats.FORMATS`; those of reader ``package`` need the extra
-    ``surface``. Units are needed only where the file does not name
-    them, and refused where they contradict it; the spacing [m] for files that hold heights only. ``any_size`` accepts
-    sizes outside :data:`EXPECTED_SIZES`, and heights larger than the longest side. Nothing is filled, levelled or
-    filtered.
+    ``surface``. Units are needed only where the file does not name them, and refused where they contradict it; the
+    spacing [m] for files that hold heights only. ``any_size`` accepts sizes outside :data:`EXPECTED_SIZES`, and heights
+    larger than the longest side. Nothing is filled, levelled or filtered.
     """
     path = checked_file(path=path, largest=LARGEST_FILE)
     if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):

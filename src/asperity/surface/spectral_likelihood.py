@@ -6,9 +6,8 @@ factor of a chi-square variable with :math:`2\nu` degrees of freedom, so the (Wh
 .. math::
     -\ln\mathcal{L} = \sum_b \nu_b \left[ \ln P(f_b) + I_b / P(f_b) \right]
 
-Real spectra leave the power law gradually: they roll off towards long waves, and noise or smoothing by the
-instrument changes the short waves. Both departures are always part of the model, so that the covariance of D
-contains them:
+Real spectra leave the power law gradually: they roll off towards long waves, and noise or smoothing by the instrument
+changes the short waves. Both departures are always part of the model, so that the covariance of D contains them:
 
 .. math::
     P(f) = P_1 \left[ f^{-\beta} \left( 1 + c f^{-m} \right)^{-\beta/m} + n \right] + P_{folded}(f),

@@ -134,10 +134,9 @@ def height_step(*, profiles: NDArray[np.float64]) -> float | None:
 def resolved_frequency(*, profiles: NDArray[np.float64], step: float, spacing: float) -> float:
     """Highest frequency at which rounded heights still follow the surface [1/m].
 
-    The rounding errors of two points are independent once heights change by about a step between them; below
-    the first lag with S = step^2 the profile is a staircase. A wave is resolved if it is at least four such
-    lags long.
-    Infinite where neighbours already differ by a step.
+    The rounding errors of two points are independent once heights change by about a step between them; below the first
+    lag with S = step^2 the profile is a staircase. A wave is resolved if it is at least four such lags long. Infinite
+    where neighbours already differ by a step.
     """
     lags = logarithmic_lags(points=profiles.shape[1], per_decade=10, longest_fraction=0.5)
     S = structure_functions(profiles=profiles, lags=lags).mean(axis=0)

@@ -51,8 +51,7 @@ class DriveForces(eqx.Module):
     balance_residual : Array
         Largest residual of the eleven equations (1)–(5), relative to the largest force [-].
     closure_residual : Array
-        Residual of the closure (A3), relative [-]; 0 where a contact has lifted off, because it then does not
-        apply.
+        Residual of the closure (A3), relative [-]; 0 where a contact has lifted off, because it then does not apply.
     """
 
     normal: Array
@@ -77,9 +76,8 @@ def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
     The planet is displaced by (x, y) and each roller across the push of its pin, by r outward and by r tan g away from
     the planet's line of centres. The approaches are delta_sp = −y, delta_pwr = x sin th + y cos th − r_r (cos b + sin b
     tan g_r), delta_pwl = −x sin th + y cos th − r_l (cos b + sin b tan g_l), delta_wro = r_r, delta_wlo = r_l.
-    Eliminating the four displacements leaves one condition, whose factors are the forces at rest:
-    2 cos th delta_sp + delta_pwr + delta_pwl + (cos b + sin b tan g_r) delta_wro + (cos b + sin b tan g_l) delta_wlo
-    = 0.
+    Eliminating the four displacements leaves one condition, whose factors are the forces at rest: 2 cos th delta_sp +
+    delta_pwr + delta_pwl + (cos b + sin b tan g_r) delta_wro + (cos b + sin b tan g_l) delta_wlo = 0.
     """
     sp, pwr, pwl, wro, wlo = approaches
     side, geometry = branch.sides, branch.mechanism.geometry
@@ -143,8 +141,7 @@ def _closure_steepness(branch: Branch) -> Real:
 def _residuals(branch: Branch, unknowns: tuple[Array, Array]) -> tuple[Real, Real]:
     """Closure and carrier moment; where a contact lifts off, the closure is continued as a straight line in S.
 
-    The line is at least as steep as the closure can be, so that a Newton step from there cannot overshoot
-    the root.
+    The line is at least as steep as the closure can be, so that a Newton step from there cannot overshoot the root.
     """
     load_sum, sun_force = unknowns
     held = held_load_sum(branch, load_sum, sun_force)

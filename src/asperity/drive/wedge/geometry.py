@@ -1,8 +1,7 @@
 """Geometry and kinematics of the planetary traction drive from its radii alone: (A1), (A2).
 
-The five contacts of one branch, in the order of every array with a contact axis (the first axis):
-sun–planet ``sp``, planet–right and planet–left loading roller ``pwr``, ``pwl``, right and left loading
-roller–outer ring ``wro``, ``wlo``.
+The five contacts of one branch, in the order of every array with a contact axis (the first axis): sun–planet ``sp``,
+planet–right and planet–left loading roller ``pwr``, ``pwl``, right and left loading roller–outer ring ``wro``, ``wlo``.
 """
 
 from __future__ import annotations
