@@ -111,7 +111,7 @@ def test_against_finite_elements_in_space(step, bore, length, by_ring, by_roller
 @pytest.mark.parametrize(
     ("step", "bore", "by_ring", "by_rollers", "around", "on_first", "on_second"),
     [
-        pytest.param(1.5, 0.6, 97.317, 52.008, 4.6017, 89.825, 121.62, marks=pytest.mark.slow),
+        pytest.param(1.5, 0.6, 97.317, 52.008, 4.6017, 89.825, 121.62, marks=pytest.mark.long),
         (0.5, 0.5, 35.093, 12.070, 2.9119, 40.052, 22.118),
     ],
 )
@@ -172,7 +172,7 @@ def test_equal_sectors_are_copies_of_the_loads():
     np.testing.assert_allclose(one, summed, rtol=1e-9, atol=1e-12 * float(jnp.max(jnp.abs(one))))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("second", [6e-3, 14e-3])
 def test_slopes_are_finite_differences(second):
     def work(sizes):

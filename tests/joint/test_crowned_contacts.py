@@ -88,7 +88,7 @@ def test_closure_and_interference_by_their_definition(springs_joint, crowned, pl
     assert crowned.interference[place] == pytest.approx(work, rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_what_more_crown_does(crowned):
     found = jax.tree.map(lambda leaf: leaf[..., :5], crowned)
     assert np.all(found.solved & found.walls_hold & found.contact_law_holds)

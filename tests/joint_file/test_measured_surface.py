@@ -337,7 +337,7 @@ def decay_length_by_hand(waves, pressure):
 @pytest.mark.parametrize(
     ("kind", "replaced"),
     [
-        ("planetary", ()),
+        pytest.param("planetary", (), marks=pytest.mark.long),
         pytest.param(
             "planetary", (("[load]", 'planet_crown_radius = "20 m"\n\n[load]'),), marks=pytest.mark.long
         ),

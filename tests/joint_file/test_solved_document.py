@@ -70,7 +70,7 @@ def judge(document):
     json.dumps(document, allow_nan=False)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_branches_that_press_harder_are_a_larger_interference(planetary):
     """Planets 0.3 um larger all round are an interference 0.6 um larger; equal ones do not carry the torque."""
     stronger = solve_case(planetary([], 10.5, 5.0)).document
@@ -113,7 +113,7 @@ def test_unlike_branches_carry_the_sum_of_what_their_friction_holds(planetary):
         solved_case(planetary([0.1, 0.2, 0.5], 16.0))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_drive_by_its_own_branches(papers):
     """13.16 N*m for 1000 N of preload, in proportion to it."""
     document = solve_case(papers([0.2, 0.4, 0.5], 13.5)).document

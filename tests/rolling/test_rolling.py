@@ -157,7 +157,7 @@ def balance(found, torque, sun_speed, sun_torque, roller_torque, carrier_torque)
     return lost, power_in - torque * carrier, power_in
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("torque", [0.7, 5.0, -3.0])
 def test_creep_and_bearings_are_what_is_missing_at_the_output(rolled, torque):
     friction = {"sun_torque": 0.01, "loading_roller_torque": 0.003, "carrier_torque": 0.02}
@@ -393,7 +393,7 @@ def test_at_rest_only_what_needs_no_time_is_there(rolled):
     assert all(np.isnan(float(value)) for value in absent)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_nothing_is_said_of_a_contact_that_slips_or_has_no_stiffness(paper_joint, evaluated_together):
     joint = paper_joint(output_torque=np.array([30.0, 5.0]), fractal_dimension=np.array([1.4, 1.1]))
     assert all(np.all(np.isnan(leaf)) for leaf in jax.tree.leaves(evaluated_together(joint).rolling))

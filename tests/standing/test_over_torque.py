@@ -114,7 +114,7 @@ def test_creep_damps_as_the_slope_of_the_lost_speed(joint):
     assert float(at.locked_frequency) == pytest.approx(float(expected), rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_both_senses_of_rotation(joint):
     """The drift has the sign of the torque; the oil adds to it where the drive drives, and takes where it brakes."""
     found = both_senses(joint=joint, torque=np.array([-10.0, 10.0]))

@@ -111,7 +111,7 @@ def test_slopes_are_those_of_the_values(case, shown, slips):
         )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_beyond_the_torque_capacity_there_is_no_joint(case):
     found = points(case, [10.0, 60.0], "assembly")
     assert found.exists.tolist() == [[True, False]]
