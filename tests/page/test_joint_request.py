@@ -156,6 +156,7 @@ def test_the_number_of_loads_is_bounded(joint_text):
         ({"toml": "x", "changes": {str(i): 1 for i in range(601)}}, "at most 600"),
         ({"toml": "x", "changes": {"load.preload": None}}, "load.preload: a value is text"),
         ({"toml": "x", "changes": {"load.preload": "1" * 201}}, "at most 200 characters"),
+        ({"toml": "x", "changes": {"a." * 400_000: "1"}}, "a path has at most 200 characters, got 800000"),
     ],
 )
 def test_bodies_that_are_refused(body, said):

@@ -1,6 +1,8 @@
 """Results of studies as datasets: dimensions, units, and rows by their names."""
 
 import csv
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -181,3 +183,18 @@ def test_clearances_are_a_result_and_have_rows(case):
     rows = rows_of(found, "clearance")
     assert list(rows) == list(names)
     np.testing.assert_array_equal(np.stack([each.values for each in rows.values()]), gaps)
+
+
+def test_a_disk_that_is_full_is_one_message_and_leaves_nothing(tmp_path):
+    """HDF5 ends a process that cannot write to its file; a largest file size stands for the full disk."""
+    program = (
+        "import resource, sys, numpy, xarray; resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000)); "
+        "from asperity.study.datasets import write_table; "
+        "write_table(xarray.Dataset({'a': ('x', numpy.random.rand(30_000))}), sys.argv[1])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, str(tmp_path / "s.nc")], capture_output=True, text=True
+    )
+    assert done.returncode == 1
+    assert done.stderr.rstrip().endswith("s.nc: cannot be written: File too large")
+    assert list(tmp_path.iterdir()) == []

@@ -223,6 +223,8 @@ def joint_request(body: Any) -> JointRequest:
     if not isinstance(changes, dict) or len(changes) > MOST_CHANGES:
         raise InputError(f"'changes' must be an object of at most {MOST_CHANGES} dotted paths and values")
     for path, value in changes.items():
+        if len(path) > LONGEST_VALUE:
+            raise InputError(f"{quoted(path)}: a path has at most {LONGEST_VALUE} characters, got {len(path)}")
         if isinstance(value, bool) or not isinstance(value, str | int | float):
             raise InputError(f"{path}: a value is text with its unit or a number, got {quoted(value)}")
         if isinstance(value, str) and len(value) > LONGEST_VALUE:

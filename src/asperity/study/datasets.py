@@ -243,7 +243,7 @@ def write_table(dataset: xarray.Dataset, path: str | Path) -> None:
     file = Path(path)
     with replacing(file) as part:
         if file.suffix == ".nc":
-            dataset.to_netcdf(part, engine="h5netcdf")
+            part.write_bytes(dataset.to_netcdf(engine="h5netcdf"))  # on a full disk HDF5 ends the process
         elif file.suffix == ".parquet":
             frame(dataset).to_parquet(part, engine="pyarrow", index=False)
         else:
