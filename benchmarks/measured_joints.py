@@ -54,15 +54,17 @@ def line(file: Path, case: Any) -> str:
     try:
         measured = measured_files([file], **options)
         made = case_with_surface(case, measured.roughness)
-        result = solve_joint(joint_from_case(made.case)).result
-        interval = made.interval(joint_from_case(made.case))["assembly"]
+        result = solve_joint(joint_from_case(made)).result
+        interval = made.measured.interval(made, joint_from_case(made))["assembly"]
     except AsperityError as error:
         return f"{file.name}: {error}"
     power = "no D, G" if isinstance(measured.fit, str) else f"D {measured.fit.fractal_dimension:.2f}"
     contact = int(np.argmin(result.diagnostics.hertz_half_width))
-    low, middle, high = list(made.heights.values())[contact]
-    validity = [note.split(": ", 1)[1].split(";")[0] for note in made.assumed if "nothing is known" in note]
-    validity += [note.split(": ", 1)[1].split(":")[0] for note in made.assumed if "octave" in note]
+    low, middle, high = list(made.measured.heights.values())[contact]
+    validity = [
+        note.split(": ", 1)[1].split(";")[0] for note in made.measured.assumed if "nothing is known" in note
+    ]
+    validity += [note.split(": ", 1)[1].split(":")[0] for note in made.measured.assumed if "octave" in note]
     stiffness = float(result.assembly.stiffness.output)
     return (
         f"{file.name:16} {power:8} h {1e6 * middle:7.4f} ({1e6 * low:.4f} to {1e6 * high:.4f}) um  "

@@ -114,35 +114,35 @@ def isotropic_map():
 def test_heights_and_stiffness_of_a_joint_by_hand(example_case, isotropic_map):
     """h of the waves at the printed width of each contact; K_n = N/(0.48 h); nothing depends on the file's surface."""
     made = case_with_surface(example_case, roughness(isotropic_map))
-    assert made.case.contact_law() == "exponential"
-    result = solve_joint(joint_from_case(made.case)).result
+    assert made.contact_law() == "exponential"
+    result = solve_joint(joint_from_case(made)).result
     widths = 2.0 * np.asarray(result.diagnostics.hertz_half_width)
     force, stiffness = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)
     for name, width, n, k in zip(("sp", "pwr", "pwl", "wro", "wlo"), widths, force, stiffness, strict=True):
         square, deviation = isotropic_map.felt(rolling=1.0 / width, axial=0.0)  # lines longer than the map
-        height = made.case.surface[name].rms_height.value
+        height = made.surface[name].rms_height.value
         assert height == pytest.approx(math.sqrt(square), rel=1e-3)
         assert k == pytest.approx(n / (0.48 * height), rel=1e-9)
-        low, middle, high = made.heights[f"surface.{name}"]
+        low, middle, high = made.measured.heights[f"surface.{name}"]
         assert (
             high / middle
             == pytest.approx(middle / low)
             == pytest.approx(math.exp(0.98 * deviation / square), rel=1e-3)
         )
-    told = " ".join(made.assumed)
+    told = " ".join(made.measured.assumed)
     assert "the joint uses the measured spectrum; no power law" in told
     assert "nothing is known of waves longer than 0.341 mm, its size" in told
     other = example_case.model_copy(update={"surface": SurfaceEntry.model_validate({"rms_height": "1 um"})})
-    again = case_with_surface(other, roughness(isotropic_map)).case.surface["sp"].rms_height.value
-    assert again == made.case.surface["sp"].rms_height.value
+    again = case_with_surface(other, roughness(isotropic_map)).surface["sp"].rms_height.value
+    assert again == made.surface["sp"].rms_height.value
 
 
 @pytest.mark.long
 def test_the_interval_has_the_part_of_the_law_and_that_of_the_measurement(example_case):
     made = case_with_surface(example_case, roughness(profile_spectrum("rolling")))
-    interval = made.document(None)["stiffness_interval"]
+    interval = made.measured.document(made, None)["stiffness_interval"]
     law, heights = (interval["parts"][name]["assembly"] for name in ("contact_law", "rms_height"))
-    here = float(solve_joint(joint_from_case(made.case)).result.assembly.stiffness.output)
+    here = float(solve_joint(joint_from_case(made)).result.assembly.stiffness.output)
     for part in (law, heights, interval["assembly"]):
         assert part["low_Nm_per_rad"] < here < part["high_Nm_per_rad"]
     assert interval["assembly"]["low_Nm_per_rad"] < min(law["low_Nm_per_rad"], heights["low_Nm_per_rad"])
@@ -152,9 +152,9 @@ def test_the_interval_has_the_part_of_the_law_and_that_of_the_measurement(exampl
 def test_stiffness_of_the_asperities_at_the_ends_by_hand(example_case):
     """K_n = N/(0.48 h), of preloads that the surfaces do not move: h from 0.39 to 1.24 times its own ends."""
     made = case_with_surface(example_case, roughness(profile_spectrum("rolling")))
-    result = solve_joint(joint_from_case(made.case)).result
-    ends = made.interval(None)["contacts"]["sp"]
-    low, middle, high = made.heights["surface.sp"]
+    result = solve_joint(joint_from_case(made)).result
+    ends = made.measured.interval(made, None)["contacts"]["sp"]
+    low, middle, high = made.measured.heights["surface.sp"]
     force, stiffness = float(result.forces.normal[0]), np.asarray(result.contacts.normal_stiffness)[0]
     assert stiffness == pytest.approx(force / (0.48 * middle), rel=1e-9)
     for part, (least, most) in {
@@ -174,8 +174,8 @@ def test_two_bodies_in_every_drive(planar_case, kind):
     """The mean squares of two bodies add: of heights in the ratio 3 to 4 the pair has 5."""
     one, other = (profile_spectrum("rolling", factor) for factor in (0.3, 0.4))
     case = planar_case(kind)
-    pair = case_with_surface(case, roughness(one, other)).case.surface
-    alone = case_with_surface(case, roughness(one)).case.surface
+    pair = case_with_surface(case, roughness(one, other)).surface
+    alone = case_with_surface(case, roughness(one)).surface
     for name, entry in pair.items():
         assert entry.rms_height.value / alone[name].rms_height.value == pytest.approx(5.0 / 3.0, rel=1e-6)
 
@@ -194,13 +194,13 @@ def test_the_published_law_takes_d_and_g(example_case):
         )
 
     made = case_with_surface(stated("zou_2025"), roughness(profile_spectrum(None), fractal=measured()))
-    assert made.case.surface.fractal_dimension.value == pytest.approx(1.25)
-    assert (made.heights, made.assumed) == (None, ())
+    assert made.surface.fractal_dimension.value == pytest.approx(1.25)
+    assert (made.measured.heights, made.measured.assumed) == (None, ())
     with pytest.raises(InputError, match=r"needs D and G, which a surface does not have \(no power law\)"):
         case_with_surface(stated("zou_2025"), roughness(profile_spectrum("rolling")))
     earlier = case_with_surface(example_case, roughness(fractal=measured()))
-    assert earlier.case.contact_law() == "zou_2025"
-    assert "a document of an earlier release" in earlier.assumed[0]
+    assert earlier.contact_law() == "zou_2025"
+    assert "a document of an earlier release" in earlier.measured.assumed[0]
     with pytest.raises(InputError, match="measure the surface again with this release"):
         case_with_surface(stated("exponential"), roughness(fractal=measured()))
     with pytest.raises(InputError, match="neither a power law nor a spectrum"):
@@ -232,9 +232,9 @@ def test_a_roller_that_has_no_power_law_makes_a_joint(shared_data, example_case)
     )
     assert isinstance(found.fit, str)
     made = case_with_surface(example_case, found.roughness)
-    for entry in made.case.surface.values():
+    for entry in made.surface.values():
         assert entry.rms_height.value == pytest.approx(0.127e-6, rel=0.05)
-    assert "no power law over at least 1 decade" in made.assumed[0]
+    assert "no power law over at least 1 decade" in made.measured.assumed[0]
 
 
 def stated(case, law):
@@ -260,9 +260,9 @@ def pressed(spectrum, *, scale=1.0, hardness=0.05, pressure=(1e-4, 2e-2)):
 def test_the_measured_law_by_hand(example_case, isotropic_map):
     """K_n = N/u, u of the table at N/(2 b L E) times the heights of the exponential law; both ends of its interval."""
     made = case_with_surface(stated(example_case, "measured"), roughness(pressed(isotropic_map)))
-    assert made.case.contact_law() == "measured"
-    by_heights = case_with_surface(example_case, roughness(isotropic_map)).case.surface
-    joint = joint_from_case(made.case)
+    assert made.contact_law() == "measured"
+    by_heights = case_with_surface(example_case, roughness(isotropic_map)).surface
+    joint = joint_from_case(made)
     result = solve_joint(joint).result
     force, width = np.asarray(result.forces.normal), 2.0 * np.asarray(result.diagnostics.hertz_half_width)
     length = case_lengths(example_case)
@@ -274,9 +274,9 @@ def test_the_measured_law_by_hand(example_case, isotropic_map):
     )  # of two loads monotone cubics are lines
     heights = np.array([by_heights[name].rms_height.value for name in ("sp", "pwr", "pwl", "wro", "wlo")])
     np.testing.assert_allclose(result.contacts.normal_stiffness, force / (ratio * heights), rtol=1e-3)
-    ends = made.interval(None)["contacts"]["sp"]["asperity_normal_stiffness_N_per_m"]
-    low, middle, high = made.heights["surface.sp"]
-    stiff, here, soft = made.ratios["surface.sp"]
+    ends = made.measured.interval(made, None)["contacts"]["sp"]["asperity_normal_stiffness_N_per_m"]
+    low, middle, high = made.measured.heights["surface.sp"]
+    stiff, here, soft = made.measured.ratios["surface.sp"]
     for part, lengths in {
         "contact_law": (middle * stiff, middle * soft),
         "rms_height": (low * ratio[0], high * ratio[0]),
@@ -288,10 +288,10 @@ def test_the_measured_law_by_hand(example_case, isotropic_map):
     )  # Student's, one degree of freedom; both loads scatter alike
     assert soft / here == pytest.approx(math.exp(scatter), rel=1e-3)
     assert stiff / here == pytest.approx(0.8 * math.exp(-scatter), rel=1e-3)
-    told = " ".join(made.assumed)
+    told = " ".join(made.measured.assumed)
     assert "contact law measured: the decay length over the rms of the heights" in told
     assert "outside of what boundary elements have" not in told
-    again = tomllib.loads(joint_file_text(made.case, {}, comment=""))
+    again = tomllib.loads(joint_file_text(made, {}, comment=""))
     assert set(again["surface"]["sp"]) == {"decay_length"}
 
 
@@ -304,12 +304,12 @@ def case_lengths(case):
 def test_what_the_table_does_not_have_is_said(example_case, isotropic_map):
     case = stated(example_case, "measured")
     far = pressed(isotropic_map, pressure=(1e-6, 1e-5), hardness=0.5)
-    told = " ".join(case_with_surface(case, roughness(far)).assumed)
+    told = " ".join(case_with_surface(case, roughness(far)).measured.assumed)
     assert "the pressure of sp, pwr, pwl, wro, wlo is outside of what boundary elements have" in told
     assert "of the measurement, while the softer body has: sp" in told
     one, other = pressed(isotropic_map, scale=0.6), pressed(isotropic_map, scale=0.8)
-    both = case_with_surface(case, roughness(one, other)).ratios["surface.sp"][1]
-    alone = case_with_surface(case, roughness(pressed(isotropic_map))).ratios["surface.sp"][1]
+    both = case_with_surface(case, roughness(one, other)).measured.ratios["surface.sp"][1]
+    alone = case_with_surface(case, roughness(pressed(isotropic_map))).measured.ratios["surface.sp"][1]
     assert both / alone == pytest.approx(math.sqrt((0.36 + 0.64) / 2.0), rel=0.01)  # squares of bodies add
 
 
@@ -349,8 +349,8 @@ def test_perssons_theory_in_every_drive(planar_case, isotropic_map, kind, replac
     """K_n = N/u, u by hand of the waves that each contact feels, at its mean pressure where it is widest."""
     case = stated(planar_case(kind, *replaced), "persson_2007")
     made = case_with_surface(case, roughness(isotropic_map))
-    assert made.case.contact_law() == "persson_2007"
-    joint = joint_from_case(made.case)
+    assert made.contact_law() == "persson_2007"
+    joint = joint_from_case(made)
     result = solve_joint(joint).result
     widths = 2.0 * np.asarray(result.diagnostics.hertz_half_width)
     pressure = 0.25 * math.pi * np.asarray(result.diagnostics.hertz_pressure)
@@ -362,12 +362,12 @@ def test_perssons_theory_in_every_drive(planar_case, isotropic_map, kind, replac
     ]
     expected = np.asarray(result.forces.normal) / lengths
     np.testing.assert_allclose(result.contacts.normal_stiffness, expected, rtol=5e-3)
-    told = " ".join(made.assumed)
+    told = " ".join(made.measured.assumed)
     assert "contact law persson_2007: the decay length by Persson's theory of the waves above" in told
-    first = made.case.surface[joint.contact_names[0]]
+    first = made.surface[joint.contact_names[0]]
     assert set(first.stated_keys()) == {"decay_length"}
     if kind == "planetary" and not replaced:
-        ends = made.interval(joint)
+        ends = made.measured.interval(made, joint)
         part = ends["contacts"]["sp"]["asperity_normal_stiffness_N_per_m"]["contact_law"]
         assert part == pytest.approx([expected[0] / 1.14, expected[0] / 0.43], rel=0.03)
         assert "The law is 0.43 to 1.14 times as stiff as boundary elements" in ends["words"]
@@ -387,8 +387,8 @@ def test_complete_contact_is_refused_where_the_exponential_law_holds(example_cas
     with pytest.raises(InputError, match=r"100 % of the contact \w+ touches .* leave contact_law out"):
         case_with_surface(stated(example_case, "persson_2007"), smooth)
     made = case_with_surface(example_case, smooth)
-    joint = joint_from_case(made.case)
-    assert made.laws(joint, solve_joint(joint).result) == []
+    joint = joint_from_case(made)
+    assert made.measured.laws(made, joint, solve_joint(joint).result) == []
 
 
 @pytest.mark.slow
@@ -399,13 +399,13 @@ def test_all_laws_side_by_side_are_those_of_joints_with_each(planar_case, isotro
     expected = {}
     for law in order:
         made = case_with_surface(stated(case, law), surface)
-        joint = joint_from_case(made.case)
+        joint = joint_from_case(made)
         result = solve_joint(joint).result
         expected[law] = (
             float(result.assembly.stiffness.output),
             float(result.rolling.drift_per_output_turn),
         )
-        entries = made.laws(joint, result)
+        entries = made.measured.laws(made, joint, result)
         assert [entry["law"] for entry in entries] == order
         assert [entry["law"] for entry in entries if entry["used"]] == [law]
         last = {
@@ -416,7 +416,7 @@ def test_all_laws_side_by_side_are_those_of_joints_with_each(planar_case, isotro
     for law in order:
         assert last[law] == pytest.approx(expected[law], rel=1e-6)
     alone = case_with_surface(stated(case, "zou_2025"), roughness(profile_spectrum(None), fractal=measured()))
-    assert alone.laws(joint, result) == []  # a profile without a lay has one law only
+    assert alone.measured.laws(alone, joint, result) == []  # a profile without a lay has one law only
 
 
 def test_the_measured_law_needs_boundary_elements(example_case, isotropic_map):

@@ -403,12 +403,18 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
     assert "Interval of the contact law, and of the rms of the heights" in levels
     assert "Measured: profile.csv." in page.locator("details[data-group=surface]").inner_text()
     assert field(page, "surface.fractal_dimension").count() == 0
-    # the saved file makes the same joint, the link too
-    with page.expect_download() as waiting:
-        page.get_by_role("link", name="Save joint file").click()
-    waiting.value.save_as(tmp_path / "saved.toml")
-    text = (tmp_path / "saved.toml").read_text(encoding="utf-8")
-    assert card(page) == shown(solve_joint(joint_from_case(parse_case(text, source="saved.toml"))))[0]
+    # the saved file makes the same joint of the saved measurement, the link too
+    surfaces = page.locator("details[data-group=surface]")
+    for link, name in (
+        (page.get_by_role("link", name="Save joint file"), "saved.toml"),
+        (surfaces.get_by_role("link", name="Save measurement"), "measured_surface.json"),
+    ):
+        with page.expect_download() as waiting:
+            link.click()
+        waiting.value.save_as(tmp_path / name)
+    assert waiting.value.suggested_filename == "measured_surface.json"
+    saved = read_case(tmp_path / "saved.toml")
+    assert card(page) == shown(solve_joint(joint_from_case(saved)))[0]
     measured = card(page)
     do(page, lambda: page.locator("#remove-surface").click())
     assert card(page) == before

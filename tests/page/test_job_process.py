@@ -60,8 +60,10 @@ def test_a_design_has_one_objective(monkeypatch):
 
 def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
     result = SimpleNamespace(feasible=True, converged=True, joint_text="text")
+    case = SimpleNamespace(measured=None)
     monkeypatch.setattr(
-        "asperity.study.design.design_file.read_design", lambda file: SimpleNamespace(objectives=[1])
+        "asperity.study.design.design_file.read_design",
+        lambda file: SimpleNamespace(objectives=[1], case=case),
     )
     monkeypatch.setattr("asperity.study.design.design.design", lambda problem, progress: result)
     monkeypatch.setattr(

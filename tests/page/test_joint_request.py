@@ -6,8 +6,9 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint_file.choices import CHOICES, choices_of_case
-from asperity.joint_file.reader import parse_case
+from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import si_values
+from asperity.page.jobs import job_request
 from asperity.page.joint_request import JointRequest, joint_request
 
 
@@ -259,19 +260,42 @@ DOCUMENT = {
 }  # fmt: skip
 
 
-def test_a_measured_surface_takes_the_place_of_the_files(joint_text):
+def test_a_measured_surface_takes_the_place_of_the_files(joint_text, tmp_path):
     """A document without a spectrum, of which D and G go in."""
     request = joint_request({"toml": joint_text, "surfaces": [DOCUMENT]})
-    assert request.measured().measured.source == "shaft.txt"
+    assert request.solved_case().measured.measured.source == "shaft.txt"
     assert request.case().surface.fractal_dimension.value == 1.4  # what the form shows is the file's
     assert request.solved_case().surface.fractal_dimension.value == 1.45
-    saved = parse_case(request.file_text(), source="a.toml")
+    for name, content in request.measurement_file().items():
+        (tmp_path / name).write_bytes(content)
+    saved = parse_case(request.file_text(), source="a.toml", folder=tmp_path)
     assert si_values(saved) == si_values(request.solved_case())
-    assert "# measured, shaft.txt: what each contact feels" in request.file_text()
+    assert tomllib.loads(request.file_text())["surface"] == {"measurement": "measured_surface.json"}
+    assert "# shaft.txt: the file that" in request.file_text()
     assert request.stated_text() == joint_text
     plain = joint_request({"toml": joint_text})
-    assert (plain.measured(), plain.solved_case()) == (None, plain.case())
+    assert (plain.measurement_file(), plain.solved_case()) == ({}, plain.case())
     assert plain.identity != request.identity
+
+
+def test_a_job_has_the_measurement_beside_its_joint_file(joint_text, tmp_path):
+    _, _, files, _ = job_request(
+        {"toml": joint_text, "surfaces": [DOCUMENT], "name": "a.toml", "job": {"kind": "sensitivity"}}
+    )
+    for name, content in files.items():
+        (tmp_path / name).write_bytes(content)
+    assert read_case(tmp_path / "a.toml").measured.measured.source == "shaft.txt"
+
+
+def test_a_file_that_names_its_measurement_needs_it_on_the_page(joint_text):
+    named = joint_request({"toml": joint_text, "surfaces": [DOCUMENT]}).file_text()
+    with pytest.raises(
+        InputError, match=r"opens no other files; open the measured surface 'measured_surface.json'"
+    ):
+        joint_request({"toml": named}).solved_case()
+    both = joint_request({"toml": named, "surfaces": [DOCUMENT]})
+    assert both.solved_case().surface.fractal_dimension.value == 1.45
+    assert both.file_text() == named
 
 
 def test_a_surface_that_is_no_measurement_is_refused(joint_text):

@@ -13,7 +13,7 @@ from asperity.api.named_quantity import NamedQuantity, shown_number
 from asperity.api.shown import Shown, Table
 from asperity.api.solution import JointSolution
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.si_tables import stated_tables
 
 #: Results that a table shows if not all are asked for.
 MAIN_RESULTS = (
@@ -179,7 +179,7 @@ def _solved(joint: DescribedJoint) -> JointSolution:
 def _stated(joint: DescribedJoint) -> Iterator[tuple[str, NamedQuantity | str]]:
     """Numbers and choices of a file by their dotted paths."""
     yield from joint.numbers.items()
-    yield from _words(si_values(joint.case), "")
+    yield from _words(stated_tables(joint.case), "")
 
 
 def _words(table: Mapping[str, Any], path: str) -> Iterator[tuple[str, str]]:

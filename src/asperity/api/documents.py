@@ -206,22 +206,19 @@ def write_report(
     if distribution is not None and not tolerances:
         raise InputError("a distribution belongs to tolerances=True")
     watched = progress or (lambda what: nullcontext(lambda done, total: None))
-    measured = None
-    texts: tuple[str, ...] = ()
+    text = case.text or joint_file_text(case, {}, comment="")
     if surfaces:
         from asperity.joint.measured_surface import measured_surface
         from asperity.joint_file.measured_surface import case_with_surface
 
-        texts = tuple(read_text(surface) for surface in surfaces)
-        measured = case_with_surface(case, measured_surface(tuple(map(str, surfaces))))
-    text = case.text or joint_file_text(case, {}, comment="")
-    case = case if measured is None else measured.case
+        case = case_with_surface(case, measured_surface(tuple(map(str, surfaces))))
+    elif case.measured is not None:
+        surfaces = case.measured.files
     source = ReportSource(
         name=Path(joint.source).name,
         text=text,
         case=case,
-        measurement=measured,
-        measurement_texts=texts,
+        measurement_texts=tuple(read_text(surface) for surface in surfaces),
         title=stated_title(title or {}),
         studies=_studies(joint.source, case, sensitivity, tolerances, distribution, design, watched),
     )

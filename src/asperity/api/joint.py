@@ -42,6 +42,8 @@ def load(path: str | Path) -> DescribedJoint:
     ------
     InputError
         If the file cannot be read or says something that is not allowed.
+    NoSolutionError
+        If the file names a measured surface, and the joint with it has no balance.
 
     Notes
     -----
@@ -137,6 +139,8 @@ class DescribedJoint(Shown):
         }
         check_values(numbers)
         changed = self.edited(joint_file_text(self.case, numbers, comment="", words=words))
+        if self.case.measured is not None and not self.case.measured.files:  # which the text cannot name
+            changed = changed.with_surface(self.case.measured.measured)
         for path, value in numbers.items() if words else ():  # without words the text is compared as a whole
             if path not in changed.numbers or not math.isclose(changed[path].si, value, rel_tol=1e-12):
                 raise InputError(
@@ -164,7 +168,7 @@ class DescribedJoint(Shown):
         """
         from asperity.joint_file.measured_surface import case_with_surface
 
-        return DescribedJoint(case_with_surface(self.case, measurement).case, self.source)
+        return DescribedJoint(case_with_surface(self.case, measurement), self.source)
 
     def edited(self, text: str) -> DescribedJoint:
         """The joint of another text of its file.

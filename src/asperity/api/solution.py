@@ -11,7 +11,7 @@ import numpy as np
 from asperity.api.named_quantity import NamedQuantity, shown_number
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
 from asperity.joint_file.si_tables import AnyCase
-from asperity.joint_file.solved_document import document_of
+from asperity.joint_file.solved_document import document_of, full_document
 from asperity.results import LEVELS, Result, known_result, name_at_level
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
@@ -106,13 +106,17 @@ class JointSolution(Shown):
     @property
     def limits(self) -> list[dict[str, Any]]:
         """Every limit of the joint and of its model in SI units, with ``ok``, ``meaning`` and ``remedy``."""
-        checks: list[dict[str, Any]] = self.document["diagnostics"]
+        checks: list[dict[str, Any]] = self._of_joint["diagnostics"]
         return checks
+
+    @functools.cached_property
+    def _of_joint(self) -> dict[str, Any]:
+        return document_of(self._case, self._solved)
 
     @functools.cached_property
     def document(self) -> dict[str, Any]:
         """The document that ``asperity joint --json`` prints, in SI units."""
-        return document_of(self._case, self._solved)
+        return full_document(self._case, self._solved)
 
     def to_frame(self) -> Any:
         """Every number as a row of a pandas data frame: label, value, unit, SI value, SI unit, level."""

@@ -6,7 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import json_option, prepare_computation, print_json, save_image, say_written
+from asperity.cli.terminal import (
+    FELT_UNDER_TORQUE,
+    json_option,
+    prepare_computation,
+    print_json,
+    save_image,
+    say_written,
+)
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 from asperity.writing import check_file, check_image, write_text
@@ -114,7 +121,8 @@ def calibrate(
     if plot_posterior is not None and drawn is not None:
         save_image(posterior_figure(calibration, drawn), plot_posterior)
     if as_json:
-        print_json(_document(calibration, drawn))
+        felt = {"assumptions": [FELT_UNDER_TORQUE]} if case.measured else {}
+        print_json(_document(calibration, drawn) | felt)
     else:
         _show(calibration, drawn)
 

@@ -19,8 +19,6 @@ from asperity.writing import check_image
 
 if TYPE_CHECKING:
     from asperity.branches.size_errors import SizeErrorCurves
-    from asperity.joint_file.measured_surface import MeasuredCase
-    from asperity.joint_file.model import Case
     from asperity.results.solved import SolvedJoint
 
 
@@ -33,22 +31,24 @@ if TYPE_CHECKING:
 def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
-    FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured surface takes the
-    place of the file's: the rms of the heights that each contact feels, or with model.contact_law = "zou_2025" D and
-    G. What is not certain about it, and the error of the contact law, come out as an interval of stiffness and drift.
-    So does what Ra leaves open where the file states surfaces by their Ra. If the surface serves several contact laws,
-    stiffness and drift by each of them stand side by side.
+    FILE is a TOML file; 'asperity init' writes one with comments. With --surface a measured surface takes the
+    place of the file's, as surface.measurement in the file does: the rms of the heights that each contact feels, or
+    with model.contact_law = "zou_2025" D and G. What is not certain about it, and the error of the contact law, come
+    out as an interval of stiffness and drift. So does what Ra leaves open where the file states surfaces by their Ra.
+    If the surface serves several contact laws, stiffness and drift by each of them stand side by side.
     """
     from asperity.joint_file.reader import read_case
 
     check_image(plot_file)
-    case = read_case(file)
+    case = read_case(file, measured=not surfaces)
     prepare_computation()
+    from asperity.joint.measured_surface import measured_surface
+    from asperity.joint_file.measured_surface import case_with_surface
     from asperity.joint_file.solved_document import solve_with_surface
 
     with about(file):
-        measured = _with_surfaces(case, surfaces) if surfaces else None
-        solved, document = solve_with_surface(case, measured)
+        case = case_with_surface(case, measured_surface(surfaces)) if surfaces else case
+        solved, document = solve_with_surface(case)
     if plot_file:
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
@@ -62,14 +62,6 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     from asperity.cli.terminal import console
 
     show_joint(console(), document, source=file, in_full=in_full)
-
-
-def _with_surfaces(case: Case, paths: tuple[str, ...]) -> MeasuredCase:
-    """The joint with measured surfaces."""
-    from asperity.joint.measured_surface import measured_surface
-    from asperity.joint_file.measured_surface import case_with_surface
-
-    return case_with_surface(case, measured_surface(paths))
 
 
 def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:

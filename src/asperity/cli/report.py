@@ -67,7 +67,7 @@ def report(
     check_title(stated)
     if distribution is not None and not tolerances:
         raise InputError("--distribution belongs to --tolerances")
-    case = read_case(file)
+    case = read_case(file, measured=not surfaces)
     prepare_computation()
     from asperity.api.documents import write_report
     from asperity.api.joint import DescribedJoint

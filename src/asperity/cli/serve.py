@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from asperity.cli.terminal import prepare_computation, say
+
+if TYPE_CHECKING:
+    from asperity.page.joint_request import JointRequest
 
 
 @click.command()
@@ -40,8 +45,7 @@ def serve(file: str | None, port: int, no_browser: bool, host: str) -> None:
     from asperity.page.server import serve as serve_page
 
     require_packages()
-    name, text = (Path(file).name, _text(file)) if file else ("zou2025.toml", _example())
-    start = JointRequest(name=name, text=text)
+    start = _start(file) if file else JointRequest(name="zou2025.toml", text=_example())
     listening = listening_socket(host, port)
     prepare_computation()
     if not is_loopback(host):
@@ -68,12 +72,19 @@ def serve(file: str | None, port: int, no_browser: bool, host: str) -> None:
         stopping(stopped)
 
 
-def _text(file: str) -> str:
-    """The text of a joint file; entries of a library file of the user's are replaced by their numbers."""
-    from asperity.joint_file.edited_text import joint_file_text
+def _start(file: str) -> JointRequest:
+    """A joint file with its measured surface; entries of a library file of the user's are replaced by their numbers."""
+    from asperity.joint_file.edited_text import joint_file_text, with_measurement
     from asperity.joint_file.reader import read_case
+    from asperity.page.joint_request import MEASUREMENT_FILE, JointRequest
 
-    return joint_file_text(read_case(file), {}, comment="")
+    case = read_case(file)
+    name, text = Path(file).name, joint_file_text(case, {}, comment="")
+    if case.measured is None:
+        return JointRequest(name, text)
+    return JointRequest(
+        name, with_measurement(text, MEASUREMENT_FILE), surfaces=(json.loads(case.measured.text),)
+    )
 
 
 def _example() -> str:

@@ -286,8 +286,15 @@ def read_option(name: str, text: str, dimension: Dimension) -> float:
         raise InputError(f"--{name}: {error}") from None
 
 
+#: When what contacts feel of a measured surface is computed.
+FELT_UNDER_TORQUE = (
+    "what the contacts feel of the measured surface is that under the torque of the file, and stays at other torques "
+    "and in calibrations; sweeps, charts, designs, sensitivities and samples compute it anew at every point"
+)
+
+
 def read_case_of_branches(file: str) -> AnyCase:
-    """A joint file; a note says that the results are those of its sections ``[[branch]]``, if it has them."""
+    """A joint file; notes say that the results are those of its sections ``[[branch]]``, and of a measured surface."""
     from asperity.joint_file.reader import read_case
 
     case = read_case(file)
@@ -297,6 +304,8 @@ def read_case_of_branches(file: str) -> AnyCase:
             "the number of theirs",
             err=True,
         )
+    if case.measured is not None:
+        click.echo(f"asperity: note: {FELT_UNDER_TORQUE}", err=True)
     return case
 
 

@@ -25,23 +25,10 @@ _SEED = 20250617
 def measured_surface(paths: tuple[str | Path, ...]) -> MeasuredRoughness:
     """The surface of the contacts from one measurement of it, or from measurements of both bodies.
 
-    Parameters
-    ----------
-    paths : tuple of path
-        One document of ``asperity surface measure --json`` for the equivalent surface, or two for the two bodies,
-        of which spectra and structure functions add.
-
-    Returns
-    -------
-    MeasuredRoughness
-        Spectra, and D and G with their covariance where there is a power law.
-
-    Raises
-    ------
-    InputError
-        If there are more than two files, or one is no measurement.
-    NoSolutionError
-        If two surfaces without spectra cannot be combined into one power law.
+    ``paths``: one document of ``asperity surface measure --json`` for the equivalent surface, or two for the two
+    bodies, of which spectra and structure functions add. Spectra come out, and D and G with their covariance where
+    there is a power law. An ``InputError`` is raised if there are more than two files or one is no measurement, a
+    ``NoSolutionError`` if two surfaces without spectra cannot be combined into one power law.
     """
     if len(paths) > 2:
         raise InputError(
@@ -52,27 +39,14 @@ def measured_surface(paths: tuple[str | Path, ...]) -> MeasuredRoughness:
 
 
 def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[str, Any]:
-    r"""Intervals of output stiffness and drift from the uncertainty of the measured D and G.
+    """Intervals of output stiffness and drift of one joint from the uncertainty of the measured D and G.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    measurement : SurfaceMeasurement
-        Measured surface; its (D, ln G) are drawn together from their normal law.
-
-    Returns
-    -------
-    dict
-        As :func:`asperity.joint.surface_interval.result_ends`, the ends are the 2.5 % and 97.5 % points; besides
-        ``draws``, ``outside`` (draws with D outside 1…2), ``unsolved``, ``all_plastic`` (draws in which the
-        contact law has no stiffness), ``confidence``, ``title`` and ``words``. Such draws are left out; both ends are
-        None where one draw in twenty has no stiffness.
-
-    Raises
-    ------
-    InputError
-        If more than one draw in twenty has a D outside (1, 2): the measurement is too uncertain for an interval.
+    The (D, ln G) of the measurement are drawn together from their normal law. As
+    :func:`asperity.joint.surface_interval.result_ends`, the ends are the 2.5 % and 97.5 % points; besides ``draws``,
+    ``outside`` (draws with D outside 1…2), ``unsolved``, ``all_plastic`` (draws in which the contact law has no
+    stiffness), ``confidence``, ``title`` and ``words``. Such draws are left out; both ends are None where one draw in
+    twenty has no stiffness. An ``InputError`` is raised if more than one draw in twenty has a D outside (1, 2): the
+    measurement is too uncertain for an interval.
     """
     generator = np.random.default_rng(_SEED)
     centre = [float(measurement.fractal_dimension), np.log(float(measurement.fractal_roughness))]

@@ -34,20 +34,11 @@ _TRIES = 12  # of a preload that carries a torque
 class Solution(eqx.Module):
     """A joint's result beside the torque that it can pass.
 
-    Parameters
-    ----------
-    result : JointResult
-        Forces, contacts, stiffness, diagnostics and rolling.
-    laws : ContactLaws
-        Of its contacts, around their forces without torque.
-    states : DriveStates
-        Of the drive: assembled, standing and rolling.
-    capacity, reverse_capacity : TorqueCapacity
-        Largest positive and largest negative output torque, standing [N·m], and what limits them.
-    rolling_capacity, reverse_rolling_capacity : TorqueCapacity
-        The same in rolling.
-    first_slip, reverse_first_slip : TorqueCapacity
-        Output torques at which the first contact slides while the joint stands, likewise.
+    ``result``: forces, contacts, stiffness, diagnostics and rolling; ``laws`` of its contacts, around their forces
+    without torque; ``states`` of the drive: assembled, standing and rolling. ``capacity`` and ``reverse_capacity``:
+    largest positive and largest negative output torque, standing [N·m], and what limits them; ``rolling_capacity`` and
+    ``reverse_rolling_capacity``, the same in rolling; ``first_slip`` and ``reverse_first_slip``: output torques at
+    which the first contact slides while the joint stands, likewise.
     """
 
     result: JointResult
@@ -142,26 +133,10 @@ def _states(joint: Joint, programs: _Programs) -> tuple[Pressed, DriveStates]:
 
 
 def solve_joint(joint: Joint) -> Solution:
-    """Solve one joint.
+    """Solve one joint: its result, with leaves as NumPy arrays, and its torque capacity.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    Solution
-        Its result, with leaves as NumPy arrays, and its torque capacity.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, or the output torque exceeds the torque capacity; with the numbers.
-    NoSolutionError
-        If no balance was found.
-    PrecisionError
-        If JAX is in single precision.
+    An ``InputError`` is raised if the bodies do not fit or the output torque exceeds the torque capacity, with the
+    numbers; a ``NoSolutionError`` if no balance was found; a ``PrecisionError`` if JAX is in single precision.
     """
     require_double_precision()
     numbers = refuse_impossible_joint(joint)

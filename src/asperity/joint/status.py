@@ -45,20 +45,11 @@ TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE, SH
 
 
 def has_value(status: ArrayLike, needs: Needs) -> Any:
-    """Where the results of a kind have a value.
+    """Where the results of a kind have a value, in the shape of the ``status`` codes, indices into :data:`STATUSES`.
 
-    Parameters
-    ----------
-    status : array
-        Codes, indices into :data:`STATUSES`.
-    needs : {"geometry", "balance", "operation"}
-        What a result needs to have a value: :attr:`asperity.results.Result.needs`.
-
-    Returns
-    -------
-    array of bool
-        In the shape of the codes. Where every spot of a contact is plastic, forces, pressures and capacity have their
-        values; the stiffness and what follows from it are nan by themselves.
+    ``needs`` is what a result needs to have one, :attr:`asperity.results.Result.needs`. Where every spot of a contact
+    is plastic, forces, pressures and capacity have their values; the stiffness and what follows from it are nan by
+    themselves.
     """
     code = status if isinstance(status, Array) else np.asarray(status)
     operates = (code == 0) | (code == ALL_PLASTIC)

@@ -215,7 +215,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
         for body, bent, material in zip(joint.drive.bodies, bends(joint), joint.materials, strict=True)
         if bent and material.fatigue_strength is None
     ]
-    return tuple(told)
+    return (*told, *(case.measured.assumed if case.measured else ()))
 
 
 def _surfaces(case: Case) -> list[str]:

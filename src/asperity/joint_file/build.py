@@ -49,18 +49,7 @@ if TYPE_CHECKING:
 
 
 def joint_from_case(case: Case) -> Joint:
-    """The joint that a file describes.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    Joint
-        In SI units.
-    """
+    """The joint that a file describes, in SI units."""
     return joint_from_values(si_values(case))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import tomlkit
@@ -20,6 +20,7 @@ from asperity.joint_file.reader import model_of_type, parse_case
 from asperity.joint_file.section import keys_by_path, leaves
 from asperity.joint_file.si_tables import (
     DEPTH,
+    MEASURED,
     PARTNER_DEPTH,
     AnyCase,
     NumericKey,
@@ -71,14 +72,15 @@ def joint_file_text(
         for track_path in paths_of_track(values, path)
     }
     wanted = replace_values(values, changes)
-    original = case.text or tomlkit.dumps(_texts(case))
+    plain = _texts(case) | _surface_of(case)
+    original = case.text or tomlkit.dumps(plain)
     if changes or comment:
         original = _EARLIER_VERDICTS.sub(r"\1", original)
     text = _edited(original, case, written, words or {})
     if not words and not _says(
         text, wanted
     ):  # a layout that cannot be edited in place: the same content without comments
-        text = _edited(tomlkit.dumps(_texts(case)), case, written, {})
+        text = _edited(tomlkit.dumps(plain), case, written, {})
     return _with_head(text, comment)
 
 
@@ -111,6 +113,8 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str], words:
             for key, stated in _texts(case.materials[name]).items():
                 _put(entry, key, stated)
     surfaces, texts = document["surface"], _texts(case.surface)
+    for path, name in _surface_of(case).get("surface", {}).items():
+        surfaces[path], texts = name, {}
     for table, stated in [
         (surfaces, texts),
         *((surfaces[name], surface) for name, surface in texts.items() if isinstance(surface, dict)),
@@ -137,13 +141,18 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str], words:
     return tomlkit.dumps(document)
 
 
-def with_surfaces_of(text: str, case: Case, *, comment: Iterable[str]) -> str:
-    """The TOML of a joint file with the surfaces of another one in place of its own, below a comment."""
+def _surface_of(case: Case) -> dict[str, Any]:
+    """The section of a surface that files have measured, with their complete names: any folder can have the text."""
+    files = case.measured.files if case.measured else ()
+    return {"surface": {"measurement": files[0] if len(files) == 1 else list(files)}} if files else {}
+
+
+def with_measurement(text: str, name: str, *, comment: str = "") -> str:
+    """The TOML of a joint file with the measured surface of a file of this name in place of its surfaces."""
     document, table = tomlkit.parse(text), tomlkit.table()
-    for line in comment:
-        table.add(tomlkit.comment(line))
-    for name, stated in _texts(case.surface).items():
-        table.add(name, stated)
+    if comment:
+        table.add(tomlkit.comment(comment))
+    table.add("measurement", name)
     del document["surface"]
     document.add("surface", table)
     return tomlkit.dumps(document)
@@ -249,11 +258,15 @@ def _put(table: Any, name: str, value: Any) -> None:
 
 
 def _says(text: str, wanted: Any) -> bool:
-    """Whether a file contains these numbers, and nothing else."""
-    edited = si_values(parse_case(text, source="the edited joint file"))
+    """Whether a file contains these numbers, and nothing else; what is measured of its surfaces is not read again."""
+    edited, measured = (
+        si_values(parse_case(text, source="the edited joint file", measured=False)),
+        MEASURED in wanted,
+    )
     used = set(wanted["bodies"].values()) & set(wanted["materials"])
     for tables in (edited, wanted):
         tables["materials"] = {name: entry for name, entry in tables["materials"].items() if name in used}
+        tables["surface"] = {} if measured else tables["surface"]
     return table_structure(edited) == table_structure(wanted) and all(
         math.isclose(one, other, rel_tol=_ROUNDING)
         for one, other in zip(numbers(edited), numbers(wanted), strict=True)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from asperity.errors import InputError
@@ -16,15 +18,17 @@ from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.section_build import entries
-from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.si_tables import Values, si_values
 from asperity.materials import ContactPair, pair
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.units import format_quantity
 
-#: The rms of the heights changes the width of the contacts by less than this share of it changes: the search ends.
-_SETTLED = 1e-3
-_MOST_PASSES = 6
+Heights = NDArray[np.float64]
+
+#: Heights are settled that change by less than this share with the widths that they make.
+_SETTLED = 1e-9
+_MOST_PASSES = 12
 
 
 class Felt(NamedTuple):
@@ -46,43 +50,64 @@ class FeltContacts(NamedTuple):
     moduli: tuple[ContactPair, ...]
 
 
-def settled_heights(case: Case, spectra: tuple[HeightSpectrum, ...]) -> FeltContacts:
+def felt_contacts(case: Case, spectra: tuple[HeightSpectrum, ...]) -> FeltContacts:
     """What each contact feels at the width that it has in the joint with these surfaces."""
-    names = contacts_of(si_values(case))
-    lengths = entries(si_values(case)["drive"]["contact_length"], names)
-    lengths = lengths * len(names) if len(lengths) == 1 else lengths
+    names, lengths = contacts_of(si_values(case)), contact_lengths(si_values(case))
+    solved: list[tuple[Joint, Any]] = []
 
-    def at(widths: Any) -> dict[str, Felt]:
-        return {
-            name: _felt(spectra, width=float(width), length=float(length))
-            for name, width, length in zip(names, widths, lengths, strict=True)
-        }
+    def widths_of(heights: Heights) -> Heights:
+        joint = joint_from_case(with_heights(case, dict(zip(names, heights[:, 0], strict=True))))
+        solved.append((joint, solve_joint(joint).result.diagnostics))
+        return 2.0 * np.asarray(solved[-1][1].hertz_half_width)[:, None]
 
-    felt = at([math.inf] * len(names))
-    settles = not any(spectrum.needs_width for spectrum in spectra)
+    _, settled = settled_heights(spectra, lengths, widths_of)
+    if not settled.all():
+        raise InputError(
+            "the heights that the contacts feel and the widths of the contacts do not settle: state surface.rms_height"
+        )
+    joint, diagnostics = solved[-1]
+    felt = felt_by(spectra, names, 2.0 * np.asarray(diagnostics.hertz_half_width), lengths[:, 0])
+    return FeltContacts(felt, 0.25 * math.pi * np.asarray(diagnostics.hertz_pressure), moduli_of(joint))
+
+
+def settled_heights(
+    spectra: tuple[HeightSpectrum, ...], lengths: Heights, widths_of: Callable[[Heights], Heights]
+) -> tuple[Heights, NDArray[np.bool_]]:
+    """The rms of the heights that each contact feels at the width which it has with them, and where they settle.
+
+    ``lengths`` of the contact lines, heights, and the widths of heights, shape (contacts, points) [m]; widths are nan
+    where a joint has no solution: its heights stay.
+    """
+    heights = felt_at(spectra, np.full(lengths.shape, math.inf), lengths)
+    settled = np.zeros(lengths.shape[1], dtype=bool)
     for _ in range(_MOST_PASSES):
-        joint = joint_from_case(with_heights(case, felt))
-        diagnostics = solve_joint(joint).result.diagnostics
-        before, felt = felt, at(2.0 * np.asarray(diagnostics.hertz_half_width))
-        if settles or all(
-            abs(felt[name].rms_height - before[name].rms_height) <= _SETTLED * felt[name].rms_height
-            for name in names
-        ):
-            return FeltContacts(felt, 0.25 * math.pi * np.asarray(diagnostics.hertz_pressure), _moduli(joint))
-    raise InputError(
-        "the heights that the contacts feel and the widths of the contacts do not settle: state surface.rms_height"
-    )
+        widths = widths_of(heights)
+        stay = settled | ~np.all(np.isfinite(widths) & (widths > 0.0), axis=0)
+        before = heights
+        heights = np.where(stay, before, felt_at(spectra, np.where(stay, 1.0, widths), lengths))
+        settled |= np.all(np.abs(heights - before) <= _SETTLED * heights, axis=0)
+        if settled.all():
+            break
+    return heights, settled
 
 
-def _moduli(joint: Joint) -> tuple[ContactPair, ...]:
+def contact_lengths(values: Values) -> Heights:
+    """Lengths of the contact lines of tables in SI units, shape (contacts, points) [m]."""
+    names = contacts_of(values)
+    lengths = entries(values["drive"]["contact_length"], names)
+    return np.stack(np.broadcast_arrays(*map(np.atleast_1d, lengths * (len(names) // len(lengths)))))
+
+
+def moduli_of(joint: Joint) -> tuple[ContactPair, ...]:
+    """Moduli and hardness of the two bodies of each contact."""
     bodies = {body.name: material for body, material in zip(joint.drive.bodies, joint.materials, strict=True)}
     return tuple(pair(bodies[contact.first], bodies[contact.second]) for contact in joint.drive.contacts)
 
 
-def with_heights(case: Case, felt: dict[str, Felt]) -> Case:
-    """The joint file with the heights that each contact feels."""
+def with_heights(case: Case, heights: Mapping[str, float]) -> Case:
+    """The joint file with the rms of the heights that each contact feels [m]."""
     return with_surfaces(
-        case, {name: {"rms_height": f"{contact.rms_height!r} m"} for name, contact in felt.items()}
+        case, {name: {"rms_height": f"{float(height)!r} m"} for name, height in heights.items()}
     )
 
 
@@ -99,9 +124,34 @@ def with_surfaces(case: Case, lengths: dict[str, dict[str, str]]) -> Case:
     return case.model_copy(update={"surface": surface}).with_text("")
 
 
+def felt_at(spectra: tuple[HeightSpectrum, ...], widths: Heights, lengths: Heights) -> Heights:
+    """The rms of the heights that contacts of these widths and lengths feel [m]."""
+    squares = [
+        spectrum.squares(rolling=1.0 / widths, axial=1.0 / np.minimum(lengths, spectrum.cut_off()))
+        for spectrum in spectra
+    ]
+    heights = np.sqrt(np.sum(squares, axis=0))
+    if not np.all(heights > 0.0):
+        sources = " + ".join(spectrum.source for spectrum in spectra)
+        raise InputError(
+            f"{sources}: all heights are equal, there is no roughness of which a contact law knows"
+        )
+    return heights
+
+
+def felt_by(
+    spectra: tuple[HeightSpectrum, ...], names: tuple[str, ...], widths: Heights, lengths: Heights
+) -> dict[str, Felt]:
+    """What contacts of these names, widths and lengths feel."""
+    return {
+        name: _felt(spectra, width=float(width), length=float(length))
+        for name, width, length in zip(names, widths, lengths, strict=True)
+    }
+
+
 def _felt(spectra: tuple[HeightSpectrum, ...], *, width: float, length: float) -> Felt:
     """The waves of all bodies that a contact of a width and a length feels [m]."""
-    rolling, axial = 1.0 / width if width > 0.0 else math.inf, []
+    rolling, axial = 1.0 / width, []
     square = variance = long = 0.0
     squares = []
     for spectrum in spectra:
@@ -112,11 +162,6 @@ def _felt(spectra: tuple[HeightSpectrum, ...], *, width: float, length: float) -
         square, variance, long = square + one, variance + deviation**2, long + one - short
         axial.append(limit)
         squares.append(one)
-    if not square > 0.0:
-        sources = " + ".join(spectrum.source for spectrum in spectra)
-        raise InputError(
-            f"{sources}: all heights are equal, there is no roughness of which a contact law knows"
-        )
     return Felt(
         math.sqrt(square),
         0.5 * math.sqrt(variance) / square,

@@ -66,6 +66,8 @@ def _filled_entry(entry: dict[str, Any]) -> dict[str, Any]:
             )
         if plain in _MEANT and _MEANT[plain] not in entry:
             raise InputError(f".{key}: unknown key; did you mean '{_MEANT[plain]}'?")
+    if "measurement" in entry:  # no other key may stand beside it
+        return entry
     if "finish" not in entry:
         height = next((key for key in ("roughness_average", DEPTH) if key in entry), None)
         if height and "fractal_dimension" not in entry:

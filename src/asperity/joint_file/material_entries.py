@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import StringConstraints, model_validator
+from pydantic import BeforeValidator, StringConstraints, WithJsonSchema, model_validator
 
 from asperity.errors import MOST_ERRORS, InputError, nearest, quoted
 from asperity.joint_file import limits
@@ -13,6 +13,29 @@ from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import Section
 
 DepthText = Annotated[str, StringConstraints(max_length=100), Entered(limits.MEAN_ROUGHNESS_DEPTH)]
+
+
+def _named_files(written: Any) -> Any:
+    """The names of one or two files, a tuple."""
+    names = tuple(written) if isinstance(written, list | tuple) else (written,)
+    if not 0 < len(names) <= 2 or not all(isinstance(name, str) and 0 < len(name) <= 1000 for name in names):
+        raise InputError(
+            "expected the name of a JSON file of 'asperity surface measure --json', or a list of two, one for each "
+            f"body, got {quoted(written)}"
+        )
+    return names
+
+
+_PATH_SCHEMA = {"type": "string", "minLength": 1, "maxLength": 1000}
+Measurements = Annotated[
+    tuple[str, ...],
+    BeforeValidator(_named_files),
+    WithJsonSchema(
+        {"anyOf": [_PATH_SCHEMA, {"type": "array", "items": _PATH_SCHEMA, "minItems": 1, "maxItems": 2}]}
+    ),
+]
+#: Keys of a surface beside which no other may stand.
+ALONE = ("measurement", "rms_height", "decay_length")
 #: Bodies that a sentence names.
 _MOST_NAMES = 8
 MaterialName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,60}$")]
@@ -55,10 +78,13 @@ class MaterialEntry(Section):
 
 
 class SurfaceEntry(Section):
-    """Roughness of a contact: D and G of both bodies together, the Ra of each, their rms_height, or decay_length."""
+    """Roughness of a contact: D and G of both bodies together, the Ra of each, a length, or a measurement."""
 
     finish: Annotated[str, StringConstraints(max_length=60)] | None = None
     """Finish of the library, e.g. "ground": gives fractal_dimension with its published range, and frequency_ratio."""
+    measurement: Measurements | None = None
+    """Measured surface of all contacts in place of all other keys of this section: name of the JSON file of `asperity
+    surface measure --json`, from the folder of the joint file, or a list of two, one for each body."""
     rms_height: Annotated[Quantity, limits.RMS_HEIGHT] | None = None
     """Root mean square of the heights of both bodies together, of the waves shorter than the contact is wide; in place
     of all other keys of this section, for the contact law of randomly rough surfaces."""
@@ -91,19 +117,19 @@ class SurfaceEntry(Section):
 
     @model_validator(mode="after")
     def _one_roughness(self) -> SurfaceEntry:
-        for alone in ("rms_height", "decay_length"):
-            length = getattr(self, alone)
-            if length is None:
+        for alone in ALONE:
+            stated = getattr(self, alone)
+            if stated is None:
                 continue
             beside = [name for name in self.model_fields_set if name != alone]
             if beside:
                 raise InputError(
-                    f"{alone} is all that its law knows of a surface; leave {', '.join(sorted(beside))} out, "
-                    f"or {alone} itself"
+                    f"{alone} stands alone, it is all that a contact law takes of the surface; leave "
+                    f"{', '.join(sorted(beside))} out, or {alone} itself"
                 )
-            if length.tolerance >= length.value:
+            if alone != "measurement" and stated.tolerance >= stated.value:
                 raise InputError(
-                    f"{alone}: {quoted(length.text)} reaches down to zero; its tolerance has to be smaller"
+                    f"{alone}: {quoted(stated.text)} reaches down to zero; its tolerance has to be smaller"
                 )
             return self
         for name in ("fractal_dimension", "frequency_ratio"):
@@ -135,9 +161,12 @@ def one_kind_of_roughness(surface: Any) -> Any:
     if isinstance(surface, Mapping):
         kinds: dict[str, list[str]] = {}
         for name, entry in surface.items():
-            kind = next(
-                (f"by {key}" for key in ("rms_height", "decay_length") if getattr(entry, key)), "fractal"
-            )
+            kind = next((f"by {key}" for key in ALONE if getattr(entry, key)), "fractal")
+            if kind == "by measurement":
+                raise InputError(
+                    f"{name}.measurement: a measured surface is that of all contacts; give it in [surface], without "
+                    "tables for each contact"
+                )
             kinds.setdefault(kind, []).append(name)
         if len(kinds) > 1:
             told = ", ".join(f"{', '.join(kinds[kind])} {kind}" for kind in sorted(kinds))
@@ -176,7 +205,7 @@ BY_DECAY_LENGTH = {
 }
 
 
-def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -> ContactLaw:
+def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: ContactLaw | None) -> ContactLaw:
     """The law of the asperities of all contacts, from the keys that each surface states and ``model.contact_law``.
 
     ``"zou_2025"``, the published law of D and G, or ``"exponential"``, that of the rms of the heights,
@@ -187,6 +216,8 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: str | None) -
     law needs.
     """
     stated_keys = list(surfaces)
+    if any("measurement" in keys for keys in stated_keys):  # until it is read
+        return stated or "exponential"
     by_height = any("rms_height" in keys for keys in stated_keys)
     fractal = any("fractal_roughness" in keys for keys in stated_keys)
     measured = ["decay_length" in keys for keys in stated_keys]

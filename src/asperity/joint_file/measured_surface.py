@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from contextlib import suppress
 from typing import Any, NamedTuple
@@ -24,7 +25,7 @@ from asperity.joint_file.drawn_surface import (
 from asperity.joint_file.felt_heights import (
     FeltContacts,
     assumed_heights,
-    settled_heights,
+    felt_contacts,
     with_heights,
     with_surfaces,
 )
@@ -36,39 +37,45 @@ from asperity.surface.measured_roughness import MeasuredRoughness, roughness_doc
 _NORMAL_95 = 1.959963984540054
 
 
-class MeasuredCase(NamedTuple):
-    """A joint file with its surfaces from a measurement, in terms of its contact law.
+class MeasuredSurface(NamedTuple):
+    """The measurement from which the surfaces of a joint file are, in terms of its contact law.
 
     ``assumed``: what was taken of the measurement, one sentence each. ``heights``: path of a surface → lower end,
     middle and upper end of the rms of its heights [m], 95 % of measurements; ``ratios``, the same of the decay length
     over these heights by the contact law [-]; both, and what the ``contacts`` feel, are None where D and G went in.
+    ``files`` that the joint file names.
     """
 
-    case: Case
     measured: MeasuredRoughness
     assumed: tuple[str, ...]
     heights: Ends | None = None
     ratios: Ends | None = None
     contacts: FeltContacts | None = None
+    files: tuple[str, ...] = ()
 
-    def document(self, joint: Joint) -> dict[str, Any]:
+    @property
+    def text(self) -> str:
+        """The document of the measurement."""
+        return json.dumps(roughness_document(self.measured))
+
+    def document(self, case: Case, joint: Joint) -> dict[str, Any]:
         """What the measurement adds to the document of the solved joint."""
         return {
             "measured_surface": roughness_document(self.measured),
-            "stiffness_interval": self.interval(joint),
+            "stiffness_interval": self.interval(case, joint),
         }
 
-    def laws(self, joint: Joint, result: JointResult) -> list[dict[str, Any]]:
+    def laws(self, case: Case, joint: Joint, result: JointResult) -> list[dict[str, Any]]:
         """The solved joint by every law that the measurement serves, as :func:`laws_side_by_side`."""
-        used, by_heights = self.case.contact_law(), self
+        used, contacts = case.contact_law(), self.contacts
         surfaces = {used: joint.surfaces}
         if self.heights is None:
             with suppress(AsperityError):  # the profile may have no lay
-                by_heights = case_with_surface(with_law(self.case, "exponential"), self.measured)
+                measured = case_with_surface(with_law(case, "exponential"), self.measured).measured
+                contacts = measured.contacts if measured else None
         elif self.measured.fractal is not None:
-            fractal = with_law(with_measured_surface(self.case, self.measured.fractal), "zou_2025")
+            fractal = with_law(with_measured_surface(case, self.measured.fractal), "zou_2025")
             surfaces["zou_2025"] = joint_from_case(fractal).surfaces
-        contacts = by_heights.contacts
         for law, ratios_of in RATIOS_OF.items():
             if contacts is not None and law != used:
                 with suppress(InputError):  # a law that the measurement does not serve
@@ -79,37 +86,26 @@ class MeasuredCase(NamedTuple):
                     )
         return laws_side_by_side(joint, result, used=used, surfaces=surfaces)
 
-    def interval(self, joint: Joint) -> dict[str, Any]:
+    def interval(self, case: Case, joint: Joint) -> dict[str, Any]:
         """Intervals of stiffness and drift: from the law and the heights, or from the scatter of D and G."""
         if self.heights is not None and self.ratios is not None:
-            return interval_of_heights(self.case, self.heights, self.ratios)
+            return interval_of_heights(case, self.heights, self.ratios)
         assert self.measured.fractal is not None
         return stiffness_interval(joint, self.measured.fractal)
 
 
-def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
+def case_with_surface(case: Case, measured: MeasuredRoughness, files: tuple[str, ...] = ()) -> Case:
     """The joint file with its surfaces replaced by a measured one, at every contact.
 
-    Parameters
-    ----------
-    case : Case
-        A joint file.
-    measured : MeasuredRoughness
-        What was measured: the roughness of both bodies together.
+    With ``model.contact_law = "zou_2025"`` the measured D, G and gamma go in. Otherwise, by the exponential law, the
+    rms of the heights that each contact feels: of all waves but those longer than its Hertzian width in the rolling
+    direction and, along the rollers' axis, longer than its contact line or the cut-off of ISO 4288. With ``"measured"``
+    or ``"persson_2007"`` the decay length, which is not 0.48 of these heights but what boundary elements on the map, or
+    Persson's theory of these waves, have at the mean pressure of the contact. ``measured`` is the roughness of both
+    bodies together, ``files`` those that the joint file is to name.
 
-    Returns
-    -------
-    MeasuredCase
-        With ``model.contact_law = "zou_2025"`` the measured D, G and gamma. Otherwise, by the exponential law, the rms
-        of the heights that each contact feels: of all waves but those longer than its Hertzian width in the rolling
-        direction and, along the rollers' axis, longer than its contact line or the cut-off of ISO 4288. With
-        ``"measured"`` or ``"persson_2007"`` the decay length, which is not 0.48 of these heights but what boundary
-        elements on the map, or Persson's theory of these waves, have at the mean pressure of the contact.
-
-    Raises
-    ------
-    InputError
-        If the measurement does not have what the law needs, a profile states no lay, or the joint cannot be solved.
+    An ``InputError`` is raised if the measurement does not have what the law needs, a profile states no lay, or the
+    joint cannot be solved.
     """
     law = case.model.contact_law
     if law == "measured":  # before any joint is solved
@@ -118,31 +114,29 @@ def case_with_surface(case: Case, measured: MeasuredRoughness) -> MeasuredCase:
         if measured.fractal is None or law in ("exponential", "persson_2007"):
             raise InputError(_lacks(measured, law))
         old = "measured surface: a document of an earlier release, without a spectrum; its D and G go in"
-        surface = with_measured_surface(case, measured.fractal)
-        return MeasuredCase(surface, measured, () if measured.spectra else (old,))
+        surface = MeasuredSurface(measured, () if measured.spectra else (old,), files=files)
+        return with_measured_surface(case, measured.fractal).with_measured(surface)
     for spectrum in measured.spectra:
         if not spectrum.is_map and spectrum.lay is None:
             raise InputError(_without_lay(spectrum, measured))
-    contacts = settled_heights(
+    contacts = felt_contacts(
         with_law(case, "exponential") if law in BY_DECAY_LENGTH else case, measured.spectra
     )
-    heights = {
-        f"surface.{name}": (
-            contact.rms_height * math.exp(-_NORMAL_95 * contact.deviation),
-            contact.rms_height,
-            contact.rms_height * math.exp(_NORMAL_95 * contact.deviation),
-        )
+    ends = {
+        name: (contact.rms_height, math.exp(_NORMAL_95 * contact.deviation))
         for name, contact in contacts.felt.items()
     }
+    heights = {f"surface.{name}": (rms / factor, rms, rms * factor) for name, (rms, factor) in ends.items()}
     ratios, assumed = RATIOS_OF[law or "exponential"](measured, contacts)
     told = (*assumed_heights(measured, contacts.felt), *assumed)
-    if law not in BY_DECAY_LENGTH:
-        return MeasuredCase(with_heights(case, contacts.felt), measured, told, heights, ratios, contacts)
-    lengths = {
-        name: {"decay_length": f"{ratios[f'surface.{name}'][1] * contact.rms_height!r} m"}
-        for name, contact in contacts.felt.items()
-    }
-    return MeasuredCase(with_surfaces(case, lengths), measured, told, heights, ratios, contacts)
+    surface = MeasuredSurface(measured, told, heights, ratios, contacts, files)
+    if law in BY_DECAY_LENGTH:
+        lengths = {
+            name: {"decay_length": f"{ratios[f'surface.{name}'][1] * rms!r} m"}
+            for name, (rms, _) in ends.items()
+        }
+        return with_surfaces(case, lengths).with_measured(surface)
+    return with_heights(case, {name: rms for name, (rms, _) in ends.items()}).with_measured(surface)
 
 
 def _lacks(measured: MeasuredRoughness, law: str | None) -> str:

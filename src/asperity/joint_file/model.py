@@ -211,6 +211,18 @@ class Case(WholeFile):
     ring_key: ClassVar[str] = "drive.ring_support"
 
     _open_radius: OpenRadius | None = PrivateAttr(default=None)
+    _measured: Any = PrivateAttr(default=None)
+
+    @property
+    def measured(self) -> Any:
+        """Its :class:`~asperity.joint_file.measured_surface.MeasuredSurface`; None where its surfaces are stated."""
+        return self._measured
+
+    def with_measured(self, measured: Any) -> Self:
+        """A copy of the case, which remembers where its surfaces are from."""
+        copy = self.model_copy()
+        copy._measured = measured
+        return copy
 
     @property
     def open_radius(self) -> OpenRadius | None:

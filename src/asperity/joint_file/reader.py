@@ -7,52 +7,59 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from asperity.errors import InputError, listed, nearest, quoted
+from asperity.errors import InputError, NoSolutionError, listed, nearest, quoted
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.finish_in_surface import fill_in_finishes
+from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.messages import explained
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import fill_in_radius, refuse_output_speed
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.library import fill_in_materials
+from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.reading import parse_toml, read_text
 
 
-def read_case(path: str | Path) -> Case:
-    """Read a joint file.
-
-    Parameters
-    ----------
-    path : str or Path
-        A TOML file.
-
-    Returns
-    -------
-    Case
-        Its content, checked.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, is not valid TOML, or contains something that is not allowed.
-    """
+def read_case(path: str | Path, *, measured: bool = True) -> Case:
+    """Read a joint file: its content, checked; raises as :func:`parse_case`, and if the file cannot be read."""
     file = Path(path)
     text = read_text(file, hint="'asperity init' writes an example")
-    return parse_case(text, source=str(path), folder=file.parent)
+    return parse_case(text, source=str(path), folder=file.parent, measured=measured)
 
 
-def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
+def parse_case(text: str, *, source: str, folder: Path | None = None, measured: bool = True) -> Case:
     """The checked content of a joint file from its TOML text; ``source`` is its name for messages.
 
-    ``folder`` is where paths of material libraries in it start. An ``InputError`` is raised if it is not valid TOML, or
-    contains something that is not allowed.
+    ``folder`` is where paths of material libraries and measurements in it start. With ``measured`` a measured surface
+    that it names is read, and the joint solved for what its contacts feel of it. An ``InputError`` is raised if the
+    text is not valid TOML or contains something that is not allowed; with a measured surface, a ``NoSolutionError`` if
+    the joint has no balance.
     """
-    tables = parse_toml(text, source=source)
-    return case_from_tables(tables, source=source, folder=folder).with_text(text)
+    case = case_from_tables(parse_toml(text, source=source), source=source, folder=folder).with_text(text)
+    named = measured and isinstance(case.surface, SurfaceEntry) and case.surface.measurement
+    return _measured(case, named, source, folder or Path()) if named else case
+
+
+def _measured(case: Case, names: tuple[str, ...], source: str, folder: Path) -> Case:
+    """The joint file with what each contact feels of the measured surface that it names."""
+    from asperity.joint.measured_surface import measured_surface
+    from asperity.joint_file.measured_surface import case_with_surface
+
+    use_double_precision()
+    use_compilation_cache()
+    files = tuple(str((folder / name).absolute()) for name in names)
+    try:
+        roughness = measured_surface(tuple(folder / name for name in names))
+    except (InputError, NoSolutionError) as error:
+        raise type(error)(f"{source}: surface.measurement: {error}", options=error.options) from None
+    try:
+        return case_with_surface(case, roughness, files).with_text(case.text)
+    except (InputError, NoSolutionError) as error:
+        raise type(error)(f"{source}: {error}", options=error.options) from None
 
 
 def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
-    """Check the nested tables of a joint file."""
+    """Check the nested tables of a joint file; a measured surface stays the name of its file."""
     model = _model_of(tables.get("type", WEDGE_TYPE), source)
     with_materials, refused = fill_in_materials(tables, folder=folder or Path())
     with_surfaces, refused_surfaces = fill_in_finishes(with_materials)

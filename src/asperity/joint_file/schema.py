@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from asperity.joint_file.case_types import CASES
-from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
+from asperity.joint_file.material_entries import ALONE, MaterialEntry, SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.part_names import WEDGE_TYPE
@@ -104,12 +104,10 @@ def _offer_finishes(schema: Schema) -> None:
         "enum": list(read_finishes()),
     }
     heights = [{"required": ["roughness_average"]}, {"required": ["mean_roughness_depth"]}]
-    entry["oneOf"] = [
-        {"required": [key]} for key in ("fractal_roughness", "rms_height", "decay_length")
-    ] + heights
+    entry["oneOf"] = [{"required": [key]} for key in ("fractal_roughness", *ALONE)] + heights
     entry["anyOf"] = [
         {"required": keys}
-        for keys in (["finish"], ["fractal_dimension", "frequency_ratio"], ["rms_height"], ["decay_length"])
+        for keys in (["finish"], ["fractal_dimension", "frequency_ratio"], *([key] for key in ALONE))
     ]
     entry["dependentSchemas"] = {
         name: {"anyOf": heights}

@@ -6,6 +6,7 @@ Files of one structure, which is their tables apart from the numbers, share one 
 from __future__ import annotations
 
 import functools
+import hashlib
 import itertools
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -26,6 +27,8 @@ from asperity.joint_file.section import Section, keys_by_path, leaves
 Values = dict[str, Any]
 #: The Rz of a surface, and of its partner, texts beside the Ra that the reader makes of them.
 DEPTH, PARTNER_DEPTH = "mean_roughness_depth", "partner_mean_roughness_depth"
+#: Key of tables whose surfaces are measured: the document of the measurement as text, which is none of their numbers.
+MEASURED = "measured_surface"
 #: A joint file of any type of drive.
 AnyCase = Case
 
@@ -79,19 +82,28 @@ class NumericKey:
 
 
 def si_values(case: Section) -> Values:
-    """The tables of a joint file with every quantity as an SI number.
+    """The nested tables of a joint file with every quantity as an SI number.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    dict
-        Nested tables. What the file leaves out is absent, and so is an Rz, whose Ra is there.
+    What the file leaves out is absent, and so is an Rz, whose Ra is there. Of a measured surface they have what each
+    contact feels under the torque of the file and, at :data:`MEASURED`, the measurement.
     """
     tables: Values = _plain(case)
+    if isinstance(case, Case) and case.measured is not None:
+        tables[MEASURED] = case.measured.text
+    return tables
+
+
+def without_measurement(values: Values) -> Values:
+    """The tables as a joint file may state them, without the document of a measured surface."""
+    return {name: value for name, value in values.items() if name != MEASURED}
+
+
+def stated_tables(case: Case) -> Values:
+    """The tables of :func:`si_values` as a file states them: a measured surface by its source and a digest of it."""
+    tables = without_measurement(si_values(case))
+    if case.measured is not None:
+        digest = hashlib.sha256(case.measured.text.encode()).hexdigest()
+        tables["surface"] = {"measurement": f"{case.measured.measured.source} ({digest[:12]})"}
     return tables
 
 
@@ -112,24 +124,10 @@ def _plain(node: Any) -> Any:
 
 
 def key_at(path: str, kind: str | None = None) -> Key:
-    """What a dotted path of a joint file measures, and its range.
+    """What a dotted path of a joint file measures, such as ``materials.steel.youngs_modulus``: dimension, range, unit.
 
-    Parameters
-    ----------
-    path : str
-        For example ``materials.steel.youngs_modulus``.
-    kind : str, optional
-        Type of the drive; any of them if not given.
-
-    Returns
-    -------
-    Key
-        Dimension, range, unit for display.
-
-    Raises
-    ------
-    InputError
-        If a joint file has no such number.
+    ``kind`` is the type of the drive, any of them if None. An ``InputError`` is raised if a joint file has no such
+    number.
     """
     parts = path.split(".")
     known = _keys(kind)
@@ -157,24 +155,19 @@ def _keys(kind: str | None) -> dict[str, Key]:
 
 
 def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
-    """Every number that a joint file states.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    dict
-        Dotted path → the number, in the order of the file's sections.
-    """
+    """Every number that a joint file states: dotted path → the number, in the order of its sections."""
     return {
         path: NumericKey(
             path, quantity.value, quantity.tolerance, key_at(path, case.type), quantity.distribution
         )
         for path, quantity in leaves(case, Quantity)
     }
+
+
+def varied_keys(case: AnyCase) -> dict[str, NumericKey]:
+    """The numbers of a joint file that may vary: without those that follow from a measured surface."""
+    keys = numeric_keys(case)
+    return {path: keys[path] for path in keys if case.measured is None or not path.startswith("surface.")}
 
 
 def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
@@ -188,6 +181,11 @@ def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
     tables: Values = _copied(values)
     for path, value in changes.items():
         key_at(path, type_of(tables))
+        if MEASURED in tables and path.startswith("surface."):
+            raise InputError(
+                f"{path}: follows from the measured surface of the joint, what each contact feels of it; give the "
+                "surface by numbers in place of surface.measurement to change them"
+            )
         for track_path in paths_of_track(tables, path):
             for steps in change_targets(tables, track_path):
                 _set(tables, steps, value)
@@ -318,4 +316,4 @@ def _filled(node: Any, replaced: Iterator[Any]) -> Any:
 
 def table_structure(values: Values) -> str:
     """The tables of a joint file as JSON with 1.0 for every number, to recognise files of the same structure."""
-    return json.dumps(with_numbers(values, itertools.repeat(1.0)))
+    return json.dumps(with_numbers(without_measurement(values), itertools.repeat(1.0)))

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.contact_laws import laws_of_file
 from asperity.joint_file.drawn_surface import drawn_interval
-from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import branches_of
-from asperity.joint_file.si_tables import AnyCase, si_values
+from asperity.joint_file.si_tables import AnyCase, si_values, without_measurement
 from asperity.results.document import joint_document
 from asperity.results.solved import SolvedJoint, solved_with_capacities
-
-if TYPE_CHECKING:
-    from asperity.joint_file.measured_surface import MeasuredCase
 
 
 class SolvedCase(NamedTuple):
@@ -34,7 +30,8 @@ def solve_case(case: AnyCase) -> SolvedCase:
 
 def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
     """The document of a joint file that is solved already."""
-    return joint_document(solved, inputs=si_values(case), assumptions=assumptions(case))
+    inputs = without_measurement(si_values(case))
+    return joint_document(solved, inputs=inputs, assumptions=assumptions(case))
 
 
 def solved_case(case: AnyCase) -> SolvedJoint:
@@ -51,19 +48,24 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     return solved
 
 
-def solve_with_surface(case: Case, measured: MeasuredCase | None) -> SolvedCase:
-    """A joint file solved, with its measured surfaces if there are any: what ``asperity joint --json`` prints.
+def solve_with_surface(case: AnyCase) -> SolvedCase:
+    """A joint file solved, with the document that ``asperity joint --json`` prints; raises as :func:`solved_case`."""
+    solved = solved_case(case)
+    return SolvedCase(solved, full_document(case, solved))
 
-    Beside the document of :func:`solve_case`, whose exceptions are raised, the ``stiffness_interval`` over what is open
-    of the surfaces, and the ``contact_laws`` side by side.
+
+def full_document(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
+    """The document of a joint file that is solved already, with what is open of its surfaces.
+
+    Beside :func:`document_of` the ``measured_surface``, if there is one, the ``stiffness_interval`` over what is open,
+    and the ``contact_laws`` side by side.
     """
-    solved, document = solve_case(case if measured is None else measured.case)
-    if measured is not None:
-        document["assumptions"] += measured.assumed
-        document |= measured.document(solved.joint)
-        laws = measured.laws(solved.joint, solved.result)
+    document = document_of(case, solved)
+    if case.measured is not None:
+        document |= case.measured.document(case, solved.joint)
+        laws = case.measured.laws(case, solved.joint, solved.result)
     else:
         interval = drawn_interval(case)
         document |= {} if interval is None else {"stiffness_interval": interval}
         laws = laws_of_file(case, solved.joint, solved.result)
-    return SolvedCase(solved, document | ({"contact_laws": laws} if laws else {}))
+    return document | ({"contact_laws": laws} if laws else {})

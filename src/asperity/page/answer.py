@@ -42,7 +42,7 @@ _WINDUP_STEPS = 20
 def joint_answer(request: JointRequest) -> Answer:
     """Everything that the page shows of one joint."""
     case = request.case()
-    solved, document = solve_with_surface(case, request.measured())
+    solved, document = solve_with_surface(request.solved_case())
     with ThreadPoolExecutor(1) as beside:  # the programs of both run at the same time
         wound = beside.submit(contextvars.copy_context().run, _windup, solved)
         curves = _curves(solved)

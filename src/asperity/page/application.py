@@ -69,9 +69,10 @@ def application(
     kept, jobs, measurements = KeptAnswers(), Jobs(), Measurements()
     # each file in a thread: the largest ones take seconds, which others do not wait for
     readers = Computations(longest=LONGEST_ANSWER, threads=MOST_WAITING)
+    stated = stated_values(start.case(), start.file_tables)
     described = {
         **description(),
-        "start": {"name": start.name, "toml": start.text, **stated_values(start.case(), start.file_tables)},
+        "start": {"name": start.name, "toml": start.text, "surfaces": start.surfaces, **stated},
     }
 
     def answered(request: JointRequest) -> dict[str, Any]:
@@ -204,8 +205,6 @@ def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> byt
     if kind == "pdf":
         require_typst()  # before the work
     measurements = tuple(json.dumps(surface, indent=2) + "\n" for surface in asked.surfaces)
-    source = ReportSource(
-        asked.name, asked.stated_text(), asked.solved_case(), asked.measured(), measurement_texts=measurements
-    )
+    source = ReportSource(asked.name, asked.stated_text(), asked.solved_case(), measurements)
     report = joint_report(source)
     return report_pdf(report) if kind == "pdf" else report_html(report).encode()

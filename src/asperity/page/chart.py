@@ -12,7 +12,7 @@ from asperity.errors import InputError, quoted
 from asperity.joint.status import STATUS_MEANINGS
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys, si_values
+from asperity.joint_file.si_tables import AnyCase, key_at, si_values, varied_keys
 from asperity.page.joint_request import JointRequest, joint_request
 from asperity.results import Result, known_result, row_name
 from asperity.study.batch import evaluate_points
@@ -136,7 +136,7 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
     values = si_values(case)
     rows = result_rows(results_of(values))
     result, row = rows[known_result(request.result, among=tuple(rows))]
-    stated = numeric_keys(case)
+    stated = varied_keys(case)
     key = key_at(request.over, kind)
     family_key = key_at(request.family, kind) if request.family else None
     x = _axis_values(request, case, key)

@@ -104,6 +104,8 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
 
 def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
     from asperity.errors import InputError
+    from asperity.joint_file.edited_text import with_measurement
+    from asperity.page.joint_request import MEASUREMENT_FILE
     from asperity.study.design.design import design
     from asperity.study.design.design_file import read_design
     from asperity.study.design.design_result import design_document, joint_diagnostics, shortcoming
@@ -114,10 +116,13 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
             f"{file}: the page designs for one objective; 'asperity design' makes a front of several"
         )
     result = design(problem, progress=report)
+    text = result.joint_text
+    if problem.case.measured is not None:  # in a folder that is gone when the page shows it
+        text = with_measurement(text, MEASUREMENT_FILE)
     document = {
         **design_document(result),
         "conflict": shortcoming(result) or None,
-        "joint_text": result.joint_text,
+        "joint_text": text,
     }
     return document | joint_diagnostics(result.joint_text) | {"shown": design_words(result)}
 

@@ -156,11 +156,11 @@ def job_request(body: Any) -> tuple[str, JointRequest, dict[str, bytes], dict[st
     if unknown:
         raise InputError(f"job: a {kind} has no entry {quoted(unknown[0])}")
     case = joint.solved_case()  # says at once what is wrong
-    text = joint.file_text().encode()
+    text, measured = joint.file_text().encode(), joint.measurement_file()
     if kind == "sensitivity":
-        return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text}, {}
+        return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text} | measured, {}
     if kind == "design":
-        return kind, joint, _design_files(job, text, case), {}
+        return kind, joint, _design_files(job, text, case) | measured, {}
     samples, seed, distribution = job.get("samples", 1000), job.get("seed", 0), job.get("distribution", "")
     for name, value, low, high in (
         ("samples", samples, FEWEST_SAMPLES, MOST_SAMPLES),
@@ -175,7 +175,7 @@ def job_request(body: Any) -> tuple[str, JointRequest, dict[str, bytes], dict[st
     # refuses at once what the job would refuse once it runs
     toleranced_inputs(case, otherwise=parse_distribution(distribution) if distribution else None)
     options = {"samples": samples, "seed": seed, "distribution": distribution}
-    return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text}, options
+    return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text} | measured, options
 
 
 def _design_files(job: dict[str, Any], joint_text: bytes, case: Case) -> dict[str, bytes]:

@@ -14,8 +14,8 @@ import tomlkit
 from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.choices import FINISH, choices_of
-from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words, with_surfaces_of
-from asperity.joint_file.measured_surface import MeasuredCase, case_with_surface
+from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words, with_measurement
+from asperity.joint_file.measured_surface import case_with_surface
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import type_of
 from asperity.joint_file.reader import case_from_tables
@@ -28,6 +28,8 @@ from asperity.surface.measured_roughness import roughness_from_document, two_bod
 #: What a file need not state beside the finish of all surfaces.
 _GIVEN_BY_FINISH = ("surface.fractal_dimension", "surface.frequency_ratio")
 
+#: Name of the file of a measured surface beside a joint file that the page writes.
+MEASUREMENT_FILE = "measured_surface.json"
 MOST_CHANGES = 600
 LONGEST_VALUE = 200
 LONGEST_NAME = 120
@@ -65,11 +67,11 @@ class JointRequest:
         """
         return self._once("case", self._checked)
 
-    def measured(self) -> MeasuredCase | None:
-        """The joint with its measured surfaces, in terms of its contact law; None where it has none."""
-        return self._once("measured", self._with_surfaces) if self.surfaces else None
+    def solved_case(self) -> Case:
+        """The joint file that is solved: with what its contacts feel of measured surfaces."""
+        return self._once("measured", self._with_surfaces) if self.surfaces else self.case()
 
-    def _with_surfaces(self) -> MeasuredCase:
+    def _with_surfaces(self) -> Case:
         try:
             measured = [roughness_from_document(document) for document in self.surfaces]
             return case_with_surface(
@@ -78,14 +80,15 @@ class JointRequest:
         except InputError as error:
             raise InputError(f"{self.name}: {error}") from None
 
-    def solved_case(self) -> Case:
-        """The joint file that is solved: with what its contacts feel of measured surfaces."""
-        measured = self.measured()
-        return self.case() if measured is None else measured.case
-
     def _checked(self) -> Case:
         tables = copy.deepcopy(self.file_tables)
         refuse_named_files(tables, source=self.name)
+        surface = tables.get("surface")
+        if not self.surfaces and isinstance(surface, Mapping) and "measurement" in surface:
+            raise InputError(
+                f"{self.name}: surface.measurement: the page opens no other files; open the measured surface "
+                f"{quoted(surface['measurement'])} on the page, too, and put it into the joint"
+            )
         try:
             places = places_of_lists(tables, self.changes, _model_of(tables))
             arrange(tables, places)
@@ -116,14 +119,18 @@ class JointRequest:
 
     def file_text(self) -> str:
         """The joint file that is solved, with the comments and the layout of the original text."""
-        measured = self.measured()
+        measured = self.solved_case().measured
         if measured is None:
             return self.stated_text()
         comment = (
-            f"measured, {measured.measured.source}: what each contact feels under the torque of this file.",
-            "Interval and all laws: asperity joint with --surface and the measurement that the page saves.",
+            f"{measured.measured.source}: the file that 'Save measurement' on the page saves, beside this one"
         )
-        return with_surfaces_of(self.stated_text(), measured.case, comment=comment)
+        return with_measurement(self.stated_text(), MEASUREMENT_FILE, comment=comment)
+
+    def measurement_file(self) -> dict[str, bytes]:
+        """The file that :meth:`file_text` names, with its name; empty without a measured surface."""
+        measured = self.solved_case().measured
+        return {} if measured is None else {MEASUREMENT_FILE: measured.text.encode()}
 
     def stated_text(self) -> str:
         """The file with its changes and the surfaces that it states itself, with its comments and layout."""
@@ -224,7 +231,9 @@ def joint_request(body: Any) -> JointRequest:
         raise InputError(f"'changes' must be an object of at most {MOST_CHANGES} dotted paths and values")
     for path, value in changes.items():
         if len(path) > LONGEST_VALUE:
-            raise InputError(f"{quoted(path)}: a path has at most {LONGEST_VALUE} characters, got {len(path)}")
+            raise InputError(
+                f"{quoted(path)}: a path has at most {LONGEST_VALUE} characters, got {len(path)}"
+            )
         if isinstance(value, bool) or not isinstance(value, str | int | float):
             raise InputError(f"{path}: a value is text with its unit or a number, got {quoted(value)}")
         if isinstance(value, str) and len(value) > LONGEST_VALUE:

@@ -82,7 +82,11 @@ def opened_joint(content: bytes, name: str) -> dict[str, Any]:
     text = _text(content, name)
     tables = parse_toml(text, source=name)
     refuse_named_files(tables, source=name)
-    return {"name": name, "toml": text, **stated_values(parse_case(text, source=name), tables)}
+    return {
+        "name": name,
+        "toml": text,
+        **stated_values(parse_case(text, source=name, measured=False), tables),
+    }
 
 
 def opened_design(content: bytes, name: str) -> dict[str, Any]:

@@ -38,20 +38,10 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Table:
-    """A table.
+    """A table: what it shows, the titles of its columns with units, and its cells.
 
-    Parameters
-    ----------
-    title : str
-        What it shows.
-    head : tuple of str
-        Titles of the columns, with units.
-    rows : sequence of tuple of str
-        Cells.
-    words : tuple of int, optional
-        Columns of words, which are aligned at the left and may be wrapped; the others are numbers.
-    verdicts : bool, optional
-        Whether the last column says what has passed: its cells are ``pass``, ``FAIL`` or ``unknown``.
+    ``words``: columns of words, which are aligned at the left and may be wrapped, the others are numbers; ``verdicts``:
+    whether the last column says what has passed, its cells being ``pass``, ``FAIL`` or ``unknown``.
     """
 
     title: str

@@ -8,6 +8,7 @@ import platform
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from importlib.metadata import version
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import asperity
@@ -15,7 +16,7 @@ from asperity.errors import AsperityError
 from asperity.joint.description import Joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
-from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
+from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values, stated_tables
 from asperity.joint_file.solved_document import solve_with_surface
 from asperity.joint_file.stated_parts import made_interference, stated_parts
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables
@@ -47,7 +48,7 @@ from asperity.show.title_block import Title
 from asperity.standing.windup import Windup
 
 if TYPE_CHECKING:
-    from asperity.joint_file.measured_surface import MeasuredCase
+    pass
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
 _CREEP_SHARE = 0.05  # as in asperity windup
@@ -57,28 +58,14 @@ _CREEP_SHARE = 0.05  # as in asperity windup
 class ReportSource:
     """From what a report is made.
 
-    Parameters
-    ----------
-    name : str
-        Name of the joint file.
-    text : str
-        Its text.
-    case : Case
-        Its content.
-    measurement : MeasuredCase, optional
-        The measured surface that has replaced the surfaces of the file in ``case``.
-    measurement_texts : tuple of str
-        Texts of the files of the measurement.
-    title : Title
-        What the title block says; without a date the same input makes the same report.
-    studies : ReportStudies
-        Studies of the joint that the report shows as well.
+    ``name`` and ``text`` of the joint file; ``case``: its content, with a measured surface in place of its own if there
+    is one; ``measurement_texts`` of the files of this measurement; ``title``: what the title block says, without a date
+    the same input makes the same report; ``studies`` of the joint that the report shows as well.
     """
 
     name: str
     text: str
     case: Case
-    measurement: MeasuredCase | None = None
     measurement_texts: tuple[str, ...] = ()
     title: Title = field(default_factory=Title)
     studies: ReportStudies = field(default_factory=ReportStudies)
@@ -159,7 +146,7 @@ class _Parts:
 
 
 def _parts(source: ReportSource) -> _Parts:
-    solved, document = solve_with_surface(source.case, source.measurement)
+    solved, document = solve_with_surface(source.case)
     bearings = document["bearings"]
     loads = loads_document(solved, bearings)
     drive = result_tables.drive(document)
@@ -233,19 +220,24 @@ def _rolling(document: dict[str, Any], examined: _Examined, pictures: dict[str, 
 
 def _appendix(source: ReportSource) -> Iterator[Block]:
     """The files from which the report can be made again."""
-    option = "".join(
-        f" {word}" for word in (*source.studies.options, *["--surface"] * len(source.measurement_texts))
-    )
+    files = [Path(name).name for name in (source.case.measured.files if source.case.measured else ())]
+    surfaces = [] if files else ["--surface"] * len(source.measurement_texts)
+    option = "".join(f" {word}" for word in (*source.studies.options, *surfaces))
     yield Heading("Joint file")
     yield Paragraph(
         f"This report follows from the file below: save it and run 'asperity report{option}' on it. SHA-256 of its "
         f"text: {_digest(source.text)}"
     )
     yield Listing(source.text)
-    for text in source.measurement_texts:
+    for number, text in enumerate(source.measurement_texts):
+        role = (
+            f"The file {files[number]} of surface.measurement"
+            if files
+            else "It takes the place of the surfaces"
+        )
         yield Heading("Measurement of the surface")
         yield Paragraph(
-            f"It takes the place of the surfaces of the joint file. SHA-256 of its text: {_digest(text)}"
+            f"{role}{'' if files else ' of the joint file'}. SHA-256 of its text: {_digest(text)}"
         )
         yield Listing(text)
     yield from study_files(source.studies)
@@ -289,7 +281,7 @@ def inputs_table(case: Case) -> Table:
 
 def choices_table(case: Case) -> Table:
     """Everything in a joint file that is not a number."""
-    rows = [(label_of(path), text.replace("_", " ")) for path, text in _words(si_values(case), "")]
+    rows = [(label_of(path), text.replace("_", " ")) for path, text in _words(stated_tables(case), "")]
     return Table("Choices of the joint file", ("choice", "what is chosen"), rows, words=(0, 1))
 
 

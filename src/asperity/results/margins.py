@@ -26,20 +26,9 @@ _JUDGED: tuple[Severity, ...] = ("function", "damage")
 class Margin:
     """One requirement of a joint, at the contact or clearance where it is met worst.
 
-    Parameters
-    ----------
-    result : Result
-        The row of the table of results.
-    place : str
-        Which contact or clearance; empty for the whole drive.
-    actual : float
-        Its value [SI].
-    lowest, highest : float
-        The value must lie between these [SI].
-    passes : bool
-        Whether it does; never where the value is nan.
-    severity : {"function", "damage", "accuracy", "state", "model"}
-        How serious it is if it does not.
+    ``result``: the row of the table of results; ``place``: which contact or clearance, empty for the whole drive. Its
+    value ``actual`` must lie between ``lowest`` and ``highest`` [SI]; ``passes``: whether it does, never where the
+    value is nan; ``severity``: how serious it is if it does not.
     """
 
     result: Result
@@ -66,18 +55,10 @@ class Margin:
 
 
 def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
-    """Every requirement of a joint, the most serious first: what its diagnostics judge, and what must exceed a bound.
+    """Every requirement of one joint, the most serious first: what its diagnostics judge, and what must exceed a bound.
 
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint, without batch axes.
-
-    Returns
-    -------
-    tuple of Margin
-        One for each judged result that the joint has and for each name of its notes, where it is met worst; and those
-        of unequal branches and of a duty.
+    One for each judged result that the joint has and for each name of its notes, where it is met worst; and those of
+    unequal branches and of a duty.
     """
     table = results_of_joint(solved).values()
     judged = [with_pins(row, solved) for row in table if row.limit or row.name in _MUST_EXCEED]

@@ -23,22 +23,10 @@ if TYPE_CHECKING:
 class Limit:
     """The limit by which a result is judged, and what to do where it is crossed.
 
-    Parameters
-    ----------
-    severity : {"function", "damage", "accuracy", "state", "model"}
-        How serious it is.
-    kept, crossed : str
-        What it means that the limit is kept or crossed.
-    remedy : str
-        What to do where it is crossed.
-    lowest, highest : float
-        The result must lie between these [SI].
-    inclusive : bool
-        Whether the bounds themselves are allowed.
-    unknown : str
-        What it means that the result is not known, nan.
-    state : str
-        Of severity ``state``: in which state the joint is where the limit is crossed, in a few words.
+    ``severity``: how serious it is; ``kept`` and ``crossed``: what it means that the limit is kept or crossed;
+    ``remedy``: what to do where it is crossed. The result must lie between ``lowest`` and ``highest`` [SI], bounds that
+    are allowed themselves if ``inclusive``. ``unknown``: what it means that the result is not known, nan; ``state``, of
+    severity "state": in which state the joint is where the limit is crossed, in a few words.
     """
 
     severity: Severity

@@ -74,18 +74,9 @@ def joint_size(joint: Joint, result: JointResult) -> JointSize:
 class SolvedJoint:
     """A solved joint, with what is worth computing only when it is asked for.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        What :func:`asperity.joint.evaluation.evaluated_with_laws` says about it.
-    laws : ContactLaws or None
-        Likewise; None where nothing is asked for that needs them.
-    notes : tuple of Note, optional
-        Comparisons with what is usual, which are requirements too.
-    branches : AssembledBranches, optional
-        Its branches without torque, if their sizes differ.
+    ``result`` is what :func:`asperity.joint.evaluation.evaluated_with_laws` says about the ``joint``, and ``laws``
+    likewise, None where nothing is asked for that needs them; ``notes``: comparisons with what is usual, which are
+    requirements too; ``branches`` without torque, if their sizes differ.
     """
 
     joint: Joint

@@ -97,31 +97,16 @@ def drive_sheet(
 ) -> Sheet:
     """Draw a drive to scale.
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint whose drive can exist.
-    name : str
-        What the drawing is called, for example the name of its file.
-    result : JointResult, optional
-        Its result, if the forces on the bodies are to be drawn too.
-    loaded : Joint, optional
-        Whose forces these are where the sectors differ, every sector by itself; the same joint if absent.
-    interference : float or None, optional
-        With which the drive is made where the joint states a force [m]; None where it is not known.
-    stated : StatedParts, optional
-        Tolerances, materials, crowns and surfaces of its parts; without them the drawing shows sizes alone.
-    title : Title, optional
-        What the title block says; dashes if absent.
-    section : bool, optional
-        Whether the sheet has a section along the axis, unless it has forces.
+    ``joint``: one joint whose drive can exist; ``name``: what the drawing is called, for example the name of its file;
+    ``result``, if the forces on the bodies are to be drawn too, and ``loaded``, whose forces these are where the
+    sectors differ, every sector by itself. ``interference`` with which the drive is made where the joint states a force
+    [m], None where it is not known; ``stated``: tolerances, materials, crowns and surfaces of its parts, without them
+    the drawing shows sizes alone; ``title``: what the title block says, dashes if None; ``section``: whether the sheet
+    has a section along the axis, unless it has forces.
 
-    Returns
-    -------
-    Sheet
-        A4 across, or A3 across with a section or with forces, at the largest standard scale that fits. Tracks of a
-        stepped roller are circles about one centre, although they lie in different planes. A size for which the view
-        has no room is said beside it. Rings are drawn at the radii at which all contacts just touch.
+    A4 across, or A3 across with a section or with forces, at the largest standard scale that fits. Tracks of a stepped
+    roller are circles about one centre, although they lie in different planes. A size for which the view has no room is
+    said beside it. Rings are drawn at the radii at which all contacts just touch.
     """
     with_section = section and result is None
     width, height, room, column, aside = (

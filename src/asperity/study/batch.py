@@ -23,12 +23,13 @@ from jax import Array
 
 from asperity.compilation import compile_fast
 from asperity.errors import InputError
-from asperity.joint.status import OUT_OF_RANGE, has_value
+from asperity.joint.status import OUT_OF_RANGE, UNBALANCED, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.part_names import type_of, with_tracks
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import (
+    MEASURED,
     Numbers,
     Values,
     key_at,
@@ -39,6 +40,14 @@ from asperity.joint_file.si_tables import (
 )
 from asperity.precision import require_double_precision
 from asperity.results import RESULTS
+from asperity.study.measured_points import (
+    STATE,
+    WIDTH,
+    Columns,
+    heights_moved,
+    refuse_derivatives,
+    with_felt_surfaces,
+)
 
 BatchResult = tuple[Array, dict[str, Array]]
 Kernel = Callable[..., BatchResult]
@@ -106,34 +115,19 @@ def evaluate_points(
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Status and results of a joint at many points.
 
-    Parameters
-    ----------
-    values : dict
-        Tables of the joint file in SI units, :func:`asperity.joint_file.si_tables.si_values`.
-    points : mapping
-        Dotted path → values in SI units, all of shape (n,).
-    results : tuple of str
-        Names of :func:`asperity.joint_file.any_joint.results_of`.
-    quick : bool, optional
-        Whether to compile fast and run slowly; by default up to :data:`QUICK_POINTS` points.
-    batch : int, optional
-        Points for which to compile, at most; by default as many as there are. Calls with the same one share a program.
-    report : callable, optional
-        Called with the number of points just done.
+    ``values``: tables of the joint file in SI units, :func:`asperity.joint_file.si_tables.si_values`; ``points``:
+    dotted path → values in SI units, all of shape (n,); ``results``: names of
+    :func:`asperity.joint_file.any_joint.results_of`. ``quick``: whether to compile fast and run slowly, by default up
+    to :data:`QUICK_POINTS` points. ``batch``: points for which to compile, at most, by default as many as there are;
+    calls with the same one share a program. ``report`` is called with the number of points just done.
 
-    Returns
-    -------
-    status : ndarray
-        Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (n,).
-    result_values : dict of ndarray
-        Name → values, shape (n,) or (rows, n); nan where they have no value.
-
-    Raises
-    ------
-    PrecisionError
-        If JAX is in single precision.
+    Status codes are indices into :data:`asperity.joint.status.STATUSES`, shape (n,); results have the shape (n,) or
+    (rows, n), nan where they have no value. On a measured surface every point has what its contacts feel at the widths
+    that they have there. A ``PrecisionError`` is raised if JAX is in single precision.
     """
     require_double_precision()
+    if MEASURED in values:
+        return _evaluate_measured(values, points, results, quick=quick, batch=batch, report=report)
     values, paths = with_tracks(values), tuple(points)
     _refuse_count(values, paths)
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
@@ -164,6 +158,28 @@ def evaluate_points(
     for name in results:
         result_values[name][..., outside] = np.nan
     return status, result_values
+
+
+def _evaluate_measured(
+    values: Values,
+    points: Mapping[str, np.ndarray],
+    results: tuple[str, ...],
+    *,
+    report: Callable[[int], Any] | None,
+    **options: Any,
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """What :func:`evaluate_points` returns of joints with a measured surface: the search for the widths is silent."""
+    asked = tuple(dict.fromkeys((*results, *STATE)))
+
+    def states(tables: Values, columns: Columns) -> dict[str, np.ndarray]:
+        return evaluate_points(tables, columns, asked, **options)[1]
+
+    tables, columns, settled = with_felt_surfaces(values, points, states)
+    status, result_values = evaluate_points(tables, columns, asked, report=report, **options)
+    status[~settled] = UNBALANCED
+    for value in result_values.values():
+        value[..., ~settled] = np.nan
+    return status, {name: result_values[name] for name in results}
 
 
 def count_of_branches(values: Values) -> str | None:
@@ -228,33 +244,17 @@ def derivatives_at(
 ) -> tuple[np.ndarray, dict[str, np.ndarray], dict[str, np.ndarray]]:
     """Status, results and their exact derivatives by some of the numbers, at some points.
 
-    Parameters
-    ----------
-    values : dict
-        Tables of SI numbers.
-    changes : mapping
-        Dotted path → numbers [SI], shape (points,); must contain the variables.
-    results : tuple of str
-        Names of :func:`asperity.joint_file.any_joint.results_of`.
-    variables : tuple of str, optional
-        Dotted paths by which to differentiate.
-    block : int, optional
-        Points, repeated for each row or variable, of one call of the program, :func:`derivative_block`. Calls with
-        the same one share a program.
+    ``values`` and ``results`` as for :func:`evaluate_points`; ``changes``: dotted path → numbers [SI], shape (points,),
+    must contain the ``variables``, dotted paths by which to differentiate. ``block``: points, repeated for each row or
+    variable, of one call of the program, :func:`derivative_block`; calls with the same one share a program. Status
+    codes have the shape (points,), results (rows, points) and slopes (rows, points, variables) [SI]; a single number
+    has one row. Nothing is replaced by nan: a search may pass through joints that cannot exist.
 
-    Returns
-    -------
-    status : ndarray
-        Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (points,).
-    result_values, slopes : dict of ndarray
-        Name → shape (rows, points) and (rows, points, variables) [SI]; a single number has one row. Nothing is
-        replaced by nan: a search may pass through joints that cannot exist.
-
-    Notes
-    -----
     Forward-mode automatic differentiation, the points repeated along the batch axis once for each variable. Where that
     is many calls and there are fewer rows of results than variables: reverse mode, the points repeated for each row.
     """
+    if MEASURED in values:
+        return _derivatives_measured(values, changes, results, variables, block)
     _refuse_count(values, variables)
     points = max((np.size(value) for value in changes.values()), default=1)
     filled = replace_values(with_tracks(values), changes)
@@ -271,6 +271,40 @@ def derivatives_at(
 
 
 _Derivatives = tuple[np.ndarray, dict[str, np.ndarray], dict[str, np.ndarray]]
+
+
+def _derivatives_measured(
+    values: Values,
+    changes: Mapping[str, Any],
+    results: tuple[str, ...],
+    variables: tuple[str, ...],
+    block: int,
+) -> _Derivatives:
+    """What :func:`derivatives_at` returns of joints with a measured surface.
+
+    The heights that contacts feel move with the widths of the contacts, which move with the heights.
+    """
+    if variables:
+        refuse_derivatives(values)
+    asked = tuple(dict.fromkeys((*results, *STATE)))
+
+    def states(tables: Values, columns: Columns) -> dict[str, np.ndarray]:
+        return derivatives_at(tables, columns, asked, block=block)[1]
+
+    points = max((np.size(value) for value in changes.values()), default=1)
+    given = {path: np.broadcast_to(np.asarray(value, float), (points,)) for path, value in changes.items()}
+    tables, columns, settled = with_felt_surfaces(values, given, states)
+    felt = tuple(path for path in columns if path not in given) if variables else ()
+    status, first, slopes = derivatives_at(tables, columns, asked, (*variables, *felt), block=block)
+    status[~settled] = UNBALANCED
+    if felt:
+        count = len(variables)
+        moved = heights_moved(values, columns, first[WIDTH], slopes[WIDTH], variables)
+        slopes = {
+            name: slope[..., :count] + np.einsum("rpc,pcv->rpv", slope[..., count:], moved)
+            for name, slope in slopes.items()
+        }
+    return status, {name: first[name] for name in results}, {name: slopes[name] for name in results}
 
 
 def _forwards(

@@ -84,6 +84,15 @@ class HeightSpectrum:
         part = self._part(rolling, axial)
         return float(part.sum()), float(np.sqrt(np.sum(part**2 / self.independent)))
 
+    def squares(self, *, rolling: NDArray[np.float64], axial: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The mean squares of :meth:`felt` [m^2] for many pairs of frequencies [1/m], in their shape."""
+        below, beside = (
+            _below(edges, np.maximum(frequencies, _lowest(edges)))
+            for edges, frequencies in ((self.rolling_edges, rolling), (self.axial_edges, axial))
+        )
+        square = (1.0 - below) @ self.mean_square.sum(axis=1)
+        return np.asarray(square + np.sum((below @ self.mean_square) * (1.0 - beside), axis=-1))
+
     def _part(self, rolling: float, axial: float) -> NDArray[np.float64]:
         """Mean square of the waves of each bin that :meth:`felt` counts, shape (rolling, axial) [m^2]."""
         low = [
@@ -132,12 +141,11 @@ class HeightSpectrum:
         }
 
 
-def _below(edges: NDArray[np.float64], frequency: float) -> NDArray[np.float64]:
-    """Share of each bin below a frequency; all of a bin without a width."""
+def _below(edges: NDArray[np.float64], frequency: Any) -> NDArray[np.float64]:
+    """Share of each bin below a frequency, the bins last; all of a bin without a width."""
     width = np.diff(edges)
-    return np.where(
-        width > 0.0, np.clip((frequency - edges[:-1]) / np.where(width > 0.0, width, 1.0), 0.0, 1.0), 1.0
-    )
+    above = np.subtract.outer(frequency, edges[:-1])
+    return np.where(width > 0.0, np.clip(above / np.where(width > 0.0, width, 1.0), 0.0, 1.0), 1.0)
 
 
 def _lowest(edges: NDArray[np.float64]) -> float:

@@ -132,8 +132,8 @@ export class Controls {
     const back = element("button", { type: "button", id: "remove-surface" }, "Back to the surfaces of the file");
     back.addEventListener("click", this.unmeasured);
     const { source } = JSON.parse(this.measured);
-    const said = `Measured: ${source}. It takes the place of the surfaces of the file at every contact. Model, contact law, chooses the law. The joint file that is saved has what each contact feels, and makes the same joint; with the saved measurement, asperity joint gives the interval and all laws too.`;
-    return element("div", { class: "measured" }, element("p", { class: "note" }, said), back, " ", jsonLink("Save measurement", source, this.measured));
+    const said = `Measured: ${source}. It takes the place of the surfaces of the file at every contact. Model, contact law, chooses the law. The joint file that is saved names the saved measurement, measured_surface.json: keep both in one folder.`;
+    return element("div", { class: "measured" }, element("p", { class: "note" }, said), back, " ", jsonLink("Save measurement", "measured_surface", this.measured));
   }
 
   numberRows(group, stated) {

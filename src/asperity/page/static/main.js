@@ -235,7 +235,8 @@ function step(count) {
 /** Another joint on the page, as a new state. */
 function takeJoint({ name, toml }) {
   lastPath = null;
-  history.add({ name, toml, changes: {}, surfaces: [] });
+  const named = /^\s*measurement\s*=/m.test(toml); // its measured surface, which the page may have
+  history.add({ name, toml, changes: {}, surfaces: named ? history.state.surfaces : [] });
   refresh();
 }
 
@@ -348,7 +349,7 @@ async function begin() {
   });
   comparison = new Comparison(get("compared"), post, opened, refused);
   chart = new Chart(get("chart"), controls, post);
-  history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {}, surfaces: [] });
+  history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {}, surfaces: described.start.surfaces });
   connect();
   refresh();
 }

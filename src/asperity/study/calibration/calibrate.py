@@ -43,22 +43,12 @@ _MOST_ROUNDS, _SETTLED = 50, 1e-4
 
 @dataclass(frozen=True)
 class Estimate:
-    """One calibrated unknown.
+    """One calibrated unknown: its ``path``, and the least-squares estimate of its ``value`` [SI].
 
-    Parameters
-    ----------
-    path : str
-        Its name.
-    value : float
-        Least-squares estimate [SI].
-    lower, upper : float
-        95 % interval, by the scatter of the data and the error of the model [SI]; nan where it is not determined.
-    scatter_lower, scatter_upper : float
-        95 % interval by the scatter of the data alone [SI]; nan where it is not determined.
-    determined : bool
-        Whether the data and the model say more about it than its bounds do.
-    at_bound : str
-        "lower" or "upper" if the estimate lies on a bound, else empty.
+    ``lower`` and ``upper``: 95 % interval, by the scatter of the data and the error of the model [SI], nan where it is
+    not determined; ``scatter_lower`` and ``scatter_upper``, by the scatter of the data alone. ``determined``: whether
+    the data and the model say more about it than its bounds do; ``at_bound``: "lower" or "upper" if the estimate lies
+    on a bound, else empty.
     """
 
     path: str
@@ -75,26 +65,12 @@ class Estimate:
 class Calibration:
     """The outcome of a calibration.
 
-    Parameters
-    ----------
-    estimates : tuple of Estimate
-        All unknowns.
-    directions : tuple of Direction
-        Combinations, the worst determined first.
-    scaled_values : ndarray
-        Estimates as scaled values (0 at the lower bound, 1 at the upper).
-    covariance : ndarray
-        Of the scaled values; meaningless in directions that are not determined.
-    starts : tuple of float
-        Root mean square residual at the end of each start, best first, over the root mean square of the data [-].
-    unknowns : tuple of Variable
-        What was looked for.
-    curves : tuple of FittedCurve
-        Each measurement with what was fitted to it.
-    model_error : float
-        Standard deviation of the relative error of the joint's compliance in each curve [-].
-    alternatives : tuple of Alternative
-        What explains the curves as well as an unknown does.
+    ``estimates`` of all ``unknowns``; ``directions``, their combinations, the worst determined first;
+    ``scaled_values``: estimates as scaled values (0 at the lower bound, 1 at the upper), and their ``covariance``,
+    meaningless in directions that are not determined. ``starts``: root mean square residual at the end of each start,
+    best first, over the root mean square of the data [-]; ``curves``: each measurement with what was fitted to it;
+    ``model_error``: standard deviation of the relative error of the joint's compliance in each curve [-];
+    ``alternatives``: what explains the curves as well as an unknown does.
     """
 
     estimates: tuple[Estimate, ...]
@@ -122,54 +98,25 @@ def calibrate(
 ) -> Calibration:
     """Fit unknowns of a joint to a measured curve, or to two of them together.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    measurements : tuple of Measurement
-        The data: one curve, or one of the joint at rest and one of the joint that turns.
-    unknowns : tuple of Variable
-        What is looked for, see :func:`asperity.study.calibration.unknowns.read_unknowns`.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness the joint is taken to have.
-    history : {"virgin", "cycled"}
-        State of the joint at rest before the first row.
-    starts : int
-        Starts of the search; the first is the joint file.
-    seed : int
-        Of the other starts.
-    model_error : float, optional
-        Standard deviation of the relative error of the joint's compliance, the same at every torque of a curve [-];
-        by default 0, for data that the model itself has made.
-    progress : callable, optional
-        Called with the number of finished starts and of all starts.
+    ``measurements``: one curve, or one of the joint at rest and one of the joint that turns; ``unknowns``: what is
+    looked for, see :func:`asperity.study.calibration.unknowns.read_unknowns`; ``level``: which stiffness the joint is
+    taken to have; ``history``, "virgin" or "cycled": state of the joint at rest before the first row. ``starts`` of the
+    search, of which the first is the joint file; ``seed`` of the others. ``model_error``: standard deviation of the
+    relative error of the joint's compliance, the same at every torque of a curve [-], by default 0, for data that the
+    model itself has made. ``progress`` is called with the number of finished starts and of all starts. Estimates,
+    intervals, residuals and the combinations of unknowns that are not identifiable come out.
 
-    Returns
-    -------
-    Calibration
-        Estimates, intervals, residuals and the combinations of unknowns that are not identifiable.
+    An ``InputError`` is raised if the bodies of the joint do not fit, there are no more data than unknowns, or the
+    error of the model is not from 0 to 1; a ``NoSolutionError`` if no start converged, the sizes of the errors of two
+    curves did not settle, or the fitted joint slips within the measured torques.
 
-    Raises
-    ------
-    InputError
-        If the bodies of the joint do not fit, there are no more data than unknowns, or the error of the model is not
-        from 0 to 1.
-    NoSolutionError
-        If no start converged, the sizes of the errors of two curves did not settle, or the fitted joint slips within
-        the measured torques.
-
-    Notes
-    -----
-    Errors are taken as independent, normal and of one size for each curve, in the measured angle (or stiffness) and
-    not in the torque. The sizes of two curves are estimated from their residuals in turn with the unknowns, until both
+    Errors are taken as independent, normal and of one size for each curve, in the measured angle (or stiffness) and not
+    in the torque. The sizes of two curves are estimated from their residuals in turn with the unknowns, until both
     stand still. Intervals are those of the linearised model, in the logarithm of unknowns that are positive. The error
     of the model, one normal number for each curve, changes the joint's part of the curve as a whole and does not
-    average out over the rows; the estimates shift by the pseudo-inverse of the slopes times this change.
-
-    References
-    ----------
-    D. M. Bates and D. G. Watts, Nonlinear Regression Analysis, Wiley 1988; J. Durbin and G. S. Watson,
-    Biometrika 37 (1950) 409.
+    average out over the rows; the estimates shift by the pseudo-inverse of the slopes times this change. What contacts
+    feel of a measured surface stays that of the file. D. M. Bates and D. G. Watts, Nonlinear Regression Analysis, Wiley
+    1988; J. Durbin and G. S. Watson, Biometrika 37 (1950) 409.
     """
     from scipy.optimize import least_squares
     from scipy.stats import qmc

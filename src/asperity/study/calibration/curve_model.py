@@ -38,23 +38,10 @@ _POINTS = 4096
 class CurveModel:
     """Predicts a measurement from scaled values of the unknowns (0 at the lower bound, 1 at the upper).
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    measurement : Measurement
-        Torques, times and repetitions of the data, and what was measured.
-    unknowns : tuple of Variable
-        What is looked for.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness the joint is taken to have; a drift does not depend on it.
-    history : {"virgin", "cycled"}
-        State before the first row; a drift has none.
-
-    Raises
-    ------
-    InputError
-        If all torques are zero, or a drift curve has too many different ones.
+    ``case``: the joint file; ``measurement``: torques, times and repetitions of the data, and what was measured;
+    ``unknowns``: what is looked for; ``level``: which stiffness the joint is taken to have, on which a drift does not
+    depend; ``history``, "virgin" or "cycled": state before the first row, of which a drift has none. An ``InputError``
+    is raised if all torques are zero, or a drift curve has too many different ones.
     """
 
     def __init__(

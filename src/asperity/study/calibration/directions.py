@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity.joint_file.si_tables import AnyCase, counterparts, numeric_keys
+from asperity.joint_file.si_tables import AnyCase, counterparts, varied_keys
 from asperity.study.calibration.unknowns import added_to_curve, of_joint_file, si_unit_of
 from asperity.study.design.design_problem import Variable
 
@@ -136,7 +136,7 @@ def candidates(case: AnyCase, unknowns: tuple[Variable, ...]) -> tuple[Variable,
     }
     return tuple(
         Variable(path, 0.5 * entry.value, 2.0 * entry.value, True)
-        for path, entry in numeric_keys(case).items()
+        for path, entry in varied_keys(case).items()
         if entry.value > 0.0
         and not entry.key.integer
         and not path.endswith(_KNOWN)

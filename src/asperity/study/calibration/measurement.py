@@ -67,27 +67,13 @@ _DRIFT = MeasuredQuantity("drift per output turn", "arcmin", "arcsec", "rad")
 
 @dataclass(frozen=True)
 class Measurement:
-    """A measured curve in SI units, rows in the order of time.
+    """A measured curve in SI units, rows in the order of time; all arrays of shape (points,).
 
-    Parameters
-    ----------
-    torque : ndarray
-        Output torque, of either sign, shape (points,) [N·m].
-    angle : ndarray or None
-        Output angle with the sun locked, shape (points,) [rad].
-    stiffness : ndarray or None
-        Incremental stiffness, shape (points,) [N·m/rad].
-    time : ndarray or None
-        Time, shape (points,) [s].
-    repetition : ndarray
-        Number of the repetition of each row, shape (points,); zeros if the file states none.
-    source : str
-        Name of the file.
-    drift : ndarray or None
-        Angle lost in one turn of the output while the joint rolls, with the sign of the torque, shape (points,) [rad].
-        Exactly one of angle, stiffness and drift is there.
-    unloaded_ratio : float or None
-        Speed ratio without creep with which the drift was derived from measured speed ratios [-]; None otherwise.
+    ``torque`` at the output, of either sign [N·m]; ``angle`` of the output with the sun locked [rad], incremental
+    ``stiffness`` [N·m/rad] or ``drift``, the angle lost in one turn of the output while the joint rolls, with the sign
+    of the torque [rad]: exactly one of them is there, the others are None. ``time`` [s] or None; ``repetition``: number
+    of the repetition of each row, zeros if the file states none; ``source``: name of the file; ``unloaded_ratio``:
+    speed ratio without creep with which the drift was derived from measured speed ratios [-], None otherwise.
     """
 
     torque: np.ndarray

@@ -52,21 +52,11 @@ DEVIATION_FACTOR = 10.0
 class Posterior:
     """Draws from the posterior of a calibration.
 
-    Parameters
-    ----------
-    scaled_values : ndarray
-        Scaled values of the unknowns (0 at the lower bound, 1 at the upper), shape (draws, unknowns).
-    standard_deviation : ndarray
-        Of the errors, shape (draws,) [rad] or [N·m/rad].
-    r_hat, effective_draws : ndarray
-        Split-R-hat and effective number of draws of each unknown and, last, of the logarithm of the standard
-        deviation, shape (unknowns + 1,).
-    divergences : int
-        Number of divergent transitions of the proposals.
-    acceptance : float
-        Share of the proposals that the model accepted [-].
-    chains : int
-        Number of chains; the draws are in their order, chain by chain.
+    ``scaled_values`` of the unknowns (0 at the lower bound, 1 at the upper), shape (draws, unknowns), the draws chain
+    by chain, ``chains`` of them; ``standard_deviation`` of the errors, shape (draws,) [rad] or [N·m/rad]. ``r_hat`` and
+    ``effective_draws``: split-R-hat and effective number of draws of each unknown and, last, of the logarithm of the
+    standard deviation, shape (unknowns + 1,); ``divergences``: divergent transitions of the proposals; ``acceptance``:
+    share of the proposals that the model accepted [-].
     """
 
     scaled_values: np.ndarray
@@ -318,35 +308,12 @@ def posterior(
     seed: int,
     progress: Callable[[int, int], None] | None = None,
 ) -> Posterior:
-    """Posterior of the unknowns of a calibration.
+    """Posterior of the unknowns of a calibration: all draws of all chains, which start at its least-squares fit.
 
-    Parameters
-    ----------
-    calibration : Calibration
-        The least-squares fit; the chains start there.
-    draws : int
-        From each of :data:`CHAINS` chains.
-    seed : int
-        Of the sampler.
-    progress : callable, optional
-        Called with the number of finished steps and of all steps.
-
-    Returns
-    -------
-    Posterior
-        All draws.
-
-    Raises
-    ------
-    InputError
-        If two curves were fitted together, or the data fit exactly: then there are no errors whose size could be
-        estimated.
-    MissingExtraError, NoSolutionError
-        As :func:`sample`.
-
-    Notes
-    -----
-    The likelihood is zero where the joint has no stiffness at one of the measured torques.
+    ``draws`` from each of :data:`CHAINS` chains; ``seed`` of the sampler; ``progress`` is called with the number of
+    finished steps and of all steps. The likelihood is zero where the joint has no stiffness at one of the measured
+    torques. Raised are an ``InputError`` if two curves were fitted together, or the data fit exactly, so that there are
+    no errors whose size could be estimated; a ``MissingExtraError`` and a ``NoSolutionError`` as by :func:`sample`.
     """
     if len(calibration.curves) > 1:
         raise InputError(

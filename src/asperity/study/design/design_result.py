@@ -105,38 +105,19 @@ class StartReport:
 
 @dataclass(frozen=True)
 class DesignResult:
-    """The outcome of a design.
+    """The outcome of a design: of a ``problem`` the ``point``, dotted path → value of the variables [SI].
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        What was asked.
-    feasible : bool
-        Whether all limits are met. If not, the point is the one of the smallest violation.
-    point : dict
-        Dotted path → value of the variables [SI].
-    at_bound : dict
-        Dotted path → "lower" or "upper" for the variables that lie on a bound.
-    objective_before, objective_after : float
-        The objective at its worst scenario, of the joint file and of the design [SI].
-    objective_unrounded : float or None
-        The objective before variables were rounded to their steps [SI]; None where none has a step.
-    summary_before, summary_after : dict
-        Name → value [SI] of :data:`asperity.study.design.design_problem.SUMMARY`; nan where the joint has none.
-    limits : tuple of LimitReport
-        All limits.
-    optimality_residual : float
-        What is left of the objective's gradient after those of the active limits, relative to it [-]: 0 at a local
-        optimum.
-    starts : tuple of StartReport
-        All starts.
-    evaluations : int
-        Evaluations of all scenarios.
-    joint_text : str
-        The designed joint as a joint file.
-    nominal : dict
-        Objectives, limits and :data:`asperity.study.design.design_problem.SUMMARY` of that file at its own torque [SI],
-        shape (rows,).
+    ``feasible``: whether all limits are met; if not, the point is the one of the smallest violation. ``at_bound``:
+    dotted path → "lower" or "upper" for the variables that lie on a bound. ``objective_before`` and
+    ``objective_after``: the objective at its worst scenario, of the joint file and of the design [SI];
+    ``objective_unrounded``, before variables were rounded to their steps, None where none has a step.
+    ``summary_before`` and ``summary_after``: name → value [SI] of :data:`asperity.study.design.design_problem.SUMMARY`;
+    nan where the joint has none.
+
+    All ``limits`` and ``starts``; ``optimality_residual``: what is left of the objective's gradient after those of the
+    active limits, relative to it [-], 0 at a local optimum; ``evaluations`` of all scenarios. ``joint_text``: the
+    designed joint as a joint file; ``nominal``: objectives, limits and the summary of that file at its own torque [SI],
+    shape (rows,).
     """
 
     problem: DesignProblem

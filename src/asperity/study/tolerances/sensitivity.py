@@ -18,7 +18,7 @@ from asperity.joint.solve import refuse_impossible_joint, solve_joint
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
+from asperity.joint_file.si_tables import AnyCase, si_values, varied_keys
 from asperity.precision import require_double_precision
 from asperity.results import LEVELS, Result, known_result, row_name
 from asperity.results.document import stiffness_unknown_because
@@ -52,35 +52,18 @@ def differentiable_rows(table: Mapping[str, Result]) -> dict[str, str]:
 def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.Dataset:
     """Derivatives and elasticities of results with respect to every number of a joint file.
 
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-    results : sequence of str, optional
-        Names of results of the drive, :func:`asperity.joint_file.any_joint.results_of`; by default
-        those of :data:`DEFAULT_RESULTS` that the drive has.
+    ``results``: names of :func:`asperity.joint_file.any_joint.results_of`; by default those of :data:`DEFAULT_RESULTS`
+    that the drive has. The dataset has the dimensions ``result`` and ``input``; variables ``derivative`` (SI unit of
+    the result per SI unit of the input, as the coordinates ``result_unit`` and ``input_unit`` say), ``elasticity``,
+    ``value`` of the inputs, ``result_value``. An elasticity is nan where the result is 0, and the derivatives of an
+    infinite capacity are nan.
 
-    Returns
-    -------
-    xarray.Dataset
-        Dimensions ``result`` and ``input``; variables ``derivative`` (SI unit of the result per SI unit of the input,
-        as the coordinates ``result_unit`` and ``input_unit`` say), ``elasticity``, ``value`` of the inputs,
-        ``result_value``. An elasticity is nan where the result is 0, and the derivatives of an infinite capacity
-        are nan.
+    An ``InputError`` is raised if a result has no derivatives, the rollers do not fit or the torque is beyond the
+    capacity; a ``NoSolutionError`` if the force balance does not close, or a result is a stiffness and every spot of a
+    contact is plastic; a ``PrecisionError`` if JAX is in single precision.
 
-    Raises
-    ------
-    InputError
-        If a result has no derivatives, the rollers do not fit or the torque is beyond the capacity.
-    NoSolutionError
-        If the force balance does not close, or a result is a stiffness and every spot of a contact is plastic.
-    PrecisionError
-        If JAX is in single precision.
-
-    Notes
-    -----
-    One entry for all contacts is one input: all five move together. The number of planets is differentiated as if
-    it were continuous, unless the file has a section ``[[branch]]`` for each. Where a result has a kink (no torque; two
+    One entry for all contacts is one input: all five move together. The number of planets is differentiated as if it
+    were continuous, unless the file has a section ``[[branch]]`` for each. Where a result has a kink (no torque; two
     longest contact lines on one roller) the derivative is that of one side or their mean.
     """
     require_double_precision()
@@ -90,7 +73,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     allowed = [name for name, result in table.items() if result.differentiable]
     asked = [name for name in DEFAULT_RESULTS if name in table] if results is None else results
     names = tuple(known_result(name, among=allowed, what="differentiable result") for name in asked)
-    inputs = numeric_keys(case)
+    inputs = varied_keys(case)
     inputs.pop(count_of_branches(tables) or "", None)
     x = np.array([entry.value for entry in inputs.values()])
     point = {path: np.array([entry.value]) for path, entry in inputs.items()}

@@ -1,0 +1,139 @@
+"""Joints on a measured surface at many points: what each of their contacts feels at the width that it has there."""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import json
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.decay_ratios import RATIOS_OF
+from asperity.joint_file.felt_heights import (
+    FeltContacts,
+    Heights,
+    contact_lengths,
+    felt_at,
+    felt_by,
+    moduli_of,
+    settled_heights,
+)
+from asperity.joint_file.part_names import contacts_of
+from asperity.joint_file.si_tables import MEASURED, Values, replace_values, with_numbers, without_measurement
+from asperity.surface.measured_roughness import MeasuredRoughness, roughness_from_document
+
+#: Dotted path → its values at all points [SI], shape (points,).
+Columns = Mapping[str, np.ndarray]
+WIDTH, PRESSURE = "hertz_half_width", "hertz_pressure"
+#: Results of the contacts on which depends what they feel.
+STATE = (WIDTH, PRESSURE)
+
+
+def with_felt_surfaces(
+    values: Values, points: Columns, states: Callable[[Values, Columns], dict[str, np.ndarray]]
+) -> tuple[Values, dict[str, np.ndarray], np.ndarray]:
+    """Tables and points with what each contact of each joint feels of its measured surface, and where that settles.
+
+    ``states`` are the :data:`STATE` of joints of tables at points. With sections ``[[branch]]`` the contacts feel what
+    those of the drive with equal branches do. By a law with a decay length it is that at the pressure of each point.
+    """
+    replace_values(values, dict.fromkeys(points, 1.0))  # refuses what follows from the measurement
+    measured, tables = _roughness(values[MEASURED]), without_measurement(values)
+    surface, names = tables["surface"], contacts_of(tables)
+    count = np.size(next(iter(points.values()))) if points else 1
+    if names[0] not in surface:  # D and G, which every contact has, whatever its width
+        return tables, dict(points), np.ones(count, dtype=bool)
+    by_heights = tables | {
+        "surface": {name: {"rms_height": math.nan} for name in names},
+        "model": tables["model"] | {"contact_law": "exponential"},
+    }
+    by_heights.pop("branch", None)
+    alike = {path: column for path, column in points.items() if not path.startswith("branch.")}
+    lengths = _lengths(by_heights, alike, count)
+    last: dict[str, np.ndarray] = {}
+
+    def widths_of(heights: Heights) -> Heights:
+        last.update(states(by_heights, alike | _columns(names, "rms_height", heights)))
+        return 2.0 * last[WIDTH]
+
+    heights, settled = settled_heights(measured.spectra, lengths, widths_of)
+    if "rms_height" in surface[names[0]]:
+        return tables, dict(points) | _columns(names, "rms_height", heights), settled
+    felt = np.array(heights)
+    for point in np.flatnonzero(np.isfinite(last[WIDTH]).all(axis=0)):
+        numbers = {path: column[point] for path, column in alike.items()}
+        contacts = FeltContacts(
+            felt_by(measured.spectra, names, 2.0 * last[WIDTH][:, point], lengths[:, point]),
+            0.25 * math.pi * last[PRESSURE][:, point],
+            moduli_of(joint_from_values(replace_values(by_heights, numbers))),
+        )
+        try:
+            ratios, _ = RATIOS_OF[tables["model"]["contact_law"]](measured, contacts)
+        except InputError:  # the law has no decay length at this pressure
+            settled[point] = False
+        else:
+            felt[:, point] = [ratios[f"surface.{name}"][1] * contacts.felt[name].rms_height for name in names]
+    return tables, dict(points) | _columns(names, "decay_length", felt), settled
+
+
+def refuse_derivatives(values: Values) -> None:
+    """Refuse a measured surface of which what the contacts feel has no derivatives."""
+    by_length = any(
+        "decay_length" in entry for entry in values["surface"].values() if isinstance(entry, dict)
+    )
+    if by_length or "branch" in values:
+        raise InputError(
+            "surface.measurement: what contacts feel has no derivatives beside [[branch]], or by a contact law with a "
+            'decay length: leave [[branch]] out, or state model.contact_law = "exponential"'
+        )
+
+
+def heights_moved(
+    values: Values, columns: Columns, half_widths: np.ndarray, slopes: np.ndarray, variables: tuple[str, ...]
+) -> np.ndarray:
+    r"""By how much the heights that contacts feel move with variables, shape (points, contacts, variables) [SI].
+
+    .. math::
+        \frac{dh}{dx} = \Bigl(1 - \frac{\partial h}{\partial w}\frac{\partial w}{\partial h}\Bigr)^{-1}
+        \Bigl(\frac{\partial h}{\partial w}\frac{\partial w}{\partial x}
+        + \frac{\partial h}{\partial B}\frac{\partial B}{\partial x}\Bigr)
+
+    with the widths w of the contacts, their lengths B and the ``slopes`` of their half-widths by the variables and by
+    the heights, shape (contacts, points, variables + contacts).
+    """
+    tables, spectra = without_measurement(values), _roughness(values[MEASURED]).spectra
+    widths = 2.0 * np.where(half_widths > 0.0, half_widths, 0.5)  # any where there is no joint
+    lengths = _lengths(tables, columns, widths.shape[1])
+    nothing = with_numbers(tables, itertools.repeat(0.0))
+    longer = [contact_lengths(replace_values(nothing, {path: 1.0}))[:, 0] for path in variables]
+    by_width = _slope(lambda factor: felt_at(spectra, factor * widths, lengths)) / widths
+    by_length = _slope(lambda factor: felt_at(spectra, widths, factor * lengths)) / lengths
+    gain = 2.0 * (by_width[..., None] * slopes).transpose(1, 0, 2)
+    count = len(variables)
+    direct = by_length.T[:, :, None] * np.array(longer).T
+    moved: np.ndarray = np.linalg.solve(np.eye(len(widths)) - gain[..., count:], gain[..., :count] + direct)
+    return moved
+
+
+def _slope(function: Callable[[float], Heights], step: float = 1e-6) -> Heights:
+    """Derivative by a factor around 1."""
+    return (function(1.0 + step) - function(1.0 - step)) / (2.0 * step)
+
+
+def _lengths(tables: Values, columns: Columns, count: int) -> Heights:
+    lengths = contact_lengths(replace_values(tables, columns))
+    return np.array(np.broadcast_to(lengths, (len(lengths), count)))
+
+
+def _columns(names: tuple[str, ...], key: str, lengths: Heights) -> dict[str, Any]:
+    return {f"surface.{name}.{key}": length for name, length in zip(names, lengths, strict=True)}
+
+
+@functools.lru_cache(maxsize=8)
+def _roughness(text: str) -> MeasuredRoughness:
+    return roughness_from_document(json.loads(text))

@@ -1,0 +1,215 @@
+"""A joint file that names its measured surface, ``surface.measurement``."""
+
+import json
+import math
+import re
+import tomllib
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.joint.measured_surface import measured_surface
+from asperity.joint.solve import solve_joint
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.edited_text import joint_file_text
+from asperity.joint_file.felt_heights import felt_at
+from asperity.joint_file.measured_surface import case_with_surface
+from asperity.joint_file.reader import parse_case, read_case
+from asperity.joint_file.si_tables import si_values, varied_keys
+from asperity.joint_file.solved_document import full_document, solve_with_surface
+from asperity.study.batch import derivatives_at, evaluate_points
+
+#: Edges of the bins along the rolling direction [1/m]: contacts are 0.12 to 0.18 mm wide, in the second bin.
+EDGES = (1_000.0, 4_000.0, 9_000.0, 54_000.0)
+SQUARES = (4e-14, 2e-14, 1e-14)
+RESULTS = ("assembly_stiffness_output", "normal_force", "hertz_half_width")
+
+
+def document(**changes):
+    """A profile in the rolling direction, of three bins, without a power law."""
+    spectrum = {
+        "source": "roller.csv",
+        "is_map": False,
+        "lay": "axis",
+        "rolling_frequency_edges_per_m": list(EDGES),
+        "axial_frequency_edges_per_m": [0.0, 0.0],
+        "mean_square_height_m2": [[square] for square in SQUARES],
+        "independent_ordinates": [[40.0], [80.0], [160.0]],
+    }
+    return {
+        "schema": "asperity-surface-measurement",
+        "schema_version": 1,
+        "source": "roller.csv",
+        "no_power_law": "no power law",
+        "spectra": [spectrum | changes],
+    }
+
+
+def height_by_hand(width):
+    """All waves but those below 1/width, and those below 1.5 periods of the profile, by bins."""
+    limit, square = max(1.0 / width, 3.0 * EDGES[0]), 0.0
+    for low, high, height in zip(EDGES[:-1], EDGES[1:], SQUARES, strict=True):
+        square += height * min(max((high - limit) / (high - low), 0.0), 1.0)
+    return math.sqrt(square)
+
+
+@pytest.fixture
+def folder(tmp_path, joint_text):
+    """A folder with a measurement, and the text of a joint file that names it."""
+    (tmp_path / "roller.json").write_text(json.dumps(document()))
+    return tmp_path
+
+
+@pytest.fixture
+def named_text(joint_text):
+    plain = re.sub(r"(?ms)^\[surface.*?(?=^\[(?!surface)|\Z)", "", joint_text)
+    return plain + '\n[surface]\nmeasurement = "roller.json"\n'
+
+
+@pytest.fixture
+def named(folder, named_text):
+    (folder / "joint.toml").write_text(named_text)
+    return read_case(folder / "joint.toml")
+
+
+def test_each_contact_feels_the_bands_below_its_width(named):
+    diagnostics = solve_joint(joint_from_case(named)).result.diagnostics
+    for entry, half in zip(named.surface.values(), diagnostics.hertz_half_width, strict=True):
+        assert entry.rms_height.value == pytest.approx(height_by_hand(2.0 * float(half)), rel=1e-8)
+    assert len({entry.rms_height.value for entry in named.surface.values()}) > 1
+
+
+def test_the_heights_of_many_widths_are_those_of_the_bands(named):
+    widths = np.geomspace(2.5e-5, 1e-3, 60).reshape(3, 20)
+    heights = felt_at(named.measured.measured.spectra, widths, np.full(widths.shape, 1e-2))
+    by_hand = [[height_by_hand(width) for width in row] for row in widths]
+    np.testing.assert_allclose(heights, by_hand, rtol=1e-12)
+
+
+@pytest.mark.slow
+def test_the_file_makes_the_document_of_the_option(folder, named, joint_text):
+    plain = parse_case(joint_text, source="joint.toml")
+    option = case_with_surface(plain, measured_surface((folder / "roller.json",)))
+    made = solve_with_surface(named)
+    assert made.document == solve_with_surface(option).document
+    assert made.document["stiffness_interval"]["parts"].keys() == {"contact_law", "rms_height"}
+    assert made.document["measured_surface"]["source"] == "roller.csv"
+    assert full_document(named, made.solved) == made.document
+
+
+def test_two_bodies_add_their_squares(folder, named, named_text):
+    text = named_text.replace('"roller.json"', '["roller.json", "roller.json"]')
+    both = parse_case(text, source="joint.toml", folder=folder)
+    for name, entry in named.surface.items():
+        assert both.surface[name].rms_height.value == pytest.approx(
+            math.sqrt(2.0) * entry.rms_height.value, rel=1e-3
+        )
+
+
+@pytest.mark.slow
+def test_a_sweep_has_the_heights_of_separate_joints(named):
+    preload = np.array([400.0, 1000.0, 2500.0])
+    status, results = evaluate_points(si_values(named), {"load.preload": preload}, RESULTS)
+    assert status.tolist() == [0, 0, 0]
+    heights = []
+    for point, force in enumerate(preload):
+        alone = parse_case(joint_file_text(named, {"load.preload": force}, comment=""), source="alone")
+        result = solve_joint(joint_from_case(alone)).result
+        heights.append(alone.surface["sp"].rms_height.value)
+        assert results["assembly_stiffness_output"][point] == pytest.approx(
+            float(result.assembly.stiffness.output), rel=1e-12
+        )
+        np.testing.assert_allclose(results["normal_force"][:, point], result.forces.normal, rtol=1e-12)
+    assert np.all(np.diff(heights) > 0.02 * heights[0])  # wider contacts feel longer waves
+
+
+@pytest.mark.slow
+def test_derivatives_move_the_heights(named):
+    """Against differences of a sweep, whose every point has heights of its own; length changes the widths only."""
+    values = si_values(named)
+    changes = {"load.preload": np.array([1000.0]), "drive.contact_length": np.array([0.006])}
+    _, _, slopes = derivatives_at(values, changes, RESULTS[:1], tuple(changes))
+    for number, (path, middle) in enumerate(changes.items()):
+        step = 1e-4 * middle
+        points = {name: np.repeat(value, 2) for name, value in changes.items()}
+        points[path] = np.concatenate([middle - step, middle + step])
+        _, ends = evaluate_points(values, points, RESULTS[:1])
+        difference = np.diff(ends[RESULTS[0]]) / (2.0 * step)
+        assert slopes[RESULTS[0]][0, 0, number] == pytest.approx(difference[0], rel=1e-4)
+
+
+@pytest.mark.slow
+def test_a_law_with_a_decay_length_has_it_at_every_point(folder, named_text):
+    text = named_text.replace("[model]", '[model]\ncontact_law = "persson_2007"')
+    case = parse_case(text, source="joint.toml", folder=folder)
+    preload = np.array([600.0, 1500.0])
+    _, results = evaluate_points(si_values(case), {"load.preload": preload}, RESULTS[:1])
+    for point, force in enumerate(preload):
+        alone = parse_case(joint_file_text(case, {"load.preload": force}, comment=""), source="alone")
+        stiffness = float(solve_joint(joint_from_case(alone)).result.assembly.stiffness.output)
+        assert results[RESULTS[0]][point] == pytest.approx(stiffness, rel=1e-8)
+    with pytest.raises(InputError, match="has no derivatives beside"):
+        derivatives_at(si_values(case), {"load.preload": preload}, RESULTS[:1], ("load.preload",))
+
+
+def test_points_without_a_joint_do_not_disturb_the_others(named):
+    preload = np.array([1000.0, 1000.0])
+    torque = np.array([1.0, 1e5])
+    points = {"load.preload": preload, "load.output_torque": torque}
+    status, results = evaluate_points(si_values(named), points, RESULTS[:1])
+    assert status[0] == 0
+    assert status[1] != 0
+    assert np.isfinite(results[RESULTS[0]]).tolist() == [True, False]
+
+
+def test_what_follows_from_the_measurement_is_no_number_of_the_file(named):
+    assert not [path for path in varied_keys(named) if path.startswith("surface")]
+    with pytest.raises(InputError, match=r"surface\.sp\.rms_height: follows from the measured surface"):
+        evaluate_points(si_values(named), {"surface.sp.rms_height": np.array([1e-7])}, RESULTS[:1])
+
+
+def test_a_changed_file_names_the_measurement_wherever_it_is_written(folder, named):
+    text = joint_file_text(named, {"load.preload": 1200.0}, comment="changed")
+    assert tomllib.loads(text)["surface"] == {"measurement": str(folder / "roller.json")}
+    assert "# ours" in text
+    again = parse_case(text, source="elsewhere.toml")
+    assert again.load.preload.value == 1200.0
+    assert again.measured.measured.source == "roller.csv"
+    untold = joint_file_text(named.with_text(""), {}, comment="")
+    assert tomllib.loads(untold)["surface"] == {"measurement": str(folder / "roller.json")}
+
+
+@pytest.mark.parametrize(
+    ("section", "said"),
+    [
+        (
+            'measurement = "roller.json"\nrms_height = "0.2 um"',
+            "measurement stands alone.*leave rms_height out",
+        ),
+        ('measurement = "roller.json"\nfractal_dimension = 1.4', "leave fractal_dimension out"),
+        ('measurement = "roller.json"\nroughness_average = "0.2 um"', "leave roughness_average out"),
+        ('measurement = "absent.json"', "surface.measurement: .*absent.json"),
+        ('measurement = "joint.toml"', "surface.measurement: .*joint.toml.*'asperity surface measure'"),
+        ('measurement = "."', "surface.measurement: "),
+        ("measurement = 3", "surface.measurement: expected the name of a JSON file"),
+        ('measurement = ["a", "b", "c"]', "or a list of two"),
+        ('sp.measurement = "roller.json"', "sp.measurement: a measured surface is that of all contacts"),
+    ],
+)
+def test_refusals_are_one_message(folder, named_text, section, said):
+    text = named_text.replace('measurement = "roller.json"', section)
+    (folder / "joint.toml").write_text(text)
+    with pytest.raises(InputError, match=said) as refused:
+        read_case(folder / "joint.toml")
+    assert str(refused.value).startswith(f"{folder / 'joint.toml'}: ")
+    assert "\n" not in str(refused.value)
+
+
+def test_a_measurement_that_does_not_serve_is_refused_with_the_file(folder, named_text):
+    (folder / "roller.json").write_text(json.dumps(document(lay=None)))
+    with pytest.raises(InputError, match=r"joint.toml: roller.csv: .*measure it again with --lay"):
+        parse_case(named_text, source="joint.toml", folder=folder)
+    (folder / "roller.json").write_text(json.dumps({"schema": "another"}))
+    with pytest.raises(InputError, match=r"joint.toml: surface.measurement: .*roller.json"):
+        parse_case(named_text, source="joint.toml", folder=folder)
