@@ -101,17 +101,9 @@ def stated_values(case: Case, tables: Mapping[str, Any]) -> Answer:
         choices[path] = word or ""
     return {
         "form": form_of(case),
-        "numbers": {
-            path: {"value": _shown(entry.value, entry.key), "si": entry.value, "tolerance": entry.tolerance}
-            for path, entry in numeric_keys(case).items()
-        },
+        "numbers": {path: _number(entry, entry.key) for path, entry in numeric_keys(case).items()},
         "entered": {
-            path: {
-                "value": _shown(entry.value, key),
-                "si": entry.value,
-                "tolerance": entry.tolerance,
-                "text": entry.text,
-            }
+            path: _number(entry, key) | {"text": entry.text}
             for path, (key, entry) in entered_values(case).items()
         },
         "lists": stated_lists(case, tables),
@@ -119,9 +111,10 @@ def stated_values(case: Case, tables: Mapping[str, Any]) -> Answer:
     }
 
 
-def _shown(value_si: float, key: Key) -> float:
-    """Value in the unit of display, to 14 digits: conversion makes up the last two."""
-    return float(f"{from_si(value_si, key.unit):.14g}")
+def _number(entry: Any, key: Key) -> Answer:
+    """A number in the unit of display, to 14 digits as conversion makes up the last two, and in SI."""
+    shown = float(f"{from_si(entry.value, key.unit):.14g}")
+    return {"value": shown, "si": entry.value, "tolerance": entry.tolerance}
 
 
 def plain_numbers(values: Any) -> list[float | None]:
@@ -211,16 +204,10 @@ def _bore(joint: Joint, number: int) -> list[float]:
 def _contact_forces(joint: Joint, forces: list[BodyForce]) -> list[dict[str, Any]]:
     """The forces of each contact on its first body, where they act."""
     centres = np.asarray(joint.drive.centres)
+    acting = {(force.name, force.kind, force.body): force for force in forces}
     entries = []
     for k, (contact, number) in enumerate(zip(joint.drive.contacts, places(joint.drive)[0], strict=True)):
-        normal, tangential = (
-            next(
-                force
-                for force in forces
-                if (force.name, force.kind, force.body) == (contact.name, kind, contact.first)
-            )
-            for kind in ("N", "T")
-        )
+        normal, tangential = (acting[contact.name, kind, contact.first] for kind in ("N", "T"))
         x, y = centres[number] + float(joint.drive.first_radius[k]) * np.array(normal.place)
         entries.append(
             {

@@ -63,24 +63,9 @@ class Computations:
             self._waiting -= 1
 
     async def run(self, function: Callable[..., Computed], *arguments: Any) -> Computed:
-        """Run a computation and wait for it.
+        """What a computation returns, of a function and its arguments, once its turn has come.
 
-        Parameters
-        ----------
-        function : callable
-            What to run.
-        *arguments
-            Its arguments.
-
-        Returns
-        -------
-        object
-            What it returned.
-
-        Raises
-        ------
-        BusyError
-            If the queue is full, or the answer does not come in time; a computation that has not begun is dropped.
+        :class:`BusyError` if the queue is full, or the answer does not come in time; what has not begun is dropped.
         """
         future = self.submit(function, *arguments)
         try:

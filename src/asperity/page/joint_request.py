@@ -14,26 +14,14 @@ import tomlkit
 from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.choices import FINISH, choices_of
-from asperity.joint_file.edited_text import (
-    entered_key_at,
-    leave_out,
-    set_texts,
-    set_words,
-    with_surfaces_of,
-)
+from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words, with_surfaces_of
 from asperity.joint_file.measured_surface import MeasuredCase, case_with_surface
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import type_of
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.section import models_of
 from asperity.joint_file.si_tables import key_at
-from asperity.page.list_changes import (
-    MOST_LOADS,
-    arrange,
-    places_of_lists,
-    rearranged_text,
-    without_lists,
-)
+from asperity.page.list_changes import MOST_LOADS, arrange, places_of_lists, rearranged_text, without_lists
 from asperity.reading import check_depth, parse_toml
 from asperity.surface.measured_roughness import roughness_from_document, two_bodies
 

@@ -117,23 +117,7 @@ class Measurements:
         self._child: Child | None = None
 
     async def run(self, content: bytes, name: str, units: Mapping[str, str]) -> dict[str, Any]:
-        """Wait for :func:`measured_upload`.
-
-        Parameters
-        ----------
-        content, name, units
-            As there.
-
-        Returns
-        -------
-        dict
-            As there.
-
-        Raises
-        ------
-        AsperityError
-            As there, or if too many files wait.
-        """
+        """Wait for :func:`measured_upload`; also an ``AsperityError`` if too many files wait."""
         return await self._waiting.run(measured_upload, content, name, units, self._begun)
 
     def _begun(self, child: Child) -> None:
