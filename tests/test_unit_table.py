@@ -5,8 +5,10 @@ import math
 import pint
 import pytest
 
+from asperity.joint_file.case_types import CASES
+from asperity.joint_file.section import keys_by_path
 from asperity.unit_table import TORQUE_UNITS, Dimension, unit_table
-from asperity.units import parse_quantity
+from asperity.units import from_si, parse_quantity
 
 PINT = pint.UnitRegistry(cache_folder=None)
 
@@ -93,3 +95,17 @@ def test_si_unit_and_example_of_every_dimension_measure_it():
     for dimension in Dimension:
         assert parse_quantity(f"2 {dimension.si_unit}", dimension) == 2.0
         assert math.isfinite(parse_quantity(dimension.example, dimension))
+
+
+def test_units_that_are_offered_measure_their_dimension_those_of_joint_files_among_them():
+    for dimension in Dimension:
+        if dimension is not Dimension.DIMENSIONLESS:
+            for unit in dimension.units:
+                one, none = (parse_quantity(f"{number} {unit}", dimension) for number in (1, 0))
+                assert from_si(one - none, unit) == pytest.approx(1.0, rel=1e-12)
+    for case in CASES.values():
+        for path, key in keys_by_path(case, numbers="all").items():
+            offered = {
+                parse_quantity(f"1 {unit}", key.dimension) for unit in key.dimension.units if key.unit != "1"
+            }
+            assert key.unit == "1" or parse_quantity(f"1 {key.unit}", key.dimension) in offered, path

@@ -26,29 +26,29 @@ TORQUE_UNITS: dict[str, tuple[int, int]] = {
 
 
 class Dimension(Enum):
-    """What a quantity measures: name, SI unit, an example to quote, exponents of m, kg, s, rad and K."""
+    """What a quantity measures: name, SI unit, an example to quote, exponents of m, kg, s, rad and K; units offered."""
 
     DIMENSIONLESS = ("a dimensionless number", "1", "0.12", (0, 0, 0, 0, 0))
-    LENGTH = ("a length", "m", "13.5 mm", (1, 0, 0, 0, 0))
+    LENGTH = ("a length", "m", "13.5 mm", (1, 0, 0, 0, 0), "nm um cm thou in")
     AREA = ("an area", "m^2", "1.2 mm^2", (2, 0, 0, 0, 0))
     VOLUME = ("a volume", "m^3", "2 cm^3", (3, 0, 0, 0, 0))
     CURVATURE = ("a curvature", "1/m", "0.2 1/mm", (-1, 0, 0, 0, 0))
-    ANGLE = ("an angle", "rad", "12 deg", (0, 0, 0, 1, 0))
-    TIME = ("a time", "s", "2 ms", (0, 0, 1, 0, 0))
+    ANGLE = ("an angle", "rad", "12 deg", (0, 0, 0, 1, 0), "arcsec arcmin mrad")
+    TIME = ("a time", "s", "2 ms", (0, 0, 1, 0, 0), "min h")
     FREQUENCY = ("a frequency", "1/s", "50 Hz", (0, 0, -1, 0, 0))
     SPEED = ("a speed", "m/s", "2 m/s", (1, 0, -1, 0, 0))
-    ANGULAR_VELOCITY = ("an angular velocity", "rad/s", "6000 rpm", (0, 0, -1, 1, 0))
+    ANGULAR_VELOCITY = ("an angular velocity", "rad/s", "6000 rpm", (0, 0, -1, 1, 0), "deg/s")
     MASS = ("a mass", "kg", "25 g", (0, 1, 0, 0, 0))
-    MOMENT_OF_INERTIA = ("a moment of inertia", "kg*m^2", "2e-6 kg*m^2", (2, 1, 0, 0, 0))
-    DENSITY = ("a density", "kg/m^3", "7850 kg/m^3", (-3, 1, 0, 0, 0))
-    FORCE = ("a force", "N", "1000 N", (1, 1, -2, 0, 0))
-    FORCE_PER_TORQUE = ("a force per torque", "N/Nm", "150 N/Nm", (-1, 0, 0, 0, 0))
-    TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0, 0))
-    PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0, 0))
-    VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0, 0))
-    INVERSE_PRESSURE = ("a reciprocal pressure", "1/Pa", "20 1/GPa", (1, -1, 2, 0, 0))
+    MOMENT_OF_INERTIA = ("a moment of inertia", "kg*m^2", "2e-6 kg*m^2", (2, 1, 0, 0, 0), "g*cm^2")
+    DENSITY = ("a density", "kg/m^3", "7850 kg/m^3", (-3, 1, 0, 0, 0), "g/cm^3 lb/in^3")
+    FORCE = ("a force", "N", "1000 N", (1, 1, -2, 0, 0), "kN kgf lbf")
+    FORCE_PER_TORQUE = ("a force per torque", "N/Nm", "150 N/Nm", (-1, 0, 0, 0, 0), "kN/Nm")
+    TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0, 0), "N*mm kN*m lbf*in lbf*ft")
+    PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0, 0), "kPa GPa bar psi ksi")
+    VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0, 0), "cP")
+    INVERSE_PRESSURE = ("a reciprocal pressure", "1/Pa", "20 1/GPa", (1, -1, 2, 0, 0), "1/MPa")
     POWER = ("a power", "W", "100 W", (2, 1, -3, 0, 0))
-    STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0, 0))
+    STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0, 0), "N/um kN/mm lbf/in")
     TORSIONAL_STIFFNESS = ("a torsional stiffness", "N*m/rad", "8.6 N*m/arcmin", (2, 1, -2, -1, 0))
     TORSIONAL_STIFFNESS_PER_MASS = (
         "a torsional stiffness per mass",
@@ -63,17 +63,18 @@ class Dimension(Enum):
         (-1, 1, -2, -1, 0),
     )
     TEMPERATURE_RISE = ("a temperature difference", "K", "2 K", (0, 0, 0, 0, 1))
-    TEMPERATURE = ("a temperature", "degC", "20 degC", (0, 0, 0, 0, 1))  # counted from 0 degC, also inside
-    THERMAL_EXPANSION = ("a thermal expansion coefficient", "1/K", "11.5e-6 1/K", (0, 0, 0, 0, -1))
+    TEMPERATURE = ("a temperature", "degC", "20 degC", (0, 0, 0, 0, 1), "K")  # from 0 degC, also inside
+    THERMAL_EXPANSION = ("a thermal expansion coefficient", "1/K", "11.5e-6 1/K", (0, 0, 0, 0, -1), "um/m/K")
     THERMAL_CONDUCTIVITY = ("a thermal conductivity", "W/m/K", "21 W/m/K", (1, 1, -3, 0, -1))
-    SPECIFIC_HEAT_CAPACITY = ("a specific heat capacity", "J/kg/K", "475 J/kg/K", (2, 0, -2, 0, -1))
-    STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0, 0))
+    SPECIFIC_HEAT_CAPACITY = ("a specific heat capacity", "J/kg/K", "475 J/kg/K", (2, 0, -2, 0, -1), "J/g/K")
+    STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0, 0), "N/mm^3")
 
-    def __init__(self, label: str, si_unit: str, example: str, exponents: Exponents) -> None:
+    def __init__(self, label: str, si_unit: str, example: str, exponents: Exponents, units: str = "") -> None:
         self.label = label
         self.si_unit = si_unit
         self.example = example
         self.exponents = exponents
+        self.units = tuple(dict.fromkeys([si_unit, example.split(" ")[-1], *units.split()]))
 
 
 @functools.cache

@@ -10,6 +10,8 @@ import pytest
 
 pytestmark = pytest.mark.slow
 
+ROOT = Path(__file__).parents[2]
+
 
 @pytest.fixture(scope="module")
 def axe():
@@ -30,7 +32,11 @@ def test_no_rule_is_broken(page, axe, theme, width):
     page.set_viewport_size({"width": width, "height": 900})
     page.locator("#theme").select_option(theme)
     for panel in ("#chart", "#jobs"):
-        page.locator(f"{panel} summary").click()
+        page.locator(f"{panel} > summary").click()
+    page.locator("#compose > summary").click()
+    page.locator("#add-limit").click()
+    page.locator("#compare-file").set_input_files(ROOT / "examples" / "zou2025.toml")
+    page.wait_for_selector("#compared[data-compared]", timeout=300_000)
     page.wait_for_selector("#chart[data-drawn]", timeout=300_000)
     page.evaluate("document.querySelectorAll('#controls details').forEach((each) => { each.open = true; })")
     page.get_by_role("button", name="Add a load").click()

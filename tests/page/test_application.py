@@ -100,11 +100,22 @@ def test_a_measured_surface_makes_the_joint_of_the_command(client, joint_text, z
     report = client.get(f"/api/joint/{answer['id']}/joint.html").text
     assert "Contact laws side by side" in report
     assert "asperity report --surface" in report
+    # compared with the saved file there is no difference, and it is said that a measured surface is compared
+    compared = client.post("/api/compare", json={"one": body, "other": {"toml": text}}).json()
+    assert compared["parts"][0].startswith("Measured surfaces, joint.toml: what the contacts feel")
+    assert compared["document"]["results"] == []
     # the chart goes through the joint
     chart = {"over": "load.preload", "from": "900 N", "to": "1.1 kN", "points": 3}
     drawn = client.post("/api/chart", json=body | {"chart": chart | {"result": "assembly_stiffness_output"}})
     stiffness = saved["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     assert drawn.json()["joint"]["y"] == pytest.approx(stiffness, rel=1e-6)
+
+
+def test_two_joints_are_needed_to_compare_them(client, joint_text):
+    for body in ({"one": {"toml": joint_text}}, [], {"one": {}, "other": {}, "third": {}}):
+        refused = client.post("/api/compare", json=body)
+        assert refused.status_code == 422
+        assert "two joints, 'one' and 'other'" in refused.json()["error"]
 
 
 @pytest.mark.slow

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from asperity.api.comparison import compare
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.reader import parse_case, read_case
@@ -81,7 +82,7 @@ def test_numbers_have_the_digits_of_the_commands(page):
 
 
 def test_a_number_alone_keeps_the_unit_of_its_field(page):
-    script = "([text, other]) => import('/controls.js').then((m) => m.withUnit(text, other))"
+    script = "([text, other]) => import('/units.js').then((m) => m.withUnit(text, other))"
     for text, other, expected in (
         ("5", "4 mm", "5 mm"),
         ("5", "4 mm +- 5 um", "5 mm"),
@@ -99,6 +100,81 @@ def test_a_number_alone_keeps_the_unit_of_its_field(page):
     write(page, "load.preload", "1.2")
     assert field(page, "load.preload").input_value() == "1.2 kN"
     assert card(page) == stiffness(load__preload=1200.0)[0]
+
+
+def test_a_unit_is_chosen_and_kept(page):
+    document = stiffness()[1]
+
+    def choose(path, unit):
+        do(
+            page,
+            lambda: page.get_by_label(f"{path.split('.')[-1].replace('_', ' ')}, unit").select_option(unit),
+        )
+
+    choose("load.preload", "lbf")
+    assert field(page, "load.preload").input_value() == "224.8089430997 lbf"  # 1 lbf = 4.4482216152605 N
+    choose("drive.ring_wall_thickness", "in")
+    assert field(page, "drive.ring_wall_thickness").input_value() == "0.472440944882 in"
+    solved = float(card(page))
+    assert solved == pytest.approx(document, rel=1e-3)
+    found = page.evaluate("fetch(document.getElementById('save-json').href).then((answer) => answer.json())")
+    stiff = found["torsional_stiffness"]["assembly"]["output_Nm_per_arcmin"]
+    assert stiff == pytest.approx(document, rel=1e-11)
+    write(page, "load.preload", "250")
+    assert field(page, "load.preload").input_value() == "250 lbf"
+    choose("load.preload", "N")
+    assert field(page, "load.preload").input_value() == "1112.055403815 N"
+    # back where it came from; a tolerance stays as it is written, and a slider writes in the unit of its field
+    choose("drive.ring_wall_thickness", "mm")
+    assert field(page, "drive.ring_wall_thickness").input_value() == "12 mm"
+    write(page, "drive.ring_wall_thickness", "12 mm +- 5 um")
+    choose("drive.ring_wall_thickness", "in")
+    assert field(page, "drive.ring_wall_thickness").input_value() == "0.472440944882 in +- 5 um"
+    slider = page.get_by_label("ring wall thickness, slider")
+    slider.focus()
+    do(page, lambda: slider.press("ArrowRight"))
+    assert field(page, "drive.ring_wall_thickness").input_value().endswith(" in")
+    # the zero of degrees Celsius; a unit in another spelling; one of another kind
+    script = """async ([text, kind, unit, si]) => {
+        const { UnitPicker } = await import("/units.js");
+        const { units } = await (await fetch("/api/description")).json();
+        return new UnitPicker("x", "x", units[kind], unit).converted(text, si);
+    }"""
+    for text, kind, unit, si, expected in (
+        ("20 degC", "a temperature", "K", None, "293.15 K"),
+        ("293.15 K", "a temperature", "degC", None, "20 degC"),
+        ("5 N·m", "a torque", "N*mm", None, "5000 N*mm"),
+        ("5 N m", "a torque", "N*mm", None, "5000 N*mm"),
+        ("2 inches", "a length", "mm", 0.0508, "50.8 mm"),
+        ("2 inches", "a length", "mm", None, None),
+        ("0.2 1/MPa", "a reciprocal pressure", "1/GPa", None, "200 1/GPa"),
+        ("-1e-3 rad", "an angle", "mrad", None, "-1 mrad"),
+    ):
+        assert page.evaluate(script, [text, kind, unit, si]) == expected
+
+
+def test_two_files_are_compared(page, tmp_path):
+    other = tmp_path / "thinner.toml"
+    other.write_text(FILE.read_text(encoding="utf-8").replace('"12 mm"', '"10 mm"'), encoding="utf-8")
+    page.locator("#compare-file").set_input_files(other)
+    page.wait_for_selector("#compared[data-compared='1']", timeout=300_000)
+    told = page.locator("#compared").inner_text()
+    said = repr(compare(FILE, other))
+    for line in said.splitlines():
+        assert " ".join(line.split()) in " ".join(told.split()) or line.startswith("─"), line
+    assert "drive.ring_wall_thickness\t12 mm\t10 mm\t-16.7 %" in told
+    rows = page.locator("#compared tbody tr").count()
+    page.get_by_label("Every result that differs").check()
+    assert page.locator("#compared tbody tr").count() > 3 * rows
+    # it follows the joint on the page, and says what is wrong with a file
+    write(page, "drive.ring_wall_thickness", "10 mm")
+    page.wait_for_selector("#compared:has-text('The files say the same.')", timeout=60_000)
+    other.write_text("[drive]\n", encoding="utf-8")
+    page.locator("#compare-file").set_input_files(other)
+    page.wait_for_selector("html[data-refused='thinner.toml']")
+    assert "thinner.toml: " in page.locator("#error").inner_text()
+    page.locator("#compared").get_by_role("button", name="Close").click()
+    assert page.locator("#compared").is_hidden()
 
 
 def test_the_joint_in_numbers(page):
@@ -358,7 +434,7 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
 
 
 def test_a_study_shows_its_progress_its_result_and_can_be_stopped(page, tmp_path):
-    page.locator("#jobs summary").click()
+    page.locator("#jobs > summary").click()
     page.locator("#begin-uncertainty").click()
     page.wait_for_selector("#job-message:not(:empty)", timeout=60_000)
     assert "states a tolerance but not its distribution" in page.locator("#job-message").inner_text()

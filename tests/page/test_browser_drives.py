@@ -11,6 +11,9 @@ from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.reader import parse_case
+from asperity.study.design.design import design
+from asperity.study.design.design_file import read_design
+from asperity.study.design.design_result import design_document
 from asperity.units import format_quantity
 
 pytestmark = pytest.mark.slow
@@ -165,6 +168,49 @@ def test_a_design_runs_to_its_end_and_is_put_on_the_page(page, tmp_path):
     changed(page, page.get_by_role("button", name="Put this design on the page").click)
     margins = page.locator("#margins tr", has_text="slip ratio").inner_text()
     assert "0.85" in margins
+
+
+@pytest.mark.long
+def test_a_design_is_composed_and_its_file_gives_the_same(page, tmp_path):
+    page.locator("#jobs > summary").click()
+    page.locator("#compose > summary").click()
+    compose = page.locator("#compose")
+    compose.get_by_role("combobox", name="Free number").select_option("drive.ring_wall_thickness")
+    bounds = compose.get_by_label("from", exact=True), compose.get_by_label("to", exact=True)
+    assert [bound.input_value() for bound in bounds] == ["4 mm", "16 mm"]  # of 8 mm
+    for bound, text in zip(bounds, ("12", "6"), strict=True):
+        bound.fill(text)
+    compose.get_by_role("combobox", name="Aim").select_option("minimise")
+    compose.get_by_role("combobox", name="Result").select_option("mass")
+    page.locator("#add-limit").click()
+    compose.get_by_role("combobox", name="Result").nth(1).select_option("slip_ratio")
+    page.locator("#run-design").click()
+    page.wait_for_selector("#compose .field-error:not(:empty)", timeout=60_000)
+    errors = page.locator("#compose .field-error:not(:empty)").all_inner_texts()
+    assert errors[0] == "the lower bound 12 mm must be below the upper 6 mm"
+    assert errors[1].startswith("expected a dimensionless number")
+    assert page.locator("#compose-message").inner_text() == ""
+    bounds[0].fill("6")
+    bounds[1].fill("12")
+    compose.get_by_label("value").fill("0.85")
+    page.locator("#run-design").click()
+    page.wait_for_selector(".job[data-kind=design] .job-result a", timeout=900_000)
+    assert page.locator("#compose .field-error:not(:empty)").count() == 0
+    saved = {}
+    for role, name in (("link", "Save joint file"), ("button", "Save design file")):
+        with page.expect_download() as waiting:
+            page.get_by_role(role, name=name).click()
+        saved[name] = tmp_path / waiting.value.suggested_filename
+        waiting.value.save_as(saved[name])
+    with page.expect_download() as waiting:
+        page.locator(".job[data-kind=design]").get_by_role("link", name="Save JSON").click()
+    waiting.value.save_as(tmp_path / "design.json")
+    document = json.loads((tmp_path / "design.json").read_text(encoding="utf-8"))
+    problem = read_design(saved["Save design file"])
+    assert (problem.variables[0].lower, problem.variables[0].upper) == (6e-3, 12e-3)
+    assert design_document(design(problem))["objective"]["after"] == pytest.approx(
+        document["objective"]["after"], rel=1e-9
+    )
 
 
 def test_no_rule_of_accessibility_is_broken(page):

@@ -141,6 +141,7 @@ def test_requests_become_files_and_options(joint_text):
 
 def test_a_design_takes_the_joint_of_the_page(joint_text):
     design = 'joint = "/etc/passwd"\n[variables]\n"load.preload" = {lower = "1 N", upper = "2 N"}\n'
+    design += '[objective]\nmaximise = "stiffness"\n'
     job = {"kind": "design", "design": design, "file": "../d.toml"}
     _, _, files, _ = job_request({"toml": joint_text, "job": job})
     (name, text), (own, joint) = files.items()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import re
-from collections.abc import AsyncIterator, Iterable
+from collections.abc import AsyncIterator, Callable, Iterable
 from importlib.resources import files
 from typing import Any
 
@@ -20,6 +20,7 @@ from asperity.errors import AsperityError
 from asperity.joint_file.schema import joint_schema
 from asperity.page.answer import joint_answer, stated_values
 from asperity.page.chart import chart_answer, chart_request, chart_results
+from asperity.page.comparison import comparison_answer, comparison_request
 from asperity.page.computation import MOST_WAITING, Computations, FasterPrograms, KeptAnswers
 from asperity.page.description import description
 from asperity.page.guard import App, Guard, parsed, problem, refusal, require_type
@@ -36,21 +37,8 @@ ASSETS: dict[str, tuple[str, str]] = {
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
         for name in (
-            "main",
-            "state",
-            "controls",
-            "choices",
-            "lists",
-            "heights",
-            "help",
-            "results",
-            "curves",
-            "plots",
-            "chart",
-            "upload",
-            "jobs",
-            "drawing",
-            "numbers",
+            *("main", "state", "controls", "choices", "lists", "heights", "units", "help", "results"),
+            *("curves", "plots", "chart", "upload", "jobs", "compose", "compare", "drawing", "numbers"),
         )
     },
     "/icon.svg": ("icon.svg", "image/svg+xml"),
@@ -108,30 +96,32 @@ def application(
         return JSONResponse(openapi())
 
     async def results(request: Request) -> Response:
-        require_type(request, "application/json")
-        asked = joint_request(parsed(await request.body()))
-        return JSONResponse(await readers.run(chart_results, asked))
+        return JSONResponse(await readers.run(chart_results, joint_request(await _body(request))))
 
     async def schema(request: Request) -> Response:
         return JSONResponse(joint_schema())
 
-    async def joint(request: Request) -> Response:
-        require_type(request, "application/json")
-        asked = joint_request(parsed(await request.body()))
+    async def computed(
+        joints: list[JointRequest], worker: Computations, compute: Callable[..., Any], *asked: Any
+    ) -> Response:
         try:
-            await readers.run(asked.case)
-            return JSONResponse(await computations.run(answered, asked))
+            for one in joints:
+                await readers.run(one.case)
+            return JSONResponse(await worker.run(compute, *asked))
         except AsperityError as error:
-            return problem(error, source=asked.name)
+            return problem(error, source=joints[-1].name)
+
+    async def joint(request: Request) -> Response:
+        asked = joint_request(await _body(request))
+        return await computed([asked], computations, answered, asked)
 
     async def chart(request: Request) -> Response:
-        require_type(request, "application/json")
-        asked = chart_request(parsed(await request.body()))
-        try:
-            await readers.run(asked.joint.case)
-            return JSONResponse(await charts.run(chart_answer, asked))
-        except AsperityError as error:
-            return problem(error, source=asked.joint.name)
+        asked = chart_request(await _body(request))
+        return await computed([asked.joint], charts, chart_answer, asked)
+
+    async def comparison(request: Request) -> Response:
+        joints = comparison_request(await _body(request))
+        return await computed(joints, charts, comparison_answer, *joints)
 
     async def download(request: Request) -> Response:
         kept_answer = kept.get(request.path_params["identity"])
@@ -171,6 +161,7 @@ def application(
         Route("/api/schema", schema, methods=["GET"]),
         Route("/api/joint", joint, methods=["POST"]),
         Route("/api/chart", chart, methods=["POST"]),
+        Route("/api/compare", comparison, methods=["POST"]),
         Route("/api/joint/{identity:str}/joint.{kind}", download, methods=["GET"]),
         *work_routes(jobs, measurements, readers),
     ]
@@ -179,6 +170,12 @@ def application(
     limits = {} if longest_body is None else {"longest_body": longest_body}
     large = {"/api/measure": LARGEST_SURFACE, "/api/open": LARGEST_SURFACE}
     return Guard(app, hosts=hosts, larger_bodies=large, **limits)  # type: ignore[arg-type]
+
+
+async def _body(request: Request) -> Any:
+    """What the JSON document of a request says."""
+    require_type(request, "application/json")
+    return parsed(await request.body())
 
 
 # handlers that are no coroutines would run in threads of their own

@@ -60,10 +60,17 @@ def result_rows(table: Mapping[str, Result]) -> dict[str, tuple[Result, int]]:
     }
 
 
-def chart_results(joint: JointRequest) -> list[dict[str, str]]:
+def chart_results(joint: JointRequest) -> list[dict[str, Any]]:
     """What charts of a joint can show, for the lists of the page."""
     return [
-        {"name": name, "label": _label(result, index), "unit": _unit(result), "group": result.group}
+        {
+            "name": name,
+            "label": _label(result, index),
+            "unit": _unit(result),
+            "group": result.group,
+            # of a design: goals and limits are about all rows of a result
+            "design": {"name": result.name, "label": result.label} if result.differentiable else None,
+        }
         for name, (result, index) in result_rows(results_of(si_values(joint.case()))).items()
     ]
 

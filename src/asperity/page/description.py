@@ -17,7 +17,7 @@ from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import keys_by_path, meaning, models_of
 from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
-from asperity.units import from_si, parse_quantity
+from asperity.units import Dimension, from_si, parse_quantity
 
 #: Section of a joint file → heading of its group, in the order of the page.
 HEADINGS = {
@@ -50,6 +50,7 @@ def description() -> dict[str, Any]:
         "asperity_version": asperity.__version__,
         **_form(WedgeCase, tuple(CHOICES.items())),
         "contacts": list(CONTACTS[WEDGE_TYPE]),
+        "units": {quantity.label: _units(quantity) for quantity in Dimension if quantity.si_unit != "1"},
         "materials": [
             {"name": name, "description": entry.description, "reference": entry.reference}
             for name, entry in read_materials().items()
@@ -67,6 +68,12 @@ def description() -> dict[str, Any]:
             for name, entry in read_finishes().items()
         ],
     }
+
+
+def _units(dimension: Dimension) -> list[dict[str, Any]]:
+    """The units offered for a quantity, from the smallest: how many make an SI unit, and where they begin [SI]."""
+    units = [(from_si(1.0, unit), unit, parse_quantity(f"0 {unit}", dimension)) for unit in dimension.units]
+    return [{"per_si": one, "unit": unit, "zero": zero} for one, unit, zero in sorted(units, reverse=True)]
 
 
 def form_of(case: Case) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from asperity.errors import AsperityError, InputError, quoted
+from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import parse_distribution
 from asperity.page.child import Child, StoppedError, file_name
 from asperity.page.computation import BusyError
@@ -49,16 +50,9 @@ class Job:
     def told(self) -> dict[str, Any]:
         """Its state for the page, without the result."""
         now = self.ended if self.ended is not None else time.monotonic()
-        return {
-            "id": self.identity,
-            "kind": self.kind,
-            "name": self.name,
-            "state": self.state,
-            "done": self.done,
-            "total": self.total,
-            "seconds": round(now - self.started, 1) if self.started is not None else 0.0,
-            "message": self.message,
-        }
+        seconds = round(now - self.started, 1) if self.started is not None else 0.0
+        told = ("kind", "name", "state", "done", "total", "message")
+        return {"id": self.identity, "seconds": seconds} | {name: getattr(self, name) for name in told}
 
     def progressed(self, done: int, total: int) -> None:
         """What is done, of all that is to be done."""
@@ -166,7 +160,7 @@ def job_request(body: Any) -> tuple[str, JointRequest, dict[str, bytes], dict[st
     if kind == "sensitivity":
         return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text}, {}
     if kind == "design":
-        return kind, joint, _design_files(job, text), {}
+        return kind, joint, _design_files(job, text, case), {}
     samples, seed, distribution = job.get("samples", 1000), job.get("seed", 0), job.get("distribution", "")
     for name, value, low, high in (
         ("samples", samples, FEWEST_SAMPLES, MOST_SAMPLES),
@@ -184,9 +178,11 @@ def job_request(body: Any) -> tuple[str, JointRequest, dict[str, bytes], dict[st
     return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text}, options
 
 
-def _design_files(job: dict[str, Any], joint_text: bytes) -> dict[str, bytes]:
-    """The design file, whose joint is replaced by that of the page, and the joint file."""
+def _design_files(job: dict[str, Any], joint_text: bytes, case: Case) -> dict[str, bytes]:
+    """The design file, checked, whose joint is replaced by that of the page, and the joint file."""
     import tomlkit
+
+    from asperity.study.design.design_file import design_from_tables
 
     text, name = job.get("design"), job.get("file", "design.toml")
     if not isinstance(text, str) or not isinstance(name, str):
@@ -196,4 +192,8 @@ def _design_files(job: dict[str, Any], joint_text: bytes) -> dict[str, bytes]:
     document = tomlkit.parse(text)
     joint_file = "page-joint.toml" if name != "page-joint.toml" else "joint.toml"
     document["joint"] = joint_file
+    try:
+        design_from_tables(document.unwrap(), case=case)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
     return {name: tomlkit.dumps(document).encode(), joint_file: joint_text}

@@ -102,8 +102,7 @@ _SECTIONS = {
     "meaning": _TEXT,
     "keys": _list(_TEXT, description="Of each section, in their order."),
     "one_for_each": _said(
-        _TEXT_OR_NULL,
-        "Dotted path of the number of sections that the list has to have; null for any number.",
+        _TEXT_OR_NULL, "Dotted path of the number of sections that the list has to have; null for any number."
     ),
     "most": _said(_INTEGER, "Largest number of sections."),
     "of_file": _list(_by_name(_TEXT), description="What each section of the file says, without the changes."),
@@ -144,6 +143,7 @@ def openapi() -> Schema:
 
 def _joint_paths() -> Schema:
     """Addresses that answer about a joint."""
+    parts = _list({"type": ["string", "object"]})
     kinds = {"enum": ["toml", "json", "html", "pdf"]}
     files = ("application/toml", "application/json", "text/html", "application/pdf")
     return {
@@ -163,6 +163,20 @@ def _joint_paths() -> Schema:
             "One number of the joint file against one result, by the evaluator of 'asperity sweep'.",
             _request_schema(chart=_chart_schema()),
             _json(_ref("Chart"), "Curves; SI units, and those of displays."),
+        ),
+        "/api/compare": _post(
+            "Two joints side by side, as 'asperity compare' prints it, with its JSON document.",
+            _fields(dict.fromkeys(("one", "other"), _ref("Request")), required=["one", "other"]),
+            _json(
+                _fields(
+                    {
+                        "parts": parts,
+                        "all_parts": _said(parts, "With every result that differs."),
+                        "document": _OBJECT,
+                    }
+                ),
+                "Texts, and tables with title, head and rows.",
+            ),
         ),
         "/api/joint/{id}/joint.{kind}": _get(
             f"Joint file, JSON document or report of one of the latest {MOST_KEPT} joints.",
@@ -381,22 +395,12 @@ def _margin_schema() -> Schema:
 
 def _answer_schema() -> Schema:
     curves = (
-        "torque_Nm",
+        *("torque_Nm", "drift_rad_per_output_turn", "efficiency", "total_loss_W", "life_hours"),
         *(f"{name}_Nm_per_rad" for name in ("published", "series_with_bulk", "assembly")),
-        "drift_rad_per_output_turn",
-        "efficiency",
-        "total_loss_W",
-        "life_hours",
-        "life_output_turns",
-        "largest_slip_ratio",
+        *("life_output_turns", "largest_slip_ratio"),
     )
-    windup = (
-        "torque_Nm",
-        "loading_angle_rad",
-        "incremental_stiffness_Nm_per_rad",
-        "unloading_angle_rad",
-        "reloading_angle_rad",
-    )
+    angles = (f"{name}_angle_rad" for name in ("loading", "unloading", "reloading"))
+    windup = ("torque_Nm", "incremental_stiffness_Nm_per_rad", *angles)
     sizes = ("hysteresis_rad", "lost_motion_rad", "dissipated_energy_J")
     return _fields(
         {

@@ -37,11 +37,10 @@ def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -
         name = request.query_params.get("name", "joint.toml")
         content = await request.body()
         kind = await readers.run(recognised, content, name)
+        reading = {"joint": opened_joint, "design": opened_design}
         try:
-            if kind == "joint":
-                return JSONResponse({"kind": kind, **await readers.run(opened_joint, content, name)})
-            if kind == "design":
-                return JSONResponse({"kind": kind, **await readers.run(opened_design, content, name)})
+            if kind in reading:
+                return JSONResponse({"kind": kind, **await readers.run(reading[kind], content, name)})
             return await measured(request, content, name)
         except AsperityError as error:
             return problem(error, source=shown_name(name))

@@ -1,7 +1,7 @@
 // The free chart: any number of the joint file against any result, the baseline behind it, gaps with their reason.
 
 import { label } from "/controls.js";
-import { element, number } from "/numbers.js";
+import { element, number, unitText } from "/numbers.js";
 import { linePlot } from "/plots.js";
 
 const KINDS = ["one", "two", "three", "four", "five"];
@@ -10,6 +10,24 @@ const START = { over: ["load.preload", "load.interference", "load.output_torque"
 
 const SECTIONS = { load: "Load", drive: "Drive", surface: "Surfaces", materials: "Materials", compliance: "Structure" };
 const words = (name) => (name ? name[0].toUpperCase() + name.slice(1).replaceAll("_", " ") : "Other");
+
+/** Options by their group. */
+function grouped(entries) {
+  const groups = new Map();
+  for (const [group, value, text] of entries) {
+    if (!groups.has(group)) groups.set(group, element("optgroup", { label: group }));
+    groups.get(group).append(element("option", { value }, text));
+  }
+  return [...groups.values()];
+}
+
+const ofUnit = (unit) => (unit === "1" ? "" : `, ${unitText(unit)}`);
+
+/** Results of the server as options of a list. */
+export const resultGroups = (results, unit = ofUnit) => grouped(results.map((each) => [words(each.group), each.name, `${each.label}${unit(each.unit)}`]));
+
+/** Numbers of the joint file as options of a list. */
+export const numberGroups = (paths) => grouped(paths.map((path) => [path.split(".")[0], path]).map(([section, path]) => [SECTIONS[section] || words(section), path, label(path)]));
 
 /** Stretches of a horizontal axis without a result, from half-way points to half-way points, with their reason. */
 export function stretches(x, curves, reasons) {
@@ -51,14 +69,8 @@ export class Chart {
     const [ok, results] = await this.post("/api/results", JSON.stringify(state));
     if (!ok) return;
     this.offered = state.toml;
-    const groups = new Map();
-    for (const each of results) {
-      if (!groups.has(each.group)) groups.set(each.group, element("optgroup", { label: words(each.group) }));
-      const unit = each.unit === "1" ? "" : `, ${each.unit.replaceAll("*", "·")}`;
-      groups.get(each.group).append(element("option", { value: each.name }, `${each.label}${unit}`));
-    }
     const kept = this.result.value;
-    this.result.replaceChildren(...groups.values());
+    this.result.replaceChildren(...resultGroups(results));
     this.result.value = results.some((each) => each.name === kept) ? kept : START.result;
   }
 
@@ -119,18 +131,9 @@ export class Chart {
     const paths = Object.keys(this.wanted.answer.numbers).filter((path) => this.controls.sliderOf(path));
     if (this.listed === paths.join()) return;
     this.listed = paths.join();
-    const groups = (first) => {
-      const made = new Map();
-      for (const path of paths) {
-        const section = path.split(".")[0];
-        if (!made.has(section)) made.set(section, element("optgroup", { label: SECTIONS[section] || words(section) }));
-        made.get(section).append(element("option", { value: path }, label(path)));
-      }
-      return first ? [element("option", { value: "" }, first), ...made.values()] : [...made.values()];
-    };
     const kept = [this.over.value, this.family.value];
-    this.over.replaceChildren(...groups(null));
-    this.family.replaceChildren(...groups("none: a single curve"));
+    this.over.replaceChildren(...numberGroups(paths));
+    this.family.replaceChildren(element("option", { value: "" }, "none: a single curve"), ...numberGroups(paths));
     const known = (path, otherwise) => (paths.includes(path) ? path : otherwise);
     this.over.value = known(kept[0], START.over.find((path) => paths.includes(path)) || paths[0]);
     this.family.value = known(kept[1], "");
@@ -215,7 +218,6 @@ export class Chart {
       return;
     }
     this.say("");
-    const unit = (text) => (text === "1" ? "" : `, ${text.replaceAll("*", "·")}`);
     const x = found.x_shown;
     const shades = stretches(x, found.curves, found.reasons);
     const curves = found.curves.map((curve, i) => ({
@@ -229,7 +231,7 @@ export class Chart {
     this.figure.replaceChildren(
       linePlot({
         title: `${words(found.result_label)} over ${label(found.over)}`,
-        x: `${label(found.over)}${unit(found.unit)}`,
+        x: `${label(found.over)}${ofUnit(found.unit)}`,
         y: found.result_unit === "1" ? "ratio or number" : found.result_unit.replaceAll("*", "·"),
         logX: chart.scale === "log" && x[0] > 0 && x.length > 2,
         series: curves,

@@ -4,9 +4,13 @@ import { choiceRows, finishRow, showChoice } from "/choices.js";
 import { Height, isDepth, otherHeight } from "/heights.js";
 import { Lists, sectionOf } from "/lists.js";
 import { element, jsonLink, number, unitText } from "/numbers.js";
+import { UnitPicker, withUnit } from "/units.js";
 
 const OPEN = ["drive", "load", "surface", "bodies"];
 const STEPS = 400;
+const BESIDE = 10; // letters of a field beside its slider; a longer text has a line of its own
+const BELOW = 16; // letters of a field below its slider; a longer text has the whole line
+const DIGITS = 4; // of a slider in another unit than that of its scale
 
 let contacts = []; // names of the contacts of the drive on the page
 
@@ -40,13 +44,6 @@ export function sliderScale(parameter, value) {
   }
   const reach = Math.min(Math.max(2 * Math.abs(value), 2 * Math.abs(example)), highest);
   return scale("linear", value < 0 || lowest < 0 ? Math.max(-reach, lowest) : 0, reach);
-}
-
-/** A text as it is; of a number alone with the unit of another text. */
-export function withUnit(text, other) {
-  const begins = /^\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*/i;
-  const unit = other.replace(begins, "").trimStart().match(/^[^\s±,+\d][^\s±,+]*/);
-  return unit && text && text.replace(begins, "") === "" ? `${text} ${unit[0]}` : text;
 }
 
 function scale(kind, low, high, step = 0) {
@@ -179,6 +176,8 @@ export class Controls {
       title: (!list && parameter.default) || null, // a narrow field cuts its placeholder off
       autocapitalize: "off",
     });
+    const units = this.own.units[parameter.dimension] || [];
+    const picker = units.length > 1 ? new UnitPicker(id, name, units, parameter.unit) : null;
     const slider = element("input", { type: "range", "aria-label": `${name}, slider`, min: 0, step: 1, tabindex: "0" });
     const back = element("button", { type: "button", class: "back", "aria-label": `${name}: back to the file's value`, title: "Back to the file's value" }, "↺");
     const help = element(
@@ -189,28 +188,29 @@ export class Controls {
     const error = element("p", { class: "field-error", id: `${id}-error` });
     const node = element(
       "div",
-      { class: "row", "data-path": path },
+      { class: picker ? "row" : "row bare", "data-path": path },
       element("label", { for: id, title: parameter.meaning }, ...(list ? [name.replace(/, [^,]*$/, ""), element("span", { class: "visually-hidden" }, name.match(/, [^,]*$/)[0])] : [name])),
       slider,
       input,
+      picker && picker.node,
       back,
       help,
       error,
     );
-    const row = { path, node, input, slider, error, text, parameter, list, base: entry ? entry.value : null, shown: "" };
+    const row = { path, node, input, slider, picker, error, text, parameter, list, base: entry ? entry.value : null, shown: "", answered: {} };
     this.rescale(row, row.base);
-    if (list) input.value = row.shown = this.lists.text(row);
+    if (list) this.write(row, this.lists.text(row));
     slider.addEventListener("input", () => {
       const value = row.scale.value(Number(slider.value));
-      input.value = row.shown = text(value);
+      this.write(row, this.inUnit(row, value));
       slider.setAttribute("aria-valuetext", input.value);
       this.changed(path, parameter.unit === "1" ? value : input.value, true, this.lists.balanced(row, value));
     });
     slider.addEventListener("change", () => this.changed(null));
     const commit = () => {
-      const written = withUnit(input.value.trim(), row.shown || unit);
+      const written = withUnit(input.value.trim(), row.shown || (picker ? picker.select.value : unit));
       if (written === row.shown.trim()) return;
-      row.shown = input.value = written;
+      this.write(row, written);
       this.changed(path, written === "" && row.base === null && !list ? null : written);
     };
     input.addEventListener("change", commit);
@@ -218,6 +218,7 @@ export class Controls {
       if (event.key === "Enter") commit();
       if (event.key === "Escape") input.value = row.shown;
     });
+    if (picker) picker.select.addEventListener("change", () => this.convert(row));
     back.addEventListener("click", () => {
       this.changed(path, null);
       const height = this.heights.find((each) => [each.average, each.depth].includes(path));
@@ -225,6 +226,39 @@ export class Controls {
     });
     this.rows.set(path, row);
     return node;
+  }
+
+  /** A value of a slider as text, in the unit that its field has. */
+  inUnit({ picker, parameter, text }, value) {
+    const same = !picker || ["", parameter.unit].includes(picker.select.value);
+    return same ? text(value) : picker.converted(text(value), null, DIGITS);
+  }
+
+  /** Put a text into a field; a long one gets a line of its own, except while its slider moves. */
+  write(row, text) {
+    row.shown = text;
+    if (document.activeElement !== row.input || row.input.value.trim() !== text) row.input.value = text;
+    this.fit(row);
+  }
+
+  fit(row) {
+    if (row.picker) row.picker.follow(row.shown);
+    if (document.activeElement === row.slider) return;
+    row.node.classList.toggle("long", row.shown.length > BESIDE);
+    row.node.classList.toggle("longer", row.shown.length > BELOW);
+  }
+
+  /** The number of a field in the unit that was chosen; an empty field takes it for the next number. */
+  convert(row) {
+    const { picker, shown, answered } = row;
+    const text = picker.converted(shown, answered.text === shown ? answered.si : null) ?? (row.error.textContent ? picker.renamed(shown) : null);
+    if (text === null) {
+      this.fit(row);
+      return;
+    }
+    if (text === shown) return;
+    this.write(row, text);
+    this.changed(row.path, text);
   }
 
   placeholder(parameter, entry, list) {
@@ -242,8 +276,8 @@ export class Controls {
     row.slider.value = row.scale.place(value);
   }
 
-  /** Show the values of an answer; what the user has typed stays as typed. */
-  show(stated, changes) {
+  /** Show the values of an answer to some changes; what the user has typed since stays as typed. */
+  show(stated, changes, asked) {
     this.values = { ...stated.numbers, ...stated.entered };
     const measured = measurement(stated);
     const missing = Object.keys(this.values).some((path) => !this.rows.has(path) && !(measured && path.startsWith("surface.")) && !sectionOf(path) && this.isShown(path, stated));
@@ -262,6 +296,8 @@ export class Controls {
       const entry = this.values[row.path] || (row.list?.name === "branch" ? { value: 0 } : null);
       const typed = changes[row.path];
       row.shown = row.list ? this.lists.text(row) : changed && typeof typed === "string" ? typed : entry ? entry.text || row.text(entry.value) : "";
+      row.answered = { text: asked[row.path] ?? row.shown, si: entry ? entry.si : null };
+      this.fit(row);
       if (document.activeElement !== row.input || row.input.value.trim() === "") row.input.value = row.shown;
       if (!entry) {
         this.rescale(row, null);
@@ -279,6 +315,19 @@ export class Controls {
   sliderOf(path) {
     const row = this.rows.get(path);
     return row && row.scale && !row.slider.disabled ? { ...row.scale, text: row.text } : null;
+  }
+
+  isWhole(path) {
+    return this.rows.get(path).parameter.whole;
+  }
+
+  /** Half and twice a value as texts, within the ends of its slider; these ends where it is not positive. */
+  proposedBounds(path) {
+    const row = this.rows.get(path);
+    const { value } = this.values[path];
+    const { low, high } = row.scale;
+    const ends = value > 0 ? [Math.max(low, value / 2), Math.min(high, 2 * value)] : [low, high];
+    return ends.map((end) => this.inUnit(row, Number(end.toPrecision(DIGITS))));
   }
 
   /** The keys whose place a key takes, as the server says. */

@@ -1,5 +1,6 @@
 // Long computations: begin, watch, stop, and show what came out.
 
+import { Composer } from "/compose.js";
 import { label } from "/controls.js";
 import { element, number, table } from "/numbers.js";
 import { warnings } from "/results.js";
@@ -22,8 +23,8 @@ function shown(unit) {
 }
 
 export class JobList {
-  /** `post(path, body)` asks the server; `takeOver(joint)` puts a designed joint on the page. */
-  constructor(panel, post, takeOver) {
+  /** `post(path, body)` asks the server; `takeOver(joint)` puts a designed joint on the page; `controls` know its numbers. */
+  constructor(panel, post, takeOver, controls) {
     this.panel = panel;
     this.post = post;
     this.takeOver = takeOver;
@@ -44,7 +45,8 @@ export class JobList {
     const field = (id, text, input) => element("div", { class: "field" }, element("label", { for: id }, text), input);
     this.design = begin("Design", "design", "begin-design", () => ({ design: this.designFile.design, file: this.designFile.name }));
     this.design.disabled = true;
-    this.designNote = element("p", { class: "note", id: "design-note" }, "To design, open or drop a design file. Its free numbers, goal and limits are applied to the joint on the page.");
+    this.designNote = element("p", { class: "note", id: "design-note" }, "To design, open or drop a design file, or compose a design below. Its free numbers, goal and limits are applied to the joint on the page.");
+    this.composer = new Composer(controls, post, (job, refused) => this.begin(job, refused));
     this.message = element("p", { class: "note fail", role: "alert", id: "job-message" });
     this.list = element("div", { id: "job-list" });
     panel.append(
@@ -57,13 +59,15 @@ export class JobList {
       ),
       this.designNote,
       this.message,
+      this.composer.node,
       this.list,
     );
   }
 
   /** The joint on the page; results of another one are marked. */
-  follow(state) {
+  follow(state, answer) {
     this.state = state;
+    this.composer.follow(state, answer);
     for (const item of this.items) item.other.hidden = item.state === state;
   }
 
@@ -77,7 +81,8 @@ export class JobList {
     this.design.focus();
   }
 
-  async begin(job) {
+  /** Begin a study; `refused` is called with the reason where the server refuses it. */
+  async begin(job, refused = (text) => { this.message.textContent = text; }) {
     this.message.textContent = "";
     const state = this.state;
     let ok;
@@ -85,11 +90,11 @@ export class JobList {
     try {
       [ok, found] = await this.post("/api/jobs", JSON.stringify({ ...state, job }));
     } catch {
-      this.message.textContent = "The server does not answer.";
+      refused("The server does not answer.");
       return;
     }
     if (!ok) {
-      this.message.textContent = found.error;
+      refused(found.error);
       return;
     }
     this.watch(found, state);

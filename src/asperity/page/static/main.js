@@ -1,6 +1,7 @@
 // The page: asks the server about the joint, the newest request wins, and keeps address, undo and baseline.
 
 import { Chart } from "/chart.js";
+import { Comparison } from "/compare.js";
 import { Controls } from "/controls.js";
 import { showHelp } from "/help.js";
 import { JobList } from "/jobs.js";
@@ -19,6 +20,7 @@ let controls = null;
 let chart = null;
 let jobs = null;
 let uploads = null;
+let comparison = null;
 let answer = null; // of the joint on the screen
 let baseline = null;
 let shown = null; // state of the joint on the screen
@@ -75,7 +77,7 @@ async function askOnce(state) {
       answer = found;
       if (state.toml !== shownText) controls.build(found); // another file
       shownText = state.toml;
-      controls.show(found, history.state.changes);
+      controls.show(found, history.state.changes, state.changes);
       controls.showErrors({});
       showError("");
       showAnswer(found, baseline);
@@ -109,7 +111,8 @@ async function askOnce(state) {
 
 /** What is computed beside the joint follows it. */
 function followed() {
-  jobs.follow(shown);
+  jobs.follow(shown, answer);
+  comparison.follow(shown);
   chart.follow(shown, answer, baseline ? { answer: baseline, state: baselineState } : null);
 }
 
@@ -249,6 +252,11 @@ function refused(text, name) {
   page.dataset.refused = name;
 }
 
+/** A file was opened: what an earlier one was refused for is gone. */
+function opened() {
+  if (page.dataset.state === "ready") showError("");
+}
+
 function pin() {
   baseline = baseline ? null : answer;
   baselineState = shown;
@@ -271,11 +279,13 @@ function connect() {
   get("undo").addEventListener("click", () => step(-1));
   get("redo").addEventListener("click", () => step(1));
   get("pin").addEventListener("click", () => answer && pin());
-  get("open-file").addEventListener("change", (event) => {
-    const [file] = event.target.files;
-    event.target.value = "";
-    if (file) uploads.open(file);
-  });
+  for (const [id, take] of [["open-file", uploads], ["compare-file", comparison]]) {
+    get(id).addEventListener("change", (event) => {
+      const [file] = event.target.files;
+      event.target.value = "";
+      if (file) take.open(file);
+    });
+  }
   for (const [kind, what] of [["toml", "The joint file"], ["json", "The JSON document"]]) {
     get(`save-${kind}`).addEventListener("click", () => say(answer ? savedWords(what) : NOTHING));
   }
@@ -325,7 +335,7 @@ async function begin() {
   controls = new Controls(get("controls"), described, changed, changedTogether, () => takeSurfaces([]));
   controls.build(described.start);
   showHelp(get("controls"));
-  jobs = new JobList(get("jobs"), post, takeJoint);
+  jobs = new JobList(get("jobs"), post, takeJoint, controls);
   uploads = new Uploads(get("measured"), {
     post,
     say,
@@ -333,9 +343,10 @@ async function begin() {
     design: (found) => jobs.offerDesign(found),
     surface: (found, beside = []) => takeSurfaces([...beside, found]),
     surfaces: () => history.state.surfaces,
-    opened: () => page.dataset.state === "ready" && showError(""), // what an earlier file was refused for
+    opened,
     fail: refused,
   });
+  comparison = new Comparison(get("compared"), post, opened, refused);
   chart = new Chart(get("chart"), controls, post);
   history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {}, surfaces: [] });
   connect();

@@ -42,6 +42,13 @@ export function jsonLink(label, name, text) {
   return element("a", { class: "button", download: `${name}.json`, href }, label);
 }
 
+/** Save a text as a file. */
+export function saveText(name, text, type) {
+  const link = element("a", { download: name, href: URL.createObjectURL(new Blob([text], { type })) });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
 /** An element of SVG. */
 export function svg(name, attributes = {}, ...children) {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);

@@ -14,7 +14,7 @@ from asperity.joint_file.any_joint import results_of, rows_of_file
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
 from asperity.joint_file.parts import layout_of
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.si_tables import Values, key_at, numeric_keys, si_values
+from asperity.joint_file.si_tables import AnyCase, Values, key_at, numeric_keys, si_values
 from asperity.library import read_finishes
 from asperity.reading import read_toml
 from asperity.results import LEVELS, RESULTS, Result, known_result, name_at_level
@@ -75,8 +75,10 @@ class _Errors:
             raise InputError(listed(self.messages))
 
 
-def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProblem:
-    """Check the tables of a design file."""
+def design_from_tables(
+    tables: Mapping[str, Any], *, folder: Path = Path(), case: AnyCase | None = None
+) -> DesignProblem:
+    """Check the tables of a design file, with its joint file in a ``folder``, or with the ``case`` in its place."""
     errors = _Errors()
     with errors.gathered():
         _only(tables, _SECTIONS, "")
@@ -88,7 +90,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     with errors.gathered():
         if not isinstance(tables["joint"], str):
             raise InputError(f"joint: expected the path of a joint file as text, got {tables['joint']!r}")
-        case = read_case(folder / tables["joint"])
+        case = case or read_case(folder / tables["joint"])
         values = si_values(case)
         kind, known = type_of(values), results_of(values)
     level = tables.get("level", "assembly")

@@ -1,0 +1,34 @@
+"""Two joints side by side on the page, as ``asperity compare`` shows them."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from asperity.api.comparison import compare
+from asperity.api.joint import DescribedJoint
+from asperity.api.shown import Table
+from asperity.errors import InputError
+from asperity.page.joint_request import JointRequest, joint_request
+
+
+def comparison_request(body: Any) -> list[JointRequest]:
+    """The two joints of a JSON body, checked."""
+    if not isinstance(body, dict) or set(body) != {"one", "other"}:
+        raise InputError("the body must be a JSON object with two joints, 'one' and 'other'")
+    return [joint_request(body[side]) for side in ("one", "other")]
+
+
+def comparison_answer(one: JointRequest, other: JointRequest) -> dict[str, Any]:
+    """What differs: ``parts``, texts and tables with the main results, ``all_parts``, and the ``document``."""
+    names = one.name, other.name if other.name != one.name else f"{other.name}, second file"
+    joints = dict(zip(names, (one, other), strict=True))
+    comparison = compare(*(DescribedJoint(joint.solved_case(), name) for name, joint in joints.items()))
+    measured = " and ".join(name for name, joint in joints.items() if joint.surfaces)
+    felt = [f"Measured surfaces, {measured}: what the contacts feel of them under the torque is compared."]
+
+    def plain(parts: list[str | Table]) -> list[Any]:
+        return felt * bool(measured) + [part if isinstance(part, str) else asdict(part) for part in parts]
+
+    full, document = comparison.tables(in_full=True), comparison.document()
+    return {"parts": plain(comparison.tables()), "all_parts": plain(full), "document": document}
