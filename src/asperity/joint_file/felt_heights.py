@@ -93,7 +93,9 @@ def with_surfaces(case: Case, lengths: dict[str, dict[str, str]]) -> Case:
     except ValidationError as error:
         (problem, *_) = error.errors()
         said = f"{problem['loc'][0]}: {problem['msg'].removeprefix('Value error, ')}"
-        raise InputError(f"the measured surface makes {said}; check the units of the measured heights") from None
+        raise InputError(
+            f"the measured surface makes {said}; check the units of the measured heights"
+        ) from None
     return case.model_copy(update={"surface": surface}).with_text("")
 
 
@@ -115,14 +117,8 @@ def _felt(spectra: tuple[HeightSpectrum, ...], *, width: float, length: float) -
         raise InputError(
             f"{sources}: all heights are equal, there is no roughness of which a contact law knows"
         )
-    return Felt(
-        math.sqrt(square),
-        0.5 * math.sqrt(variance) / square,
-        width,
-        tuple(axial),
-        long / square,
-        tuple(squares),
-    )
+    deviation = 0.5 * math.sqrt(variance) / square
+    return Felt(math.sqrt(square), deviation, width, tuple(axial), long / square, tuple(squares))
 
 
 def assumed_heights(measured: MeasuredRoughness, felt: dict[str, Felt]) -> list[str]:

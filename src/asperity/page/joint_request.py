@@ -14,26 +14,14 @@ import tomlkit
 from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.choices import FINISH, choices_of
-from asperity.joint_file.edited_text import (
-    entered_key_at,
-    leave_out,
-    set_texts,
-    set_words,
-    with_surfaces_of,
-)
+from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words, with_surfaces_of
 from asperity.joint_file.measured_surface import MeasuredCase, case_with_surface
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import type_of
 from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.section import models_of
 from asperity.joint_file.si_tables import key_at
-from asperity.page.list_changes import (
-    MOST_LOADS,
-    arrange,
-    places_of_lists,
-    rearranged_text,
-    without_lists,
-)
+from asperity.page.list_changes import MOST_LOADS, arrange, places_of_lists, rearranged_text, without_lists
 from asperity.reading import check_depth, parse_toml
 from asperity.surface.measured_roughness import roughness_from_document, two_bodies
 
@@ -236,7 +224,9 @@ def joint_request(body: Any) -> JointRequest:
         raise InputError(f"'changes' must be an object of at most {MOST_CHANGES} dotted paths and values")
     for path, value in changes.items():
         if len(path) > LONGEST_VALUE:
-            raise InputError(f"{quoted(path)}: a path has at most {LONGEST_VALUE} characters, got {len(path)}")
+            raise InputError(
+                f"{quoted(path)}: a path has at most {LONGEST_VALUE} characters, got {len(path)}"
+            )
         if isinstance(value, bool) or not isinstance(value, str | int | float):
             raise InputError(f"{path}: a value is text with its unit or a number, got {quoted(value)}")
         if isinstance(value, str) and len(value) > LONGEST_VALUE:
