@@ -111,7 +111,11 @@ def test_a_long_dotted_key_is_refused_before_it_is_parsed(form, dot):
         ("a.json", "{", "not valid JSON: Expecting property name"),
         ("a.json", "9" * 5000, "not valid JSON: a number has too many digits"),
         ("a.toml", f"a = [1, {10**309}]", "a whole number has too many digits; at most 308 are read"),
-        ("a.json", f'{{"a": {{"b": -{10**309}}}}}', "a whole number has too many digits; at most 308 are read"),
+        (
+            "a.json",
+            f'{{"a": {{"b": -{10**309}}}}}',
+            "a whole number has too many digits; at most 308 are read",
+        ),
     ],
 )
 def test_what_is_neither_toml_nor_json(tmp_path, name, text, reason):

@@ -72,6 +72,10 @@ def test_numbers_that_a_user_may_give():
 
 def test_what_is_not_known_has_a_dash_and_what_has_no_end_is_infinite():
     life = NamedQuantity("life", "life", math.nan, Dimension.TIME, "h")
-    slip = NamedQuantity("slip", "slip", np.array([math.inf, -math.inf]), Dimension.FORCE, "N", rows=("a", "b"))
-    first = NamedQuantity("limiting", "slips first", math.nan, Dimension.DIMENSIONLESS, "1", categories=("sp",))
+    slip = NamedQuantity(
+        "slip", "slip", np.array([math.inf, -math.inf]), Dimension.FORCE, "N", rows=("a", "b")
+    )
+    first = NamedQuantity(
+        "limiting", "slips first", math.nan, Dimension.DIMENSIONLESS, "1", categories=("sp",)
+    )
     assert (str(life), str(first), str(slip)) == ("–", "–", "a infinite, b -infinite")

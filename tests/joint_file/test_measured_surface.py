@@ -215,7 +215,9 @@ def test_a_flat_surface_is_one_message(example_case):
 def test_heights_beyond_those_of_a_joint_file_are_one_message(example_case, size):
     profile = size * np.random.default_rng(1).normal(size=(1, 100))
     spectrum = spectrum_of_profiles(profiles=profile, spacing=1e-6, lay="axis", source="x")
-    with pytest.raises(InputError, match=r"makes rms_height: .* um is not allowed; it must be at least .* units"):
+    with pytest.raises(
+        InputError, match=r"makes rms_height: .* um is not allowed; it must be at least .* units"
+    ):
         case_with_surface(example_case, roughness(spectrum))
 
 
