@@ -148,3 +148,12 @@ def test_a_bore_that_is_not_known_is_said(call, joint_file, tmp_path):
     assert "warning" in outcome.err
     assert "thermal_expansion of steel" in outcome.err
     assert "⌀80 less 2 × interference" in texts_of(tmp_path / "d.dxf")
+
+
+@pytest.mark.filterwarnings("default:Glyph")
+def test_a_letter_that_the_font_lacks_is_a_note_without_a_place_in_a_source(call, zou_file, tmp_path):
+    told = call("draw", zou_file, "--out", tmp_path / "a.svg", "--project", "\u6f22")
+    assert told.code == 0
+    assert "asperity: note: Glyph" in told.err
+    assert "Warning" not in told.err
+    assert ".py" not in told.err

@@ -173,14 +173,15 @@ def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
 
     def unbalanced(joint):
         solution = real(joint)
-        result = dataclasses.replace(solution.result, solved=np.asarray(False))
+        forces = dataclasses.replace(solution.result.forces, balance_residual=np.asarray(np.inf))
+        result = dataclasses.replace(solution.result, solved=np.asarray(False), forces=forces)
         return dataclasses.replace(solution, result=result)
 
     monkeypatch.setattr(solving, "solution_of", unbalanced)
     outcome = call("joint", joint_file())
     assert outcome.code == 3
     assert outcome.out == ""
-    assert "no balance under 5 N·m was found" in outcome.err
+    assert "no balance under 5 N·m was found; lower the torque" in outcome.err  # no residual that is infinite
 
 
 def test_picture_of_budget_levels_and_margins(call, joint_file, tmp_path):

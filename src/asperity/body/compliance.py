@@ -23,12 +23,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.body.annulus_modes import (
-    ModeCompliance,
-    Wall,
-    added_compliance,
-    support_weights,
-)
+from asperity.body.annulus_modes import ModeCompliance, Wall, added_compliance, support_weights
 from asperity.body.punch import LARGEST_PUNCH_ARGUMENT, distance_moments, punch_factor
 from asperity.body.rigid_modes import translation_compliance, uniform_compliance
 from asperity.body.rim_kernel import RimSums, self_sums, separated_sums

@@ -13,12 +13,13 @@ import importlib
 import signal
 import sys
 import threading
+import warnings
 from typing import Any
 
 import click
 
 from asperity.cli.terminal import checked_output, silence
-from asperity.errors import RUNNING, AsperityError
+from asperity.errors import RUNNING, AsperityError, printable
 
 #: Command name → one-line help, shown without importing the module of the command, which has its name.
 COMMANDS: dict[str, str] = {
@@ -125,13 +126,19 @@ def _terminate(number: int, frame: Any) -> None:
     raise Terminated
 
 
+def _note(message: Any, *_: Any, **__: Any) -> None:
+    """Say what a package warns of in a line, without the place in its source."""
+    click.echo(f"asperity: note: {printable(str(message))}", err=True)
+
+
 def main() -> None:
     """Entry point of the ``asperity`` command."""
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGTERM, _terminate)
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS)
     atexit.register(gc.freeze)  # a process that ends need not look through its objects once more
-    with checked_output():
+    with checked_output(), warnings.catch_warnings():
+        warnings.showwarning = _note
         code = _run()
     sys.exit(code)
 

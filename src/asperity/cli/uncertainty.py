@@ -7,13 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
-from asperity.cli.terminal import (
-    json_option,
-    plot_option_of,
-    prepare_computation,
-    print_json,
-    save_image,
-)
+from asperity.cli.terminal import json_option, plot_option_of, prepare_computation, print_json, save_image
 from asperity.writing import check_image
 
 if TYPE_CHECKING:

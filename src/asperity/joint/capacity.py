@@ -12,12 +12,7 @@ import numpy as np
 from jax import Array
 
 from asperity.body.rim_moments import WIDEST_CONTACT
-from asperity.drive.state.first_limit import (
-    FirstLimit,
-    first_limit,
-    first_limit_of_numbers,
-    slip_ratio,
-)
+from asperity.drive.state.first_limit import FirstLimit, first_limit, first_limit_of_numbers, slip_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
 from asperity.joint.assembled import Pressed

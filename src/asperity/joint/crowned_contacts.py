@@ -9,12 +9,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.carter import gross_slip_creepage, slip_ratio_at_creepage
-from asperity.contact.crowned_line import (
-    CrownedLine,
-    CrownedLines,
-    crown_compliance,
-    crowned_line,
-)
+from asperity.contact.crowned_line import CrownedLine, CrownedLines, crown_compliance, crowned_line
 from asperity.contact.crowned_shear import crown_shear_compliance
 from asperity.contact.interface import RoughContact
 from asperity.contact.population import ContactFactorModel

@@ -22,22 +22,10 @@ from asperity.drive.stiffness.torsional_stiffness import (
 )
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
-from asperity.joint.description import (
-    Joint,
-    bodies_of_contacts,
-    body_masses,
-    in_motion,
-    joint_contacts,
-)
+from asperity.joint.description import Joint, bodies_of_contacts, body_masses, in_motion, joint_contacts
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.laws import creep_law, creep_under, rolling_load
-from asperity.joint.loading_cam import (
-    CamOfJoint,
-    mean_preload,
-    states_under_torque,
-    turned_cam,
-    with_its_cam,
-)
+from asperity.joint.loading_cam import CamOfJoint, mean_preload, states_under_torque, turned_cam, with_its_cam
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.duty import with_duty_life
 from asperity.rolling.rolling import RollingResult, turning

@@ -14,12 +14,7 @@ from jax import Array
 
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState
 from asperity.drive.state.states import DriveStates, loaded_states, rest_forces
-from asperity.drive.stiffness.loading_cam import (
-    cam_angle,
-    cam_compliance,
-    cam_preload,
-    with_cam,
-)
+from asperity.drive.stiffness.loading_cam import cam_angle, cam_compliance, cam_preload, with_cam
 from asperity.drive.stiffness.torsional_stiffness import Assembly
 from asperity.implicit import SETTLED, settled_root
 from asperity.joint.assembled import Pressed, assembled, pressed_around

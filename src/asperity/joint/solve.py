@@ -230,9 +230,10 @@ def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
             f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity "
             f"{format_quantity(math.copysign(limit, torque), 'N*m')}, at which {words}; {remedy}"
         )
+    residual = float(result.forces.balance_residual)
+    left = f" (residual {residual:.3g})" if math.isfinite(residual) else ""
     raise NoSolutionError(
-        f"no balance under {format_quantity(torque, 'N*m')} was found (residual "
-        f"{float(result.forces.balance_residual):.3g}); lower the torque or the speed"
+        f"no balance under {format_quantity(torque, 'N*m')} was found{left}; lower the torque or the speed"
     )
 
 

@@ -13,11 +13,7 @@ from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.state.state import DriveState
 from asperity.implicit import settled_root
 from asperity.joint.assembled import Pressed, assembled
-from asperity.joint.description import (
-    Joint,
-    UnlikeSectors,
-    joint_contacts,
-)
+from asperity.joint.description import Joint, UnlikeSectors, joint_contacts
 from asperity.types import Real
 
 

@@ -17,11 +17,7 @@ from asperity.joint.description import bearing_names, pin_names
 from asperity.joint.evaluation import evaluated_with_laws
 from asperity.joint.status import joint_status
 from asperity.joint_file import build
-from asperity.joint_file.own_branches import (
-    drive_with_branches,
-    joint_with_branches,
-    parts_with_branches,
-)
+from asperity.joint_file.own_branches import drive_with_branches, joint_with_branches, parts_with_branches
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values, numbers, table_structure, with_numbers
 from asperity.results import Result, result_values

@@ -10,14 +10,7 @@ from asperity.joint_file import limits
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, Section
-from asperity.joint_file.sections import (
-    BodyLength,
-    ContactLength,
-    CrownRadius,
-    Friction,
-    Length,
-    Skew,
-)
+from asperity.joint_file.sections import BodyLength, ContactLength, CrownRadius, Friction, Length, Skew
 from asperity.units import format_quantity
 
 #: The name of a roller or a contact.

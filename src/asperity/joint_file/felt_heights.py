@@ -162,14 +162,8 @@ def _felt(spectra: tuple[HeightSpectrum, ...], *, width: float, length: float) -
         square, variance, long = square + one, variance + deviation**2, long + one - short
         axial.append(limit)
         squares.append(one)
-    return Felt(
-        math.sqrt(square),
-        0.5 * math.sqrt(variance) / square,
-        width,
-        tuple(axial),
-        long / square,
-        tuple(squares),
-    )
+    deviation = 0.5 * math.sqrt(variance) / square
+    return Felt(math.sqrt(square), deviation, width, tuple(axial), long / square, tuple(squares))
 
 
 def assumed_heights(measured: MeasuredRoughness, felt: dict[str, Felt]) -> list[str]:

@@ -11,12 +11,7 @@ from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.unfolding import unfolded
 from asperity.implicit import SETTLED
 from asperity.joint.unfolding import SectorSizes, settled_sectors, unfolded_joint
-from asperity.joint_file.build import (
-    added_by_branches,
-    deviations_of,
-    joint_from_case,
-    joint_from_values,
-)
+from asperity.joint_file.build import added_by_branches, deviations_of, joint_from_case, joint_from_values
 from asperity.joint_file.parts import layout_of
 from asperity.joint_file.si_tables import AnyCase, Values, si_values
 

@@ -13,14 +13,7 @@ from jax import Array
 
 from asperity.drive.layout.wedge import wedges
 from asperity.errors import InputError
-from asperity.results import (
-    contact_rows,
-    drive_rows,
-    limit_rows,
-    load_rows,
-    rolling_rows,
-    stiffness_rows,
-)
+from asperity.results import contact_rows, drive_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
 

@@ -29,17 +29,7 @@ from asperity.show.drive_sizes import (
 from asperity.show.drive_view import drive_view, reach_of, write_contact_names
 from asperity.show.free_bodies import free_bodies
 from asperity.show.section_view import draw_section, drive_section, planes
-from asperity.show.sheet import (
-    TEXT_HEIGHT,
-    Circle,
-    Dimension,
-    Item,
-    Line,
-    Point,
-    Sheet,
-    Text,
-    standard_scale,
-)
+from asperity.show.sheet import TEXT_HEIGHT, Circle, Dimension, Item, Line, Point, Sheet, Text, standard_scale
 from asperity.show.sheet_figure import text_width
 from asperity.show.taken import Box, Taken, text_box
 from asperity.show.title_block import BLOCK_HEIGHT, MARGIN, Title, frame, title_block

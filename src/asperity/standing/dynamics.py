@@ -9,11 +9,7 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import speed_ratio
-from asperity.drive.structure.dynamics import (
-    dynamic_stiffness,
-    frequency_response,
-    natural_frequencies,
-)
+from asperity.drive.structure.dynamics import dynamic_stiffness, frequency_response, natural_frequencies
 from asperity.errors import InputError
 from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import Joint

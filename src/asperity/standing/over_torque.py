@@ -23,12 +23,7 @@ from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, in_motion, joint_contacts
 from asperity.joint.evaluation import assembled_joint
 from asperity.joint.laws import creep_law, creep_under, drive_load, rolling_load
-from asperity.joint.loading_cam import (
-    CamOfJoint,
-    pressed_at,
-    turned_cam,
-    with_its_cam,
-)
+from asperity.joint.loading_cam import CamOfJoint, pressed_at, turned_cam, with_its_cam
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.rolling import turning
 from asperity.rolling.turning import driving_sense, with_driving_sense

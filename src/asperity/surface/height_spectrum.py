@@ -197,16 +197,8 @@ def spectrum_from_document(entry: Any) -> HeightSpectrum:
     if not valid:
         raise InputError("the spectrum of the measurement is damaged: measure again")
     pressed = entry.get("boundary_elements")
-    return HeightSpectrum(
-        first,
-        second,
-        square,
-        independent,
-        lay,
-        is_map,
-        source,
-        None if pressed is None else pressed_map_from_document(pressed),
-    )
+    elements = None if pressed is None else pressed_map_from_document(pressed)
+    return HeightSpectrum(first, second, square, independent, lay, is_map, source, elements)
 
 
 def with_lay(spectrum: HeightSpectrum, lay: Lay | None) -> HeightSpectrum:

@@ -9,15 +9,7 @@ from pathlib import Path
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.contact import (
-    carter,
-    fractal,
-    hertz_line,
-    population,
-    rolling_fatigue,
-    shakedown,
-    stress_peaks,
-)
+from asperity.contact import carter, fractal, hertz_line, population, rolling_fatigue, shakedown, stress_peaks
 from asperity.materials import contact_modulus, tangential_contact_modulus
 from asperity.validation.check import Check, compared
 

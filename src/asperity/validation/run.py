@@ -11,13 +11,7 @@ from typing import Any
 
 import asperity
 from asperity.precision import require_double_precision
-from asperity.validation import (
-    contact_checks,
-    drive_checks,
-    element_checks,
-    paper_checks,
-    roller_checks,
-)
+from asperity.validation import contact_checks, drive_checks, element_checks, paper_checks, roller_checks
 from asperity.validation.check import Check, failed
 
 #: Name of a group of checks → what computes it.
