@@ -159,7 +159,7 @@ def row(label: str, outcomes: list) -> str:
 
 
 HEADER = (
-    "| surface, estimator, points | D | bias of D | scatter of D | D covered | bias of lg G | "
+    "| surface, estimator, profiles x points | D | bias of D | scatter of D | D covered | bias of lg G | "
     "scatter of lg G | G covered | band [decades] | refused |\n|---|---|---|---|---|---|---|---|---|---|"
 )
 
@@ -197,7 +197,7 @@ def main() -> None:
                     label = f"{kind}, {estimator}, {PROFILES} x {points} | {D}"
                     print(row(label, pool.map(one, tasks, chunksize=5)), flush=True)
         if arguments.table in (None, "bends"):
-            print("\n" + HEADER.replace("estimator, points", "noise, profiles"))
+            print("\n" + HEADER.replace("estimator, profiles x points", "noise, profiles"))
             for kind in ("K-correlation", "flat", "row quarters"):
                 for count in (1, PROFILES):
                     for noise in (0.0, 0.02):
@@ -209,7 +209,7 @@ def main() -> None:
                             label = f"{kind}, noise {noise:g}, {count} | {D}"
                             print(row(label, pool.map(one, tasks, chunksize=5)), flush=True)
         if arguments.table in (None, "instrument"):
-            print("\n" + HEADER.replace("surface, estimator, points", "instrument effect"))
+            print("\n" + HEADER.replace("surface, estimator, profiles x points", "effect"))
             for effect in effects:
                 for D in (1.2, 1.5, 1.8):
                     tasks = [
