@@ -192,7 +192,7 @@ def test_a_changed_file_names_the_measurement_wherever_it_is_written(folder, nam
         ('measurement = "absent.json"', "surface.measurement: .*absent.json"),
         ('measurement = "joint.toml"', "surface.measurement: .*joint.toml.*'asperity surface measure'"),
         ('measurement = "."', "surface.measurement: "),
-        ("measurement = 3", "surface.measurement: expected the name of a JSON file"),
+        ("measurement = 3", "surface.measurement: expected the name of the JSON file"),
         ('measurement = ["a", "b", "c"]', "or a list of two"),
         ('sp.measurement = "roller.json"', "sp.measurement: a measured surface is that of all contacts"),
     ],

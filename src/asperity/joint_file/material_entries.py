@@ -20,7 +20,7 @@ def _named_files(written: Any) -> Any:
     names = tuple(written) if isinstance(written, list | tuple) else (written,)
     if not 0 < len(names) <= 2 or not all(isinstance(name, str) and 0 < len(name) <= 1000 for name in names):
         raise InputError(
-            "expected the name of a JSON file of 'asperity surface measure --json', or a list of two, one for each "
+            "expected the name of the JSON file of a measured surface, or a list of two, one for each "
             f"body, got {quoted(written)}"
         )
     return names
