@@ -385,6 +385,7 @@ def test_shakedown_ratio(rolled):
     assert float(found.shakedown_ratio[0]) == pytest.approx(expected, rel=2e-3)
 
 
+@pytest.mark.slow
 def test_at_rest_only_what_needs_no_time_is_there(rolled):
     found = rolled(conditions(), sun_speed=0.0, **HARD)
     for there in (found.drift_per_output_turn, found.life_turns.drive, found.creepage, found.cycles_per_turn):
