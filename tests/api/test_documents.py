@@ -23,7 +23,7 @@ def test_parts_are_files_beside_it(joint, tmp_path):
     assert len(files) > 3
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_report_is_that_of_the_command(joint, call, zou_file, tmp_path):
     by_call, by_command = tmp_path / "a.html", tmp_path / "b.html"
     assert asperity.write_report(joint, by_call, title={"part": "7"}) == by_call

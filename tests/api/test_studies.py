@@ -102,7 +102,7 @@ def test_an_elasticity_is_a_small_change_of_the_file(joint):
         asperity.plot(found, result="mass")
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_uncertainties_are_those_of_the_command(printed, zou_file):
     file = zou_file.with_name("tutorial_joint.toml")
     found = asperity.uncertainty(

@@ -89,7 +89,7 @@ def test_at_a_torque_it_is_the_drive_with_the_preload_of_that_torque(plain, leas
     assert float(found.result.rest.normal[0]) == pytest.approx(least, rel=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_torque_does_the_work_that_compresses_the_contacts(plain, least):
     """Both works by quadrature, that of the ring force beyond its least one from joints without a cam."""
     largest = 40.0

@@ -309,7 +309,7 @@ def test_downloads_say_the_same_again(client, solve, joint_text):
     assert client.get(f"/api/joint/{answer['id']}/joint.py").status_code == 404
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_report_is_that_of_the_joint(client, solve):
     answer = solve(load__preload="1100 N").json()
     report = client.get(f"/api/joint/{answer['id']}/joint.html")

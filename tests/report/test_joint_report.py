@@ -44,7 +44,7 @@ def test_sections_in_the_order_of_a_review(made):
     assert [block.sheet for block in made.blocks if isinstance(block, Picture)].count(True) == 1
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_page_knows_a_report_and_says_where_its_joint_file_is(made):
     with pytest.raises(InputError, match=r"report of a joint.*in the last section"):
         refuse_downloads(report_html(made).encode(), "joint.html")
@@ -85,7 +85,7 @@ def test_the_report_follows_from_the_file_that_it_contains(made):
     assert typst_source(again, pictures=names) == typst_source(made, pictures=names)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_joint_without_torque_has_a_report_that_says_what_is_absent():
     text = TEXT.replace('"5 N*m"', '"0 N*m"').replace('"6000 rpm"', '"0 rpm"')
     report = report_of(text, title=Title(project="Wrist", date="2026-03-01"))

@@ -106,7 +106,7 @@ def solved_text(text):
     return solved_case(parse_case(text, source="mine.toml"))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_margins_of_drive_and_bearings_are_in_the_list(text):
     joint = solved_text(with_life(text, 1000.0))
     found = {each.result.name: each for each in margins(joint)}

@@ -75,7 +75,7 @@ def cluster(tmp_path):
     made.close()
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_killed_worker_loses_nothing(case, cluster, tmp_path, evaluated_directly):
     from distributed import Client
 

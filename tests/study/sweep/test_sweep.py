@@ -38,7 +38,7 @@ def filled(case, tmp_path_factory):
     return path
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_equals_the_joint_solved_directly(in_memory, evaluated_directly):
     direct = evaluated_directly(AXES)
     slips = ~np.asarray(direct.solved).reshape(5, 3, 2)  # equal coefficients: the first slip ends it
