@@ -64,13 +64,13 @@ export class Composer {
   async opened() {
     if (!this.wanted) return;
     const { state, answer } = this.wanted;
-    if (!this.result) this.build();
     if (this.offered !== state.toml) {
       const [ok, results] = await this.post("/api/results", JSON.stringify(state)).catch(() => [false]);
       if (!ok) return; // the page says why; the next answer asks again
       const known = new Map(results.filter((each) => each.design).map((each) => [each.design.name, { ...each, ...each.design }]));
       this.offered = state.toml;
       this.results = [...known.values()];
+      if (!this.result) this.build(); // its buttons need the results
       for (const select of [this.result, ...this.limits.map((row) => row.select)]) this.offer(select, this.groups(), START.goal);
     }
     const paths = Object.keys(answer.numbers).filter((path) => this.controls.sliderOf(path) && !this.controls.isWhole(path));
