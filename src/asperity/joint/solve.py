@@ -133,10 +133,26 @@ def _states(joint: Joint, programs: _Programs) -> tuple[Pressed, DriveStates]:
 
 
 def solve_joint(joint: Joint) -> Solution:
-    """Solve one joint: its result, with leaves as NumPy arrays, and its torque capacity.
+    """Solve one joint.
 
-    An ``InputError`` is raised if the bodies do not fit or the output torque exceeds the torque capacity, with the
-    numbers; a ``NoSolutionError`` if no balance was found; a ``PrecisionError`` if JAX is in single precision.
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    Solution
+        Its result, with leaves as NumPy arrays, and its torque capacity.
+
+    Raises
+    ------
+    InputError
+        If the bodies do not fit, or the output torque exceeds the torque capacity; with the numbers.
+    NoSolutionError
+        If no balance was found.
+    PrecisionError
+        If JAX is in single precision.
     """
     require_double_precision()
     numbers = refuse_impossible_joint(joint)

@@ -98,25 +98,55 @@ def calibrate(
 ) -> Calibration:
     """Fit unknowns of a joint to a measured curve, or to two of them together.
 
-    ``measurements``: one curve, or one of the joint at rest and one of the joint that turns; ``unknowns``: what is
-    looked for, see :func:`asperity.study.calibration.unknowns.read_unknowns`; ``level``: which stiffness the joint is
-    taken to have; ``history``, "virgin" or "cycled": state of the joint at rest before the first row. ``starts`` of the
-    search, of which the first is the joint file; ``seed`` of the others. ``model_error``: standard deviation of the
-    relative error of the joint's compliance, the same at every torque of a curve [-], by default 0, for data that the
-    model itself has made. ``progress`` is called with the number of finished starts and of all starts. Estimates,
-    intervals, residuals and the combinations of unknowns that are not identifiable come out.
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    measurements : tuple of Measurement
+        The data: one curve, or one of the joint at rest and one of the joint that turns.
+    unknowns : tuple of Variable
+        What is looked for, see :func:`asperity.study.calibration.unknowns.read_unknowns`.
+    level : {"published", "series_with_bulk", "assembly"}
+        Which stiffness the joint is taken to have.
+    history : {"virgin", "cycled"}
+        State of the joint at rest before the first row.
+    starts : int
+        Starts of the search; the first is the joint file.
+    seed : int
+        Of the other starts.
+    model_error : float, optional
+        Standard deviation of the relative error of the joint's compliance, the same at every torque of a curve [-];
+        by default 0, for data that the model itself has made.
+    progress : callable, optional
+        Called with the number of finished starts and of all starts.
 
-    An ``InputError`` is raised if the bodies of the joint do not fit, there are no more data than unknowns, or the
-    error of the model is not from 0 to 1; a ``NoSolutionError`` if no start converged, the sizes of the errors of two
-    curves did not settle, or the fitted joint slips within the measured torques.
+    Returns
+    -------
+    Calibration
+        Estimates, intervals, residuals and the combinations of unknowns that are not identifiable.
 
-    Errors are taken as independent, normal and of one size for each curve, in the measured angle (or stiffness) and not
-    in the torque. The sizes of two curves are estimated from their residuals in turn with the unknowns, until both
+    Raises
+    ------
+    InputError
+        If the bodies of the joint do not fit, there are no more data than unknowns, or the error of the model is not
+        from 0 to 1.
+    NoSolutionError
+        If no start converged, the sizes of the errors of two curves did not settle, or the fitted joint slips within
+        the measured torques.
+
+    Notes
+    -----
+    Errors are taken as independent, normal and of one size for each curve, in the measured angle (or stiffness) and
+    not in the torque. The sizes of two curves are estimated from their residuals in turn with the unknowns, until both
     stand still. Intervals are those of the linearised model, in the logarithm of unknowns that are positive. The error
     of the model, one normal number for each curve, changes the joint's part of the curve as a whole and does not
-    average out over the rows; the estimates shift by the pseudo-inverse of the slopes times this change. What contacts
-    feel of a measured surface stays that of the file. D. M. Bates and D. G. Watts, Nonlinear Regression Analysis, Wiley
-    1988; J. Durbin and G. S. Watson, Biometrika 37 (1950) 409.
+    average out over the rows; the estimates shift by the pseudo-inverse of the slopes times this change. What
+    contacts feel of a measured surface stays that of the file.
+
+    References
+    ----------
+    D. M. Bates and D. G. Watts, Nonlinear Regression Analysis, Wiley 1988; J. Durbin and G. S. Watson,
+    Biometrika 37 (1950) 409.
     """
     from scipy.optimize import least_squares
     from scipy.stats import qmc

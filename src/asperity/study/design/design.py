@@ -38,16 +38,36 @@ _Ended = list[tuple[np.ndarray, EvaluatedDesign, bool]]
 def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | None = None) -> DesignResult:
     """Find the best design that meets all limits in all scenarios; or the smallest violation if none does.
 
-    The result is the best of all starts, rounded where variables have steps; ``feasible`` says whether the limits are
-    met. ``progress`` is called with the number of finished searches and of all; more follow the starts where limits
-    conflict, or where variables are rounded. An ``InputError`` is raised if there are several objectives (see
-    :func:`asperity.study.design.pareto.pareto_front`), a ``NoSolutionError`` if the search ended nowhere, or the joint
-    at its end has no solution.
+    Parameters
+    ----------
+    problem : DesignProblem
+        The problem, with one objective.
+    progress : callable, optional
+        Called with the number of finished searches and of all. More follow the starts where limits conflict, or where
+        variables are rounded.
 
-    The objective at its worst scenario is an extra variable that bounds the objective of every scenario; so the problem
-    stays smooth. A local method from several starts finds a local optimum (the optimality residual is part of the
-    result), and makes a better one elsewhere unlikely, not impossible: D. Kraft, DFVLR-FB 88-28 (1988), SLSQP, as in
-    SciPy; A. R. Conn, N. I. M. Gould and P. L. Toint, Trust-Region Methods, SIAM 2000, for the fallback.
+    Returns
+    -------
+    DesignResult
+        The best of all starts, rounded where variables have steps. ``feasible`` says whether the limits are met.
+
+    Raises
+    ------
+    InputError
+        If there are several objectives (see :func:`asperity.study.design.pareto.pareto_front`).
+    NoSolutionError
+        If the search ended nowhere, or the joint at its end has no solution.
+
+    Notes
+    -----
+    The objective at its worst scenario is an extra variable that bounds the objective of every scenario; so the
+    problem stays smooth. A local method from several starts finds a local optimum (the optimality residual is part of
+    the result), and makes a better one elsewhere unlikely, not impossible.
+
+    References
+    ----------
+    D. Kraft, DFVLR-FB 88-28 (1988), SLSQP, as in SciPy; A. R. Conn, N. I. M. Gould and P. L. Toint, Trust-Region
+    Methods, SIAM 2000, for the fallback.
     """
     require_double_precision()
     if len(problem.objectives) != 1:

@@ -51,21 +51,48 @@ def sweep(
 ) -> xarray.Dataset:
     """Evaluate a joint on a grid.
 
-    ``axes`` are varied, a dimension for each; :func:`asperity.study.parameters.parse_axis` reads them from text.
-    ``results`` or groups of them, e.g. ``("stiffness", "slip_ratio")``, ``("all",)`` for every one: what is not asked
-    for is not computed. ``store``: a Zarr store to stream to; an interrupted sweep with the same store continues where
-    it stopped, and what is already in it is verified, and computed again if it is damaged. ``overwrite``: whether
-    another sweep's store may be deleted. ``scheduler``: address of a running Dask scheduler, ``tcp://…``, whose workers
-    must see the store's folder; ``workers``: local processes, 0 for none, by default as many as there are cores where
-    the sweep is large; ``block_points``: largest number of points of a block. ``report`` is called with the number of
-    points done and of all points, ``notice`` with a sentence about a damaged store that is repaired.
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    axes : sequence of Axis or ListedAxis
+        What is varied, a dimension for each; :func:`asperity.study.parameters.parse_axis` reads them from text.
+    results : sequence of str
+        Results or groups of them, e.g. ``("stiffness", "slip_ratio")``; ``("all",)`` for every one. What is not
+        asked for is not computed.
+    store : str or Path, optional
+        A Zarr store to stream to. An interrupted sweep with the same store continues where it stopped; what is already
+        in it is verified, and computed again if it is damaged.
+    overwrite : bool, optional
+        Whether another sweep's store may be deleted.
+    scheduler : str, optional
+        Address of a running Dask scheduler, ``tcp://…``; its workers must see the store's folder.
+    workers : int, optional
+        Local processes; 0 for none, by default as many as there are cores where the sweep is large.
+    block_points : int, optional
+        Largest number of points of a block.
+    report : callable, optional
+        Called with the number of points done and of all points.
+    notice : callable, optional
+        Called with a sentence about a damaged store that is repaired.
 
-    The dataset has a dimension for each axis, named by its key; results in SI units; ``status`` 0 where a point is
-    solved, a reason elsewhere. It is lazy if there is a store. An ``InputError`` is raised if the axes, the results or
-    the store are not usable, or the sweep is too large for memory; a ``PrecisionError`` if JAX is in single precision.
+    Returns
+    -------
+    xarray.Dataset
+        A dimension for each axis, named by its key; results in SI units; ``status`` 0 where a point is solved, a reason
+        elsewhere. Lazy if there is a store.
 
-    A script that uses several processes needs ``if __name__ == "__main__":`` around what it does: the processes are
-    spawned, and read the script again.
+    Raises
+    ------
+    InputError
+        If the axes, the results or the store are not usable, or the sweep is too large for memory.
+    PrecisionError
+        If JAX is in single precision.
+
+    Notes
+    -----
+    A script that uses several processes needs ``if __name__ == "__main__":`` around what it does: the processes
+    are spawned, and read the script again.
     """
     require_double_precision()
     plan = make_plan(case, axes, results, block_points=block_points)

@@ -52,18 +52,35 @@ def differentiable_rows(table: Mapping[str, Result]) -> dict[str, str]:
 def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.Dataset:
     """Derivatives and elasticities of results with respect to every number of a joint file.
 
-    ``results``: names of :func:`asperity.joint_file.any_joint.results_of`; by default those of :data:`DEFAULT_RESULTS`
-    that the drive has. The dataset has the dimensions ``result`` and ``input``; variables ``derivative`` (SI unit of
-    the result per SI unit of the input, as the coordinates ``result_unit`` and ``input_unit`` say), ``elasticity``,
-    ``value`` of the inputs, ``result_value``. An elasticity is nan where the result is 0, and the derivatives of an
-    infinite capacity are nan.
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    results : sequence of str, optional
+        Names of results of the drive, :func:`asperity.joint_file.any_joint.results_of`; by default
+        those of :data:`DEFAULT_RESULTS` that the drive has.
 
-    An ``InputError`` is raised if a result has no derivatives, the rollers do not fit or the torque is beyond the
-    capacity; a ``NoSolutionError`` if the force balance does not close, or a result is a stiffness and every spot of a
-    contact is plastic; a ``PrecisionError`` if JAX is in single precision.
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions ``result`` and ``input``; variables ``derivative`` (SI unit of the result per SI unit of the input,
+        as the coordinates ``result_unit`` and ``input_unit`` say), ``elasticity``, ``value`` of the inputs,
+        ``result_value``. An elasticity is nan where the result is 0, and the derivatives of an infinite capacity
+        are nan.
 
-    One entry for all contacts is one input: all five move together. The number of planets is differentiated as if it
-    were continuous, unless the file has a section ``[[branch]]`` for each. Where a result has a kink (no torque; two
+    Raises
+    ------
+    InputError
+        If a result has no derivatives, the rollers do not fit or the torque is beyond the capacity.
+    NoSolutionError
+        If the force balance does not close, or a result is a stiffness and every spot of a contact is plastic.
+    PrecisionError
+        If JAX is in single precision.
+
+    Notes
+    -----
+    One entry for all contacts is one input: all five move together. The number of planets is differentiated as if
+    it were continuous, unless the file has a section ``[[branch]]`` for each. Where a result has a kink (no torque; two
     longest contact lines on one roller) the derivative is that of one side or their mean.
     """
     require_double_precision()

@@ -95,23 +95,42 @@ def uncertainty(
 ) -> xarray.Dataset:
     """Intervals of a joint's results under its tolerances, and each tolerance's share in their variance.
 
-    ``results`` or groups of them; by default those of :data:`DEFAULT_RESULTS` that the drive has. ``distribution`` for
-    the tolerances whose distribution the file does not state. ``samples``: Monte-Carlo samples, to which about as many
-    are added for the Sobol indices; ``seed`` of the random numbers. ``block``: points after which progress is reported,
-    at most, by default as many as run fastest; ``report`` is called with the number of points done and of all points.
+    Parameters
+    ----------
+    case : Case
+        The joint file, with tolerances.
+    results : sequence of str, optional
+        Results or groups of them; by default those of :data:`DEFAULT_RESULTS` that the drive has.
+    distribution : Distribution, optional
+        For the tolerances whose distribution the file does not state.
+    samples, seed : int, optional
+        Monte-Carlo samples, to which about as many are added for the Sobol indices; of the random numbers.
+    block : int, optional
+        Points after which progress is reported, at most; by default as many as run fastest.
+    report : callable, optional
+        Called with the number of points done and of all points.
 
-    Along ``result``: ``nominal``, ``mean``, ``standard_deviation``, ``quantiles`` (at 2.5, 50 and 97.5 %),
-    ``first_order`` and ``total_order`` Sobol indices along ``input`` with 95 % confidence half-widths. Along
-    ``sample``: the samples themselves and their ``status``. ``failed`` is the share of the samples without a value, as
-    of a drive that slips: the quantiles count them as the worst, mean and standard deviation leave them out; Sobol
-    indices are nan where any of their samples has no result. A result that is not a quantity, such as the contact that
-    slips first, has samples only. An ``InputError`` is raised if the file has no tolerances, a distribution is missing,
-    or the joint itself has no result.
+    Returns
+    -------
+    xarray.Dataset
+        Along ``result``: ``nominal``, ``mean``, ``standard_deviation``, ``quantiles`` (at 2.5, 50 and 97.5 %),
+        ``first_order`` and ``total_order`` Sobol indices along ``input`` with 95 % confidence half-widths. Along
+        ``sample``: the samples themselves and their ``status``. ``failed`` is the share of the samples without a value,
+        as of a drive that slips: the quantiles count them as the worst, mean and standard deviation leave them out;
+        Sobol indices are nan where any of their samples has no result. A result that is not a quantity, such as the
+        contact that slips first, has samples only. An ``InputError`` is raised if the file has no tolerances, a
+        distribution is missing, or the joint itself has no result.
 
+    Notes
+    -----
     The inputs scatter independently of each other; a number that stands for several parts, such as one friction
-    coefficient for all contacts, scatters as one. Normal distributions are not cut off: samples outside the range of a
-    key have no result and are counted. A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; T. Iwanaga, W. Usher
-    and J. Herman, Socio-Environ. Syst. Model. 4 (2022) 18155 (SALib).
+    coefficient for all contacts, scatters as one. Normal distributions are not cut off: samples outside the range
+    of a key have no result and are counted.
+
+    References
+    ----------
+    A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; T. Iwanaga, W. Usher and J. Herman,
+    Socio-Environ. Syst. Model. 4 (2022) 18155 (SALib).
     """
     values = si_values(case)
     table = results_of(values)
