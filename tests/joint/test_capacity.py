@@ -1,6 +1,7 @@
 """Torque capacity of planar joints by hand."""
 
 import dataclasses
+from types import SimpleNamespace
 
 import jax
 import jax.numpy as jnp
@@ -9,10 +10,16 @@ import pytest
 
 from asperity.drive.state.equations import STANDING, Task, forces_on, machine_of
 from asperity.drive.state.search import solved, started_from, state_of
-from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE
 from asperity.drive.state.states import closed_around
 from asperity.errors import InputError
-from asperity.joint.capacity import capacity_both_ways, limiting_torques, smaller_sizes
+from asperity.joint.capacity import (
+    _first_guess,
+    capacity_both_ways,
+    excesses_of,
+    limiting_torques,
+    smaller_sizes,
+)
 from asperity.joint.description import body_masses
 from asperity.joint.evaluation import laws_and_states
 from asperity.joint.laws import drive_load
@@ -74,6 +81,28 @@ def test_a_strip_stays_below_the_smaller_radius_or_wall(planar_joint):
         "planetary_hollow", {'ring_wall_thickness = "30 mm"': 'ring_wall_thickness = "6 mm"'}
     )
     np.testing.assert_allclose(smaller_sizes(bored), [7e-3, 6e-3])
+
+
+def test_by_how_much_a_state_exceeds_each_limit():
+    """Two contacts, of which the second is apart or slides: slip, lift-off, width, walls, and whether it is solved."""
+    rest, slip, wide, thin = (
+        np.array(pair) for pair in ([100.0, 50.0], [1.2, 0.5], [-0.3, 0.1], [-0.8, -0.9])
+    )
+    state = SimpleNamespace(normal=np.array([80.0, 20.0]), slides=np.zeros(2), worst=np.asarray(0.0))
+    beyond = 0.2 - SLIP_TOLERANCE
+    kept = [-1.0, beyond, -0.5 - SLIP_TOLERANCE, -0.8, -0.4, -0.3, 0.1, -0.8, -0.9, -1.0]
+    np.testing.assert_allclose(excesses_of(state, rest, slip, wide, thin), kept, rtol=1e-9)
+    apart = SimpleNamespace(
+        normal=np.array([80.0, -1.0]), slides=np.array([1.0, 0.0]), worst=np.asarray(1e-3)
+    )
+    left = [-1.0, -1.0, -1.0, -0.8, 0.02, -0.3, 0.1, 1.0]
+    np.testing.assert_allclose(excesses_of(apart, rest, slip, wide), left, rtol=1e-9)
+
+
+def test_the_search_for_the_capacity_starts_where_all_contacts_of_one_kind_slip(planar_joint):
+    joint = planar_joint("planetary")
+    rest = SimpleNamespace(normal=np.array([900.0, 1000.0]))
+    assert float(_first_guess(joint, rest)) == pytest.approx(COUNT * (ORBIT + RING) * 0.08 * 900.0, rel=1e-9)
 
 
 def test_where_one_path_carries_all_the_first_slip_is_the_end(planetary):

@@ -1,5 +1,6 @@
 """Joints that cannot exist are refused with their numbers; those that can are solved."""
 
+import dataclasses
 import math
 from types import SimpleNamespace
 
@@ -9,8 +10,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from asperity.errors import AsperityError, InputError, PrecisionError
-from asperity.joint.solve import refuse_short_contacts, solve_joint, states_and_limits
+from asperity.errors import AsperityError, InputError, NoSolutionError, PrecisionError
+from asperity.joint.solve import (
+    _beyond_what_is_computed,
+    _press_that_carries,
+    refuse_no_rolling,
+    refuse_short_contacts,
+    solve_joint,
+    states_and_limits,
+)
+from asperity.joint.torque_limits import LIMIT_KINDS, TorqueCapacity
 
 
 def refusal(joint) -> str:
@@ -78,6 +87,73 @@ def test_the_message_on_the_torque_tells_the_preload_that_carries_it(paper_joint
     assert preload == pytest.approx(1000.0 * abs(torque) / 13.16, rel=0.03)
     solve_joint(paper_joint(output_torque=torque, preload=preload))
     assert "beyond the torque capacity" in refusal(paper_joint(output_torque=torque, preload=0.98 * preload))
+
+
+def capacity_of(torque, kind="gross_slip"):
+    return TorqueCapacity(np.asarray(torque), np.asarray(LIMIT_KINDS.index(kind)), np.asarray(0))
+
+
+@pytest.mark.parametrize(
+    ("torque", "capacity", "said"),
+    [
+        # 10 mN·m a newton: 1500 N would do just so, a thousandth more does, in three digits
+        (15.0, lambda preload: 0.01 * preload, ", raise the preload to 1510 N"),
+        (
+            -15.0,
+            lambda preload: 0.01 * preload,
+            ", raise the preload to 3010 N",
+        ),  # half as much the other way
+        # grows with the square root: tried again until it is within a hundredth
+        (15.0, lambda preload: 10.0 * math.sqrt(preload / 1000.0), ", raise the preload to 2260 N"),
+        (15.0, lambda preload: min(10.0, 0.01 * preload), ""),  # never
+        (15.0, lambda preload: 0.0, ""),
+    ],
+)
+def test_the_preload_that_carries_a_torque_is_found_by_trials(
+    paper_joint, monkeypatch, torque, capacity, said
+):
+    def solution_of(joint):
+        limit = capacity(float(joint.preload))
+        return SimpleNamespace(capacity=capacity_of(limit), reverse_capacity=capacity_of(0.5 * limit))
+
+    monkeypatch.setattr("asperity.joint.solve.solution_of", solution_of)
+    joint = paper_joint(preload=1000.0)
+    assert _press_that_carries(joint, torque) == said
+    assert _press_that_carries(dataclasses.replace(joint, fit=object()), torque) == ""
+
+
+def test_no_preload_is_told_where_something_else_limits_the_torque(paper_joint, monkeypatch):
+    too_wide = SimpleNamespace(capacity=capacity_of(20.0, "contact_too_wide"))
+    monkeypatch.setattr("asperity.joint.solve.solution_of", lambda joint: too_wide)
+    assert _press_that_carries(paper_joint(preload=1000.0), 15.0) == ""
+
+
+@pytest.mark.parametrize(("torque", "rolls_up_to"), [(5.0, "4 N·m"), (-5.0, "-3 N·m")])
+def test_a_joint_that_stands_but_does_not_roll_is_told_how_far_it_rolls(torque, rolls_up_to):
+    joint = SimpleNamespace(output_torque=torque, rolling=SimpleNamespace(skew=None))
+    solution = SimpleNamespace(
+        result=SimpleNamespace(
+            rolling=SimpleNamespace(residual=math.nan), contact_law_holds=True, contact_names=("sp", "pr")
+        ),
+        rolling_capacity=capacity_of(4.0),
+        reverse_rolling_capacity=capacity_of(3.0),
+    )
+    with pytest.raises(
+        NoSolutionError, match=f"rolls up to {rolls_up_to}, at which contact sp slips; lower the"
+    ):
+        refuse_no_rolling(joint, solution)
+
+
+def test_forces_of_a_cam_beyond_what_is_computed(monkeypatch):
+    """200 N of preload and 100 N for each newton metre."""
+    monkeypatch.setattr("asperity.joint.solve.mean_preload", lambda joint, normal: 200.0)
+    joint = SimpleNamespace(output_torque=-9.0, cam=SimpleNamespace(force_per_torque=100.0))
+    result = SimpleNamespace(rest=SimpleNamespace(normal=None), contact_names=("sp",))
+    words = _beyond_what_is_computed(
+        joint, SimpleNamespace(result=result), capacity_of(6.0, "contact_too_wide")
+    )
+    assert "under the output torque -9 N·m the loading cam presses with 1100 N" in words
+    assert "computed up to 800 N, at -6 N·m, where contact sp becomes too wide" in words
 
 
 def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_joint):

@@ -134,23 +134,32 @@ def _loading(
         slip = slip_ratio(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=available
         )
-        begins = jnp.where(state.slides != 0.0, -1.0, slip - 1.0 - SLIP_TOLERANCE)
         width = contacts.largest_half_width(jnp.where(touching, state.normal, rest.normal))
         if joint.cam is not None:
             width = jnp.fmax(width, contacts.largest_half_width(laws.reference_force))
-        excesses = jnp.concatenate(
-            [
-                -jnp.ones(1),  # pins without friction do not lock
-                jnp.where(touching, begins, -1.0),
-                _LIFTED - state.normal / rest.normal,
-                jnp.where(touching | (joint.cam is not None), width / sizes - 1.0, -1.0),
-                *(() if walls is None else (width / walls - 1.0,)),
-                jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
-            ]
-        )
-        return UnderTorque(state, rest, excesses)
+        too_wide = jnp.where(touching | (joint.cam is not None), width / sizes - 1.0, -1.0)
+        thin = () if walls is None else (width / walls - 1.0,)
+        return UnderTorque(state, rest, excesses_of(state, rest.normal, slip, too_wide, *thin))
 
     return at
+
+
+def excesses_of(state: DriveState, normal_at_rest: Array, slip: Array, *sizes: Array) -> Array:
+    """By how much a state exceeds each limit, in the order of :func:`asperity.joint.torque_limits.named_capacity` [-].
+
+    ``slip``: slip ratios; ``sizes``: excesses of the widths of strips, then of walls, shape (contacts,).
+    """
+    touching = state.normal > _LIFTED * normal_at_rest
+    begins = jnp.where(state.slides != 0.0, -1.0, slip - 1.0 - SLIP_TOLERANCE)
+    return jnp.concatenate(
+        [
+            -jnp.ones(1),  # pins without friction do not lock
+            jnp.where(touching, begins, -1.0),
+            _LIFTED - state.normal / normal_at_rest,
+            *sizes,
+            jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
+        ]
+    )
 
 
 def _first_guess(joint: Joint, rest: DriveState) -> Real:

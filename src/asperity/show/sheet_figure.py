@@ -58,14 +58,30 @@ def sheet_figure(sheet: Sheet) -> Figure:
 @lru_cache(maxsize=4096)
 def text_width(text: str, height: float = TEXT_HEIGHT) -> float:
     """Width [mm] of a line of text on paper with capital letters of a height [mm]."""
+    text = text.rstrip()
+    return (_advance(text) + _overhang(text[-1])) * height / _CAP_HEIGHT if text else 0.0
+
+
+def _advance(text: str) -> float:
+    """Where the next letter would begin, over the size of the font."""
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import text_to_path
+
+    width, _, _ = text_to_path.get_text_width_height_descent(
+        text, FontProperties(family=_FONT, size=1.0), ismath=False
+    )
+    return float(width)
+
+
+@lru_cache
+def _overhang(letter: str) -> float:
+    """By how much the ink of a letter goes beyond where the next one begins, over the size of the font."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
 
-    if not text.strip():
-        return 0.0
-    return float(
-        TextPath((0.0, 0.0), text, size=height / _CAP_HEIGHT, prop=FontProperties(_FONT)).get_extents().x1
-    )
+    text = f"|{letter}"  # a letter without ink alone is no path
+    ink = TextPath((0.0, 0.0), text, size=1.0, prop=FontProperties(_FONT)).get_extents().x1
+    return float(ink) - _advance(text)
 
 
 def arrowheads(line: Line, *, length: float) -> list[tuple[Point, Point, Point]]:
