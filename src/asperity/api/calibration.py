@@ -9,25 +9,22 @@ from typing import TYPE_CHECKING, Any
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame
-from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError
-from asperity.joint_file.build import joint_from_case
 from asperity.results import LEVELS, known_result
 from asperity.standing.windup import StiffnessLevel
 from asperity.study.calibration.calibrate import (
     MODEL_ERROR,
     Calibration,
+    calibrate_files,
     calibrated_text,
     count_words,
     identifiability_words,
     model_error_words,
 )
-from asperity.study.calibration.calibrate import calibrate as fit
 from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
 from asperity.study.calibration.fitted_curve import residual_sentences
-from asperity.study.calibration.measurement import read_measurement
 from asperity.study.calibration.torque_history import History
-from asperity.study.calibration.unknowns import dimension_of, read_unknowns
+from asperity.study.calibration.unknowns import dimension_of
 from asperity.units import format_quantity, from_si
 
 if TYPE_CHECKING:
@@ -86,22 +83,11 @@ def calibrate(
     known_result(history, among=("virgin", "cycled"), what="history")
     if isinstance(unknowns, str):
         raise InputError(f"the unknowns are a list, e.g. ['{unknowns}']")
-    case, ratio = joint.case, float(speed_ratio(joint_from_case(joint.case).drive))
     files = [data] if isinstance(data, str | Path) else list(data)
     if not files:
         raise InputError("no data: name at least one CSV file")
-    measurements = tuple(read_measurement(file, unloaded_ratio=ratio) for file in files)
-    calibration = fit(
-        case=case,
-        measurements=measurements,
-        unknowns=read_unknowns(unknowns, case=case, measurements=measurements),
-        level=level,
-        history=history,
-        starts=starts,
-        seed=seed,
-        model_error=model_error,
-    )
-    return CalibratedJoint(joint, calibration)
+    options = {"level": level, "history": history, "starts": starts, "seed": seed, "model_error": model_error}
+    return CalibratedJoint(joint, calibrate_files(joint.case, files, unknowns, **options))
 
 
 class CalibratedJoint(Shown):

@@ -79,38 +79,23 @@ def calibrate(
     error_of_model = parse_quantity(model_error, Dimension.DIMENSIONLESS)
     case = read_case_of_branches(file)
     prepare_computation()
-    from asperity.study.calibration.calibrate import calibrate as fit
-    from asperity.study.calibration.calibrate import calibrated_text
-    from asperity.study.calibration.measurement import read_measurement
+    from asperity.study.calibration.calibrate import calibrate_files, calibrated_text
     from asperity.study.calibration.posterior import posterior, require_numpyro
-    from asperity.study.calibration.unknowns import read_unknowns
 
     if draws is not None:
         require_numpyro()
-    from asperity.drive.layout.drive import speed_ratio
-    from asperity.joint_file.build import joint_from_case
-
-    with about(file):
-        ratio = float(speed_ratio(joint_from_case(case).drive))
-    measurements = tuple(read_measurement(path, unloaded_ratio=ratio) for path in data)
+    options = {"level": level, "history": history, "starts": starts, "seed": seed}
     with progress_bar("starts") as report, about(file, *data):
-        calibration = fit(
-            case=case,
-            measurements=measurements,
-            unknowns=read_unknowns(unknowns, case=case, measurements=measurements),
-            level=level,
-            history=history,
-            starts=starts,
-            seed=seed,
-            model_error=error_of_model,
-            progress=report,
+        calibration = calibrate_files(
+            case, data, unknowns, **options, model_error=error_of_model, progress=report
         )
     drawn = None
     if draws is not None:
         with progress_bar("steps of the posterior") as report, about(file, *data):
             drawn = posterior(calibration, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
-        fitted = [f"{level} stiffness" if curve.drift is None else "drift" for curve in measurements]
+        measured = [curve.measurement for curve in calibration.curves]
+        fitted = [f"{level} stiffness" if curve.drift is None else "drift" for curve in measured]
         comment = f"Calibrated by asperity: {file} from {' and '.join(data)}, {' and '.join(fitted)}."
         write_text(calibrated_text(calibration, case, comment=comment), out)
         say_written(out)

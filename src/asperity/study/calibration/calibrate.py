@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.build import joint_from_case
@@ -25,9 +28,9 @@ from asperity.study.calibration.directions import (
     direction_of,
 )
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
-from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.measurement import Measurement, read_measurement
 from asperity.study.calibration.torque_history import History
-from asperity.study.calibration.unknowns import of_joint_file
+from asperity.study.calibration.unknowns import of_joint_file, read_unknowns
 from asperity.study.design.design_problem import Variable
 
 #: Quantile of the normal distribution for both ends of 95 %.
@@ -217,6 +220,16 @@ def calibrate(
     return _conclude(
         curves, best, tuple(np.sqrt(2.0 * cost / rows) for cost, _, _ in ended), model_error, wider
     )
+
+
+def calibrate_files(
+    case: AnyCase, data: Iterable[str | Path], unknowns: Sequence[str], **options: Any
+) -> Calibration:
+    """:func:`calibrate` with the curves of files and unknowns as texts; ``options`` are its other arguments."""
+    ratio = float(speed_ratio(joint_from_case(case).drive))
+    measurements = tuple(read_measurement(file, unloaded_ratio=ratio) for file in data)
+    variables = read_unknowns(unknowns, case=case, measurements=measurements)
+    return calibrate(case=case, measurements=measurements, unknowns=variables, **options)
 
 
 def _weighted_by_errors(
