@@ -13,7 +13,7 @@ def grid(joint):
     return asperity.sweep(joint, over, results="stiffness")
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_points_are_those_of_single_joints(joint, grid, solution):
     assert grid["load.preload"].values.tolist() == [800.0, 2000.0, 1000.0]
     assert grid["load.preload"].attrs == {"units": "N", "long_name": "preload"}

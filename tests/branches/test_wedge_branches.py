@@ -72,6 +72,7 @@ def test_nothing_acts_from_outside_on_sun_carrier_and_ring_together(branches, su
         assert found.standing.sun_force == pytest.approx(5e7 * found.standing.sun_displacement, abs=0.05)
 
 
+@pytest.mark.long
 def test_a_floating_sun_presses_three_planets_alike(branches):
     """Its three forces balance only if they are equal."""
     found, _ = branches([3.0, 0.0, -1.0], "0 N/um")

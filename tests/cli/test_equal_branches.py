@@ -98,7 +98,7 @@ def test_what_rolls_is_what_the_branches_of_the_file_do_together(call, unequal, 
     assert "sp_2" in (tmp_path / "curves.svg").read_text(encoding="utf-8")
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_torque_beyond_all_branches_is_refused(call, unequal):
     unequal.write_text(
         unequal.read_text(encoding="utf-8").replace('output_torque = "', 'output_torque = "9', 1),

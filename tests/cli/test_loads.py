@@ -31,7 +31,7 @@ def test_table_and_json_agree_with_the_joint(call, zou_file):
     assert mounted["heating of the ring, for a gap of 0 um"] == [None, None]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_every_load_of_the_duty_is_a_column(call, joint_file, tmp_path):
     file, target = joint_file(("[surface]", f"{DUTY}\n[surface]")), tmp_path / "loads.csv"
     assert call("loads", file, "--csv", target).code == 0

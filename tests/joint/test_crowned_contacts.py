@@ -114,7 +114,7 @@ def test_what_more_crown_does(crowned):
     np.testing.assert_allclose(found.rolling.crown_creepage_factor[3:], 1.0, rtol=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_creep_at_a_small_torque_is_that_of_the_mean_width(springs_joint, crowned):
     """Carter's slope is proportional to the half-width: the slices' mean takes the place of the even one."""
     at = crowned.forces.normal[:, 5]
@@ -130,7 +130,7 @@ def test_creep_at_a_small_torque_is_that_of_the_mean_width(springs_joint, crowne
     np.testing.assert_allclose(crowned.rolling.crown_creepage_factor[:, 5], even / mean, rtol=2e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_peak_pressure_is_that_of_the_middle(springs_joint, crowned):
     numbers, curvature = _lines(springs_joint, RADII[4])
     lines = jax.jit(crowned_line)(
@@ -255,7 +255,7 @@ def test_life_by_integration_over_the_line(pair):
     assert np.all(found < np.asarray(line))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_contact_too_short_is_refused(crowned):
     one = jax.tree.map(lambda leaf: leaf[..., 2], crowned)
     refuse_short_contacts(one)

@@ -334,15 +334,10 @@ def numbers_of(document, path=""):
         yield path, float(document)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "torque"),
-    [
-        pytest.param("zou2025", -9.0, marks=pytest.mark.long),
-        pytest.param("planetary", 8.0, marks=pytest.mark.long),
-        ("multiroller", -0.5),
-        pytest.param("stepped_planet", 6.0, marks=pytest.mark.long),
-    ],
+    [("zou2025", -9.0), ("planetary", 8.0), ("multiroller", -0.5), ("stepped_planet", 6.0)],
 )
 def test_documents_of_a_drive_and_its_listed_twin_have_the_same_numbers(tables, name, torque):
     """All that ``asperity roll --json`` prints: states, contacts, losses, lives, limits, margins and capacities."""

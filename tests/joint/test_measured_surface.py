@@ -166,7 +166,7 @@ def test_a_measurement_that_hardly_knows_d_is_refused(zou_file):
         stiffness_interval(joint, vague)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_draws_without_a_stiffness_leave_no_interval(zou_file):
     """At D = 1.2 every spot is plastic: the interval was 0 to 0."""
     measured = measurement(dimension=1.2)

@@ -45,7 +45,7 @@ def oiled_planet(contacts):
     return force + one * (1.0 - 2.0 * 10.0 / 30.0) + two * (2.0 * 50.0 / 30.0 - 1.0), one + two
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_thrust_and_loss_of_skewed_axes_by_hand(skewed_planetary):
     _, solution, document = skewed_planetary
     found = document["rolling"]["contacts"]
@@ -65,7 +65,7 @@ def test_thrust_and_loss_of_skewed_axes_by_hand(skewed_planetary):
     assert np.all(solution.result.rolling.capacity_loss > 0.0)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_at_the_capacity_in_rolling_a_skewed_contact_uses_all_that_skew_leaves(skewed_planetary):
     joint, solution, _ = skewed_planetary
     capacity = float(solution.rolling_capacity.output_torque)
@@ -184,7 +184,7 @@ def test_bodies_that_do_not_fit_are_refused(planar_case):
         )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_preload_and_interference_make_each_other(planar_case):
     by_size = solve_case(planar_case("planetary")).document["preload"]
     text = {'interference = "30 um"': f'preload = "{by_size["force_N"]!r} N"'}
@@ -254,7 +254,7 @@ def test_a_joint_without_creep_is_told(planar_case):
         refuse_no_rolling(solved.joint, solved.solution)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_drive_as_a_list_of_rollers(planar_case):
     """Forces at rest by hand, and the balance of torques."""
     document = solve_case(planar_case("planar")).document

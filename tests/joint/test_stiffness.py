@@ -284,7 +284,7 @@ def test_a_ring_with_its_own_spring_keeps_the_spring(joint, solved):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_springs_and_exact_bodies_agree_for_a_ring_in_a_rigid_housing(joint, output):
     walls = np.array([6e-3, 10e-3, 20e-3, 60e-3])
     springs, exact = (
@@ -369,7 +369,7 @@ def test_the_number_of_planets_may_differ_within_a_batch(joint, output):
     assert batch == pytest.approx(np.array(alone), rel=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_wall_too_thin_for_exact_bodies_is_refused(joint):
     """Five half-widths of 90 um are 0.45 mm."""
     thin = {"ring_wall_thickness": 0.4e-3}

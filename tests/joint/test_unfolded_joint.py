@@ -120,7 +120,7 @@ def test_two_opposed_planets_are_two_springs_side_by_side(opposed):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_beyond_the_slip_of_one_planet_the_other_bears_the_rest(opposed):
     """The one that slips keeps what its friction holds, half of 43.0 N·m; the step in which it slips errs most."""
     own, alike = opposed

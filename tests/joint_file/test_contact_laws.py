@@ -88,7 +88,7 @@ def test_perssons_theory_needs_more_than_a_file_states(surface):
         joint_from_case(case_of(surface, "persson_2007"))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_both_laws_of_an_average_side_by_side():
     """Those of joints with each law; a file that states no Ra, or a G beside it, has one law only."""
     case = case_of(AVERAGE, name="planetary")

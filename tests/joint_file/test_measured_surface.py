@@ -166,7 +166,7 @@ def test_stiffness_of_the_asperities_at_the_ends_by_hand(example_case):
         assert ratio == pytest.approx(float(result.contacts.tangential_stiffness[0]) / stiffness, rel=0.02)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     "kind", ["planar", *(pytest.param(kind, marks=pytest.mark.long) for kind in ("planetary", "multiroller"))]
 )
@@ -391,7 +391,7 @@ def test_complete_contact_is_refused_where_the_exponential_law_holds(example_cas
     assert made.measured.laws(made, joint, solve_joint(joint).result) == []
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_all_laws_side_by_side_are_those_of_joints_with_each(planar_case, isotropic_map):
     surface = roughness(pressed(isotropic_map), fractal=measured(fractal_dimension=1.5))
     case = planar_case("planetary")

@@ -124,7 +124,7 @@ def test_a_sweep_has_the_heights_of_separate_joints(named):
     assert np.all(np.diff(heights) > 0.02 * heights[0])  # wider contacts feel longer waves
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_derivatives_move_the_heights(named):
     """Against differences of a sweep, whose every point has heights of its own; length changes the widths only."""
     values = si_values(named)
@@ -139,7 +139,7 @@ def test_derivatives_move_the_heights(named):
         assert slopes[RESULTS[0]][0, 0, number] == pytest.approx(difference[0], rel=1e-4)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_law_with_a_decay_length_has_it_at_every_point(folder, named_text):
     text = named_text.replace("[model]", '[model]\ncontact_law = "persson_2007"')
     case = parse_case(text, source="joint.toml", folder=folder)

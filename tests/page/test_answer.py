@@ -177,7 +177,7 @@ def test_a_joint_with_another_drive(zou_file):
     }
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_under_a_torque_that_only_the_branches_of_the_file_carry(zou_file):
     text = zou_file.with_name("planetary.toml").read_text(encoding="utf-8")
     text += 3 * '\n[[branch]]\nplanet_deviation = "2 um"\n'

@@ -106,7 +106,7 @@ def test_loads_of_the_structure_are_those_of_the_balance(made):
     assert "Hoop stress of bodies that bend, and their safety" not in tables(made)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_drive_of_another_type_has_all_sections():
     file = Path(__file__).parents[2] / "examples" / "multiroller.toml"
     text = file.read_text(encoding="utf-8")

@@ -66,7 +66,9 @@ def test_hysteresis_at_12_newton_metres(paper, replaced, arcsec, energy, right_p
     assert abs(float(solved.solution.result.forces.pins[0])) == pytest.approx(right_pin, abs=0.06)
 
 
-@pytest.mark.parametrize(("replaced", "slip_ratio"), [(SPRINGS, 0.9985), (EQUAL, 0.683)])
+@pytest.mark.parametrize(
+    ("replaced", "slip_ratio"), [(SPRINGS, 0.9985), pytest.param(EQUAL, 0.683, marks=pytest.mark.long)]
+)
 def test_a_free_ring_brings_the_first_slip_near(paper, replaced, slip_ratio):
     """A ring of 10 mm that carries itself and 13 µm at 5 N·m."""
     free = {

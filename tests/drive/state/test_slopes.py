@@ -181,12 +181,7 @@ def both(machine, task, pressed_sectors, slides, x):
 @pytest.mark.parametrize("kind", [ASSEMBLED, STANDING, ROLLING])
 @pytest.mark.parametrize(
     "name",
-    [
-        name
-        if name in ("wedge", "three branches, sun floating")
-        else pytest.param(name, marks=pytest.mark.long)
-        for name in DRIVES
-    ],
+    [name if name == "wedge" else pytest.param(name, marks=pytest.mark.long) for name in DRIVES],
 )
 def test_slopes_are_those_of_the_equations(name, kind):
     drive, machine, load = described(

@@ -164,7 +164,7 @@ def test_the_curve_is_that_of_the_wind_up(case, loop):
     np.testing.assert_allclose(found, angle, rtol=0.0, atol=1e-5 * np.abs(angle).max())
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_noisy_loop_gives_the_known_numbers_back(case, loop):
     """Errors of a thousandth of the angle; each estimate is missed by four standard deviations once in ten thousand."""
     torque, angle = loop

@@ -48,6 +48,7 @@ def test_ratios_are_pure_numbers(homogeneous, found):
         np.testing.assert_allclose(change[ratios], 0.0, atol=1e-9)
 
 
+@pytest.mark.long
 def test_derivatives_are_limits_of_differences(homogeneous, found):
     inputs, tables = numeric_keys(homogeneous), si_values(homogeneous)
     chosen = [path for path, entry in inputs.items() if not entry.key.integer]

@@ -176,7 +176,7 @@ def test_the_same_seed_gives_the_same_numbers(toleranced, spread):
     np.testing.assert_array_equal(again["total_order"].values, spread["total_order"].values)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_failed_samples_are_counted(joint_text):
     text = joint_text.replace('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 0.4 mm, uniform"')
     found = uncertainty(parse_case(text, source="x"), results=("body_mass", "speed_ratio"), samples=2000)
