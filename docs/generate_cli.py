@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 
 PAGE = Path(__file__).with_name("cli.md")
 

@@ -5,6 +5,7 @@ import dataclasses
 import gc
 import os
 import shutil
+import signal
 import tempfile
 from importlib.metadata import version
 from pathlib import Path
@@ -217,8 +218,10 @@ def call(monkeypatch, capsys):
     def run(*arguments) -> Outcome:
         monkeypatch.setattr("sys.argv", ["asperity", *map(str, arguments)])
         capsys.readouterr()
+        before = signal.getsignal(signal.SIGINT)
         with pytest.raises(SystemExit) as ended:
             main()
+        signal.signal(signal.SIGINT, before)
         told = capsys.readouterr()
         return Outcome(ended.value.code, told.out, told.err)
 

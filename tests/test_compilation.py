@@ -35,6 +35,29 @@ def test_a_compiled_function_computes_the_same_and_is_kept():
     assert compile_fast(_twice, longer)(longer)["b"].shape == (4,)
 
 
+def test_programs_are_forgotten_where_they_fill_the_memory(cache, monkeypatch):
+    """As many as :data:`_FEWEST` at least; what is called next is read again and computes the same."""
+    monkeypatch.setattr(compilation, "_FEWEST", 2)
+    shapes = [{"e": np.arange(float(length))} for length in (2, 3, 4, 5)]
+    kept = [compile_fast(_twice, numbers) for numbers in shapes[:3]]
+    assert [compile_fast(_twice, numbers) for numbers in shapes[:3]] == kept
+    monkeypatch.setattr(compilation, "_resident", lambda: compilation._MOST_MEMORY + 1)
+    last = compile_fast(_twice, shapes[3])
+    again = compile_fast(_twice, shapes[0])
+    assert again is not kept[0]
+    assert compile_fast(_twice, shapes[3]) is last
+    np.testing.assert_array_equal(again(shapes[0])["e"], kept[0](shapes[0])["e"])
+
+
+@pytest.mark.skipif(
+    not Path("/proc/self/statm").exists(), reason="the system does not tell the memory of a process"
+)
+def test_the_memory_of_this_process_is_known():
+    before = compilation._resident()
+    filled = np.ones(50_000_000)
+    assert 0.9 * filled.nbytes < compilation._resident() - before < 1.3 * filled.nbytes
+
+
 def test_a_compiler_without_the_options_is_no_obstacle(monkeypatch):
     monkeypatch.setattr(compilation, "_COMPILE_FAST", ({"xla_option_of_another_release": True}, {}))
     assert compile_fast(_twice, {"c": np.float64(2.0)})({"c": np.float64(2.0)})["c"] == 4.0

@@ -192,7 +192,7 @@ def test_readme_marks_both_commands_for_ci():
 def test_readme_table_is_what_its_command_gives():
     from click.testing import CliRunner
 
-    from asperity.cli import asperity as command
+    from asperity.cli.commands import asperity as command
 
     file = ROOT / "examples" / "zou2025.toml"
     shown = CliRunner().invoke(command, ["joint", str(file), "--json"], catch_exceptions=False)

@@ -15,11 +15,14 @@ A process that calls the same programs again and again can have them compiled a 
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import functools
 import gc
+import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextvars import ContextVar
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import jax
@@ -143,8 +146,17 @@ def _compilers() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(2, thread_name_prefix="compile")
 
 
+#: Resident memory above which all programs are forgotten, if there are so many [byte]; one has 25 MB of machine code.
+_MOST_MEMORY, _FEWEST = 2 * 1024**3, 16
+
+
 @functools.lru_cache(maxsize=64)
 def _compiled(function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: Any) -> Program:
+    if _compiled.cache_info().currsize >= _FEWEST and _resident() > _MOST_MEMORY:
+        _compiled.cache_clear()
+        gc.collect()
+        with contextlib.suppress(OSError, AttributeError):  # only glibc keeps what is freed, and is told so
+            ctypes.CDLL(None).malloc_trim(0)
     request = Request(function, options, structure, kinds)
     known = kept(request, _COMPILE_FAST)
     traced = _traced(request) if known is None else None
@@ -152,6 +164,13 @@ def _compiled(function: Callable[..., Any], options: tuple[Any, ...], structure:
     outcome = known or traced
     assert outcome is not None
     return Program(request, compiled, outcome.results, traced)
+
+
+def _resident() -> int:
+    """Resident memory of this process [byte]; 0 where the system does not tell (others than Linux)."""
+    with contextlib.suppress(OSError):
+        return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    return 0
 
 
 class _Traced(NamedTuple):

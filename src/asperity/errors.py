@@ -4,6 +4,7 @@ Each carries one complete sentence for the user: the offending value, the allowe
 command line prints that sentence and exits with :attr:`AsperityError.exit_code`; nothing else is printed.
 """
 
+import itertools
 from collections.abc import Iterable, Sequence
 from contextvars import ContextVar
 
@@ -12,6 +13,8 @@ LONGEST_QUOTE = 80
 MOST_ERRORS = 20
 #: Names whose likeness to a given one, 0 to 1, is less below that of the best one are told beside it.
 _AS_ALIKE = 0.05
+#: Known names that are compared with a mistyped one.
+_MOST_KNOWN = 1000
 _LONGEST_SENTENCE = 1000
 
 #: What runs, in words, where the command line has set it; messages name it.
@@ -63,7 +66,7 @@ def nearest(name: str, known: Iterable[str]) -> str:
     """``"; did you mean 'x' or 'y'?"`` for the known names most like the given one, or nothing."""
     import difflib
 
-    names = list(known)
+    names = list(itertools.islice(known, _MOST_KNOWN))
     best = closest(name, names)
     if best is None:
         return ""

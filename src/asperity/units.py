@@ -6,6 +6,7 @@ parentheses. Powers are whole numbers after ``^`` or ``**``, or superscripts. Th
 one rounding, so that ``"13.5 mm"`` gives the same float as writing ``0.0135``.
 """
 
+import functools
 import math
 import re
 
@@ -56,6 +57,7 @@ def _nearest(name: str) -> str:
     )
 
 
+@functools.lru_cache(maxsize=512)
 def _parse_unit(text: str) -> Unit:
     """Exact SI factor and exponents of a product of units, read from left to right."""
     written = text.strip()

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import csv
+import signal
 import tempfile
+import threading
 import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -74,6 +76,26 @@ def replacing(path: str | Path) -> Iterator[Path]:
         raise cannot_write(path, error) from None
     finally:
         part.unlink(missing_ok=True)
+
+
+@contextmanager
+def interrupted_afterwards() -> Iterator[None]:
+    """SIGINT and SIGTERM wait for the end of the block; processes that it starts never see the keyboard's SIGINT."""
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    came: list[int] = []
+    both = (signal.SIGINT, signal.SIGTERM)
+    before = [signal.signal(number, lambda number, _: came.append(number)) for number in both]
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # threads and processes inherit it
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        for number, handler in zip(both, before, strict=True):
+            signal.signal(number, handler)
+    for kept in came:
+        signal.raise_signal(kept)
 
 
 def write_text(text: str, path: str | Path) -> None:

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
 from asperity.cli.calibrate import interval_digits
+from asperity.cli.commands import asperity
 from asperity.errors import InputError
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 from asperity.cli.design import _show_search
 from asperity.errors import InputError, NoSolutionError
 

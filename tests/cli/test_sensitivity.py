@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 from asperity.cli.sensitivity import _show
 from asperity.errors import InputError
 

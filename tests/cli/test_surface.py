@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 from asperity.errors import InputError
 from asperity.surface.measurement import measurement_from_document, read_measurement
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 from asperity.errors import InputError
 from asperity.study.tolerances.allowed_deviations import AllowedDeviations, AllowedSize
 

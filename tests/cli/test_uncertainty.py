@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 from asperity.errors import InputError
 
 FILE = str(Path(__file__).parents[2] / "examples" / "zou2025.toml")

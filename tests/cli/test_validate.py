@@ -5,7 +5,7 @@ import json
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 from asperity.errors import InputError
 from asperity.validation import contact_checks, run
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 from asperity.errors import InputError
 
 SMALL = ["--dimension", "1.6", "--points", "32", "--seeds", "1", "--loads", "2", "--pixels-per-wave", "8"]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity as command
+from asperity.cli.commands import asperity as command
 from asperity.errors import InputError
 from asperity.joint import measured_surface as module
 from asperity.joint.measured_surface import measured_surface, stiffness_interval

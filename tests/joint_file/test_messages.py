@@ -75,6 +75,10 @@ MANY = {
     "bodies": lambda text: text.replace(
         "[bodies]", "[bodies]\n" + "".join(f"k{i} = 'x{i}'\n" for i in range(40_000))
     ),
+    "bodies and materials": lambda text: (
+        text.replace("[bodies]", "[bodies]\n" + "".join(f"k{i} = 'x{i}'\n" for i in range(15_000)))
+        + "".join(f"\n[materials.m{i}]" for i in range(15_000))
+    ),
 }
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from asperity.cli import asperity
+from asperity.cli.commands import asperity
 from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.solved_document import solve_case, solved_case

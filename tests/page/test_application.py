@@ -54,7 +54,7 @@ def printed(zou_file):
     """What ``asperity joint --json`` prints."""
     from click.testing import CliRunner
 
-    from asperity.cli import asperity
+    from asperity.cli.commands import asperity
 
     done = CliRunner().invoke(asperity, ["joint", str(zou_file), "--json"])
     assert done.exit_code == 0
@@ -72,7 +72,7 @@ def test_a_measured_surface_makes_the_joint_of_the_command(client, joint_text, z
     """White noise, which has no power law, as a profile of a stated lay."""
     from click.testing import CliRunner
 
-    from asperity.cli import asperity
+    from asperity.cli.commands import asperity
 
     def command(*arguments):
         done = CliRunner().invoke(asperity, ["joint", *map(str, arguments), "--json"], catch_exceptions=False)

@@ -61,5 +61,23 @@ def test_verdicts_are_plain_json(folder: Path) -> None:
 
 def test_a_folder_that_cannot_be_created_is_an_input_error(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(InputError, match="cannot create the folder"):
-        output_folder(tmp_path / "file" / "below")
+    with (
+        pytest.raises(InputError, match="cannot create the folder"),
+        output_folder(tmp_path / "file" / "below"),
+    ):
+        pass
+
+
+def test_what_was_created_for_an_unfinished_folder_is_removed_and_nothing_else(tmp_path: Path) -> None:
+    def interrupted(path: Path, *others: Path) -> None:
+        with output_folder(path) as folder:
+            (folder / "figure.csv").write_text("")
+            for other in others:
+                other.mkdir()
+            raise KeyboardInterrupt
+
+    for path, others in (("new/folder", ()), ("new/folder", ("new/other",)), ("new", ())):
+        with pytest.raises(KeyboardInterrupt):
+            interrupted(tmp_path / path, *(tmp_path / other for other in others))
+        assert (tmp_path / "new").exists() == bool(others or path == "new")
+    assert {path.name for path in (tmp_path / "new").iterdir()} == {"other", "figure.csv"}

@@ -1,184 +1,105 @@
-"""The command line: parse, call, show; no physics.
-
-Each command lives in a module of its own that is imported only when the command runs, so that
-``asperity --help`` stays fast. Errors of :mod:`asperity.errors` become one line on standard error and an
-exit code: 0 fine, 2 bad input, 3 no solution.
-"""
+"""The command line: parse, call, show; no physics."""
 
 from __future__ import annotations
 
 import atexit
+import contextlib
 import gc
-import importlib
+import os
 import signal
 import sys
 import threading
-import warnings
+import time
+from types import FrameType
 from typing import Any
-
-import click
-
-from asperity.cli.terminal import checked_output, silence
-from asperity.errors import RUNNING, AsperityError, printable
-
-#: Command name → one-line help, shown without importing the module of the command, which has its name.
-COMMANDS: dict[str, str] = {
-    "joint": "Forces, stiffness and warnings of a joint file.",
-    "compare": "Two joint files side by side: what differs, and what comes of it.",
-    "sweep": "Evaluate a joint file on a grid of any of its numbers.",
-    "sensitivity": "Influence of every number of a joint file, by exact derivatives.",
-    "uncertainty": "Intervals of the results from the tolerances of a joint file.",
-    "tolerances": "Deviations and IT grades that keep nearly all drives above stated results.",
-    "windup": "Torque-angle curve, hysteresis and capacity of a joint file.",
-    "roll": "Drift, losses, thrust and life of a joint that turns.",
-    "crown": "Crown radius and logarithmic profile for tilted rollers.",
-    "loads": "Forces on pins, bearings, shafts and housing.",
-    "draw": "Draw the drive of a joint file to scale.",
-    "report": "One document about a joint for a design review.",
-    "dynamics": "Natural frequencies and frequency response with motor and load.",
-    "export": "A joint for MATLAB, MuJoCo and system simulations.",
-    "contact": "Stiffness of any number of roller pairs from a table.",
-    "design": "The best joint within limits, or a Pareto front.",
-    "calibrate": "Unknowns of a joint from a measured curve.",
-    "serve": "The joint as a page in the browser, with sliders and curves.",
-    "materials": "Library of materials and finishes, with sources.",
-    "init": "Write a commented joint file to start from.",
-    "schema": "Print the JSON schema of joint files, for editors.",
-    "completion": "Print a shell completion script.",
-    "reproduce": "Recompute the paper's figures and check its claims.",
-    "surface": "Measure roughness, spectrum, D and G of surfaces, make and combine them.",
-    "validate": "Evidence that this installation computes correctly.",
-    "verify-contact": "Compare contact laws with boundary elements, also on a measured map.",
-}
-#: Commands that share a module.
-_MODULES = dict.fromkeys(("init", "schema", "completion"), "start")
 
 #: Objects that are made before Python looks for garbage. Imports and tracing make many objects and hardly any garbage;
 #: with Python's own 700, looking through them takes a fifth of the time of a short command.
 _OBJECTS_BETWEEN_COLLECTIONS = 100_000
-
-
-class LazyGroup(click.Group):
-    """A click group that imports a command's module only when that command is used."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        """Names of all commands, in the order of the table."""
-        return list(COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """The command of this name, imported now; None if there is none."""
-        if cmd_name not in COMMANDS:
-            return None
-        RUNNING.set(f"'asperity {cmd_name}'")
-        function = cmd_name.replace("-", "_")
-        module = importlib.import_module(f"asperity.cli.{_MODULES.get(cmd_name, function)}")
-        command: click.Command = getattr(module, function)
-        return command
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the list of commands from the table, without importing any of them."""
-        with formatter.section("Commands"):
-            formatter.write_dl(list(COMMANDS.items()))
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command; a mistyped name is answered with the nearest known one."""
-        name = args[0]
-        if name not in COMMANDS and not name.startswith("-"):
-            import difflib
-
-            near = difflib.get_close_matches(name, COMMANDS, n=1)
-            hint = f"; did you mean '{near[0]}'?" if near else ""
-            raise click.UsageError(f"there is no command '{name}'{hint} (known: {', '.join(COMMANDS)})", ctx)
-        return super().resolve_command(ctx, args)
-
-
-def _show_version(context: click.Context, option: click.Parameter, asked: bool) -> None:
-    if asked:
-        from asperity import __version__
-
-        click.echo(f"asperity {__version__}")
-        context.exit()
-
-
-@click.group(
-    cls=LazyGroup,
-    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-)
-@click.option(
-    "--version",
-    is_flag=True,
-    is_eager=True,
-    expose_value=False,
-    callback=_show_version,
-    help="Show the version.",
-)
-def asperity() -> None:
-    """From a measured rough surface to the torsional stiffness of a traction-drive robot joint."""
+#: Time after which an interruption that has not arrived is raised again, and after which a second one ends at once [s].
+_AGAIN, _AT_ONCE = 0.05, 1.0
 
 
 class Terminated(KeyboardInterrupt):
     """The system asks the process to end (SIGTERM)."""
 
 
-def _terminate(number: int, frame: Any) -> None:
-    raise Terminated
+class Interruptions:
+    """What the signals SIGINT and SIGTERM do while a command runs: a ``KeyboardInterrupt``, where it can arrive.
+
+    Python raises it between any two steps. An extension module that is being imported may end the process upon it; in
+    a callback of C code, as of the garbage collection or of a hash, it is lost. It therefore waits for such imports and
+    is raised again until it arrives: until it is what is handled. ``said`` becomes the line and the exit code.
+    """
+
+    def __init__(self) -> None:
+        self.said: tuple[str, int] | None = None
+        self._over, self._since, self._unraisable = False, 0.0, sys.unraisablehook
+
+    def __enter__(self) -> Interruptions:
+        sys.unraisablehook = self._dropped
+        if threading.current_thread() is threading.main_thread():
+            signal.signal(signal.SIGTERM, self._asked)
+            if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # else it is ignored
+                signal.signal(signal.SIGINT, self._asked)
+        return self
+
+    def __exit__(self, _kind: object, error: BaseException | None, _trace: object) -> bool:
+        self._over = True
+        if self.said and hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+        sys.unraisablehook = self._unraisable
+        if error is None:  # it has ended in time
+            self.said = None
+        elif isinstance(error, KeyboardInterrupt):
+            self.said = ("terminated", 143) if isinstance(error, Terminated) else ("interrupted", 130)
+        return self.said is not None
+
+    def leave(self) -> None:
+        """End the process without taking it to pieces, which XLA does not always survive in the middle of its work."""
+        if self.said is not None:
+            os._exit(self.said[1])
+
+    def _asked(self, number: int, frame: FrameType | None) -> None:
+        line = ("terminated", 143) if number == signal.SIGTERM else ("interrupted", 130)
+        if self._over or (self.said and time.monotonic() > self._since + _AT_ONCE):
+            os._exit(line[1])
+        if self.said is None:
+            self.said, self._since = line, time.monotonic()
+            if hasattr(signal, "setitimer"):
+                signal.signal(signal.SIGALRM, self._raise)
+                signal.setitimer(signal.ITIMER_REAL, _AGAIN, _AGAIN)
+        self._raise(number, frame)
+
+    def _raise(self, _number: int, frame: FrameType | None) -> None:
+        arrives = self._over or isinstance(sys.exc_info()[1], KeyboardInterrupt)
+        if not arrives and not _extends(frame):
+            raise Terminated if self.said == ("terminated", 143) else KeyboardInterrupt
+
+    def _dropped(self, unraisable: Any) -> None:
+        if not isinstance(unraisable.exc_value, KeyboardInterrupt):
+            self._unraisable(unraisable)
 
 
-def _note(message: Any, *_: Any, **__: Any) -> None:
-    """Say what a package warns of in a line, without the place in its source."""
-    click.echo(f"asperity: note: {printable(str(message))}", err=True)
+def _extends(frame: FrameType | None) -> bool:
+    """Whether an extension module is being imported."""
+    while frame is not None and not frame.f_code.co_qualname.startswith("ExtensionFileLoader."):
+        frame = frame.f_back
+    return frame is not None
 
 
 def main() -> None:
     """Entry point of the ``asperity`` command."""
-    if threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGTERM, _terminate)
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS)
-    atexit.register(gc.freeze)  # a process that ends need not look through its objects once more
-    with checked_output(), warnings.catch_warnings():
-        warnings.showwarning = _note
-        code = _run()
+    code = 0
+    with Interruptions() as interruptions:
+        atexit.register(interruptions.leave)  # the last of these functions, since it is the first
+        atexit.register(gc.freeze)  # a process that ends need not look through its objects once more
+        from asperity.cli.commands import run
+
+        code = run()
+    if interruptions.said is not None:
+        line, code = interruptions.said
+        with contextlib.suppress(OSError):
+            print(f"asperity: {line}", file=sys.stderr, flush=True)
     sys.exit(code)
-
-
-def _options(error: BaseException) -> str:
-    """The options that do what a message asks for, also where another message has quoted it; empty if it names none."""
-    quoted: BaseException | None = error
-    while quoted is not None and str(quoted) in str(error):
-        if isinstance(quoted, AsperityError) and quoted.options:
-            names = " ".join(f"--{name}" for name in quoted.options)
-            return f" (option{'s' * (len(quoted.options) > 1)} {names})"
-        quoted = quoted.__context__
-    return ""
-
-
-def _run() -> int:
-    """Run the command; an exit code, after one message if it failed."""
-    try:
-        code = asperity.main(prog_name="asperity", standalone_mode=False)
-        sys.stdout.flush()
-    except AsperityError as error:
-        click.echo(f"asperity: error: {error}{_options(error)}", err=True)
-        return error.exit_code
-    except click.ClickException as error:
-        error.show()
-        return error.exit_code
-    except MemoryError as error:
-        reason = f" ({error})" if str(error) else ""
-        click.echo(
-            f"asperity: error: there is not enough memory{reason}; ask for fewer points, samples or results",
-            err=True,
-        )
-        return 2
-    except (click.Abort, KeyboardInterrupt) as error:
-        if isinstance(error, Terminated) or isinstance(error.__cause__, Terminated):
-            click.echo("asperity: terminated", err=True)
-            return 143
-        click.echo("asperity: interrupted", err=True)
-        return 130
-    except BrokenPipeError:  # the reader of the output has seen enough; nothing is left to be flushed at exit
-        silence(sys.stdout)
-        return 1
-    return code if isinstance(code, int) else 0

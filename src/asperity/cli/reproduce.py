@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
-import sys
 import textwrap
 from typing import Any
 
 import click
 
-from asperity.cli.terminal import json_option, prepare_computation
+from asperity.cli.terminal import json_option, prepare_computation, progress_bar
 
 _WIDTH = 110
 
@@ -106,29 +106,26 @@ def reproduce(out: str | None, as_json: bool) -> None:
     Each claim is compared with computed numbers, by criteria that are printed with the verdicts. The exit code is
     0 whether or not the claims are met.
     """
-    from rich.console import Console
-    from rich.progress import Progress
-
     prepare_computation()
     from asperity.zou2025.claims import judge
     from asperity.zou2025.curves import Curves, joint_curves, pair_curves
     from asperity.zou2025.files import output_folder, verdict_document, write_panel, write_verdicts
     from asperity.zou2025.panels import all_panels
 
-    folder = output_folder(out) if out is not None else None
-    console = Console(stderr=True)
-    with Progress(console=console, transient=True, disable=not sys.stderr.isatty()) as progress:
-        bar = progress.add_task("roller pairs", total=2 if folder is None else 16)
+    with (
+        progress_bar("parts") as report,
+        output_folder(out) if out is not None else contextlib.nullcontext() as folder,
+    ):
+        parts = 2 if folder is None else 16
         pairs = pair_curves()
-        progress.update(bar, advance=1, description="joints")
+        report(1, parts)
         curves = Curves(pairs=pairs, **joint_curves())
-        progress.update(bar, advance=1, description="claims")
+        report(2, parts)
         document = verdict_document(curves, judge(curves))
         if folder is not None:
-            for panel in all_panels(curves):
-                progress.update(bar, description=f"figure {panel.name}")
+            for done, panel in enumerate(all_panels(curves), start=3):
                 write_panel(panel, folder)
-                progress.update(bar, advance=1)
+                report(done, parts)
             write_verdicts(document, folder)
     click.echo(
         json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) if as_json else _report(document)

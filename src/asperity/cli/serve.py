@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -64,6 +65,8 @@ def serve(file: str | None, port: int, no_browser: bool, host: str) -> None:
     def stopping(stopped: KeyboardInterrupt) -> None:
         say("asperity: stopped" if type(stopped) is KeyboardInterrupt else "asperity: terminated")
 
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # the server ends by itself
     try:
         serve_page(start, listening=listening, host=host, ready=ready, stopping=stopping)
     except KeyboardInterrupt as stopped:

@@ -75,7 +75,7 @@ def completion(shell: str) -> None:
     """
     from click.shell_completion import get_completion_class
 
-    from asperity.cli import asperity
+    from asperity.cli.commands import asperity
 
     completer = get_completion_class(shell)
     if completer is None:

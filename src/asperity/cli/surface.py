@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,6 +29,8 @@ ARGUMENTS = {
     "shortest": "shortest_wavelength",
     "longest": "longest_wavelength",
 }
+#: Points of a profile that are computed at once: in less than a second.
+_AT_ONCE = 1_000_000
 _FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
 
 
@@ -409,17 +412,17 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
         if not gamma > 1.0:
             raise InputError(f"gamma is {gamma}; it must be above 1")
         terms = int(np.floor(np.log(points / 2) / np.log(gamma))) + 1
-        heights = np.asarray(
-            weierstrass_mandelbrot_profile(
-                position=np.arange(points) * spacing,
-                profile_length=points * spacing,
-                fractal_dimension=D,
-                fractal_roughness=G,
-                frequency_ratio=gamma,
-                phases=random.uniform(0.0, 2.0 * np.pi, terms),
-                lowest_index=0,
-            )
+        profile = functools.partial(
+            weierstrass_mandelbrot_profile,
+            profile_length=points * spacing,
+            fractal_dimension=D,
+            fractal_roughness=G,
+            frequency_ratio=gamma,
+            phases=random.uniform(0.0, 2.0 * np.pi, terms),
+            lowest_index=0,
         )
+        parts = np.array_split(np.arange(points) * spacing, 1 + points // _AT_ONCE)
+        heights = np.concatenate([profile(position=part) for part in parts])
     with replacing(output) as part:
         if output.suffix == ".npy":
             np.save(part, heights)

@@ -71,10 +71,10 @@ def tolerances(
     if as_json:
         print_json(asdict(allowed))
     else:
-        _show(allowed)
+        _show(allowed, case)
 
 
-def _show(allowed: AllowedDeviations) -> None:
+def _show(allowed: AllowedDeviations, case: Any) -> None:
     from asperity.cli.terminal import console, table
     from asperity.units import format_quantity
 
@@ -84,7 +84,7 @@ def _show(allowed: AllowedDeviations) -> None:
     )
     for size in allowed.sizes:
         rows.add_row(
-            "load.interference (bore)" if size.path == "load.interference" else size.path,
+            f"{size.path}{_part(size.path, case)}",
             format_quantity(size.diameter, "mm"),
             format_quantity(size.deviation, "um", 3),
             format_quantity(4.0 * size.deviation, "um", 3),
@@ -99,3 +99,12 @@ def _show(allowed: AllowedDeviations) -> None:
     )
     if allowed.without_influence:
         target.print(f"no influence: {', '.join(allowed.without_influence)}", markup=False)
+
+
+def _part(path: str, case: Any) -> str:
+    """The part that a size belongs to, in parentheses, where its path does not tell."""
+    section, *place = path.split(".")
+    if section == "contact":
+        entry = case.contact[int(place[0]) - 1]
+        return f" ({getattr(entry, place[1].removesuffix('_radius'))})"
+    return " (bore)" if path == "load.interference" else ""

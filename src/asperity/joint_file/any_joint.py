@@ -68,7 +68,8 @@ def with_nominal_sizes(values: Values) -> Values:
     """Tables in SI units for :func:`evaluated_points`, in which changes of the radii are deviations of finished parts.
 
     It then adds to the interference what the deviations from the present values make of it; unchanged where the preload
-    is stated as a force, and for type ``planar``, where radii are those of another drive with the same interference.
+    is stated as a force. The drive itself stays as large as it is where its contacts are listed, type ``planar``: the
+    radii of finished parts need not close it.
     """
     return build.with_nominal_sizes(values)
 

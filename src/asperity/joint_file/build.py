@@ -48,6 +48,9 @@ if TYPE_CHECKING:
     pass
 
 
+_SIDES = ("first_radius", "second_radius")
+
+
 def joint_from_case(case: Case) -> Joint:
     """The joint that a file describes, in SI units."""
     return joint_from_values(si_values(case))
@@ -58,7 +61,7 @@ def joint_from_values(values: Values) -> Joint:
 
     Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
     """
-    drive, shapes, pattern = layout_of(values)
+    drive, shapes, pattern = layout_of(_nominal_contacts(values))
     shapes = _on_pins(values.get("bearings", {}), drive, shapes)
     load, model, springs = values["load"], values["model"], values.get("compliance", {})
     names, cam = contacts_of(values), load.get("cam_force_per_torque")
@@ -294,14 +297,33 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[Toleranced
 
 def with_nominal_sizes(values: Values) -> Values:
     """Tables in which changes of the radii are deviations from their present values."""
-    if "interference" not in values["load"] or type_of(values) not in CONTACTS:
+    if "interference" not in values["load"]:
         return values
-    radii = {name: size for name, size in values["drive"].items() if name.endswith("_radius")}
+    if "contact" in values:
+        radii = {index: {side: entry[side] for side in _SIDES} for index, entry in values["contact"].items()}
+    else:
+        radii = {name: size for name, size in values["drive"].items() if name.endswith("_radius")}
     return values | {"nominal": radii}
+
+
+def _nominal_contacts(values: Values) -> Values:
+    """Tables whose listed contacts have their nominal radii: those of finished parts need not close a drive."""
+    if "nominal" not in values or "contact" not in values:
+        return values
+    nominal = values["nominal"]
+    return values | {"contact": {index: entry | nominal[index] for index, entry in values["contact"].items()}}
 
 
 def _grown(values: Values, drive: Drive) -> Array:
     """Interference of each contact that the deviations of finished parts from their nominal sizes add, [m]."""
+    if "contact" in values:
+        first, second = (
+            jnp.stack(
+                [entry[side] - values["nominal"][index][side] for index, entry in values["contact"].items()]
+            )
+            for side in _SIDES
+        )
+        return interference_of_sizes(drive=drive, first=first, second=second)
     nominal, *_ = layout_of(values | {"drive": values["drive"] | values["nominal"]})
     if "ring_radius" in values["drive"]:
         return interference_of_sizes(

@@ -176,14 +176,14 @@ def one_kind_of_roughness(surface: Any) -> Any:
 
 def unknown_materials(bodies: Any, known: Iterable[str]) -> list[str]:
     """Messages about bodies whose material is not defined, one for each such material."""
-    defined = list(known)
+    defined = dict.fromkeys(known)
     if not isinstance(bodies, Mapping):
         return []
     users: dict[str, list[str]] = {}
     for body, name in bodies.items():
         if isinstance(name, str) and name not in defined:
             users.setdefault(name, []).append(f"bodies.{body}")
-    choice = f"; the file defines {joined(defined)}; 'asperity materials' lists the library"
+    choice = f"; the file defines {joined(list(defined))}; 'asperity materials' lists the library"
     return [
         f"{joined(paths)}: there is no material {quoted(name)}"
         f"{(nearest(name, defined) if number < MOST_ERRORS else '') or choice}"

@@ -94,6 +94,7 @@ class Child:
                 stdout=subprocess.PIPE,
                 # what a reader says of a file that somebody sent does not belong on the terminal
                 stderr=subprocess.DEVNULL if self._kind == "measure" else None,
+                start_new_session=True,  # the keyboard's interruption is for the page, with which it ends
             )
         assert self._process.stdin is not None
         try:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import io
 import json
-from collections.abc import Mapping, Sequence
+import shutil
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +22,11 @@ from asperity.zou2025.panels import Panel
 from asperity.zou2025.preset import ASSUMPTIONS, REMARKS
 
 
-def output_folder(path: str | Path) -> Path:
-    """Create the folder for the results unless it exists."""
+@contextlib.contextmanager
+def output_folder(path: str | Path) -> Iterator[Path]:
+    """A folder for results, created unless it exists; if they are not completed, what was created is removed."""
     folder = Path(path)
+    created = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -30,7 +34,15 @@ def output_folder(path: str | Path) -> Path:
             f"cannot create the folder {folder}: {error.strerror or error}; choose a different folder",
             options=["out"],
         ) from error
-    return folder
+    try:
+        yield folder
+    except BaseException:
+        if created:
+            shutil.rmtree(folder, ignore_errors=True)
+        with contextlib.suppress(OSError):  # somebody else uses it
+            for place in created[1:]:
+                place.rmdir()
+        raise
 
 
 def _write_rows(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:

@@ -7,10 +7,9 @@ loss of a worker costs the blocks it was busy with, which others repeat.
 from __future__ import annotations
 
 import os
-import signal
-import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +20,7 @@ from asperity.study.datasets import require
 from asperity.study.sweep.store import write_block
 from asperity.study.sweep.store_layout import unfinished_blocks
 from asperity.study.sweep.sweep_plan import Plan, block_results
+from asperity.writing import interrupted_afterwards
 
 #: Blocks handed out ahead of each worker, so that none waits.
 _AHEAD = 2
@@ -97,33 +97,28 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     count = workers or os.cpu_count() or 1
     # an allocator looks at its environment only as a process starts; Dask sets this one in our own process too
     before_start = {**dask.config.get(_PRE_SPAWN), **_ALLOCATOR}
-    with (
-        dask.config.set({"distributed.worker.multiprocessing-method": "spawn", _PRE_SPAWN: before_start}),
-        _local_cluster(distributed, count) as cluster,
-        distributed.Client(cluster) as client,
-    ):
+    settings = {"distributed.worker.multiprocessing-method": "spawn", _PRE_SPAWN: before_start}
+    with dask.config.set(settings), ExitStack() as opened:
+        resource_tracker.ensure_running()  # which lets the signals through again where it starts
+        with interrupted_afterwards():
+            cluster = opened.enter_context(_local_cluster(distributed, count))
+            client = opened.enter_context(distributed.Client(cluster))
         yield client
 
 
 def _local_cluster(distributed: Any, count: int) -> Any:
-    """Spawned workers; an interrupt from the keyboard ends this process, which then ends them."""
-    main = threading.current_thread() is threading.main_thread()
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN) if main else None  # what they inherit
-    try:
-        return distributed.LocalCluster(
-            n_workers=count,
-            threads_per_worker=1,
-            processes=True,
-            dashboard_address=None,
-            # without an address of its own the scheduler's web server would take port 8787
-            scheduler_kwargs={"dashboard_address": "127.0.0.1:0", "dashboard": False},
-            env=worker_environment(),
-            silence_logs="CRITICAL",  # a worker that ends may miss a heartbeat; failures of blocks come as exceptions
-            memory_limit=0,
-        )
-    finally:
-        if main:
-            signal.signal(signal.SIGINT, before)
+    """Spawned workers."""
+    return distributed.LocalCluster(
+        n_workers=count,
+        threads_per_worker=1,
+        processes=True,
+        dashboard_address=None,
+        # without an address of its own the scheduler's web server would take port 8787
+        scheduler_kwargs={"dashboard_address": "127.0.0.1:0", "dashboard": False},
+        env=worker_environment(),
+        silence_logs="CRITICAL",  # a worker that ends may miss a heartbeat; failures of blocks come as exceptions
+        memory_limit=0,
+    )
 
 
 def worker_environment() -> dict[str, str]:

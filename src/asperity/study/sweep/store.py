@@ -32,7 +32,7 @@ from asperity.study.sweep.store_layout import (
     unfinished_blocks,
 )
 from asperity.study.sweep.sweep_plan import PLAN, Plan
-from asperity.writing import cannot_write, check_folder
+from asperity.writing import cannot_write, check_folder, interrupted_afterwards
 
 if TYPE_CHECKING:
     import xarray
@@ -49,7 +49,8 @@ def prepare_store(path: str | Path, plan: Plan) -> list[int]:
     try:
         building = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
         try:
-            build_store(building, plan)
+            with interrupted_afterwards():  # Zarr writes in threads, which would go on
+                build_store(building, plan)
             building.chmod(0o777 & ~_umask())
             building.rename(folder)
         except BaseException:

@@ -16,6 +16,7 @@ from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
 from asperity.joint_file.open_radius import radii_of
+from asperity.joint_file.part_names import paths_of_track
 from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.si_tables import NumericKey, Values, numeric_keys, si_values
 from asperity.library.tolerance_grades import grade_within, standard_tolerances
@@ -115,7 +116,7 @@ def allowed_deviations(
     Raises
     ------
     InputError
-        If the file lists its contacts or states a preload force, the drive of nominal sizes misses a limit, or the
+        If the file states a preload force, the drive of nominal sizes misses a limit, or the
         samples are too few.
     NoSolutionError
         If no size moves a limited result, or the limits are kept whatever the deviations.
@@ -254,20 +255,20 @@ class _Drives:
 
 
 def _sizes(case: Case) -> tuple[dict[str, NumericKey], np.ndarray]:
-    """Radii of the rollers and the interference of the rings, with the diameters that they belong to [m]."""
-    radii = radii_of(type(case))
-    if not radii:
-        raise InputError(
-            "sizes of a file that lists its contacts have no tolerances of their own; state its radii by type"
-        )
+    """Radii of the tracks, or of the rollers and the interference of the rings, with their diameters [m]."""
     if case.load.interference is None:
         raise InputError(
             "load.preload is a force, which no size moves: give load.interference, the preload that the sizes make"
         )
-    stated = numeric_keys(case)
-    sizes = {f"drive.{name}": stated[f"drive.{name}"] for name in radii}
+    stated, radii = numeric_keys(case), radii_of(type(case))
+    if not radii:  # the contacts are listed
+        tables = si_values(case)
+        listed = [path for path in stated if re.fullmatch(r"contact\.\d+\.(first|second)_radius", path)]
+        sizes = {path: stated[path] for path in listed if paths_of_track(tables, path)[0] == path}
+    else:
+        sizes = {f"drive.{name}": stated[f"drive.{name}"] for name in radii}
     diameters = {path: 2.0 * entry.value for path, entry in sizes.items()}
-    if "drive.ring_radius" not in sizes:  # then the bores of the rings follow from the rollers
+    if radii and "drive.ring_radius" not in sizes:  # then the bores of the rings follow from the rollers
         sizes["load.interference"] = stated["load.interference"]
         diameters["load.interference"] = 2.0 * float(np.max(joint_from_case(case).drive.second_radius))
     return sizes, np.array(list(diameters.values()))

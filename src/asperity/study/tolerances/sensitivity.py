@@ -95,7 +95,10 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     x = np.array([entry.value for entry in inputs.values()])
     point = {path: np.array([entry.value]) for path, entry in inputs.items()}
     refuse_impossible_joint(with_own_branches(case))
-    status, values, slopes = derivatives_at(with_nominal_sizes(tables), point, names, tuple(inputs))
+    around = (
+        tables if "contact" in tables else with_nominal_sizes(tables)
+    )  # radii of listed contacts: another drive
+    status, values, slopes = derivatives_at(around, point, names, tuple(inputs))
     y = np.concatenate([values[name][:, 0] for name in names])
     if status[0] != ALL_PLASTIC or np.isnan(y).any():
         refuse_failed(case, int(status[0]))

@@ -1,0 +1,90 @@
+"""Ctrl-C and SIGTERM end any command with one line, wherever they come: in imports, in callbacks from C or later.
+
+The signal is sent by the process to itself at a known place, by an audit hook or a callback, so that no test waits.
+"""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SOURCES = Path(__file__).parents[2] / "src"
+#: ``strike()`` sends the signal once; ``when(event, word)`` does at an audit event whose first argument has a word.
+PROGRAM = """
+import gc, os, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)
+left = [signal.{number}]
+def strike(*_):
+    if left:
+        os.kill(os.getpid(), left.pop())
+def when(event, word):
+    sys.addaudithook(lambda name, args: name == event and word in str(args[0]) and strike())
+if {collecting}:
+    gc.set_threshold = lambda *_: None
+    gc.callbacks.append(lambda *_: "jax._src.lax" in sys.modules and strike())
+else:
+    when({event!r}, {word!r})
+from asperity.cli import main
+main()
+"""
+
+
+def interrupted(folder, *command, number="SIGINT", event="", word="", collecting=False):
+    """The ended process of a command to which the signal is sent; its folder of temporary files is in the folder."""
+    program = PROGRAM.format(number=number, event=event, word=word, collecting=collecting)
+    temporary = folder / "temporary"
+    temporary.mkdir()
+    ended = subprocess.run(
+        [sys.executable, "-c", program, *map(str, command)],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(SOURCES), "TMPDIR": str(temporary), "ASPERITY_CACHE_DIR": ""},
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+    assert not list(temporary.iterdir())
+    temporary.rmdir()
+    return ended
+
+
+def answer(ended):
+    """Exit code, standard output and what is said; a line begins anew behind the ^C of a terminal."""
+    return ended.returncode, ended.stdout, ended.stderr.strip()
+
+
+@pytest.mark.parametrize(
+    "word",
+    [
+        "click",  # before there is a command
+        # by the C code of JAX, which imports NumPy
+        pytest.param("numpy.linalg", marks=pytest.mark.slow),
+        pytest.param("asperity.joint_file.model", marks=pytest.mark.slow),
+    ],
+)
+def test_an_interrupted_import_ends_with_one_line(tmp_path, word):
+    command = ("loads", EXAMPLES / "planetary.toml", "--csv", "loads.csv")
+    ended = interrupted(tmp_path, *command, event="import", word=word)
+    assert answer(ended) == (130, "", "asperity: interrupted")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.slow
+def test_an_interruption_that_a_callback_drops_comes_again(tmp_path):
+    ended = interrupted(tmp_path, "joint", EXAMPLES / "planetary.toml", collecting=True)
+    assert answer(ended) == (130, "", "asperity: interrupted")
+
+
+@pytest.mark.parametrize(
+    ("number", "code", "says"),
+    [("SIGINT", 130, "interrupted"), pytest.param("SIGTERM", 143, "terminated", marks=pytest.mark.slow)],
+)
+def test_an_interrupted_command_leaves_no_folder(tmp_path, number, code, says):
+    ended = interrupted(
+        tmp_path, "reproduce", "--out", "a/folder", number=number, event="os.mkdir", word="folder"
+    )
+    assert answer(ended) == (code, "", f"asperity: {says}")
+    assert not list(tmp_path.iterdir())
