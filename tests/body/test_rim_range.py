@@ -18,7 +18,7 @@ from asperity.body.rim_range import (
     rim_range,
     rim_stresses,
 )
-from asperity.body.rim_stress import hoop_stress
+from hoop_stress import hoop_stress
 from asperity.body.shapes import Annulus
 
 E, NU = 206e9, 0.3

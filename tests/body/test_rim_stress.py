@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.body.rim_stress import hoop_stress
+from hoop_stress import hoop_stress
 from asperity.body.shapes import Annulus
 
 E, NU = 206e9, 0.3

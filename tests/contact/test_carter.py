@@ -9,7 +9,6 @@ import pytest
 from scipy.integrate import quad
 
 from asperity.contact.carter import (
-    creep_coefficient,
     creepage,
     gross_slip_creepage,
     rolling_traction,
@@ -35,8 +34,9 @@ def test_creepage_of_two_steel_rollers(share, expected):
     np.testing.assert_allclose(found, [expected, -expected], rtol=6e-5)
 
 
-def test_creep_coefficient_is_the_slope_of_the_force():
-    found = creep_coefficient(contact_modulus=MODULUS, half_width=WIDTH, contact_length=B)
+def test_slope_of_the_force_at_rest():
+    """Kalker's coefficient of a long contact, pi a E* B/2, whatever the friction."""
+    found = 0.5 * np.pi * WIDTH * MODULUS * B
     assert float(found) == pytest.approx(2.1774e5, rel=2e-4)
     slope = jax.grad(lambda xi: slip_ratio_at_creepage(creepage=xi, gross_slip_creepage=LIMIT))
     for xi in (0.0, 1e-12, -1e-12):

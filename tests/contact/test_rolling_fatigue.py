@@ -15,7 +15,6 @@ from asperity.contact.rolling_fatigue import (
     line_contact_life,
     spectrum_life,
     stressed_track_life,
-    system_life,
 )
 
 MODULUS, RADIUS, LENGTH = 206e9 / (2 * (1 - 0.3**2)), 20e-3 / 3, 10e-3
@@ -97,26 +96,6 @@ def test_unloaded_tracks_live_for_ever():
     found = jax.vmap(life)(jnp.array([0.0, 1e9]))
     assert float(found[0]) == np.inf
     assert np.isfinite(float(jax.grad(life)(0.0)))
-
-
-def test_system_against_sampled_weibull_lives():
-    """Three parts that fail independently: the 10 % quantile of the first failure of 40000 (standard error 1.5 %)."""
-    parts = np.array([1.0, 2.0, 5.0])
-    random = np.random.default_rng(11)
-    scale = parts / (-np.log(0.9)) ** (1 / WEIBULL_SLOPE)
-    first = np.min(scale * random.weibull(WEIBULL_SLOPE, (40000, 3)), axis=1)
-    assert float(system_life(lives=parts)) == pytest.approx(np.quantile(first, 0.1), rel=0.05)
-    late = life_at_reliability(life=system_life(lives=parts), reliability=0.5)
-    assert float(late) == pytest.approx(np.median(first), rel=0.02)
-
-
-def test_system_limits():
-    assert float(system_life(lives=jnp.array([3.0, jnp.inf]))) == pytest.approx(3.0)
-    assert float(system_life(lives=jnp.array([jnp.inf, jnp.inf]))) == np.inf
-    same = system_life(lives=jnp.full((4, 2), 8.0))
-    np.testing.assert_allclose(same, 8.0 * 4**-0.9, rtol=1e-12)
-    slopes = jax.grad(lambda x: system_life(lives=x))(jnp.array([3.0, 1e300, 2.0]))
-    assert np.all(np.isfinite(slopes))
 
 
 def test_reliability_of_the_rating():

@@ -191,7 +191,7 @@ def pin_stress(*, body: Annulus, force: Array, away: Array) -> PinStress:
     Returns
     -------
     PinStress
-        In addition to :func:`~asperity.body.rim_stress.hoop_stress` under the contact forces that it balances.
+        In addition to :func:`~asperity.body.rim_range.rim_stresses` under the contact forces that it balances.
 
     References
     ----------

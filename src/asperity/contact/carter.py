@@ -107,36 +107,6 @@ def slip_ratio_at_creepage(*, creepage: Real, gross_slip_creepage: Real) -> Real
     return jnp.where(sticks, share * (2.0 - jnp.abs(share)), jnp.sign(creepage))
 
 
-def creep_coefficient(*, contact_modulus: Real, half_width: Real, contact_length: Real) -> Real:
-    r"""Tangential force per creepage while the creepage is small.
-
-    .. math:: \left.\frac{dQ}{d\xi}\right|_0 = \frac{\pi}{2} a E^* B
-
-    Parameters
-    ----------
-    contact_modulus : Real
-        Contact modulus E* [Pa].
-    half_width : Real
-        Half-width a of the contact [m].
-    contact_length : Real
-        Contact line length B [m].
-
-    Returns
-    -------
-    Real
-        Creep coefficient [N].
-
-    Notes
-    -----
-    Independent of friction. Kalker's coefficient of a long contact, :math:`C_{11} = \pi^2/(4(1-\nu))`, is the same.
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, 1985, section 8.3; the slope of (B1) of :doc:`/equations`.
-    """
-    return 0.5 * math.pi * half_width * contact_modulus * contact_length
-
-
 def stick_half_width(*, slip_ratio: Real, half_width: Real) -> Real:
     r"""Half-width of the stick zone of a rolling line contact, :math:`c = a\sqrt{1 - |q|}`.
 

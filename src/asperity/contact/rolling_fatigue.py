@@ -113,33 +113,6 @@ def line_contact_life(
     return jnp.where(loaded, life, jnp.inf)
 
 
-def system_life(*, lives: Real) -> Real:
-    r"""Life of a system that fails when its first part fails.
-
-    .. math:: L_s = \Bigl(\sum_i L_i^{-e}\Bigr)^{-1/e}
-
-    Parameters
-    ----------
-    lives : Real
-        Lives L_i of the parts at one survival, all in turns of one shaft or all in hours, parts first [any unit].
-
-    Returns
-    -------
-    Real
-        Life at the same survival [unit of the parts].
-
-    References
-    ----------
-    G. Lundberg and A. Palmgren, Acta Polytechnica 7 (1947); equation (B8) of :doc:`/equations`.
-    """
-    lives = jnp.asarray(lives, dtype=float)
-    shortest = jnp.min(lives, axis=0)
-    endless = jnp.isinf(shortest)
-    unit = jnp.where(endless, 1.0, shortest)
-    rate = jnp.sum((lives / unit) ** -WEIBULL_SLOPE, axis=0)
-    return jnp.where(endless, jnp.inf, unit * jnp.where(endless, 1.0, rate) ** (-1.0 / WEIBULL_SLOPE))  # (B8)
-
-
 def life_at_reliability(*, life: Real, reliability: Real) -> Real:
     r"""Life that a share of all systems survives.
 

@@ -114,7 +114,9 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     )
     first, second = _copies(bodies, planet_count, body.shape[1:])
     contact = driving * first + driven * second
-    return DriveLives(contact=_life(contact), body=_life(body), drive=_life(jnp.sum(contact, axis=0)))
+    return DriveLives(
+        contact=life_at_rate(contact), body=life_at_rate(body), drive=life_at_rate(jnp.sum(contact, axis=0))
+    )
 
 
 def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> Array:
@@ -153,8 +155,8 @@ def _copies(bodies: BodiesOfContacts, planet_count: Real, shape: tuple[int, ...]
     return jnp.stack([times[jnp.array(bodies.driving)], times[jnp.array(bodies.driven)]])
 
 
-def _life(rate: Array) -> Array:
-    """Life of what fails at a rate L^(-e)."""
+def life_at_rate(rate: Array) -> Array:
+    """Life of what fails at a rate L^(-e), shape of the rate; the rates of the parts of a system add up: (B8)."""
     endless = rate == 0.0
     return jnp.where(endless, jnp.inf, jnp.where(endless, 1.0, rate) ** (-1.0 / WEIBULL_SLOPE))
 
