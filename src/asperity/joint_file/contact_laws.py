@@ -24,7 +24,7 @@ _OVER_BOUNDARY_ELEMENTS: dict[ContactLaw, tuple[float, float]] = {
     "zou_2025": (0.045, 0.5),
     "exponential": OVER_BOUNDARY_ELEMENTS,
     "persson_2007": PERSSON_OVER_BOUNDARY_ELEMENTS,
-    "measured": (0.41, 1.59),
+    "measured": (0.49, 2.31),
 }
 
 

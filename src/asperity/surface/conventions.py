@@ -79,42 +79,6 @@ def power_spectral_density(
     return np.asarray(0.5 * np.exp(log))
 
 
-def power_spectral_density_of_wavenumber(
-    *, wavenumber: ArrayLike, fractal_dimension: float, fractal_roughness: float
-) -> NDArray[np.float64]:
-    r"""Two-sided density against angular wavenumber, the :math:`C^{1D}(q)` of tribology [m^3].
-
-    .. math::
-        C^{1D}(q) = \tfrac12 P(q / 2\pi), \qquad \frac{1}{\pi} \int_0^\infty C^{1D} dq = \langle z^2 \rangle
-
-    References
-    ----------
-    Jacobs, Junge & Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
-    """
-    q = np.asarray(wavenumber, dtype=np.float64)
-    return 0.5 * power_spectral_density(
-        frequency=q / (2.0 * math.pi),
-        fractal_dimension=fractal_dimension,
-        fractal_roughness=fractal_roughness,
-    )
-
-
-def areal_power_spectral_density(
-    *, frequency: ArrayLike, fractal_dimension: float, areal_fractal_roughness: float
-) -> NDArray[np.float64]:
-    r"""Two-dimensional density of the isotropic surface against radial frequency [m^4].
-
-    .. math::
-        C(f) = \frac{G_a^{2(D-1)}}{4\pi} f^{-(6-2D)}, \qquad \iint C \, df_x df_y = \langle z^2 \rangle
-
-    Its value is also the :math:`C^{2D}(q)` of Jacobs, Junge & Pastewka (2017) at :math:`q = 2\pi f`.
-    """
-    radial = power_spectral_density(
-        frequency=frequency, fractal_dimension=fractal_dimension, fractal_roughness=areal_fractal_roughness
-    )
-    return np.asarray(radial / (2.0 * math.pi * np.asarray(frequency, dtype=np.float64)))
-
-
 def structure_function_constant(*, fractal_dimension: float) -> float:
     r"""Constant c(D) of the structure function :math:`S(\tau) = c(D)\, G^{2(D-1)} \tau^{4-2D}`.
 
@@ -152,32 +116,6 @@ def roughness_from_structure_function(*, level: float, lag: float, fractal_dimen
     c = structure_function_constant(fractal_dimension=fractal_dimension)
     D = fractal_dimension
     return math.exp((math.log(level / c) - (4.0 - 2.0 * D) * math.log(lag)) / (2.0 * (D - 1.0)))
-
-
-def majumdar_tien_roughness(
-    *, fractal_dimension: float, fractal_roughness: float, frequency_ratio: float
-) -> float:
-    r"""G of Majumdar & Tien, whose sum has no :math:`(\ln\gamma)^{1/2}`, from the G of equation (6).
-
-    .. math::
-        G_{MT} = G (\ln\gamma)^{1/(2(D-1))}, \qquad P(f) = \frac{G_{MT}^{2(D-1)}}{2\ln\gamma} f^{-(5-2D)}
-
-    References
-    ----------
-    Majumdar & Tien, Wear 136 (1990) 313, equations (3) and (5); Majumdar & Bhushan, J. Tribol. 113 (1991) 1.
-    """
-    return fractal_roughness * math.log(frequency_ratio) ** (1.0 / (2.0 * (fractal_dimension - 1.0)))
-
-
-def topothesy(*, fractal_dimension: float, fractal_roughness: float) -> float:
-    r"""Topothesy :math:`\Lambda` [m], the lag of unit slope: :math:`S(\tau) = \Lambda^{2D-2} \tau^{4-2D}`.
-
-    References
-    ----------
-    Sayles & Thomas, Nature 271 (1978) 431; Russ, Fractal Surfaces (1994).
-    """
-    c = structure_function_constant(fractal_dimension=fractal_dimension)
-    return fractal_roughness * c ** (1.0 / (2.0 * (fractal_dimension - 1.0)))
 
 
 def mean_cosine_power(*, fractal_dimension: float) -> float:
