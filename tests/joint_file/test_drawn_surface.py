@@ -187,9 +187,19 @@ def test_assumptions_name_what_an_rz_leaves_open(head, tolerance):
 
 
 def test_ra_is_a_number_like_any_other(example_case):
-    """A study may vary Ra where the file states G; the cut-off is then that of the standard for each Ra."""
+    """A study may vary Ra where the file states G, with the law of a file with Ra unless the file states one.
+
+    The cut-off is then that of the standard for each Ra.
+    """
+    base = si_values(example_case)
     for average, cut_off in ((0.05e-6, 0.25e-3), (0.2e-6, 0.8e-3)):
-        values = replace_values(si_values(example_case), {"surface.roughness_average": average})
+        values = replace_values(base, {"surface.roughness_average": average})
+        (rough,) = joint_from_values(values).surfaces
+        assert float(rough.decay_length) == pytest.approx(0.48 * math.sqrt(math.pi) * average)
+        values = replace_values(
+            base | {"model": base["model"] | {"contact_law": "zou_2025"}},
+            {"surface.roughness_average": average},
+        )
         (surface,) = joint_from_values(values).surfaces
         g = surface.fractal_roughness
         back = roughness_average(fractal_dimension=1.4, fractal_roughness=g, cut_off=cut_off)
