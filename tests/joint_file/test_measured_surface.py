@@ -17,6 +17,7 @@ from asperity.joint_file.drawn_surface import with_measured_surface
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.measured_surface import case_with_surface
+from asperity.joint_file.solved_document import full_document, solved_case
 from asperity.surface.height_spectrum import HeightSpectrum, spectrum_of_map, spectrum_of_profiles
 from asperity.surface.measure_files import measured_files
 from asperity.surface.measured_roughness import MeasuredRoughness
@@ -478,3 +479,13 @@ def test_the_measured_law_needs_boundary_elements(example_case, isotropic_map):
         case_with_surface(case, roughness(profile_spectrum("rolling")))
     with pytest.raises(InputError, match="needs a measured map that was pressed with a hardness"):
         joint_from_case(case)
+
+
+@pytest.mark.slow
+def test_laws_side_by_side_with_unlike_branches(planar_case, isotropic_map):
+    branches = '[[branch]]\nplanet_deviation = "2 um"\n\n[[branch]]\n\n[[branch]]\n\n[load]'
+    case = planar_case("planetary", ("[load]", branches))
+    made = case_with_surface(case, roughness(isotropic_map))
+    laws = full_document(made, solved_case(made))["contact_laws"]
+    assert [entry["law"] for entry in laws] == ["exponential", "persson_2007"]
+    assert laws[1]["assembly_Nm_per_rad"] == pytest.approx(laws[0]["assembly_Nm_per_rad"], rel=0.1)

@@ -168,11 +168,9 @@ def _lacks(measured: MeasuredRoughness, law: str | None) -> str:
 
 def _without_lay(spectrum: HeightSpectrum, measured: MeasuredRoughness) -> str:
     """What to do about a profile whose lay is not known."""
-    remedy = (
-        ""
-        if measured.fractal is None
-        else '; or state model.contact_law = "zou_2025", which takes the measured D and G whatever the lay'
-    )
+    remedy = '; or state model.contact_law = "zou_2025", which takes the measured D and G whatever the lay'
+    if measured.fractal is None:
+        remedy = ""
     return (
         f"{spectrum.source}: a profile tells nothing of the waves along its grooves: measure it again with --lay: "
         "rolling (grooves in the rolling direction, measured along the rollers' axis), axis (grooves along the axis, "
