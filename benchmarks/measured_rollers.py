@@ -1,21 +1,23 @@
 """The law of randomly rough surfaces over boundary elements of a roller on a measured map.
 
-    python benchmarks/measured_rollers.py FOLDER [--hardness 5.6]
+    python benchmarks/measured_rollers.py FOLDER [--form plane] [--hardness 5.6]
 
 FOLDER has the measured files of the tests (``ASPERITY_SHARED_DATA``). Presses a steel roller on each map, in both
-directions, a polynomial of second degree removed, with line loads whose Hertzian width the map holds two and a half
-times and more; with a hardness [GPa] no pressure exceeds it. The interface has the compliance of the rough contact less
-that of the smooth one on the same grid. Prints N/(0.48 h) over its stiffness, with the h that a joint takes of the map
-at this width, and how many lie in the interval of a joint: the error of the law with the scatter of the spectrum; then
-the same by Persson's theory of the same waves, model.contact_law = "persson_2007". Below, with the decay length of flat
-patches of the map by boundary elements, model.contact_law = "measured", whose interval reaches from elastic patches to
-those with a hardness (5.6 GPa, or the given one).
+directions, a polynomial of second degree removed, or a plane, with line loads whose Hertzian width the map holds two
+and a half times and more; with a hardness [GPa] no pressure exceeds it. The interface has the compliance of the rough
+contact less that of the smooth one on the same grid. Prints K_n of 0.48 h over its stiffness, with the h that a joint
+takes of the map at this width, and how many lie in the interval of a joint: the error of the law with the scatter of
+the spectrum, its soft end with the form along the axis that the line load does not close; then the same by Persson's
+theory of the same waves, model.contact_law = "persson_2007". Below, with the decay length of flat patches of the map by
+boundary elements, model.contact_law = "measured", whose interval reaches from elastic patches to those with a hardness
+(5.6 GPa, or the given one).
 """
 
 from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -42,16 +44,19 @@ def main() -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("folder", type=Path)
+    parser.add_argument("--form", choices=("polynomial", "plane"), default="polynomial")
     parser.add_argument("--hardness", type=float)
     asked = parser.parse_args()
     use_double_precision()
     from asperity.bem import FreeHalfSpace, elastic_pair, normal_contact, normal_stiffness
     from asperity.bem.pressed_map import pressed_map
-    from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS, decay_length
+    from asperity.contact.creep_layer import layer_ratio
+    from asperity.contact.exponential import OVER_BOUNDARY_ELEMENTS, decay_length, line_contact_factor
     from asperity.contact.persson_2007 import (
         PERSSON_OVER_BOUNDARY_ELEMENTS,
         persson_decay_length,
         sorted_waves,
+        waves_along_line,
     )
     from asperity.errors import AsperityError
     from asperity.surface.height_spectrum import spectrum_of_map
@@ -80,8 +85,8 @@ def main() -> None:
                 surface.spacing_across * coarser,
                 source=surface.source,
             ),
-            form="polynomial",
-            degree=2,
+            form=asked.form,
+            **({"degree": 2} if asked.form == "polynomial" else {}),
         )
         assert flat.spacing_across is not None
         for rolling in ("x", "y"):
@@ -118,18 +123,50 @@ def main() -> None:
                     continue
                 limit = min(length, spectrum.cut_off())
                 square, deviation = spectrum.felt(rolling=1.0 / width, axial=1.0 / limit)
-                law = load * length / float(decay_length(rms_height=math.sqrt(square)))
-                ratio = law * (compliance[0] - compliance[1])
+                interface = compliance[0] - compliance[1]
+
+                def yielding(decay: float, load: float = load, length: float = length) -> float:
+                    """Compliance of the asperities between elastic rollers by their decay length."""
+                    rigid = load * length / decay
+                    ratio = layer_ratio(
+                        contact_modulus=modulus, contact_length=length, normal_stiffness=rigid
+                    )
+                    return 1.0 / (float(line_contact_factor(layer_ratio=ratio)) * rigid)
+
+                waves, squares = spectrum.form(rolling=1.0 / width, axial=1.0 / limit)
+                form = float(
+                    persson_decay_length(
+                        spectrum=waves_along_line(waves, squares, half_width=0.5 * width),
+                        mean_pressure=load,
+                        contact_modulus=modulus,
+                    )
+                )
+                by_heights = float(decay_length(rms_height=math.sqrt(square)))
+                ratio = interface / yielding(by_heights)
                 scatter, share = math.exp(0.98 * deviation / square), compliance[0] / compliance[1]
                 told = (
                     f"{flat.source:16} {rolling} {1e-3 * load:6.1f} N/mm 2b {1e6 * width:6.1f} um  "
-                    f"h {1e6 * math.sqrt(square):.4f} um (times {scatter:.2f})  rough over smooth {share:.3f}"
+                    f"h {1e6 * math.sqrt(square):.4f} um (times {scatter:.2f})  form {1e6 * form:.4f} um  "
+                    f"rough over smooth {share:.3f}"
                 )
                 if abs(share - 1.0) < SMALLEST_SHARE:
                     print(f"{told}  not resolved")
                     continue
-                low, high = OVER_BOUNDARY_ELEMENTS
-                inside.append(low / scatter <= ratio <= high * scatter)
+
+                def holds(
+                    decay: float,
+                    low: float,
+                    high: float,
+                    scatter: float = scatter,
+                    form: float = form,
+                    interface: float = interface,
+                    yielding: Callable[[float], float] = yielding,
+                ) -> bool:
+                    """Whether the boundary elements lie between the ends of a decay length with its error."""
+                    soft = yielding(decay * high * scatter + form)
+                    return yielding(decay * low / scatter) <= interface <= soft
+
+                inside.append(holds(by_heights, *OVER_BOUNDARY_ELEMENTS))
                 print(
                     f"{told}  law over elements {ratio:5.2f}{'' if inside[-1] else '  outside'}", flush=True
                 )
@@ -139,9 +176,8 @@ def main() -> None:
                     mean_pressure=pressure,
                     contact_modulus=1.0,
                 )
-                theory = load * length / float(length_of_theory) * (compliance[0] - compliance[1])
-                low, high = PERSSON_OVER_BOUNDARY_ELEMENTS
-                by_theory.append(low / scatter <= theory <= high * scatter)
+                theory = interface / yielding(float(length_of_theory))
+                by_theory.append(holds(float(length_of_theory), *PERSSON_OVER_BOUNDARY_ELEMENTS))
                 print(
                     f"{'':16} Persson over elements {theory:5.2f}{'' if by_theory[-1] else '  outside'}",
                     flush=True,
@@ -151,9 +187,9 @@ def main() -> None:
                 (elastic, wide), (capped, deep) = (
                     pressed.decay_ratio(pressure=pressure, capped=each) for each in (False, True)
                 )
-                ratio *= float(decay_length(rms_height=1.0)) / elastic
-                low, high = math.exp(-wide) / scatter, elastic / capped * math.exp(deep) * scatter
-                by_patches.append(low <= 1.0 / ratio <= high)
+                by_map = elastic * math.sqrt(square)
+                ratio = interface / yielding(by_map)
+                by_patches.append(holds(by_map, capped / elastic * math.exp(-deep), math.exp(wide)))
                 print(
                     f"{'':16} patches {elastic:.3f} to {capped:.3f} of h (times {math.exp(wide):.2f})  "
                     f"over elements {ratio:5.2f}{'' if by_patches[-1] else '  outside'}",

@@ -31,7 +31,8 @@ def main() -> JointResult:
         print(
             f"{name:36s}{float(level.output):12.4g} N·m/rad {float(level.output_per_arcminute):10.4g} N·m/arcmin"
         )
-    asperities = np.asarray(result.interfaces.asperity_share_tangential * result.assembly.tangential_share)
+    share = result.interfaces.tangential / result.interfaces.asperity_tangential  # of springs in series
+    asperities = np.asarray(share * result.assembly.tangential_share)
     print(f"planet float {float(np.sum(result.assembly.normal_share)):.1%} of the compliance")
     print(f"tangential springs {float(np.sum(result.assembly.tangential_share)):.1%}, of it asperities:")
     for name, share in zip(result.contact_names, asperities, strict=True):

@@ -6,13 +6,13 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from hoop_stress import hoop_stress
 from scipy.sparse import bmat, coo_matrix
 from scipy.sparse.linalg import splu
 
 from asperity.body.bore import bore_compliance, pin_stress
 from asperity.body.compliance import compliance_matrix, modes_needed
 from asperity.body.rim_range import POINTS, RimLoads, rim_stresses
-from hoop_stress import hoop_stress
 from asperity.body.shapes import Annulus, Disc
 
 E, NU = 206e9, 0.3

@@ -6,6 +6,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from hoop_stress import hoop_stress
 
 from asperity.body.compliance import wall_of
 from asperity.body.rim_range import (
@@ -18,7 +19,6 @@ from asperity.body.rim_range import (
     rim_range,
     rim_stresses,
 )
-from hoop_stress import hoop_stress
 from asperity.body.shapes import Annulus
 
 E, NU = 206e9, 0.3

@@ -6,8 +6,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-
 from hoop_stress import hoop_stress
+
 from asperity.body.shapes import Annulus
 
 E, NU = 206e9, 0.3

@@ -14,7 +14,12 @@ from asperity.bem import (
     partial_slip,
     tangential_stiffness,
 )
-from asperity.contact.exponential import RandomRoughness, decay_length, random_contact
+from asperity.contact.exponential import (
+    RandomRoughness,
+    decay_length,
+    line_contact_factor,
+    random_contact,
+)
 
 STEEL = elastic_pair(youngs_modulus_1=206e9, youngs_modulus_2=206e9, poisson_ratio_1=0.3, poisson_ratio_2=0.3)
 POINTS, SIDE, RMS, FRICTION = 256, 200e-6, 0.14e-6, 0.12
@@ -91,6 +96,62 @@ def test_displacement_before_slip_of_boundary_elements(patch):
     np.testing.assert_allclose(moved / moved[0], simulated / simulated[0], rtol=0.125)
     published = 1.0 - (1.0 - shares) ** (2.0 / 3.0)
     assert published[-1] / published[0] < 0.8 * simulated[-1] / simulated[0]
+
+
+def approach_of_strips(s, load, points=400):
+    """Approach of a cylinder on an elastic half-plane under a load, the asperities a layer u0 ln p between them.
+
+    Lengths over the half-width at the load 1/2 of smooth bodies, approaches over its square and radius, and pressures
+    over pi E R/2 times as much; the constant of a half-plane is left out. Newton's method for ln p.
+    """
+    side = 2.0 * (1.5 + 6.0 * math.sqrt(s) + 2.0 * s)
+    cell = side / points
+    x = cell * (np.arange(points) + 0.5) - 0.5 * side
+    upper, lower = (np.subtract.outer(x, x) + sign * 0.5 * cell for sign in (1.0, -1.0))
+    bodies = lower * np.log(np.abs(lower)) - upper * np.log(np.abs(upper)) + cell
+    unknown = np.append(np.log(np.sqrt(np.maximum(1.0 - x**2, 1e-6)) / math.pi), 0.0)
+    for _ in range(400):
+        pressure = np.exp(unknown[:-1])
+        gap = s * unknown[:-1] + 0.5 * x**2 + bodies @ pressure - unknown[-1]
+        matrix = np.block(
+            [[bodies * pressure + s * np.eye(points), -np.ones((points, 1))], [cell * pressure, np.zeros(1)]]
+        )
+        step = np.linalg.solve(matrix, -np.append(gap, cell * pressure.sum() - load))
+        unknown += min(1.0, 2.0 / np.abs(step[:-1]).max()) * step
+        if np.abs(step).max() < 1e-11:
+            return unknown[-1]
+    raise AssertionError
+
+
+@pytest.mark.parametrize("s", [0.02, 0.1, 0.5, 2.0, 10.0])
+def test_line_contact_of_elastic_strips(s):
+    """The compliance beyond that of Hertz, ln 2 in these units, is u0/N = 2 s over the factor: to one in fifty."""
+    change = 1e-3
+    compliance = (
+        approach_of_strips(s, 0.5 + 0.5 * change) - approach_of_strips(s, 0.5 - 0.5 * change)
+    ) / change
+    assert float(line_contact_factor(layer_ratio=s)) == pytest.approx(
+        2.0 * s / (compliance - math.log(2.0)), rel=0.02
+    )
+
+
+def test_line_contact_by_hand():
+    """Twice as stiff where the asperities hardly yield, as between rigid bodies where the line is very long."""
+    length, modulus = 10e-3, float(STEEL.contact_modulus)
+    roughness = RandomRoughness(decay_length(rms_height=RMS))
+    common = {
+        "friction_coefficient": FRICTION,
+        "contact_modulus": modulus,
+        "tangential_contact_modulus": modulus,
+    }
+    found = random_contact(
+        roughness=roughness, normal_force=1000.0, tangential_force=60.0, contact_length=length, **common
+    )
+    rigid = 1000.0 / (0.48 * RMS)
+    s = 0.25 * math.pi * modulus * length / rigid
+    assert float(found.layer_stiffness) == pytest.approx(rigid, rel=1e-12)
+    assert float(found.normal_stiffness) == pytest.approx(rigid * (1.0 + 1.0 / (1.0 + 1.35 * s)), rel=1e-12)
+    assert float(found.tangential_stiffness) == pytest.approx(2.0 * float(found.normal_stiffness), rel=1e-12)
 
 
 def test_numbers_by_hand():

@@ -17,9 +17,7 @@ from asperity.bem import (
 )
 from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.contact.interface import (
-    Interface,
     bulk_tangential_stiffness,
-    compliance_share,
     series_stiffness,
 )
 
@@ -28,17 +26,6 @@ def test_two_springs_in_series_add_their_compliances():
     assert float(series_stiffness(2e8, 3e8)) == pytest.approx(1.0 / (1.0 / 2e8 + 1.0 / 3e8), rel=1e-15)
     assert float(series_stiffness(0.0, 3e8)) == 0.0
     assert float(series_stiffness(0.0, 0.0)) == 0.0
-
-
-def test_shares_of_the_compliance_add_up_to_one():
-    rough = Interface(asperity_normal=4e9, asperity_tangential=3e9, bulk_normal=2e8, bulk_tangential=1.6e8)
-    other = Interface(asperity_normal=2e8, asperity_tangential=1.6e8, bulk_normal=4e9, bulk_tangential=3e9)
-    assert float(rough.asperity_share_normal + other.asperity_share_normal) == pytest.approx(1.0, rel=1e-15)
-    assert float(rough.asperity_share_tangential) == pytest.approx(
-        (1 / 3e9) / (1 / 3e9 + 1 / 1.6e8), rel=1e-14
-    )
-    assert float(rough.normal) < 2e8
-    assert math.isnan(float(compliance_share(0.0, 0.0)))
 
 
 def test_friction_used_by_half_adds_the_logarithm_of_two():

@@ -7,13 +7,20 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import beta, erf
 
-from asperity.bem import PeriodicHalfSpace, elastic_pair, normal_contact, normal_stiffness
+from asperity.bem import (
+    FreeHalfSpace,
+    PeriodicHalfSpace,
+    elastic_pair,
+    normal_contact,
+    normal_stiffness,
+)
 from asperity.contact.persson_2007 import (
     PERSSON_OVER_BOUNDARY_ELEMENTS,
     contact_fraction,
     persson_decay_length,
     sorted_waves,
     wave_spectrum,
+    waves_along_line,
 )
 from asperity.surface.height_spectrum import spectrum_of_map, spectrum_of_profiles
 from asperity.surface.topography import Topography
@@ -193,3 +200,46 @@ def test_waves_of_two_bodies_in_any_order_are_those_of_one():
             for spectrum in waves
         )
         assert both == pytest.approx(one, rel=0.03)
+
+
+@pytest.mark.slow
+def test_waves_along_a_roller_against_boundary_elements():
+    """Waves along the axis alone: closed by the line load, or the roller rests on a part of its line.
+
+    The line load that closes them varies by 0.5, 2 and 10 times its mean, rms. A roller of 10 mm on waves of 150 to
+    640 um; its compliance less that of the smooth one.
+    """
+    pair = elastic_pair(
+        youngs_modulus_1=206e9, youngs_modulus_2=206e9, poisson_ratio_1=0.3, poisson_ratio_2=0.3
+    )
+    modulus, radius, half_width = float(pair.contact_modulus), 10e-3, 70e-6
+    rows, columns, pixel = 384, 64, 5e-6
+    line_load = np.pi * modulus * half_width**2 / (4.0 * radius)
+    half_space = FreeHalfSpace(pair, shape=(rows, columns), pixel_size=(pixel, pixel))
+    gap = ((np.arange(columns) - 0.5 * (columns - 1)) * pixel) ** 2 / (2.0 * radius) * np.ones((rows, 1))
+
+    def decay_length(heights):
+        load = line_load * rows * pixel
+        contact = normal_contact(half_space, heights[:, None] - gap, normal_force=load)
+        return load / float(normal_stiffness(half_space, contact.pressure > 0.0).stiffness)
+
+    smooth = decay_length(np.zeros(rows))
+    count = np.arange(3, 13)
+    wavenumber = 2.0 * np.pi * count / (rows * pixel)
+    ratios = []
+    for seed in range(2):
+        random = np.random.default_rng(seed)
+        amplitude = random.rayleigh(size=count.size) / np.sqrt(count)
+        phases = random.uniform(0.0, 2.0 * np.pi, count.size)
+        shape = amplitude @ np.cos(np.outer(wavenumber, np.arange(rows) * pixel) + phases[:, None])
+        unit = waves_along_line(wavenumber, 0.5 * amplitude**2, half_width=half_width)
+        for deep in (0.5, 2.0, 10.0):
+            factor = deep * line_load / (0.5 * modulus * float(unit.rms_slope))
+            waves = waves_along_line(wavenumber, 0.5 * (factor * amplitude) ** 2, half_width=half_width)
+            theory = persson_decay_length(spectrum=waves, mean_pressure=line_load, contact_modulus=modulus)
+            elements = decay_length(factor * shape) - smooth
+            if deep < 1.0:
+                assert max(abs(elements), float(theory)) < 0.05 * float(waves.rms_height)
+            else:
+                ratios.append(elements / float(theory))
+    assert 0.4 < min(ratios) < max(ratios) < 1.1

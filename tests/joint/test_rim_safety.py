@@ -7,8 +7,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-
 from hoop_stress import hoop_stress
+
 from asperity.compilation import call_compiled
 from asperity.joint.bodies import exact_bodies
 from asperity.joint.rims import joint_rims

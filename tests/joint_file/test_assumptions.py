@@ -135,6 +135,7 @@ def test_a_surface_by_its_ra_leaves_d_open(planar_case, dimension, told):
         "planetary",
         ("fractal_dimension = 1.5", f"fractal_dimension = {dimension}"),
         ('fractal_roughness = "1.3e-7 mm"', 'roughness_average = "0.1 um"'),
+        ("[model]", '[model]\ncontact_law = "zou_2025"'),
     )
     (said,) = [each for each in assumptions(average) if "Ra leaves D open" in each]
     assert not any("mean_roughness_depth" in each for each in assumptions(average))

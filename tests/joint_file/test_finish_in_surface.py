@@ -4,6 +4,7 @@ import pytest
 import tomlkit
 
 from asperity.errors import InputError
+from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.finish_in_surface import dimension_text, fill_in_finishes
 from asperity.joint_file.reader import parse_case
@@ -27,6 +28,19 @@ def test_a_finish_gives_the_published_range_of_d(case_with):
     )
     assert dimension.distribution.kind == "uniform"
     assert entry.frequency_ratio.value == 1.5
+
+
+@pytest.mark.parametrize("height", ['roughness_average = "0.2 um"', 'mean_roughness_depth = "1.6 um"'])
+def test_an_average_alone_has_the_range_of_all_finishes(case_with, height):
+    case = case_with(f"[surface]\n{height}")
+    dimension = case.surface.fractal_dimension
+    ends = [end for finish in read_finishes().values() for end in finish.published_dimension]
+    assert dimension.value - dimension.tolerance == pytest.approx(min(ends))
+    assert dimension.value + dimension.tolerance == pytest.approx(max(ends))
+    assert case.contact_law() == "exponential"
+    told = " ".join(assumptions(case))
+    assert "surface.roughness_average without a finish: D is that of any finish" in told
+    assert "h = 1.2533 Ra of both bodies together" in told
 
 
 def test_what_the_file_states_stays(case_with):
@@ -55,14 +69,16 @@ def test_each_contact_may_have_its_own():
             'finish = "grund"\nroughness_average = "0.2 um"',
             r"a\.toml: surface\.finish: there is no finish 'grund'; known are ground, honed",
         ),
-        ('roughness_average = "0.2 um"', "Ra fixes one combination of D and G; add a finish"),
+        (
+            'Rq = "0.2 um"',
+            r"surface\.Rq: unknown key; did you mean 'rms_height', of both bodies together: sqrt\(2\)",
+        ),
         ('finish = "ground"\nroughness_rz = "1.6 um"', "did you mean 'mean_roughness_depth'"),
         ('finish = "ground"\nRz = "1.6 um"', r"surface\.Rz: .* did you mean 'mean_roughness_depth'"),
         (
             'finish = "ground"\nRt = "1.6 um"',
             r"surface\.Rt: .* which a single scratch decides; give roughness_av",
         ),
-        ('mean_roughness_depth = "1.6 um"', "Rz fixes one combination of D and G; add a finish"),
         (
             'finish = "ground"\nmean_roughness_depth = "1.6 um"\nroughness_average = "0.3 um"',
             r"a\.toml: surface: both mean_roughness_depth and roughness_average are given",

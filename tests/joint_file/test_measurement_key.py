@@ -11,6 +11,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.measured_surface import measured_surface
 from asperity.joint.solve import solve_joint
+from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.felt_heights import felt_at
@@ -151,6 +152,16 @@ def test_a_law_with_a_decay_length_has_it_at_every_point(folder, named_text):
         assert results[RESULTS[0]][point] == pytest.approx(stiffness, rel=1e-8)
     with pytest.raises(InputError, match="has no derivatives beside"):
         derivatives_at(si_values(case), {"load.preload": preload}, RESULTS[:1], ("load.preload",))
+
+
+@pytest.mark.slow
+def test_beyond_the_capacity_it_is_not_known_what_the_contacts_feel(named):
+    """Nor the capacity that follows from it, which had been that of heights at infinite widths."""
+    torques = {"load.output_torque": np.array([2.0, 1e3])}
+    status, results = evaluate_points(si_values(named), torques, ("torque_capacity", "speed_ratio"))
+    assert STATUS_NAMES[status[1]] == "beyond_torque_capacity"
+    assert np.isfinite(results["torque_capacity"]).tolist() == [True, False]
+    assert np.isfinite(results["speed_ratio"]).all()
 
 
 def test_points_without_a_joint_do_not_disturb_the_others(named):

@@ -35,9 +35,9 @@ def hoop_stress(
         \sigma_\theta = \frac{1}{\pi R L} \sum_j \left[ F^r_j \left(\tfrac12 h^r_0 + \sum_{n\ge1} h^r_n
         \cos n(\theta - \varphi_j)\right) - F^t_j \sum_{n\ge1} h^t_n \sin n(\theta - \varphi_j) \right]
 
-    Contacts at polar angles of shape (n,) [rad], forces on the body outward and counter-clockwise [N], points at angles of
-    shape (m,) [rad]; valid on the loaded rim a few half-widths away from the contacts, on the other rim everywhere.
-    Unbalanced forces are treated as in :func:`asperity.body.compliance.compliance_matrix`.
+    Contacts at polar angles of shape (n,) [rad], forces on the body outward and counter-clockwise [N], points at
+    angles of shape (m,) [rad]; valid on the loaded rim a few half-widths away from the contacts, on the other
+    rim everywhere. Unbalanced forces are treated as in :func:`asperity.body.compliance.compliance_matrix`.
     """
     wall, side = wall_of(body), 1.0 if body.loaded_rim == "outer" else -1.0
     modes = jnp.arange(2, mode_count + 2, dtype=float)

@@ -81,6 +81,37 @@ def test_one_wave_is_felt_or_not(periods, width, felt):
     assert square == pytest.approx(0.5e-14 if felt else 0.0, rel=0.02, abs=1e-16)
 
 
+def test_many_pairs_of_limits_are_those_of_each():
+    heights = spectral_surface(
+        rows=128,
+        columns=128,
+        spacing=SPACING,
+        fractal_dimension=1.3,
+        areal_fractal_roughness=1e-11,
+        periodic=True,
+        random=np.random.default_rng(1),
+    )
+    spectrum = spectrum_of_map(topography=topography(heights), rolling="x")
+    rolling, axial = np.meshgrid(1.0 / np.array([3e-6, 20e-6, 1.0]), 1.0 / np.array([5e-6, 40e-6, 1.0]))
+    squares = spectrum.squares(rolling=rolling, axial=axial)
+    for place in np.ndindex(squares.shape):
+        limits = {"rolling": float(rolling[place]), "axial": float(axial[place])}
+        square, _ = spectrum.felt(**limits)
+        assert squares[place] == pytest.approx(square, rel=1e-12)
+        _, form = spectrum.form(**limits)
+        assert square + form.sum() == pytest.approx(spectrum.mean_square.sum(), rel=1e-12)
+
+
+def test_form_of_a_profile_ends_at_two_thirds_of_its_length():
+    """Waves of one, four and 40 periods in 4096 µm: felt up to 0.2 mm, form up to 2.7 mm, and crown."""
+    x = np.arange(4096) / 4096.0
+    heights = sum(1e-7 * np.cos(2.0 * np.pi * count * x + 0.4) for count in (1, 6, 40))
+    profile = spectrum_of_profiles(profiles=heights[None], spacing=SPACING, lay="rolling", source="one")
+    wavenumber, square = profile.form(rolling=1e4, axial=1.0 / 0.2e-3)
+    assert square.sum() == pytest.approx(0.5e-14, rel=0.1)
+    assert wavenumber[np.argmax(square)] == pytest.approx(2.0 * np.pi * 6.0 / 4096e-6, rel=0.15)
+
+
 def test_a_map_with_unlike_pixels_keeps_its_lengths():
     y = np.arange(128)[:, None]
     heights = 1e-7 * np.sin(2.0 * np.pi * 10.0 * y / 128.0) + np.zeros(
@@ -149,7 +180,6 @@ def test_the_lay_says_in_which_direction_a_profile_counts(profiles):
     assert circumferential.felt(**limits)[0] == along.felt(rolling=math.inf, axial=1.0 / 500e-6)[0]
     assert axial.felt(**limits)[0] == pytest.approx(along.felt(rolling=math.inf, axial=1.0 / 20e-6)[0])
     assert with_lay(along, "isotropic").felt(**limits) == circumferential.felt(**limits)
-    assert [each.needs_width for each in (circumferential, axial)] == [False, True]
     assert axial.longest_wave == along.longest_wave == pytest.approx(4096e-6 / 1.5)
 
 

@@ -90,7 +90,7 @@ def layer_ratio(*, contact_modulus: Real, contact_length: Real, normal_stiffness
     r"""Yield of the asperities over that of the bodies.
 
     .. math::
-        s = \frac{u_0 R}{a^2} = \frac{\pi E B}{4 K_n}, \qquad u_0 = \frac{N}{K_n}, \quad a^2 = \frac{4 N R}{\pi E B}
+        s = \frac{u_0 R}{a^2} = \frac{\pi E B}{4 N/u_0}, \qquad a^2 = \frac{4 N R}{\pi E B}
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def layer_ratio(*, contact_modulus: Real, contact_length: Real, normal_stiffness
     contact_length : Real
         Contact line length B [m].
     normal_stiffness : Real
-        Normal stiffness K_n of the asperities of the whole contact, positive [N/m].
+        Normal stiffness N/u_0 of the asperities of the whole contact between rigid bodies, positive [N/m].
 
     Returns
     -------
@@ -108,9 +108,8 @@ def layer_ratio(*, contact_modulus: Real, contact_length: Real, normal_stiffness
 
     Notes
     -----
-    With pressure that falls exponentially with the separation, :math:`K_n = N/u_0` whatever the pressure's
-    distribution. The law of Zou et al. 2025 is one of K_n alone, its local form is not published: its u_0 is then
-    assumed to act at every place of the contact.
+    The pressure falls by the factor e in u_0. The law of Zou et al. 2025 is one of K_n alone, its local form is not
+    published: :math:`u_0 = N/K_n` is then assumed to act at every place of the contact.
 
     References
     ----------

@@ -3,9 +3,9 @@ r"""The contact of randomly rough elastic surfaces: pressure falls exponentially
 .. math::
     p = \beta E^* e^{-u/u_0}, \qquad u_0 = \gamma\, h_{rms}
 
-so that a contact of any shape has the stiffness :math:`N/u_0`, whatever its area and modulus: one number of the surface
-decides, the rms of its heights. It holds while the surfaces touch in part of their area, and far more of real, measured
-surfaces follow it than one power law with D and G.
+so that rigid bodies of any shape have the stiffness :math:`N/u_0`, elastic rollers up to twice as much: one number of
+the surface decides, the rms of its heights. It holds while the surfaces touch in part of their area, and far more of
+real, measured surfaces follow it than one power law with D and G.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
+from asperity.contact.creep_layer import layer_ratio
 from asperity.contact.interface import RoughContact
 from asperity.types import Real
 
@@ -64,6 +65,34 @@ def decay_length(*, rms_height: Real) -> Real:
     return DECAY_LENGTH_RATIO * rms_height
 
 
+def line_contact_factor(*, layer_ratio: Real) -> Real:
+    r"""Stiffness of the asperities in a line contact of elastic rollers over that between rigid bodies.
+
+    .. math::
+        \frac{K_n u_0}{N} = 1 + \frac{1}{1 + 1.35\,s}, \qquad s = \frac{u_0 R}{a^2}
+
+    Parameters
+    ----------
+    layer_ratio : Real
+        Yield of the asperities over that of the bodies s, :func:`asperity.contact.creep_layer.layer_ratio` [-].
+
+    Returns
+    -------
+    Real
+        Factor, 2 for asperities much stiffer than the bodies and 1 for much softer ones [-].
+
+    Notes
+    -----
+    Where asperities hardly yield the pressure is that of Hertz and rises as :math:`\sqrt N`: their approach
+    :math:`u_0 \ln p` grows by :math:`u_0/2N` a newton. Within 1.6 % of elastic strips with this layer, s 0.005 to 20.
+
+    References
+    ----------
+    Derived here; (A10) of :doc:`/equations`.
+    """
+    return 1.0 + 1.0 / (1.0 + 1.35 * layer_ratio)
+
+
 def random_contact(
     *,
     roughness: RandomRoughness,
@@ -72,11 +101,12 @@ def random_contact(
     friction_coefficient: Real,
     contact_modulus: Real,
     tangential_contact_modulus: Real,
+    contact_length: Real = jnp.inf,
 ) -> RoughContact:
     r"""Stiffnesses of a randomly rough contact under load.
 
     .. math::
-        K_n = \frac N{u_0}, \qquad K_t = \kappa\,\frac N{u_0} \Bigl(1 - \frac T{\mu N}\Bigr), \qquad
+        K_n = f\,\frac N{u_0}, \qquad K_t = \kappa\,K_n \Bigl(1 - \frac T{\mu N}\Bigr), \qquad
         \kappa = \frac{4 G^*}{E^*}
 
     Parameters
@@ -89,6 +119,8 @@ def random_contact(
         mu [-].
     contact_modulus, tangential_contact_modulus : Real
         E and G* [Pa], :mod:`asperity.materials`.
+    contact_length : Real
+        Of a line contact of elastic rollers, for f of :func:`line_contact_factor`; infinite between rigid bodies [m].
 
     Returns
     -------
@@ -99,7 +131,8 @@ def random_contact(
     Notes
     -----
     Valid for elastic spots in partial contact: the real area far below the nominal one. The displacement under a
-    tangential force, :math:`-\frac{\mu u_0}\kappa \ln(1 - T/\mu N)`, is the integral of :math:`1/K_t`.
+    tangential force, :math:`-\frac{\mu u_0}{\kappa f} \ln(1 - T/\mu N)`, is the integral of :math:`1/K_t`; f is
+    that without a tangential force.
 
     References
     ----------
@@ -110,10 +143,14 @@ def random_contact(
     load = jnp.where(touching, normal_force, 0.0)
     limit = friction_coefficient * jnp.where(touching, normal_force, 1.0)
     held = jnp.where(touching, jnp.maximum(1.0 - tangential_force / limit, 0.0), 0.0)
-    normal = load / roughness.decay_length
-    unknown = jnp.full_like(normal, jnp.nan)
-    ratio = 4.0 * tangential_contact_modulus / contact_modulus
-    values = jnp.broadcast_arrays(
-        unknown, unknown, unknown, load, jnp.zeros_like(load), ratio * normal * held, normal, unknown, unknown
+    rigid = load / roughness.decay_length
+    ratio = layer_ratio(
+        contact_modulus=contact_modulus,
+        contact_length=contact_length,
+        normal_stiffness=jnp.where(touching, rigid, 1.0),
     )
-    return RoughContact(*values)
+    normal = line_contact_factor(layer_ratio=ratio) * rigid
+    unknown = jnp.full_like(normal, jnp.nan)
+    kappa = 4.0 * tangential_contact_modulus / contact_modulus
+    elastic = (load, jnp.zeros_like(load), kappa * normal * held, normal, rigid)
+    return RoughContact(*jnp.broadcast_arrays(unknown, unknown, unknown, *elastic, unknown, unknown))

@@ -281,7 +281,7 @@ def fractal_contact(
         force * elastic_share,
         force * plastic_share,
         8.0 * tangential_contact_modulus * radius_sum * slip,  # (24)
-        2.0 * contact_modulus * radius_sum,  # (A6)
+        *[2.0 * contact_modulus * radius_sum] * 2,  # (A6)
         jnp.exp(log_psi),
         contact_factor,
     )

@@ -36,16 +36,6 @@ class Interface(eqx.Module):
         """Tangential stiffness of asperities and bulk in series [N/m]."""
         return series_stiffness(self.asperity_tangential, self.bulk_tangential)
 
-    @property
-    def asperity_share_normal(self) -> Real:
-        """Share of the normal compliance that is the asperities' [-]."""
-        return compliance_share(self.asperity_normal, self.bulk_normal)
-
-    @property
-    def asperity_share_tangential(self) -> Real:
-        """Share of the tangential compliance that is the asperities' [-]."""
-        return compliance_share(self.asperity_tangential, self.bulk_tangential)
-
 
 def series_stiffness(stiffness_1: Real, stiffness_2: Real) -> Real:
     r"""Stiffness of two springs in series, :math:`k_1 k_2/(k_1 + k_2)`; 0 where one of them is 0.
@@ -66,27 +56,6 @@ def series_stiffness(stiffness_1: Real, stiffness_2: Real) -> Real:
     """
     total = stiffness_1 + stiffness_2
     return stiffness_1 * (stiffness_2 / jnp.where(total > 0.0, total, 1.0))
-
-
-def compliance_share(stiffness_1: Real, stiffness_2: Real) -> Real:
-    r"""Share of the first of two springs in series in their compliance, :math:`k_2/(k_1 + k_2)`.
-
-    Parameters
-    ----------
-    stiffness_1, stiffness_2 : Real
-        Stiffnesses [N/m].
-
-    Returns
-    -------
-    Real
-        Share [-]; nan where both are 0.
-
-    References
-    ----------
-    Elementary: elongation of the first spring over that of both under the same force.
-    """
-    total = stiffness_1 + stiffness_2
-    return jnp.where(total > 0.0, stiffness_2 / jnp.where(total > 0.0, total, 1.0), jnp.nan)
 
 
 def bulk_tangential_stiffness(
@@ -152,6 +121,8 @@ class RoughContact(eqx.Module):
         Shares F_e and F_p of the normal force carried by elastic and by plastic spots [N].
     tangential_stiffness, normal_stiffness : Array
         K_t and K_n of all elastic spots together [N/m].
+    layer_stiffness : Array
+        Normal force over the approach in which the pressure rises by the factor e [N/m]; K_n of the published law.
     domain_extension_factor, contact_factor : Array
         psi and lambda [-]; nan for a law without spots.
     """
@@ -163,5 +134,6 @@ class RoughContact(eqx.Module):
     plastic_load: Array
     tangential_stiffness: Array
     normal_stiffness: Array
+    layer_stiffness: Array
     domain_extension_factor: Array
     contact_factor: Array

@@ -8,6 +8,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
+import scipy.special
 from jax import Array
 from jax.scipy.special import erf
 from numpy.typing import NDArray
@@ -93,6 +94,39 @@ def sorted_waves(wavenumber: NDArray[np.float64], variance: NDArray[np.float64])
         rms_height=jnp.asarray(math.sqrt(variance.sum())),
         rms_slope=jnp.asarray(math.sqrt(slope[-1])),
     )
+
+
+def waves_along_line(
+    wavenumber: NDArray[np.float64], variance: NDArray[np.float64], *, half_width: float
+) -> WaveSpectrum:
+    r"""Waves along the axis of a line contact, which its line load closes as a pressure closes those of a surface.
+
+    .. math::
+        q = \frac{\pi}{I_0(kb/2)\,K_0(kb/2)}
+
+    Parameters
+    ----------
+    wavenumber, variance : array, shape (waves,)
+        k [rad/m] and shares in the mean square height [m^2].
+    half_width : float
+        b of the contact [m].
+
+    Returns
+    -------
+    WaveSpectrum
+        Of the dimensionless q; all of the theory takes line loads [N/m] with it in place of pressures.
+
+    Notes
+    -----
+    A wave of the amplitude A is closed by a line load that varies by qEA/2. :func:`persson_decay_length` is 0.75 to 2.5
+    times that of boundary elements where the roller rests on a part of its line.
+
+    References
+    ----------
+    Derived here, from the displacement :math:`2K_0(kr)/\pi E` by a line load, spread as under a flat punch.
+    """
+    z = np.maximum(0.5 * wavenumber * half_width, 1e-12)  # constant along the axis: closed
+    return sorted_waves(np.pi / (scipy.special.ive(0, z) * scipy.special.kve(0, z)), variance)
 
 
 def contact_fraction(*, mean_pressure: Real, contact_modulus: Real, rms_slope: Real) -> Array:

@@ -209,7 +209,7 @@ def rough_contacts(
         "tangential_contact_modulus": pairs.moduli.tangential_contact_modulus,
     }
     if isinstance(pairs.surface, RandomRoughness):
-        return random_contact(roughness=pairs.surface, **under)
+        return random_contact(roughness=pairs.surface, contact_length=pairs.contact_length, **under)
     return fractal_contact(
         surface=pairs.surface, contact_factor=contact_factor, hardness=pairs.moduli.hardness, **under
     )

@@ -117,6 +117,7 @@ def contact_of_slices(*, slices: RoughContact, lines: CrownedLine) -> RoughConta
         plastic_load=added.plastic_load,
         tangential_stiffness=added.tangential_stiffness,
         normal_stiffness=added.normal_stiffness,
+        layer_stiffness=added.layer_stiffness,
         domain_extension_factor=middle.domain_extension_factor,
         contact_factor=middle.contact_factor,
     )

@@ -10,6 +10,7 @@ from asperity.joint.description import Joint
 from asperity.joint.rims import bends
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_average
+from asperity.joint_file.finish_in_surface import dimension_text
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.material_entries import BY_DECAY_LENGTH, MaterialEntry
 from asperity.joint_file.model import Case, Rolling
@@ -34,13 +35,13 @@ _LAWS = {
     "persson_2007": "that of randomly rough elastic surfaces, from their spectrum",
 }
 RANDOM_ROUGHNESS = (
-    "contact law exponential: of randomly rough elastic surfaces, K_n = N/(0.48 h) and K_t in proportion to "
-    "1 - T/(mu N), h the rms of the heights of both bodies together; across the contacts of waves shorter than they "
-    "are wide, along the axes of the rollers up to the roll-off: longer ones make the joint look softer than it is"
+    "contact law exponential: of randomly rough elastic surfaces, K_n = f N/(0.48 h), f 1 to 2 because rollers "
+    "widen under load, and K_t in proportion to 1 - T/(mu N), h the rms of the heights of both bodies together; of "
+    "waves shorter than the contact is wide, along the axes up to the roll-off: longer ones make the joint look softer"
 )
 DECAY_LENGTH = (
-    "contact law {}: K_n = N/u with the decay_length u of each contact, whatever its force, and K_t in "
-    "proportion to 1 - T/(mu N)"
+    "contact law {}: K_n = f N/u with the decay_length u of each contact, whatever its force, f 1 to 2 because rollers "
+    "widen under load, and K_t in proportion to 1 - T/(mu N)"
 )
 #: What the rms of the heights is where a file states Ra.
 HEIGHTS_OF_AVERAGE = (
@@ -143,19 +144,17 @@ def assumptions(case: Case) -> tuple[str, ...]:
         "torque capacity, standing: a contact that slips keeps the force of its friction while others carry the rest; "
         "it is the torque beyond which they cannot, or at which a contact lifts off. In rolling: the first gross slip"
     )
-    entries, law = (
-        case.surface.values() if isinstance(case.surface, dict) else [case.surface],
-        case.contact_law(),
-    )
-    for ranged, which in (
-        (True, "middle of its range"),
-        (False, "value in the file, which Ra does not confirm"),
+    law = case.contact_law()
+    ranged = {
+        entry.fractal_dimension.tolerance > 0.0
+        for entry in surfaces_by_average(case).values()
+        if entry.fractal_dimension
+    }
+    for which, some in (
+        ("middle of its range", True),
+        ("value in the file, which Ra does not confirm", False),
     ):
-        if any(
-            entry.roughness_average is not None and (entry.fractal_dimension.tolerance > 0.0) == ranged
-            for entry in entries
-            if entry.fractal_dimension is not None and law == "zou_2025"
-        ):
+        if law == "zou_2025" and some in ranged:
             told.append(
                 f"roughness_average: Ra leaves D open, and all results are those of the {which}; 'asperity joint' "
                 "gives the interval of stiffness and drift"
@@ -236,6 +235,12 @@ def _surfaces(case: Case) -> list[str]:
                 "limit that a drawing states; surfaces below the limit are smoother"
             )
         known = finishes.get(entry.finish or "")
+        dimension = entry.fractal_dimension
+        if known is None and dimension and dimension.text == dimension_text(*finishes.values()):
+            told.append(
+                f"{path}.roughness_average without a finish: D is that of any finish, {dimension.text}; only "
+                "the scatter of Ra and the published contact law take it"
+            )
         if known and not known.roughness_average[0] <= average.value <= known.roughness_average[1]:
             low, high = (format_quantity(bound, "um") for bound in known.roughness_average)
             told.append(

@@ -24,7 +24,7 @@ _OVER_BOUNDARY_ELEMENTS: dict[ContactLaw, tuple[float, float]] = {
     "zou_2025": (0.045, 0.5),
     "exponential": OVER_BOUNDARY_ELEMENTS,
     "persson_2007": PERSSON_OVER_BOUNDARY_ELEMENTS,
-    "measured": (0.41, 1.59),
+    "measured": (0.49, 2.31),
 }
 
 
@@ -55,13 +55,15 @@ def laws_side_by_side(
     for law in (law for law in _OVER_BOUNDARY_ELEMENTS if law in surfaces and len(surfaces) > 1):
         one: JointResult | None = result
         if law != used:
+            own = surfaces[law]
+            if len(own) > 1:  # with sections [[branch]] those of every branch
+                own *= len(joint.drive.contacts) // len(own)
             try:
-                one = solve_joint(dataclasses.replace(joint, surfaces=surfaces[law])).result
+                one = solve_joint(dataclasses.replace(joint, surfaces=own)).result
             except AsperityError:  # by this law it does not carry the torque
                 one = None
-        if one is None or not bool(one.contact_law_holds):
-            numbers = [math.nan, math.nan]
-        else:
+        numbers = [math.nan, math.nan]
+        if one is not None and bool(one.contact_law_holds):
             numbers = [float(one.assembly.stiffness.output), float(one.rolling.drift_per_output_turn)]
         stiffness, drift = (number if math.isfinite(number) else None for number in numbers)
         entries.append(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any
 
 import jax
 import numpy as np
@@ -17,25 +17,16 @@ from asperity.contact.persson_2007 import (
     contact_fraction,
     persson_decay_length,
     sorted_waves,
+    waves_along_line,
 )
 from asperity.errors import InputError
 from asperity.joint_file import limits
 from asperity.joint_file.drawn_surface import Ends, exponential_ratios
-from asperity.joint_file.felt_heights import Felt, FeltContacts
+from asperity.joint_file.felt_heights import FeltContacts
 from asperity.joint_file.material_entries import ContactLaw
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.units import format_quantity
-
-
-class _Pressed(NamedTuple):
-    """What boundary elements tell of a contact."""
-
-    pressure: float  #: mean pressure [Pa]
-    ratios: tuple[float, float, float]  #: decay length over the heights: capped, elastic, upper end
-    outside: bool  #: whether the boundary elements do not have the pressure
-    hardness: float  #: of the softer body [Pa]
-    taken: float  #: hardness of the capped boundary elements on these bodies [Pa]
 
 
 def refuse_without_elements(measured: MeasuredRoughness) -> None:
@@ -55,14 +46,7 @@ def refuse_without_elements(measured: MeasuredRoughness) -> None:
 
 def _by_persson(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[Ends, list[str]]:
     low, high = PERSSON_OVER_BOUNDARY_ELEMENTS
-    spectra = []
-    for one in contacts.felt.values():
-        bodies = zip(measured.spectra, one.axial, strict=True)
-        parts = [body.waves(rolling=1.0 / one.width, axial=1.0 / limit) for body, limit in bodies]
-        spectra.append(sorted_waves(*np.concatenate(parts, axis=1)))
-    waves = jax.tree.map(lambda *leaves: np.stack(leaves), *spectra)
-    moduli = np.array([float(moduli.contact_modulus) for moduli in contacts.moduli])
-    lengths, fractions = call_compiled(_theory, waves, contacts.pressures, moduli)
+    lengths, fractions = _by_theory(measured, contacts, form=False)
     ends, told = {}, []
     for (name, one), pressure, length, share in zip(
         contacts.felt.items(), contacts.pressures, lengths, 100.0 * fractions, strict=True
@@ -86,6 +70,27 @@ def _by_persson(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[En
     return ends, [taken]
 
 
+def form_lengths(measured: MeasuredRoughness, contacts: FeltContacts) -> dict[str, float]:
+    """Decay length of waves along the axis that the heights leave out, as far as no line load closes them [m]."""
+    lengths, _ = _by_theory(measured, contacts, form=True)
+    return dict(zip(contacts.felt, map(float, lengths), strict=True))
+
+
+def _by_theory(measured: MeasuredRoughness, contacts: FeltContacts, *, form: bool) -> tuple[Any, Any]:
+    """Decay length and share in contact by Persson's theory, of the waves that a contact feels or of its form."""
+    spectra, loads = [], np.asarray(contacts.pressures)
+    for one in contacts.felt.values():
+        parts = [
+            (body.form if form else body.waves)(rolling=1.0 / one.width, axial=1.0 / limit)
+            for body, limit in zip(measured.spectra, one.axial, strict=True)
+        ]
+        waves = np.concatenate(parts, axis=1)
+        spectra.append(waves_along_line(*waves, half_width=0.5 * one.width) if form else sorted_waves(*waves))
+    loads = loads * [one.width if form else 1.0 for one in contacts.felt.values()]
+    moduli = np.array([float(moduli.contact_modulus) for moduli in contacts.moduli])
+    return call_compiled(_theory, jax.tree.map(lambda *leaves: np.stack(leaves), *spectra), loads, moduli)
+
+
 def _theory(waves: WaveSpectrum, pressure: Array, modulus: Array) -> tuple[Array, Array]:
     """Decay length [m] and share of the area in contact [-]; the contacts are the first axis."""
 
@@ -101,37 +106,52 @@ def _theory(waves: WaveSpectrum, pressure: Array, modulus: Array) -> tuple[Array
 
 def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[Ends, list[str]]:
     refuse_without_elements(measured)
-    spectra = measured.spectra
-    made: dict[str, _Pressed] = {}
+    tables = [spectrum.pressed for spectrum in measured.spectra if spectrum.pressed]
+    ratios: Ends = {}
+    parts, outside, other, taken = [], [], [], 0.0
     for (name, one), pressure, moduli in zip(
         contacts.felt.items(), contacts.pressures, contacts.moduli, strict=True
     ):
-        for spectrum in spectra:
+        for spectrum in measured.spectra:
             if one.width > spectrum.rolling_length:
                 raise InputError(
                     f"{spectrum.source}: {format_quantity(spectrum.rolling_length, 'mm', 3)} in the rolling "
                     f"direction, less than the contact {name} is wide, {format_quantity(one.width, 'mm', 3)}: "
                     'measure a larger map, or leave model.contact_law = "measured" out'
                 )
-        modulus = float(moduli.contact_modulus)
+        modulus, hardness = float(moduli.contact_modulus), float(moduli.hardness)
         (elastic, wide), (capped, deep) = (
-            _decay_ratio(spectra, one.squares, pressure / modulus, capped=capped) for capped in (False, True)
+            _decay_ratio(measured.spectra, one.squares, pressure / modulus, capped=limited)
+            for limited in (False, True)
         )
-        ends = [
-            spectrum.pressed.range(capped=capped)
-            for spectrum in spectra
-            if spectrum.pressed is not None
-            for capped in (False, True)
-        ]
-        made[name] = _Pressed(
-            pressure,
-            (capped * math.exp(-deep), elastic, elastic * math.exp(wide)),
-            not all(low <= pressure / modulus <= high for low, high in ends),
-            float(moduli.hardness),
-            min(spectrum.pressed.hardness * modulus for spectrum in spectra if spectrum.pressed),
+        ratios[f"surface.{name}"] = (capped * math.exp(-deep), elastic, elastic * math.exp(wide))
+        parts.append(
+            f"{name} {format_quantity(elastic * one.rms_height, 'um', 3)} ({elastic:.3f} of the heights, at "
+            f"{format_quantity(pressure, 'MPa', 3)})"
         )
-    ratios = {f"surface.{name}": one.ratios for name, one in made.items()}
-    return ratios, _assumed_of_elements(contacts.felt, made)
+        ends = [table.range(capped=limited) for table in tables for limited in (False, True)]
+        if not all(low <= pressure / modulus <= high for low, high in ends):
+            outside.append(name)
+        least = modulus * min(table.hardness for table in tables)
+        if abs(least - hardness) > 0.1 * hardness:
+            taken = taken or least
+            other.append(f"{name} {format_quantity(hardness, 'GPa', 3)}")
+    told = [
+        "contact law measured: the decay length over the rms of the heights is that of elastic boundary elements on "
+        "patches of the map under the mean pressure of each contact, at the torque of the file; it stays at other "
+        f"torques: {'; '.join(parts)}"
+    ]
+    if outside:
+        told.append(
+            f"contact law measured: the pressure of {', '.join(outside)} is outside of what boundary elements have "
+            "for this map; the decay length is that of the nearest pressure"
+        )
+    if other:
+        told.append(
+            "contact law measured: the stiff end of the interval is that of boundary elements with the hardness "
+            f"{format_quantity(taken, 'GPa', 3)} of the measurement, while the softer body has: {'; '.join(other)}"
+        )
+    return ratios, told
 
 
 def _decay_ratio(
@@ -145,35 +165,6 @@ def _decay_ratio(
         parts.append(ratio**2 * square)
         errors.append(parts[-1] * error)
     return math.sqrt(sum(parts) / sum(squares)), math.hypot(*errors) / sum(parts)
-
-
-def _assumed_of_elements(felt: dict[str, Felt], pressed: dict[str, _Pressed]) -> list[str]:
-    """What was taken of boundary elements."""
-    parts = [
-        f"{name} {format_quantity(one.ratios[1] * felt[name].rms_height, 'um', 3)} ({one.ratios[1]:.3f} of the "
-        f"heights, at {format_quantity(one.pressure, 'MPa', 3)})"
-        for name, one in pressed.items()
-    ]
-    told = [
-        "contact law measured: the decay length over the rms of the heights is that of elastic boundary elements on "
-        "patches of the map under the mean pressure of each contact, at the torque of the file; it stays at other "
-        f"torques: {'; '.join(parts)}"
-    ]
-    outside = [name for name, one in pressed.items() if one.outside]
-    if outside:
-        told.append(
-            f"contact law measured: the pressure of {', '.join(outside)} is outside of what boundary elements have "
-            "for this map; the decay length is that of the nearest pressure"
-        )
-    other = [name for name, one in pressed.items() if abs(one.taken - one.hardness) > 0.1 * one.hardness]
-    if other:
-        hardest = "; ".join(f"{name} {format_quantity(pressed[name].hardness, 'GPa', 3)}" for name in other)
-        told.append(
-            "contact law measured: the stiff end of the interval is that of boundary elements with the hardness "
-            f"{format_quantity(pressed[other[0]].taken, 'GPa', 3)} of the measurement, while the softer body has: "
-            f"{hardest}"
-        )
-    return told
 
 
 #: Law → function of a measurement and of what its contacts feel: path of a surface → decay length over the rms of the

@@ -166,12 +166,15 @@ def exponential_ratios(paths: Iterable[str]) -> Ends:
     return dict.fromkeys(paths, ratios)
 
 
-def interval_of_heights(case: Case, heights: Ends, ratios: Ends) -> dict[str, Any]:
+def interval_of_heights(
+    case: Case, heights: Ends, ratios: Ends, form: dict[str, float] | None = None
+) -> dict[str, Any]:
     """Intervals of stiffness and drift by a law with a decay length, from its error and that of the heights.
 
     ``heights``: path of a surface → lower end, middle and upper end of the rms of its heights [m]; ``ratios`` the same
-    of the decay length over them [-]. As :func:`drawn_interval`, the ends of both errors together; ``parts`` has those
-    of each alone, ``contact_law`` and ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
+    of the decay length over them [-]; ``form``: contact → what the soft end has beside them [m]. As
+    :func:`drawn_interval`, the ends of both errors together; ``parts`` has those of each alone, ``contact_law``, with
+    the form, and ``rms_height``; ``contacts`` has K_n and K_t of the asperities.
     """
     lengths = {}
     for path, (low, middle, high) in heights.items():
@@ -179,6 +182,7 @@ def interval_of_heights(case: Case, heights: Ends, ratios: Ends) -> dict[str, An
         lengths[path] = np.array(
             [least * low, most * high, least * middle, most * middle, here * low, here * high]
         )
+        lengths[path][1:4:2] += (form or {}).get(path.removeprefix("surface."), 0.0)
     names, which = contacts_of(si_values(case)), case.contact_law()
     surfaces = [lengths[path] for path in (f"surface.{name}" for name in names) if path in lengths]
     result = over_surfaces(
@@ -206,6 +210,7 @@ def interval_of_heights(case: Case, heights: Ends, ratios: Ends) -> dict[str, An
         **both,
         "parts": {"contact_law": law, "rms_height": roughness},
         "contacts": _asperity_ends(result, names),
+        **({} if form is None else {"form_decay_length_m": form}),
         "surfaces": {path: {key: (lengths[path][:2] / unit).tolist()} for path in heights},
         "title": "Interval of the contact law, and of the rms of the heights",
         "words": f"Of the assembled stiffness {_ends_in_words(law)} by the error of the law alone, "

@@ -56,7 +56,9 @@ def felt_contacts(case: Case, spectra: tuple[HeightSpectrum, ...]) -> FeltContac
     solved: list[tuple[Joint, Any]] = []
 
     def widths_of(heights: Heights) -> Heights:
-        joint = joint_from_case(with_heights(case, dict(zip(names, heights[:, 0], strict=True))))
+        joint = joint_from_case(
+            with_lengths(case, "rms_height", dict(zip(names, heights[:, 0], strict=True)))
+        )
         solved.append((joint, solve_joint(joint).result.diagnostics))
         return 2.0 * np.asarray(solved[-1][1].hertz_half_width)[:, None]
 
@@ -104,17 +106,13 @@ def moduli_of(joint: Joint) -> tuple[ContactPair, ...]:
     return tuple(pair(bodies[contact.first], bodies[contact.second]) for contact in joint.drive.contacts)
 
 
-def with_heights(case: Case, heights: Mapping[str, float]) -> Case:
-    """The joint file with the rms of the heights that each contact feels [m]."""
-    return with_surfaces(
-        case, {name: {"rms_height": f"{float(height)!r} m"} for name, height in heights.items()}
-    )
-
-
-def with_surfaces(case: Case, lengths: dict[str, dict[str, str]]) -> Case:
-    """The joint file with the surface of each contact, from keys of a joint file."""
+def with_lengths(case: Case, key: str, lengths: Mapping[str, float]) -> Case:
+    """The joint file with the rms of the heights, or the decay length, of each contact [m]."""
     try:
-        surface = {name: SurfaceEntry.model_validate(entry) for name, entry in lengths.items()}
+        surface = {
+            name: SurfaceEntry.model_validate({key: f"{float(length)!r} m"})
+            for name, length in lengths.items()
+        }
     except ValidationError as error:
         (problem, *_) = error.errors()
         said = f"{problem['loc'][0]}: {problem['msg'].removeprefix('Value error, ')}"

@@ -18,6 +18,7 @@ _AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
 #: Rz → the Ra that it means, and the keys beside which it may not stand.
 _AVERAGES = {DEPTH: (_AVERAGE, (_AVERAGE, "fractal_roughness")), PARTNER_DEPTH: (_PARTNER, (_PARTNER,))}
 _MEANT = {"ra": _AVERAGE, "rz": DEPTH, "roughness_ra": _AVERAGE, "roughness_rz": DEPTH, "lambda_c": "cut_off"}
+_MEANT |= dict.fromkeys(("rq", "sq"), "rms_height")
 
 
 def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:
@@ -40,9 +41,10 @@ def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[st
     return {**tables, "surface": filled}, refused
 
 
-def dimension_text(finish: Finish) -> str:
-    """The published range of D of a finish as a number with its tolerance."""
-    low, high = finish.published_dimension
+def dimension_text(*finishes: Finish) -> str:
+    """The published range of D of finishes as a number with its tolerance."""
+    ends = [one.published_dimension for one in finishes]
+    low, high = min(low for low, _ in ends), max(high for _, high in ends)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     return f"{middle:.10g} +- {half:.10g}, uniform" if half > 0.0 else f"{middle:.10g}"
 
@@ -65,22 +67,17 @@ def _filled_entry(entry: dict[str, Any]) -> dict[str, Any]:
                 f"give roughness_average (Ra) or {DEPTH} (Rz, the mean over five sampling lengths)"
             )
         if plain in _MEANT and _MEANT[plain] not in entry:
-            raise InputError(f".{key}: unknown key; did you mean '{_MEANT[plain]}'?")
+            both = ", of both bodies together: sqrt(2) times that of one of two alike" * (plain[1] == "q")
+            raise InputError(f".{key}: unknown key; did you mean '{_MEANT[plain]}'{both}?")
     if "measurement" in entry:  # no other key may stand beside it
         return entry
-    if "finish" not in entry:
-        height = next((key for key in ("roughness_average", DEPTH) if key in entry), None)
-        if height and "fractal_dimension" not in entry:
-            symbol = "Rz" if height == DEPTH else "Ra"
-            raise InputError(
-                f": {height} alone makes no surface, because {symbol} fixes one combination of D and G; add a finish "
-                f"({', '.join(read_finishes())}), or fractal_dimension with its range, e.g. '1.3 +- 0.2'"
-            )
+    name, known = entry.get("finish"), read_finishes()
+    if name is None and _AVERAGE not in entry and DEPTH not in entry:
         return _with_averages(entry)
-    name, known = entry["finish"], read_finishes()
-    if not isinstance(name, str) or name not in known:
+    finishes = [one for one in known.values() if name in (None, one.name)]  # of an Ra alone D is that of any
+    if not finishes:
         raise InputError(f".finish: there is no finish {quoted(name)}; known are {', '.join(known)}")
-    added = {"fractal_dimension": dimension_text(known[name]), "frequency_ratio": FREQUENCY_RATIO}
+    added = {"fractal_dimension": dimension_text(*finishes), "frequency_ratio": FREQUENCY_RATIO}
     return _with_averages({**added, **entry})
 
 

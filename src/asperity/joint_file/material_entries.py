@@ -81,7 +81,7 @@ class SurfaceEntry(Section):
     """Roughness of a contact: D and G of both bodies together, the Ra of each, a length, or a measurement."""
 
     finish: Annotated[str, StringConstraints(max_length=60)] | None = None
-    """Finish of the library, e.g. "ground": gives fractal_dimension with its published range, and frequency_ratio."""
+    """Finish of the library, e.g. "ground", for the published range of fractal_dimension; of all finishes if absent."""
     measurement: Measurements | None = None
     """Measured surface of all contacts in place of all other keys of this section: name of the JSON file of `asperity
     surface measure --json`, from the folder of the joint file, or a list of two, one for each body."""
@@ -96,7 +96,7 @@ class SurfaceEntry(Section):
     fractal_roughness: Annotated[Quantity, limits.FRACTAL_ROUGHNESS] | None = None
     """Fractal roughness G; either this, roughness_average or rms_height."""
     roughness_average: Annotated[Quantity, limits.ROUGHNESS_AVERAGE] | None = None
-    """Ra of one body, from its drawing. It does not say what D is: the stiffness comes out as an interval."""
+    """Ra of one body, from its drawing: for the contact law of randomly rough surfaces. It does not say what D is."""
     mean_roughness_depth: DepthText | None = None
     """Rz of one body in place of its Ra, text with its unit, 0.001 to 100 um. It is read as the range of Ra that
     normally distributed heights with this Rz have; studies vary roughness_average."""
@@ -108,8 +108,7 @@ class SurfaceEntry(Section):
     """Cut-off of the profile filter with which roughness_average is measured; that of ISO 4288 for this Ra or Rz
     if absent. With an Rz one of 0.08, 0.25, 0.8, 2.5 and 8 mm."""
     frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO] | None = None
-    """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5, as if a finish is
-    given."""
+    """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5, as beside an Ra."""
 
     def stated_keys(self) -> frozenset[str]:
         """The keys that have a value, one of a finish or of an Rz among them."""
@@ -209,11 +208,10 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: ContactLaw | 
     """The law of the asperities of all contacts, from the keys that each surface states and ``model.contact_law``.
 
     ``"zou_2025"``, the published law of D and G, or ``"exponential"``, that of the rms of the heights,
-    :func:`asperity.contact.exponential.random_contact`. Without a statement surfaces by their ``rms_height`` have the
-    latter, and so have finishes with their Ra, where no surface states G. ``"measured"`` and ``"persson_2007"``, the
-    same with the decay length by boundary elements on a measured map or by Persson's theory, for surfaces by their
-    ``decay_length``; the former without a statement. An ``InputError`` is raised if a surface does not state what the
-    law needs.
+    :func:`asperity.contact.exponential.random_contact`, without a statement where no surface states G. ``"measured"``
+    and ``"persson_2007"``, the same with the decay length by boundary elements on a measured map or by Persson's
+    theory, for surfaces by their ``decay_length``; the former without a statement. An ``InputError`` is raised if a
+    surface does not state what the law needs.
     """
     stated_keys = list(surfaces)
     if any("measurement" in keys for keys in stated_keys):  # until it is read
@@ -247,5 +245,4 @@ def contact_law_of(surfaces: Iterable[Collection[str]], *, stated: ContactLaw | 
             'model.contact_law = "exponential" needs the rms of the heights, which D and G alone do not fix: give '
             "rms_height or roughness_average in place of fractal_roughness, or leave contact_law out"
         )
-    of_finishes = stated is None and not fractal and all("finish" in keys for keys in stated_keys)
-    return "exponential" if by_height or of_finishes or stated == "exponential" else "zou_2025"
+    return stated or ("zou_2025" if fractal else "exponential")

@@ -16,14 +16,13 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.contact_laws import laws_side_by_side, with_law
-from asperity.joint_file.decay_ratios import RATIOS_OF, refuse_without_elements
+from asperity.joint_file.decay_ratios import RATIOS_OF, form_lengths, refuse_without_elements
 from asperity.joint_file.drawn_surface import Ends, interval_of_heights, with_measured_surface
 from asperity.joint_file.felt_heights import (
     FeltContacts,
     assumed_heights,
     felt_contacts,
-    with_heights,
-    with_surfaces,
+    with_lengths,
 )
 from asperity.joint_file.material_entries import BY_DECAY_LENGTH
 from asperity.joint_file.model import Case
@@ -38,7 +37,8 @@ class MeasuredSurface(NamedTuple):
 
     ``assumed``: what was taken of the measurement, one sentence each. ``heights``: path of a surface → lower end,
     middle and upper end of the rms of its heights [m], 95 % of measurements; ``ratios``, the same of the decay length
-    over these heights by the contact law [-]; both, and what the ``contacts`` feel, are None where D and G went in.
+    over these heights by the contact law [-]; both, what the ``contacts`` feel, and the decay length of their ``form``
+    by :func:`form_lengths` [m], are None where D and G went in.
     ``files`` that the joint file names.
     """
 
@@ -47,6 +47,7 @@ class MeasuredSurface(NamedTuple):
     heights: Ends | None = None
     ratios: Ends | None = None
     contacts: FeltContacts | None = None
+    form: dict[str, float] | None = None
     files: tuple[str, ...] = ()
 
     @property
@@ -85,7 +86,7 @@ class MeasuredSurface(NamedTuple):
     def interval(self, case: Case, joint: Joint) -> dict[str, Any]:
         """Intervals of stiffness and drift: from the law and the heights, or from the scatter of D and G."""
         if self.heights is not None and self.ratios is not None:
-            return interval_of_heights(case, self.heights, self.ratios)
+            return interval_of_heights(case, self.heights, self.ratios, self.form)
         assert self.measured.fractal is not None
         return stiffness_interval(joint, self.measured.fractal)
 
@@ -124,15 +125,30 @@ def case_with_surface(case: Case, measured: MeasuredRoughness, files: tuple[str,
     }
     heights = {f"surface.{name}": (rms / factor, rms, rms * factor) for name, (rms, factor) in ends.items()}
     ratios, assumed = RATIOS_OF[law or "exponential"](measured, contacts)
-    told = (*assumed_heights(measured, contacts.felt), *assumed)
-    surface = MeasuredSurface(measured, told, heights, ratios, contacts, files)
-    if law in BY_DECAY_LENGTH:
-        lengths = {
-            name: {"decay_length": f"{ratios[f'surface.{name}'][1] * rms!r} m"}
-            for name, (rms, _) in ends.items()
-        }
-        return with_surfaces(case, lengths).with_measured(surface)
-    return with_heights(case, {name: rms for name, (rms, _) in ends.items()}).with_measured(surface)
+    form = form_lengths(measured, contacts)
+    told = (*assumed_heights(measured, contacts.felt), *assumed, *_form_assumed(contacts, ratios, form))
+    surface = MeasuredSurface(measured, told, heights, ratios, contacts, form, files)
+    by_length = law in BY_DECAY_LENGTH
+    lengths = {
+        name: rms * (ratios[f"surface.{name}"][1] if by_length else 1.0) for name, (rms, _) in ends.items()
+    }
+    return with_lengths(case, "decay_length" if by_length else "rms_height", lengths).with_measured(surface)
+
+
+def _form_assumed(contacts: FeltContacts, ratios: Ends, form: dict[str, float]) -> list[str]:
+    """The waves along the axis that make a contact softer than the law's own error does, if there are any."""
+    softer = [
+        f"{1.0 + form[name] / (ratio * one.rms_height):.3g} times at {name}"
+        for (name, one), (_, ratio, most) in zip(contacts.felt.items(), ratios.values(), strict=True)
+        if form[name] > (most - ratio) * one.rms_height
+    ]
+    told = (
+        "form along the axis: waves that are too long to count as roughness, and deeper than the line load closes, so "
+        "that the contact rests on a part of its line: the law does not hold them, the soft end of the interval does, "
+        f"by a decay length up to {', '.join(softer)}; measure without the form of the roller (a polynomial, or a "
+        "shorter section) and state it as crown radius"
+    )
+    return [told] if softer else []
 
 
 def _lacks(measured: MeasuredRoughness, law: str | None) -> str:
@@ -152,11 +168,9 @@ def _lacks(measured: MeasuredRoughness, law: str | None) -> str:
 
 def _without_lay(spectrum: HeightSpectrum, measured: MeasuredRoughness) -> str:
     """What to do about a profile whose lay is not known."""
-    remedy = (
-        ""
-        if measured.fractal is None
-        else '; or state model.contact_law = "zou_2025", which takes the measured D and G whatever the lay'
-    )
+    remedy = '; or state model.contact_law = "zou_2025", which takes the measured D and G whatever the lay'
+    if measured.fractal is None:
+        remedy = ""
     return (
         f"{spectrum.source}: a profile tells nothing of the waves along its grooves: measure it again with --lay: "
         "rolling (grooves in the rolling direction, measured along the rollers' axis), axis (grooves along the axis, "

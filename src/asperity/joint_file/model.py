@@ -159,8 +159,8 @@ class ModelChoice(Section):
     """Law of the asperities: zou_2025, the published one of D and G, or exponential, that of randomly rough elastic
     surfaces, from the rms of their heights: rms_height, or that of normally distributed heights with the stated Ra;
     measured, the same by boundary elements on a measured map; or persson_2007, the same by Persson's theory from the
-    spectrum of a measured surface. If absent, exponential for rms_height, a finish with its
-    Ra and a measured surface, measured for decay_length, zou_2025 for D with G or an Ra."""
+    spectrum of a measured surface. If absent, exponential for rms_height, an Ra and a measured surface, measured for
+    decay_length, zou_2025 for D with G."""
     closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
     """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
     with their asperities. Those of the assembly if absent."""

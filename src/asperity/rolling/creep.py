@@ -71,7 +71,7 @@ def contact_creep(
 
     .. math::
         \kappa = \frac{\mu a}{R\sqrt N}\, f_{layer}(s, q)\, f_{skew}(q, \gamma), \qquad
-        s = \frac{\pi E^* B}{4 K_n}
+        s = \frac{\pi E^* B}{4 N/u_0}
 
     ``skew``: angles by which the axes are out of parallel [rad], None for parallel ones; the law under these forces of
     the contacts [N]. Equations (A6), (B1), (B3) and (B4) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
@@ -79,14 +79,14 @@ def contact_creep(
     Notes
     -----
     The asperities' tangential over their normal stiffness is :math:`4G^*/E^*`. Their yield per e-fold of pressure is
-    :math:`u_0 = N/K_n` of the contact law in use; the published law has no local form: its :math:`u_0` acts at every
+    :math:`u_0` of the contact law in use; the published law has no local form: its :math:`N/K_n` acts at every
     place. Across the rolling direction the same asperities lie on bodies that are softer in the ratio of the creepages
     at gross slip. The slices of a crowned contact share one creepage; their widths give one more factor, and the
     layer's is that on all. In a skewed contact the factors are those at the slip ratio of both forces together.
     """
     stiffness = rough_joint_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
-    ).normal_stiffness
+    ).layer_stiffness
     friction = jnp.asarray(contacts.pairs.friction_coefficient)
     limit = friction * jnp.where(normal_force > 0.0, normal_force, 1.0)
     q = jnp.clip(jnp.abs(tangential_force) / limit, _LEAST_SLIP, _MOST_SLIP)
@@ -101,7 +101,7 @@ def _creep_at(
     skew: tuple[Real, ...] | None,
     normal_force: Array,
     q: Array,
-    asperity_normal_stiffness: Array,
+    layer_stiffness: Array,
 ) -> ContactCreep:
     """The law at slip ratios."""
     pairs = contacts.pairs
@@ -124,7 +124,7 @@ def _creep_at(
 
     def factors(slip_ratio: Array) -> tuple[Array, Array, Real, Array | None]:
         """Layer ratio, layer factor, creepage across over along at gross slip, crown factor."""
-        ratio = _layer_ratio(contacts, asperity_normal_stiffness)
+        ratio = _layer_ratio(contacts, layer_stiffness)
         layer = layer_creepage_factor(layer_ratio=ratio, slip_ratio=slip_ratio, stiffness_ratio=kappa)
         softer = layer
         if skew is not None:
@@ -167,13 +167,13 @@ def _creep_at(
     )
 
 
-def _layer_ratio(contacts: JointContacts, asperity_normal_stiffness: Array) -> Array:
+def _layer_ratio(contacts: JointContacts, layer_stiffness: Array) -> Array:
     """Yield of the asperities over that of the bodies; nan where no asperity is elastic."""
-    stiff = asperity_normal_stiffness > 0.0
+    stiff = layer_stiffness > 0.0
     ratio = layer_ratio(
         contact_modulus=contacts.pairs.moduli.contact_modulus,
         contact_length=contacts.pairs.contact_length,
-        normal_stiffness=jnp.where(stiff, asperity_normal_stiffness, 1.0),
+        normal_stiffness=jnp.where(stiff, layer_stiffness, 1.0),
     )
     return jnp.where(stiff, ratio, jnp.nan)
 
@@ -192,7 +192,7 @@ def _sliced(
         normal_force=normal,
         tangential_force=jnp.zeros_like(normal),
     )
-    ratio = _layer_ratio(contacts, rough.normal_stiffness)
+    ratio = _layer_ratio(contacts, rough.layer_stiffness)
     known = jnp.isfinite(ratio)
     moduli = pairs.moduli
     factor = layer_creepage_factor(

@@ -60,11 +60,6 @@ class HeightSpectrum:
     pressed: PressedMap | None = None
 
     @property
-    def needs_width(self) -> bool:
-        """Whether the part that a contact feels depends on the contact's width."""
-        return self.is_map or self.lay == "axis"
-
-    @property
     def longest_wave(self) -> float:
         """Longest wave along the rollers' axis, or along the profile, that counts: two thirds of the size [m]."""
         edges = self.rolling_edges if self.axial_edges[-1] == 0.0 else self.axial_edges
@@ -81,25 +76,25 @@ class HeightSpectrum:
         Waves longer than two thirds of the surface are below in any case: the window does not tell them from the form.
         The deviation is that of a normally distributed surface with this spectrum.
         """
-        part = self._part(rolling, axial)
+        part = self.mean_square - self._left_out(rolling, axial)
         return float(part.sum()), float(np.sqrt(np.sum(part**2 / self.independent)))
 
     def squares(self, *, rolling: NDArray[np.float64], axial: NDArray[np.float64]) -> NDArray[np.float64]:
         """The mean squares of :meth:`felt` [m^2] for many pairs of frequencies [1/m], in their shape."""
-        below, beside = (
-            _below(edges, np.maximum(frequencies, _lowest(edges)))
-            for edges, frequencies in ((self.rolling_edges, rolling), (self.axial_edges, axial))
-        )
+        below, beside = self._shares_below(rolling, axial)
         square = (1.0 - below) @ self.mean_square.sum(axis=1)
         return np.asarray(square + np.sum((below @ self.mean_square) * (1.0 - beside), axis=-1))
 
-    def _part(self, rolling: float, axial: float) -> NDArray[np.float64]:
-        """Mean square of the waves of each bin that :meth:`felt` counts, shape (rolling, axial) [m^2]."""
-        low = [
-            _below(edges, max(frequency, _lowest(edges)))
-            for edges, frequency in ((self.rolling_edges, rolling), (self.axial_edges, axial))
+    def _shares_below(self, rolling: Any, axial: Any) -> list[NDArray[np.float64]]:
+        """Shares of the bins in each direction that are longer than the waves of :meth:`felt`, the bins last."""
+        return [
+            _below(edges, np.maximum(frequencies, _lowest(edges)))
+            for edges, frequencies in ((self.rolling_edges, rolling), (self.axial_edges, axial))
         ]
-        return np.asarray((1.0 - np.outer(*low)) * self.mean_square)
+
+    def _left_out(self, rolling: float, axial: float) -> NDArray[np.float64]:
+        """Mean square of the waves of each bin that :meth:`felt` leaves out, shape (rolling, axial) [m^2]."""
+        return np.asarray(np.outer(*self._shares_below(rolling, axial)) * self.mean_square)
 
     def waves(self, *, rolling: float, axial: float) -> NDArray[np.float64]:
         """The waves that :meth:`felt` counts, one a bin: wavenumber [rad/m] and mean square [m^2], shape (2, waves).
@@ -107,13 +102,20 @@ class HeightSpectrum:
         The wavenumber is the rms of those in the bin. The waves of a surface without grooves are sqrt(2) times as steep
         as its profiles show.
         """
-        first, second = (
-            (edges[:-1] ** 2 + edges[:-1] * edges[1:] + edges[1:] ** 2) / 3.0
-            for edges in (self.rolling_edges, self.axial_edges)
-        )
         steeper = 2.0 if self.lay == "isotropic" else 1.0
-        wavenumber = 2.0 * math.pi * np.sqrt(steeper * np.add.outer(first, second))
-        return np.stack([wavenumber.ravel(), self._part(rolling, axial).ravel()])
+        squares = np.add.outer(_mean_squares(self.rolling_edges), _mean_squares(self.axial_edges))
+        part = self.mean_square - self._left_out(rolling, axial)
+        return np.stack([2.0 * math.pi * np.sqrt(steeper * squares).ravel(), part.ravel()])
+
+    def form(self, *, rolling: float, axial: float) -> NDArray[np.float64]:
+        """The waves along the axis that :meth:`felt` leaves out, as :meth:`waves`, shape (2, bins).
+
+        Of a profile only those up to two thirds of its length: what is longer is the crown or a chamfer.
+        """
+        square = self._left_out(rolling, axial).sum(axis=0)
+        if not self.is_map:
+            square = square * (1.0 - _below(self.axial_edges, _lowest(self.axial_edges)))
+        return np.stack([2.0 * math.pi * np.sqrt(_mean_squares(self.axial_edges)), square])
 
     def cut_off(self) -> float:
         """Cut-off [m] that ISO 4288 takes for the Ra of this surface along the axis; longer waves are no roughness.
@@ -146,6 +148,11 @@ def _below(edges: NDArray[np.float64], frequency: Any) -> NDArray[np.float64]:
     width = np.diff(edges)
     above = np.subtract.outer(frequency, edges[:-1])
     return np.where(width > 0.0, np.clip(above / np.where(width > 0.0, width, 1.0), 0.0, 1.0), 1.0)
+
+
+def _mean_squares(edges: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Mean square of the frequencies of each bin [1/m^2]."""
+    return np.asarray((edges[:-1] ** 2 + edges[:-1] * edges[1:] + edges[1:] ** 2) / 3.0)
 
 
 def _lowest(edges: NDArray[np.float64]) -> float:

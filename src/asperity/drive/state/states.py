@@ -273,16 +273,8 @@ def loaded_states(
 
     Parameters
     ----------
-    drive : Drive
-        The drive.
-    laws : ContactLaws
-        Its contacts.
-    rest : DriveState
-        Its assembled state.
-    load : DriveLoad
-        Torque, forces on the bodies, and pins.
-    creep_of : callable or None
-        Creep law of contacts under normal and tangential forces; None for that of the laws.
+    drive, laws, rest, load, creep_of : Drive, ContactLaws, DriveState, DriveLoad, callable or None
+        As for :func:`loaded_state`.
     separate : bool, optional
         Whether each state has a program of its own, so that one that nobody reads costs nothing; otherwise one program
         finds both, which is sooner compiled.
