@@ -12,7 +12,6 @@ import functools
 import itertools
 import json
 import math
-import re
 import threading
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -180,7 +179,7 @@ def _evaluate_measured(
     status[~settled] = UNBALANCED
     known = np.isfinite(result_values[WIDTH]).all(axis=0)  # what the contacts feel
     for name, value in result_values.items():
-        by_law = re.search("capacity|limiting|safety", name) is not None
+        by_law = RESULTS[name].group == "capacity" or name == "torque_safety"
         value[..., ~settled | (by_law & ~known)] = np.nan
     return status, {name: result_values[name] for name in results}
 
