@@ -30,7 +30,7 @@ def creep(paper_joint, monkeypatch):
 
     def of(stiffness, skew=None, slip_ratio=0.4, crown=None):
         crowned = {} if crown is None else {"drive__planet_crown_radius": 1.0 / crown}
-        given = SimpleNamespace(normal_stiffness=None if stiffness is None else jnp.full(5, stiffness))
+        given = SimpleNamespace(layer_stiffness=None if stiffness is None else jnp.full(5, stiffness))
         with monkeypatch.context() as patch:
             if stiffness is not None:
                 patch.setattr("asperity.rolling.creep.rough_joint_contacts", lambda **forces: given)
@@ -204,7 +204,7 @@ def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
         lines=lines,
         normal_force=jnp.asarray(NORMAL),
         tangential_force=jnp.zeros(5),
-    ).normal_stiffness[0]
+    ).layer_stiffness[0]
     for place in (3, 4):
         even = creep(float(rough[place])).layer_factor[place]
         assert even > 1.01
