@@ -481,7 +481,7 @@ def test_the_measured_law_needs_boundary_elements(example_case, isotropic_map):
         joint_from_case(case)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_laws_side_by_side_with_unlike_branches(planar_case, isotropic_map):
     branches = '[[branch]]\nplanet_deviation = "2 um"\n\n[[branch]]\n\n[[branch]]\n\n[load]'
     case = planar_case("planetary", ("[load]", branches))
