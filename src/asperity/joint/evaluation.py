@@ -168,7 +168,6 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
     cam = turned_cam(joint, contacts, states.rest, rest)
     sense = driving_sense(drive)
     standing, rolling = (with_driving_sense(state, sense) for state in (states.standing, states.rolling))
-    slides = standing.slides != 0.0
     stiffness = loaded_stiffness(
         joint, contacts, standing.normal, standing.tangential, standing.slides, standing.pin_force
     )
@@ -214,7 +213,7 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
         series_with_bulk=stiffness.series_with_bulk,
         assembly=with_its_cam(stiffness.assembly, cam),
         diagnostics=dataclasses.replace(
-            diagnostics, slip_ratio=jnp.where(slides, 1.0, diagnostics.slip_ratio)
+            diagnostics, slip_ratio=jnp.where(standing.slides != 0.0, 1.0, diagnostics.slip_ratio)
         ),
         rolling=with_duty_life(
             turning(joint, contacts, creep, rolling),
