@@ -8,8 +8,11 @@ import pytest
 from scipy.stats import norm
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint_file.any_joint import with_nominal_sizes
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.reader import parse_case, read_case
+from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values
 from asperity.library.tolerance_grades import standard_tolerances
 from asperity.study.tolerances import allowed_deviations as module
 from asperity.study.tolerances.allowed_deviations import allowed_deviations, limits_from_text
@@ -164,6 +167,26 @@ def test_the_sizes_of_listed_contacts_are_their_tracks(case, listed_case):
     sizes, diameters = module._sizes(listed_case)
     assert list(sizes) == ["contact.1.first_radius", "contact.1.second_radius", "contact.2.second_radius"]
     np.testing.assert_allclose(diameters, module._sizes(case)[1], rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("own", "tracks"),
+    [
+        ("drive.sun_radius", ["contact.1.first_radius"]),
+        ("drive.planet_radius", ["contact.1.second_radius", "contact.2.first_radius"]),
+    ],
+)
+def test_finished_parts_press_a_drive_and_its_listed_twin_alike(case, listed_case, own, tracks):
+    """By hand: 1 um of the sun, or twice 1 um of a planet, adds to 30 um: both contacts bear the same force."""
+
+    def interference(case, paths):
+        tables = with_nominal_sizes(si_values(case))
+        numbers = {path: numeric_keys(case)[path].value + 1e-6 for path in paths}
+        return 30e-6 * np.sum(joint_from_values(replace_values(tables, numbers)).pattern)
+
+    by_hand = 30e-6 + 1e-6 * (1.0 if own == "drive.sun_radius" else 2.0)
+    assert float(interference(case, [own])) == pytest.approx(by_hand, rel=1e-9)
+    assert float(interference(listed_case, tracks)) == pytest.approx(by_hand, rel=1e-9)
 
 
 @pytest.mark.long

@@ -95,9 +95,8 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     x = np.array([entry.value for entry in inputs.values()])
     point = {path: np.array([entry.value]) for path, entry in inputs.items()}
     refuse_impossible_joint(with_own_branches(case))
-    around = (
-        tables if "contact" in tables else with_nominal_sizes(tables)
-    )  # radii of listed contacts: another drive
+    # a changed radius of a listed contact is that of another drive with the same interference
+    around = tables if "contact" in tables else with_nominal_sizes(tables)
     status, values, slopes = derivatives_at(around, point, names, tuple(inputs))
     y = np.concatenate([values[name][:, 0] for name in names])
     if status[0] != ALL_PLASTIC or np.isnan(y).any():
