@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
+import scipy.signal
 
 from asperity.errors import InputError
 from asperity.surface.spectrum import (
@@ -12,17 +13,28 @@ from asperity.surface.spectrum import (
     bin_edges,
     binned_spectrum,
     power_spectral_densities,
+    raised_cosine,
     without_line,
 )
 
 
-def test_parseval_for_a_boxcar_window():
+def test_parseval_with_the_power_of_the_window():
     z = np.random.default_rng(0).standard_normal((1, 256))
     z -= np.polynomial.polynomial.polyval(
         np.arange(256), np.polynomial.polynomial.polyfit(np.arange(256), z[0], 1)
     )
-    f, P = power_spectral_densities(profiles=z, spacing=0.1, window="boxcar")
-    assert np.sum(P[0]) * (f[1] - f[0]) == pytest.approx(np.mean(z**2), rel=1e-12)
+    f, P = power_spectral_densities(profiles=z, spacing=0.1)
+    w = scipy.signal.get_window("hann", 256)
+    power = (np.sum((w * z) ** 2) - np.sum(w * z) ** 2 / 256) / np.sum(w**2)  # without that of the mean
+    assert np.sum(P[0]) * (f[1] - f[0]) == pytest.approx(power, rel=1e-12)
+
+
+@pytest.mark.parametrize("points", [16, 255, 1000])
+def test_raised_cosines_are_the_windows_of_hann_and_tukey(points):
+    for share, name in ((1.0, "hann"), (0.1, ("tukey", 0.1))):
+        np.testing.assert_allclose(
+            raised_cosine(points, share), scipy.signal.get_window(name, points), atol=1e-14
+        )
 
 
 @pytest.mark.parametrize("differenced", [False, True])
@@ -54,14 +66,14 @@ def test_missing_points_are_refused():
     z = np.zeros((1, 64))
     z[0, 3] = np.nan
     with pytest.raises(InputError, match="missing"):
-        power_spectral_densities(profiles=z, spacing=1.0, window="hann")
+        power_spectral_densities(profiles=z, spacing=1.0)
 
 
 def test_bins_cover_every_ordinate_once_and_average_it():
     """Densities of the bins, weighted with their ordinates, are the sum over the whole spectrum."""
     z = np.cumsum(np.random.default_rng(3).standard_normal((3, 1000)), axis=1)
     b = binned_spectrum(profiles=z, spacing=0.5, differenced=False, bins_per_decade=10, rows_of_a_map=False)
-    f, P = power_spectral_densities(profiles=z, spacing=0.5, window="hann")
+    f, P = power_spectral_densities(profiles=z, spacing=0.5)
     ordinates = P.mean(axis=0)[f < 1.0 - 1e-12]  # without the real one at the sampling limit
     assert b.ordinates.sum() == ordinates.size
     ends = np.cumsum(b.ordinates)
@@ -131,8 +143,8 @@ def test_wrong_arguments():
         (np.zeros((1, 16)), 0.0, "must be positive"),
     ):
         with pytest.raises(InputError, match=says):
-            power_spectral_densities(profiles=z, spacing=spacing, window="hann")
-    assert power_spectral_densities(profiles=np.zeros((1, 16)), spacing=1.0, window="hann")[1].shape == (1, 8)
+            power_spectral_densities(profiles=z, spacing=spacing)
+    assert power_spectral_densities(profiles=np.zeros((1, 16)), spacing=1.0)[1].shape == (1, 8)
 
 
 @pytest.mark.parametrize("differenced", [False, True])

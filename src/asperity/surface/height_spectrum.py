@@ -18,13 +18,12 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 import scipy.fft
-import scipy.signal
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
 from asperity.surface.pressed_map import PressedMap, pressed_map_from_document
 from asperity.surface.roughness_average import RMS_OVER_RA, STANDARD_CUT_OFFS
-from asperity.surface.spectrum import bin_edges, power_spectral_densities
+from asperity.surface.spectrum import bin_edges, power_spectral_densities, raised_cosine
 from asperity.surface.topography import Topography
 
 #: Direction of the grooves of a profile, which is measured across them: those of the rolling direction, those of the
@@ -231,7 +230,7 @@ def spectrum_of_profiles(
     which the profiles cross: "rolling", "axis" or "isotropic", None if it is not known; ``source`` says where the
     heights come from.
     """
-    _, density = power_spectral_densities(profiles=profiles, spacing=spacing, window="hann")
+    _, density = power_spectral_densities(profiles=profiles, spacing=spacing)
     rows, points = profiles.shape
     length = points * spacing
     edges, sums = _bins(np.arange(1, density.shape[1] + 1), _BINS_PER_DECADE["profile"])
@@ -256,32 +255,31 @@ def spectrum_of_map(*, topography: Topography, rolling: str) -> HeightSpectrum:
     """
     assert topography.spacing_across is not None
     along_x = rolling == "x"
-    heights = topography.heights.T if along_x else topography.heights
-    spacings = (topography.spacing, topography.spacing_across)
-    lengths = [
-        count * spacing
-        for count, spacing in zip(heights.shape, spacings[:: 1 if along_x else -1], strict=True)
-    ]
-    windows = [scipy.signal.get_window("hann", count) for count in heights.shape]
-    spectrum = scipy.fft.rfft2(heights * np.outer(*windows), workers=2)
-    power = (spectrum.real**2 + spectrum.imag**2) / (
-        heights.size * np.prod([np.sum(window**2) for window in windows])
-    )
+    heights = topography.heights
+    down, across = (raised_cosine(count, 1.0) for count in heights.shape)
+    spectrum = scipy.fft.rfft2(heights * down[:, None] * across, workers=2)
+    power = spectrum.real**2 + spectrum.imag**2
+    power /= heights.size * np.sum(down**2) * np.sum(across**2)
     first = np.abs(np.rint(scipy.fft.fftfreq(heights.shape[0], 1.0 / heights.shape[0]))).astype(int)
-    (rolling_edges, rows), (axial_edges, columns) = (
+    (y_edges, rows), (x_edges, columns) = (
         _bins(ordinates, _BINS_PER_DECADE["map"]) for ordinates in (first, np.arange(power.shape[1]))
     )
     twice = np.full(power.shape[1], 2.0)  # of a real map the other half of the plane is the same
     twice[0] = 1.0
     if heights.shape[1] % 2 == 0:
         twice[-1] = 1.0
-    total, square = rows @ power @ columns.T, rows @ power**2 @ columns.T
-    count = np.outer(rows.sum(axis=1), columns @ (0.5 * twice))
+    columns *= twice
+    mean_square, square = rows @ power @ columns.T, rows @ power**2 @ columns.T
+    count = np.outer(rows.sum(axis=1), 0.5 * columns.sum(axis=1))
+    independent = (
+        _independent(mean_square, 2.0 * square, count) / _HANN_LOSS**2
+    )  # every ordinate is there twice
+    x_edges, y_edges = x_edges / topography.size[0], y_edges / topography.size[1]
     return HeightSpectrum(
-        rolling_edges=rolling_edges / lengths[0],
-        axial_edges=axial_edges / lengths[1],
-        mean_square=rows @ (power * twice) @ columns.T,
-        independent=_independent(total, square, count) / _HANN_LOSS**2,
+        rolling_edges=x_edges if along_x else y_edges,
+        axial_edges=y_edges if along_x else x_edges,
+        mean_square=mean_square.T if along_x else mean_square,
+        independent=independent.T if along_x else independent,
         lay=None,
         is_map=True,
         source=topography.source,

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import scipy.fft
 import scipy.ndimage
-import scipy.signal
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
@@ -100,10 +100,12 @@ def _fitted(
     powers: list[tuple[int, int]],
 ) -> NDArray[np.float64]:
     """Least-squares sum of products of Legendre polynomials, by normal equations summed over rows."""
-    m = present.astype(np.float64)
-    data = np.where(present, z, 0.0)
+    complete = bool(present.all())
+    data = z if complete else np.where(present, z, 0.0)
     n = along.shape[1]
-    pairs = np.einsum("ij,jk,jl->ikl", m, along, along, optimize=True)
+    points = np.ones((1, z.shape[1])) if complete else present.astype(np.float64)
+    pairs = np.einsum("ij,jk,jl->ikl", points, along, along, optimize=True)
+    pairs = np.broadcast_to(pairs, (z.shape[0], n, n))
     gram4 = np.einsum("ikl,ip,iq->kplq", pairs, across, across, optimize=True)
     right = across.T @ (data @ along)
     index = [i * n + j for i, j in powers]
@@ -164,13 +166,16 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
     weight /= weight.sum()
     present = ~np.isnan(rows)
     level = np.nanmean(rows)
-    total = scipy.signal.fftconvolve(
-        np.where(present, rows - level, 0.0), weight[None, :], mode="same", axes=1
+    points = rows.shape[1]
+    size = scipy.fft.next_fast_len(points + weight.size - 1, real=True)
+    transform = scipy.fft.rfft(weight, size)
+    total, share = (
+        scipy.fft.irfft(scipy.fft.rfft(values, size) * transform, size)[:, reach : reach + points]
+        for values in (
+            np.where(present, rows - level, 0.0),
+            (present[:1] if present.all() else present).astype(float),
+        )
     )
-    if present.all():
-        share = scipy.signal.fftconvolve(np.ones((1, rows.shape[1])), weight[None, :], mode="same", axes=1)
-    else:
-        share = scipy.signal.fftconvolve(present.astype(float), weight[None, :], mode="same", axes=1)
     smooth = total / np.maximum(share, 1e-12) + level
     return np.where(present, smooth, np.nan).reshape(heights.shape)
 

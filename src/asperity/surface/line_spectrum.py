@@ -16,10 +16,10 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.fft
 import scipy.linalg
-import scipy.signal
 from numpy.typing import NDArray
-from scipy.stats import norm
-from scipy.stats import t as student
+from scipy.special import ndtri, stdtrit
+
+from asperity.surface.spectrum import raised_cosine, without_line
 
 #: A band one gamma wide with fewer ordinates than this cannot show lines.
 _FEWEST_ORDINATES = 128
@@ -62,7 +62,7 @@ class LineFit:
 def line_concentration(*, profile: NDArray[np.float64], frequency_ratio: float) -> float:
     """Median share of the strongest few ordinates in bands one ``frequency_ratio`` wide: near 1 for lines."""
     n = profile.size
-    z = scipy.signal.detrend(profile) * scipy.signal.get_window("hann", n)
+    z = without_line(profile[None])[0] * raised_cosine(n, 1.0)
     power = np.abs(scipy.fft.rfft(z)) ** 2
     shares = []
     top = power.size - 1
@@ -154,7 +154,7 @@ def _spread_covariance(
         rest = [j for j in range(k) if j != i]
         args = ([log_f[j] for j in rest], [log_a[j] for j in rest], [error[j] for j in rest])
         left_out.append(_regression(*args, gamma)[0])
-    widening = float(student.ppf(0.975, k - 1) / norm.ppf(0.975)) ** 2
+    widening = float(stdtrit(k - 1, 0.975) / ndtri(0.975)) ** 2
     return np.asarray((k - 1) * np.cov(np.stack(left_out).T, bias=True) * widening)
 
 
@@ -259,7 +259,7 @@ def _comb_offset(profile: NDArray[np.float64], spacing: float, gamma: float) -> 
     """One frequency of the comb [1/m], to a fraction of the resolution at its highest line."""
     n = profile.size
     padded = 8 * n
-    z = scipy.signal.detrend(profile) * scipy.signal.get_window("hann", n)
+    z = without_line(profile[None])[0] * raised_cosine(n, 1.0)
     power = np.abs(scipy.fft.rfft(z, n=padded)) ** 2
     total = np.concatenate([[0.0], np.cumsum(power)])
     lowest, highest = 4.0 * 8, 0.98 * 0.5 * padded

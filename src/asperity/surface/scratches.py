@@ -21,7 +21,7 @@ import numpy as np
 import scipy.fft
 import scipy.ndimage
 from numpy.typing import NDArray
-from scipy.stats import norm
+from scipy.special import ndtri
 
 #: Largest skewness at any scale that sampling explains, in standard deviations (1 in 60 profiles).
 LARGEST_SKEWNESS = 3.3
@@ -64,7 +64,7 @@ def scratches(
     chord = np.linspace(profiles[:, 0], profiles[:, -1], points, axis=1)
     spectrum = scipy.fft.rfft(profiles - chord, axis=1)
     f = scipy.fft.rfftfreq(points)
-    limit = float(norm.isf(0.5 * CHANCE / max(1.0, sum(profiles.size / scale for scale in scales))))
+    limit = -float(ndtri(0.5 * CHANCE / max(1.0, sum(profiles.size / scale for scale in scales))))
     local, said, excess = np.ones_like(profiles), "", []
     for scale in scales:
         curvature = scipy.fft.irfft(
@@ -116,7 +116,7 @@ def _skewness(values: NDArray[np.float64], rows_of_a_map: bool) -> float:
     """Skewness over its standard deviation for normally distributed values of this autocorrelation."""
     v = values - values.mean()
     axes = (0, 1) if rows_of_a_map else (1,)
-    padded = [2 * v.shape[axis] for axis in axes]
+    padded = [scipy.fft.next_fast_len(2 * v.shape[axis], real=True) for axis in axes]
     power = np.abs(scipy.fft.rfftn(v, s=padded, axes=axes)) ** 2
     products = scipy.fft.irfftn(power, s=padded, axes=axes)
     if rows_of_a_map:  # every row lag has as many products as there are pairs of rows

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.fft
-import scipy.signal
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
@@ -50,9 +49,11 @@ class BinnedSpectrum:
 
 
 def power_spectral_densities(
-    *, profiles: NDArray[np.float64], spacing: float, window: str | tuple[str, float]
+    *, profiles: NDArray[np.float64], spacing: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    r"""Frequencies [1/m] and one-sided power spectral density [m^3] of each profile, straight line removed, windowed.
+    r"""Frequencies [1/m] and one-sided power spectral density [m^3] of each profile, straight line removed.
+
+    With Hann's window w
 
     .. math::
         P(f_j) = \frac{2 \Delta}{\sum_i w_i^2} \left| \sum_i w_i z_i e^{-2\pi i f_j x_i} \right|^2
@@ -61,7 +62,7 @@ def power_spectral_densities(
     """
     _check(profiles, spacing)
     points = profiles.shape[1]
-    w = scipy.signal.get_window(window, points)
+    w = raised_cosine(points, 1.0)
     levelled = without_line(profiles)
     spectrum = scipy.fft.rfft(levelled * w, axis=1)[:, 1:]
     density = (2.0 * spacing / np.sum(w**2)) * (spectrum.real**2 + spectrum.imag**2)
@@ -89,7 +90,7 @@ def binned_spectrum(
     _check(profiles, spacing)
     rows, points = profiles.shape
     used = points - 1 if differenced else points
-    taper = scipy.signal.get_window(("tukey", 0.1) if differenced else "hann", used)
+    taper = raised_cosine(used, 0.1 if differenced else 1.0)
     frequency = scipy.fft.rfftfreq(used, spacing)
     last = used // 2 if used % 2 == 0 else frequency.size  # leave out the real ordinate at the sampling limit
     edges = bin_edges(last, bins_per_decade)
@@ -201,6 +202,12 @@ def without_line(profiles: NDArray[np.float64]) -> NDArray[np.float64]:
     levelled = profiles - profiles.mean(axis=1, keepdims=True)
     levelled -= ((levelled @ u) / (u @ u))[:, None] * u
     return levelled
+
+
+def raised_cosine(points: int, share: float) -> NDArray[np.float64]:
+    """Periodic window that rises and falls as a cosine over a share of its points: 1 is Hann's."""
+    edge = np.minimum(np.arange(points), points - np.arange(points)) / (share * points)
+    return np.where(edge < 0.5, 0.5 - 0.5 * np.cos(2.0 * np.pi * edge), 1.0)
 
 
 def _check(profiles: NDArray[np.float64], spacing: float) -> None:
