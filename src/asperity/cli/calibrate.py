@@ -242,5 +242,5 @@ def _show(calibration: Calibration, drawn: Posterior | None) -> None:
                 )
         target.print(
             f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws follow "
-            "the exact posterior, without an error of the model; a low share only makes fewer of them independent."
+            "the exact posterior, and hold the error of the model; a low share only makes fewer of them independent."
         )

@@ -62,14 +62,14 @@ def smaller_sizes(joint: Joint) -> Array:
     return jnp.stack([jnp.asarray(size) for size in sizes])
 
 
-def _widths_of_walls(joint: Joint) -> Array | None:
-    """Half-widths up to which the compliance of the walls at the contacts is known, shape (contacts,) [m]."""
+def _widths_of_walls(joint: Joint) -> tuple[Array, ...]:
+    """Half-widths up to which the compliance of the walls at the contacts is known, if any; shape (contacts,) [m]."""
     if joint.cam is None or joint.body_model == "springs":
-        return None
+        return ()
     widths = jnp.full(len(joint.drive.contacts), jnp.inf)
     for contacts, wall in contact_walls(joint):
         widths = widths.at[np.array(contacts)].min(WIDEST_CONTACT * wall)
-    return widths
+    return (widths,)
 
 
 class UnderTorque(NamedTuple):
@@ -102,7 +102,7 @@ def _loading(
     """The joint under torques, from its assembled state."""
     drive, laws = joint.drive, without_torque.laws
     contacts = dataclasses.replace(joint_contacts(joint), rims=laws.rims)
-    sizes, walls = smaller_sizes(joint), _widths_of_walls(joint)
+    limits = (smaller_sizes(joint), *_widths_of_walls(joint))
     friction = contacts.pairs.friction_coefficient
     unloaded = rolling_load(joint, contacts, body_masses(joint), 0.0)
     pressed = pressed_at(joint, contacts, without_torque)
@@ -137,9 +137,9 @@ def _loading(
         width = contacts.largest_half_width(jnp.where(touching, state.normal, rest.normal))
         if joint.cam is not None:
             width = jnp.fmax(width, contacts.largest_half_width(laws.reference_force))
-        too_wide = jnp.where(touching | (joint.cam is not None), width / sizes - 1.0, -1.0)
-        thin = () if walls is None else (width / walls - 1.0,)
-        return UnderTorque(state, rest, excesses_of(state, rest.normal, slip, too_wide, *thin))
+        strips, *of_walls = (width / largest - 1.0 for largest in limits)
+        strips = jnp.where(touching | (joint.cam is not None), strips, -1.0)
+        return UnderTorque(state, rest, excesses_of(state, rest.normal, slip, strips, *of_walls))
 
     return at
 

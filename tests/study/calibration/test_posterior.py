@@ -26,6 +26,7 @@ from asperity.study.calibration.posterior import (
     _where_likely,
     posterior,
     sample,
+    shifted,
 )
 from asperity.study.calibration.unknowns import read_unknowns
 
@@ -77,6 +78,20 @@ def test_linear_model():
     assert np.all(found.r_hat < 1.05)
     assert found.divergences == 0
     assert found.acceptance == 1.0
+
+
+def test_error_of_the_model_moves_draws_within_their_bounds():
+    """Far from the bounds, draws of one point scatter by the shift alone; next to one, by half of its normal law."""
+    found = shifted(np.tile([0.5, 0.3, 0.6], (40_000, 1)), np.array([0.03, 0.0, -0.06]), seed=1)
+    assert np.all(found[:, 1] == 0.3)
+    np.testing.assert_allclose(found[:, 2] - 0.6, -2.0 * (found[:, 0] - 0.5), atol=1e-14)
+    assert found[:, 0].mean() == pytest.approx(0.5, abs=4.0 * 0.03 / 200.0)
+    assert found[:, 0].std() == pytest.approx(0.03, rel=4.0 / np.sqrt(80_000))
+    half = shifted(np.tile([0.5, 1.0], (40_000, 1)), np.array([0.03, 0.06]), seed=1)
+    assert half[:, 1].max() <= 1.0
+    assert half[:, 0].mean() == pytest.approx(0.5 - 0.03 * np.sqrt(2.0 / np.pi), rel=1e-3)
+    kept = np.array([[0.2, 1.0], [0.0, 0.4]])
+    assert np.array_equal(shifted(kept, np.zeros(2), seed=1), kept)
 
 
 @pytest.mark.slow

@@ -72,7 +72,8 @@ class Calibration:
     ``scaled_values``: estimates as scaled values (0 at the lower bound, 1 at the upper), and their ``covariance``,
     meaningless in directions that are not determined. ``starts``: root mean square residual at the end of each start,
     best first, over the root mean square of the data [-]; ``curves``: each measurement with what was fitted to it;
-    ``model_error``: standard deviation of the relative error of the joint's compliance in each curve [-];
+    ``model_error``: standard deviation of the relative error of the joint's compliance in each curve [-], which moves
+    the scaled values by ``model_shifts``, shape (unknowns, curves);
     ``alternatives``: what explains the curves as well as an unknown does.
     """
 
@@ -84,6 +85,7 @@ class Calibration:
     unknowns: tuple[Variable, ...]
     curves: tuple[FittedCurve, ...]
     model_error: float
+    model_shifts: np.ndarray
     alternatives: tuple[Alternative, ...]
 
 
@@ -278,13 +280,11 @@ def _conclude(
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
     # along what is not determined the bounds are what is known
     spread = np.sqrt(np.sum((rows.T * np.minimum(along, UNINFORMED)) ** 2, axis=1))
-    # what the error of the model does along each of them, for each curve
-    shifts = (
-        model_error
-        * np.minimum(along, UNINFORMED)[:, None]
-        * (left.T @ curves.of_joint(scaled_values, spreads))
+    # what the error of the model does in each curve
+    model_shifts = (model_error * rows.T * np.minimum(along, UNINFORMED)) @ (
+        left.T @ curves.of_joint(scaled_values, spreads)
     )
-    model_spread = np.sqrt(np.sum((rows.T @ shifts) ** 2, axis=1))
+    model_spread = np.sqrt(np.sum(model_shifts**2, axis=1))
     points = sum(curve.residual.size for curve in fitted)
     unknowns = curves.unknowns
     quantile = float(student.ppf(0.975, points - len(unknowns)))
@@ -327,6 +327,7 @@ def _conclude(
         unknowns=unknowns,
         curves=fitted,
         model_error=model_error,
+        model_shifts=model_shifts,
         alternatives=alternatives(
             wider.unknowns,
             np.array([v.from_unit(p) for v, p in zip(wider.unknowns, everything, strict=True)]),

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
+from scipy.special import ndtr, ndtri
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.extras import optional_module
@@ -312,7 +313,8 @@ def posterior(
 
     ``draws`` from each of :data:`CHAINS` chains; ``seed`` of the sampler; ``progress`` is called with the number of
     finished steps and of all steps. The likelihood is zero where the joint has no stiffness at one of the measured
-    torques. Raised are an ``InputError`` if two curves were fitted together, or the data fit exactly, so that there are
+    torques. The draws have the scatter of the data, and each is moved by an error of the model as the intervals of the
+    fit are. Raised are an ``InputError`` if two curves were fitted together, or the data fit exactly, so that there are
     no errors whose size could be estimated; a ``MissingExtraError`` and a ``NoSolutionError`` as by :func:`sample`.
     """
     if len(calibration.curves) > 1:
@@ -326,7 +328,7 @@ def posterior(
             "the fit is exact to the last digit, so that the data contain no information about errors; a posterior "
             "needs measured data"
         )
-    return sample(
+    drawn = sample(
         predict=model.predictions,
         surrogate=surrogate_prediction(model),
         fit=lambda centre, spread: fit_surrogate(model, centre, spread, seed=seed),
@@ -340,3 +342,24 @@ def posterior(
         seed=seed,
         progress=progress,
     )
+    (shift,) = calibration.model_shifts.T
+    return replace(drawn, scaled_values=shifted(drawn.scaled_values, shift, seed))
+
+
+def shifted(scaled_values: np.ndarray, shift: np.ndarray, seed: int) -> np.ndarray:
+    """Draws, shape (draws, unknowns), each moved by an error of the model that leaves it within the bounds.
+
+    ``shift`` by an error of one standard deviation, shape (unknowns,).
+    """
+    moved = np.flatnonzero(shift)
+    with np.errstate(over="ignore"):
+        ends = (np.array([0.0, 1.0])[:, None, None] - scaled_values[:, moved]) / shift[moved]
+    low, high = (
+        ndtr(end)
+        for end in (
+            ends.min(axis=0).max(axis=1, initial=-np.inf),
+            ends.max(axis=0).min(axis=1, initial=np.inf),
+        )
+    )
+    error = ndtri(low + (high - low) * np.random.default_rng(seed).random(len(scaled_values)))
+    return scaled_values + error[:, None] * shift
