@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 from asperity.contact import carter
 from asperity.contact.creep_layer import layer_creepage_factor
 from asperity.contact.skew import skewed_slip_ratios
+from asperity.drive.state.creep import drift_per_turn
 from asperity.joint.contacts import rough_joint_contacts
 from asperity.joint.crowned_contacts import rough_slices
 from asperity.joint.description import joint_contacts
@@ -211,3 +212,10 @@ def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
         assert float(found.layer_factor[place]) == pytest.approx(float(even), rel=1e-9)
     scale = CARTER * np.asarray(found.crown_factor * found.layer_factor)
     np.testing.assert_allclose(found.law.gross_slip_scale * np.sqrt(NORMAL), scale, rtol=1e-9)
+
+
+def test_drift_of_a_turn_of_the_output():
+    """A share of a fifth lost: the input has to turn a quarter more."""
+    np.testing.assert_allclose(
+        drift_per_turn(np.array([0.2, 0.0, -0.25])), 2 * np.pi * np.array([0.25, 0.0, -0.2])
+    )

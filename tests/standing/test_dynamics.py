@@ -12,7 +12,7 @@ from asperity.joint.solve import solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS
 from asperity.joint_file.build import joint_from_case
 from asperity.results.dynamics_document import response_columns
-from asperity.standing.dynamics import Inertias, _over_torque, dynamics
+from asperity.standing.dynamics import Inertias, _between_inertias, _limit, _over_torque, dynamics
 
 COUPLED = Inertias(2e-6, 0.05, 0.02)
 
@@ -82,17 +82,14 @@ def test_over_torque_up_to_nearly_the_capacity(paper_joint, found):
 @pytest.mark.parametrize(
     ("torque", "limit", "kind", "largest"),
     [
-        (5.0, 10.0, "gross_slip", 9.8),
         (-5.0, 10.0, "gross_slip", -6.86),
         (5.0, math.inf, "none", 5.0),
-        (5.0, 2e4, MODEL_LIMITS[0], 10.0),
-        (5.0, 6.0, MODEL_LIMITS[0], 5.88),
     ],
 )
 def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
     paper_joint, monkeypatch, torque, limit, kind, largest
 ):
-    """At 98 % of 10 N·m forwards or of 7 N·m backwards, at the torque itself, or at twice where only the model ends."""
+    """At 98 % of 7 N·m backwards, or at the torque itself where there is no limit."""
     limits = {"capacity": limit, "reverse_capacity": 7.0}
     known = {
         name: SimpleNamespace(output_torque=value, limit=LIMIT_KINDS.index(kind))
@@ -167,3 +164,34 @@ def test_a_response_without_losses_is_shown_beside_its_natural_frequencies(paper
 def test_a_joint_that_slips_is_refused(paper_joint):
     with pytest.raises(AsperityError, match="beyond the torque capacity"):
         dynamics(paper_joint(output_torque=50.0), COUPLED)
+
+
+def test_a_joint_between_two_inertias_by_hand():
+    """Ratio 6: 36 (2e-6 + 1e-6) at the input, 0.05 + 0.01 at the output; 9000 N·m/rad; 1/0.2 and 1800/2 pi."""
+    slope = np.array([0.2, 0.0, np.nan])
+    found = _between_inertias(
+        np.zeros(3), np.full(3, 9000.0), slope, 6.0, (1e-6, 0.01), Inertias(2e-6, 0.05, 0.02)
+    )
+    np.testing.assert_allclose(found.input_inertia, 1.08e-4, rtol=1e-12)
+    np.testing.assert_allclose(found.output_inertia, 0.06, rtol=1e-12)
+    np.testing.assert_allclose(found.locked_frequency, math.sqrt(9000.0 / 0.06) / (2 * math.pi), rtol=1e-12)
+    both = 1.0 / 1.08e-4 + 1.0 / 0.06
+    np.testing.assert_allclose(found.free_frequency, math.sqrt(9000.0 * both) / (2 * math.pi), rtol=1e-12)
+    np.testing.assert_allclose(found.creep_damping, [5.0, math.inf, math.nan], rtol=1e-12)
+    np.testing.assert_allclose(found.corner_frequency, [1800.0 / (2 * math.pi), 0.0, math.nan], rtol=1e-12)
+
+
+def test_the_axis_ends_at_the_capacity_or_where_the_model_does():
+    """In the sense of the torque; at most at 2/0.98 of it where only what is computed ends."""
+    for torque, limit, kind, end in (
+        (5.0, 10.0, "gross_slip", 10.0),
+        (-5.0, 10.0, "gross_slip", 7.0),
+        (5.0, 2e4, MODEL_LIMITS[0], 10.0 / 0.98),
+        (5.0, 6.0, MODEL_LIMITS[0], 6.0),
+    ):
+        known = LIMIT_KINDS.index(kind)
+        solution = SimpleNamespace(
+            capacity=SimpleNamespace(output_torque=limit, limit=known),
+            reverse_capacity=SimpleNamespace(output_torque=7.0, limit=known),
+        )
+        assert _limit(solution, torque) == pytest.approx(end, rel=1e-12)

@@ -4,7 +4,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.drive.state.bores import Bores
+from asperity.drive.state.bores import Bores, sides
 
 
 def test_displacements_are_slopes_of_the_energy():
@@ -26,3 +26,13 @@ def test_displacements_are_slopes_of_the_energy():
     # and small changes follow the second slopes
     of_pin = jax.jacfwd(jax.grad(energy, argnums=1))(force, normal, tangential)
     np.testing.assert_allclose(bores.by_pin(jnp.sign(force))[0], of_pin, rtol=1e-12)
+
+
+def test_a_pin_changes_sides_smoothly():
+    """Without a force it presses neither half; three forces of its scale away it presses one, by the hypotenuse."""
+    sign, size, slope = sides(jnp.array([0.0, 3e-4, -4e-4, 2.0]), 1.0)
+    np.testing.assert_allclose(sign, [0.0, 3.0 / 10.0**0.5, -4.0 / 17.0**0.5, 1.0], atol=2e-9)
+    np.testing.assert_allclose(
+        size, [0.0, (10.0**0.5 - 1.0) * 1e-4, (17.0**0.5 - 1.0) * 1e-4, 1.9999], atol=1e-8
+    )
+    np.testing.assert_allclose(slope[:3], 1e4 / np.array([1.0, 10.0, 17.0]) ** 1.5, rtol=1e-12)
