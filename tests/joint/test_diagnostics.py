@@ -1,9 +1,13 @@
 """Diagnostics of the paper's joint: each against plain arithmetic from the forces, in order and out of it."""
 
 import math
+from types import SimpleNamespace
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
+
+from asperity.joint.diagnostics import _along_the_line
 
 MODULUS = 206e9 / (2 * 0.91)
 RADII = [(4e-3, 13.5e-3, 1), (13.5e-3, 5e-3, 1), (13.5e-3, 5e-3, 1), (5e-3, 40e-3, -1), (5e-3, 40e-3, -1)]
@@ -64,3 +68,24 @@ def test_plastic_share_and_distance_from_lift_off(paper):
         [1000.0, side, side, side * math.cos(math.radians(13.1582)), side * math.cos(math.radians(13.1582))]
     )
     np.testing.assert_allclose(found.normal_force_over_preload, paper.forces.normal / rest, rtol=1e-5)
+
+
+def test_spread_of_a_line_load_by_hand():
+    """200 N/mm on average over 5 mm, of which 4 mm bear, 0.1 mm wide; nothing where the contact is open."""
+    lines = SimpleNamespace(
+        loaded_share=jnp.array([0.8, 0.8]),
+        line_load=jnp.array([[3e5, 3e5]]),
+        end_line_load=jnp.array([1e4, 1e4]),
+        half_width=jnp.array([[5e-5, 5e-5]]),
+        solved=jnp.array([True, False]),
+    )
+    found = _along_the_line(lines, SimpleNamespace(contact_length=5e-3), jnp.array([1000.0, 0.0]))
+    by_hand = {
+        "loaded_length_share": 0.8,
+        "peak_line_load_ratio": 1.5,
+        "end_line_load_ratio": 0.05,
+        "loaded_length_over_width": 40.0,
+    }
+    for name, value in by_hand.items():
+        np.testing.assert_allclose(found[name], [value, np.nan], rtol=1e-12)
+    assert found["slices_hold"].tolist() == [True, True]
