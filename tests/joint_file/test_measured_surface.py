@@ -441,6 +441,20 @@ def test_complete_contact_is_refused_where_the_exponential_law_holds(example_cas
     assert made.measured.laws(made, joint, solve_joint(joint).result) == []
 
 
+@pytest.mark.slow
+def test_a_map_that_the_joint_presses_flat_has_no_measured_law(example_case, isotropic_map):
+    flat = roughness(pressed(isotropic_map, scale=1e-5))
+    said = (
+        r"the contact sp is pressed flat by boundary elements: in complete contact .* leave contact_law out"
+    )
+    with pytest.raises(InputError, match=said):
+        case_with_surface(stated(example_case, "measured"), flat)
+    made = case_with_surface(example_case, flat)
+    joint = joint_from_case(made)
+    laws = made.measured.laws(made, joint, solve_joint(joint).result)
+    assert [entry["law"] for entry in laws] == ["exponential", "persson_2007"]
+
+
 @pytest.mark.long
 def test_all_laws_side_by_side_are_those_of_joints_with_each(planar_case, isotropic_map):
     surface = roughness(pressed(isotropic_map), fractal=measured(fractal_dimension=1.5))
