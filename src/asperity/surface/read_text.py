@@ -29,6 +29,11 @@ def text_topography(
 
     Two columns are position and height; three columns are position, height and a valid flag (a heading that
     says so) or x, y, z of a full grid; one column, or more than three, are heights that need ``spacing``.
+
+    References
+    ----------
+    NIST, Surface Metrology Algorithm Testing System, *Acceptable Data Format*, pml.nist.gov/VSC: one column that begins
+    with the spacing; so do the text files of NPL's softgauges.
     """
     text = decoded(path, largest=LARGEST_TEXT)
     lines = re.split(r"\r\n|\n|\r", text)
@@ -60,12 +65,14 @@ def text_topography(
     if spacing is None:
         raise InputError(
             f"{source} has {columns} column(s) of heights and no positions; give the distance of the points, "
-            "such as '0.5 um'",
+            "such as '0.5 um'; in text files of NIST and NPL their first number, in um",
             options=["spacing"],
         )
     heights = table * scale_z
     if columns == 1:
-        return Topography(heights[:, 0].copy(), spacing, source=source)
+        stated = int(np.isclose(heights[0, 0], spacing, rtol=1e-9, atol=0.0))
+        note = "the first number is the spacing, as in text files of NIST and NPL, and no height"
+        return Topography(heights[stated:, 0].copy(), spacing, source=source, notes=(note,) * stated)
     return Topography(
         heights, spacing, spacing, source=source, notes=("rows and columns taken as equally spaced",)
     )
