@@ -47,7 +47,9 @@ def test_files_of_equal_branches_have_no_note(call):
 @pytest.mark.parametrize("options", [(), ("--branches", "3")])
 def test_what_is_kept_of_a_measured_surface_is_said(call, monkeypatch, heights, notes, options):
     """Not of its D and G, which do not depend on the torque."""
-    case = reader.read_case(EXAMPLES / "zou2025.toml").with_measured(SimpleNamespace(heights=heights, text="{}"))
+    case = reader.read_case(EXAMPLES / "zou2025.toml").with_measured(
+        SimpleNamespace(heights=heights, text="{}")
+    )
     monkeypatch.setattr(reader, "read_case", lambda file: case)
     outcome = call("uncertainty", "joint.toml", *options)
     assert outcome.code == 2  # without tolerances

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import json_option, save_image
+from asperity.cli.terminal import json_option, read_option, save_image
 from asperity.writing import check_file, check_image, replacing
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from asperity.surface.height_spectrum import HeightSpectrum
     from asperity.surface.measure import MeasuredSurface
@@ -39,20 +39,17 @@ def surface() -> None:
     """Measure D and G of rough surfaces, make such surfaces, combine two bodies."""
 
 
-def _length(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
-    if value is None:
-        return None
-    from asperity.units import Dimension, parse_quantity
+def _quantity(dimension: str) -> Callable[..., float | None]:
+    def read(_: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
+        from asperity.units import Dimension
 
-    return parse_quantity(value, Dimension.LENGTH)
+        name = parameter.opts[0].removeprefix("--")
+        return None if value is None else read_option(name, value, Dimension[dimension])
+
+    return read
 
 
-def _stress(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
-    if value is None:
-        return None
-    from asperity.units import Dimension, parse_quantity
-
-    return parse_quantity(value, Dimension.PRESSURE)
+_length, _stress = _quantity("LENGTH"), _quantity("PRESSURE")
 
 
 @surface.command("measure")
