@@ -168,8 +168,8 @@ def measure(
     if plot is not None:
         from asperity.surface.plots import measurement_figure
 
-        shown = {"surfaces": measured.topographies, "fit": measured.fit, "direction": measured.direction}
-        save_image(measurement_figure(**shown), plot)
+        shown, direction = measured.topographies, measured.direction
+        save_image(measurement_figure(surfaces=shown, fit=measured.fit, direction=direction), plot)
     if as_json:
         click.echo(json.dumps(files_document(measured), indent=2))
     else:
