@@ -3,8 +3,11 @@
 import json
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+
+from asperity.joint_file import reader
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NOTE = "the results are those of the branches of the file, [[branch]]"
@@ -38,6 +41,19 @@ def test_files_of_equal_branches_have_no_note(call):
     outcome = call("sensitivity", EXAMPLES / "planetary.toml", "--result", "none")
     assert outcome.code == 2
     assert "note" not in outcome.err
+
+
+@pytest.mark.parametrize(("heights", "notes"), [({"surface.sp": (1e-8, 2e-8, 3e-8)}, 1), (None, 0)])
+@pytest.mark.parametrize("options", [(), ("--branches", "3")])
+def test_what_is_kept_of_a_measured_surface_is_said(call, monkeypatch, heights, notes, options):
+    """Not of its D and G, which do not depend on the torque."""
+    case = reader.read_case(EXAMPLES / "zou2025.toml").with_measured(
+        SimpleNamespace(heights=heights, text="{}")
+    )
+    monkeypatch.setattr(reader, "read_case", lambda file: case)
+    outcome = call("uncertainty", "joint.toml", *options)
+    assert outcome.code == 2  # without tolerances
+    assert outcome.err.count("what the contacts feel of the measured surface") == notes
 
 
 @pytest.mark.long

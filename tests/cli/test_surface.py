@@ -18,6 +18,23 @@ def run(*arguments):
     return CliRunner().invoke(asperity, ["surface", *map(str, arguments)], catch_exceptions=True)
 
 
+def test_wrong_lengths_name_their_option(tmp_path):
+    np.save(tmp_path / "map.npy", np.random.default_rng(0).standard_normal((20, 20)))
+    scale = ("measure", tmp_path / "map.npy", "--height-unit", "nm", "--spacing", "1 um")
+    for option, text, said in (
+        ("--short-cut-off", "three", "^--short-cut-off: expected a length"),
+        ("--hardness", "7 mm", "^--hardness: expected a pressure"),
+        (
+            "--cut-off",
+            "1 mm",
+            "^the cut-off is 1 mm; it must lie between .*0.002 mm. and the length .*0.02 mm.$",
+        ),
+    ):
+        refused = run(*scale, option, text).exception
+        assert re.search(said, str(refused))
+        assert option in str(refused) or option[2:] in refused.options
+
+
 def test_a_surface_without_a_power_law_has_its_spectrum(tmp_path):
     """A sine of 0.2 µm amplitude and 20 µm length."""
     x = np.arange(4000) * 0.5e-6

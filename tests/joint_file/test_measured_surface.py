@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import re
 import tomllib
 
 import jax.numpy as jnp
@@ -15,6 +16,7 @@ from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import with_measured_surface
 from asperity.joint_file.edited_text import joint_file_text
+from asperity.joint_file.felt_heights import Felt, assumed_heights
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.measured_surface import case_with_surface
 from asperity.joint_file.solved_document import full_document, solved_case
@@ -112,6 +114,22 @@ def isotropic_map():
     return spectrum_of_map(topography=Topography(heights, 2e-6, 2e-6, source="map"), rolling="x")
 
 
+@pytest.mark.parametrize(
+    ("lay", "width", "axial", "said"),
+    [
+        ("axis", 6e-3, 8e-5, "longer than 5.33 mm in the rolling direction.*those up to 6 mm"),
+        ("axis", 1e-4, 8e-3, None),  # its waves are endless along the axis
+        ("rolling", 6e-3, 8e-5, None),
+        ("rolling", 1e-4, 8e-3, "longer than 5.33 mm along the axis"),
+    ],
+)
+def test_a_surface_smaller_than_the_contact_is_said(lay, width, axial, said):
+    spectrum = profile_spectrum(lay)  # 8 mm
+    felt = {"sp": Felt(1e-7, 0.0, width, (axial,), 0.0, (1e-14,))}
+    told = "; ".join(assumed_heights(roughness(spectrum), felt))
+    assert bool(re.search(said or "nothing is known", told)) == (said is not None)
+
+
 @pytest.mark.slow
 def test_heights_and_stiffness_of_a_joint_by_hand(example_case, isotropic_map):
     """h of the waves at the printed width of each contact; K_n of 0.48 h; nothing depends on the file's surface."""
@@ -134,7 +152,7 @@ def test_heights_and_stiffness_of_a_joint_by_hand(example_case, isotropic_map):
         )
     told = " ".join(made.measured.assumed)
     assert "the joint uses the measured spectrum; no power law" in told
-    assert "nothing is known of waves longer than 0.341 mm, its size" in told
+    assert "nothing is known of waves longer than 0.341 mm along the axis, two thirds of its size" in told
     other = example_case.model_copy(update={"surface": SurfaceEntry.model_validate({"rms_height": "1 um"})})
     again = case_with_surface(other, roughness(isotropic_map)).surface["sp"].rms_height.value
     assert again == made.surface["sp"].rms_height.value
@@ -439,6 +457,20 @@ def test_complete_contact_is_refused_where_the_exponential_law_holds(example_cas
     made = case_with_surface(example_case, smooth)
     joint = joint_from_case(made)
     assert made.measured.laws(made, joint, solve_joint(joint).result) == []
+
+
+@pytest.mark.slow
+def test_a_map_that_the_joint_presses_flat_has_no_measured_law(example_case, isotropic_map):
+    flat = roughness(pressed(isotropic_map, scale=1e-5))
+    said = (
+        r"the contact sp is pressed flat by boundary elements: in complete contact .* leave contact_law out"
+    )
+    with pytest.raises(InputError, match=said):
+        case_with_surface(stated(example_case, "measured"), flat)
+    made = case_with_surface(example_case, flat)
+    joint = joint_from_case(made)
+    laws = made.measured.laws(made, joint, solve_joint(joint).result)
+    assert [entry["law"] for entry in laws] == ["exponential", "persson_2007"]
 
 
 @pytest.mark.long

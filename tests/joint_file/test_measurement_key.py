@@ -20,6 +20,7 @@ from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import si_values, varied_keys
 from asperity.joint_file.solved_document import full_document, solve_with_surface
 from asperity.study.batch import derivatives_at, evaluate_points
+from asperity.study.measured_points import refuse_derivatives
 
 #: Edges of the bins along the rolling direction [1/m]: contacts are 0.12 to 0.18 mm wide, in the second bin.
 EDGES = (1_000.0, 4_000.0, 9_000.0, 54_000.0)
@@ -152,6 +153,24 @@ def test_a_law_with_a_decay_length_has_it_at_every_point(folder, named_text):
         assert results[RESULTS[0]][point] == pytest.approx(stiffness, rel=1e-8)
     with pytest.raises(InputError, match="has no derivatives beside"):
         derivatives_at(si_values(case), {"load.preload": preload}, RESULTS[:1], ("load.preload",))
+
+
+@pytest.mark.parametrize(
+    ("key", "more", "remedy"),
+    [
+        ("decay_length", {}, 'state model.contact_law = "exponential"'),
+        ("rms_height", {"branch": {}}, r"leave \[\[branch\]\] out"),
+        (
+            "decay_length",
+            {"branch": {}},
+            r'leave \[\[branch\]\] out and state model.contact_law = "exponential"',
+        ),
+    ],
+)
+def test_what_has_no_derivatives_is_refused_with_all_that_helps(key, more, remedy):
+    with pytest.raises(InputError, match=rf"a decay length: {remedy}$"):
+        refuse_derivatives({"surface": {"sp": {key: 1e-7}}} | more)
+    refuse_derivatives({"surface": {"sp": {"rms_height": 1e-7}}})
 
 
 @pytest.mark.slow

@@ -67,6 +67,18 @@ def test_columns_of_heights_xyz_grids_and_npy(tmp_path):
         read_surface(path=tmp_path / "a.npy", height_unit="nm")
 
 
+def test_the_spacing_before_the_heights_is_no_height(tmp_path):
+    """Text files of NIST's SMATS and of NPL's softgauges: the spacing, then the heights, one a line, in micrometres."""
+    file = tmp_path / "reference.txt"
+    file.write_bytes("\r\n".join(["0.500", *(f"{z:.6f}" for z in Z)]).encode())
+    got = read_surface(path=file, height_unit="um", spacing=0.5e-6)
+    np.testing.assert_allclose(got.heights, 1e-6 * Z, atol=1e-15)
+    assert "the first number is the spacing" in got.notes[0]
+    assert len(read_surface(path=file, height_unit="um", spacing=0.4e-6).heights) == 51
+    with pytest.raises(InputError, match="in text files of NIST and NPL their first number"):
+        read_surface(path=file, height_unit="um")
+
+
 def test_a_grid_of_positions_may_have_gaps_in_half_of_its_places_but_none_twice(tmp_path):
     x, y = np.meshgrid(np.arange(5) * 2.0, np.arange(6) * 3.0)
     table = np.stack([x.ravel(), y.ravel(), np.arange(30.0)], axis=1)

@@ -106,7 +106,7 @@ def calibrate(
     if plot_posterior is not None and drawn is not None:
         save_image(posterior_figure(calibration, drawn), plot_posterior)
     if as_json:
-        felt = {"assumptions": [FELT_UNDER_TORQUE]} if case.measured else {}
+        felt = {"assumptions": [FELT_UNDER_TORQUE]} if case.measured and case.measured.heights else {}
         print_json(_document(calibration, drawn) | felt)
     else:
         _show(calibration, drawn)

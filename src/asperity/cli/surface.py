@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import json_option, save_image
+from asperity.cli.terminal import json_option, read_option, save_image
 from asperity.writing import check_file, check_image, replacing
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from asperity.surface.height_spectrum import HeightSpectrum
     from asperity.surface.measure import MeasuredSurface
@@ -39,20 +39,17 @@ def surface() -> None:
     """Measure D and G of rough surfaces, make such surfaces, combine two bodies."""
 
 
-def _length(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
-    if value is None:
-        return None
-    from asperity.units import Dimension, parse_quantity
+def _quantity(dimension: str) -> Callable[..., float | None]:
+    def read(_: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
+        from asperity.units import Dimension
 
-    return parse_quantity(value, Dimension.LENGTH)
+        name = parameter.opts[0].removeprefix("--")
+        return None if value is None else read_option(name, value, Dimension[dimension])
+
+    return read
 
 
-def _stress(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
-    if value is None:
-        return None
-    from asperity.units import Dimension, parse_quantity
-
-    return parse_quantity(value, Dimension.PRESSURE)
+_length, _stress = _quantity("LENGTH"), _quantity("PRESSURE")
 
 
 @surface.command("measure")
@@ -169,7 +166,10 @@ def measure(
         use_compilation_cache()
         measured = with_pressed_map(measured, hardness=hardness)
     if plot is not None:
-        _write_figure(plot, measured)
+        from asperity.surface.plots import measurement_figure
+
+        shown, direction = measured.topographies, measured.direction
+        save_image(measurement_figure(surfaces=shown, fit=measured.fit, direction=direction), plot)
     if as_json:
         click.echo(json.dumps(files_document(measured), indent=2))
     else:
@@ -193,15 +193,6 @@ def _waves(spectrum: HeightSpectrum) -> str:
         words.append(f"{1e3 * cut_off:g} mm {1e6 * square**0.5:.3g} um")
     square, _ = spectrum.felt(rolling=0.0, axial=0.0)
     return ", ".join([*words, f"all {1e6 * square**0.5:.3g} um"])
-
-
-def _write_figure(plot: Path, measured: MeasuredFiles) -> None:
-    from asperity.surface.plots import measurement_figure
-
-    figure = measurement_figure(
-        surfaces=measured.topographies, fit=measured.fit, direction=measured.direction
-    )
-    save_image(figure, plot)
 
 
 def _parameters(s: MeasuredSurface, axial: bool) -> Iterator[str]:
@@ -288,18 +279,14 @@ def _print(measured: MeasuredFiles) -> None:
             f"fractal dimension D{mark}: {fit.fractal_dimension:.4f}  (95 %: {d_low:.4f} .. {d_high:.4f})"
         )
         click.echo(
-            f"fractal roughness G{mark}: {fit.fractal_roughness:.4g} m  (95 %: {g_low:.4g} .. "
-            f"{g_high:.4g} m), "
+            f"fractal roughness G{mark}: {fit.fractal_roughness:.4g} m  (95 %: {g_low:.4g} .. {g_high:.4g} m), "
             f"gamma {fit.frequency_ratio:g}"
         )
+        rolls = fit.roll_off_wavelength
         click.echo(
-            f"  band {1e6 * fit.shortest_wavelength:.4g} .. {1e6 * fit.longest_wavelength:.4g} um, "
-            f"estimator {fit.estimator}, {fit.profiles} profile(s)"
-            + (
-                ""
-                if fit.roll_off_wavelength is None
-                else f", roll-off at {1e6 * fit.roll_off_wavelength:.3g} um"
-            )
+            f"  band {1e6 * fit.shortest_wavelength:.4g} .. {1e6 * fit.longest_wavelength:.4g} um, estimator "
+            f"{fit.estimator}, {fit.profiles} profile(s)"
+            + ("" if rolls is None else f", roll-off at {1e6 * rolls:.3g} um")
         )
         if fit.reduced_chi_square is None:
             click.echo(f"  scatter of the amplitudes about the model {100 * fit.misfit:.1f} %")
@@ -316,14 +303,11 @@ def _print(measured: MeasuredFiles) -> None:
         if pressed is not None:
             from asperity.bem.pressed_map import PRESSURES_ON_STEEL
 
-            ratios = [pressed.decay_ratio(pressure=load, capped=False)[0] for load in pressed.pressure]
-            click.echo(
-                "boundary elements, decay length over rms height at "
-                + ", ".join(
-                    f"{1e-6 * load:g} MPa {ratio:.3g}"
-                    for load, ratio in zip(PRESSURES_ON_STEEL, ratios, strict=True)
-                )
-            )
+            words = [
+                f"{1e-6 * load:g} MPa {pressed.decay_ratio(pressure=relative, capped=False)[0]:.3g}"
+                for load, relative in zip(PRESSURES_ON_STEEL, pressed.pressure, strict=True)
+            ]
+            click.echo(f"boundary elements, decay length over rms height at {', '.join(words)}")
         if not measured.spectrum.is_map and measured.spectrum.lay is None:
             click.echo("a joint needs the lay of a profile: --lay rolling, axis or isotropic")
 

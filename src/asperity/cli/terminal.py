@@ -288,8 +288,8 @@ def read_option(name: str, text: str, dimension: Dimension) -> float:
 
 #: When what contacts feel of a measured surface is computed.
 FELT_UNDER_TORQUE = (
-    "what the contacts feel of the measured surface is that under the torque of the file, and stays at other torques "
-    "and in calibrations; sweeps, charts, designs, sensitivities and samples compute it anew at every point"
+    "what the contacts feel of the measured surface is that under the torque of the file, and stays at other torques, "
+    "in calibrations and drawn branches; sweeps, charts, designs, sensitivities and samples compute it at every point"
 )
 
 
@@ -304,7 +304,7 @@ def read_case_of_branches(file: str) -> AnyCase:
             "the number of theirs",
             err=True,
         )
-    if case.measured is not None:
+    if case.measured is not None and case.measured.heights is not None:
         click.echo(f"asperity: note: {FELT_UNDER_TORQUE}", err=True)
     return case
 

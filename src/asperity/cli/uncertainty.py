@@ -61,9 +61,8 @@ def uncertainty(
     """
     from asperity.cli.terminal import about, read_case_of_branches
     from asperity.joint_file.quantity_key import parse_distribution
-    from asperity.joint_file.reader import read_case
 
-    case = read_case_of_branches(file) if branches is None else read_case(file)
+    case = read_case_of_branches(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
     prepare_computation()
     from asperity.cli.terminal import progress_bar

@@ -51,12 +51,8 @@ def _by_persson(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[En
     for (name, one), pressure, length, share in zip(
         contacts.felt.items(), contacts.pressures, lengths, 100.0 * fractions, strict=True
     ):
-        if not length > 1e-6 * limits.DECAY_LENGTH.lower:
-            raise InputError(
-                f"{measured.source}: {share:.4g} % of the contact {name} touches by Persson's theory: in complete "
-                "contact an interface has no stiffness that counts; leave contact_law out, the exponential law is its "
-                "soft bound"
-            )
+        state = f"{share:.4g} % of the contact {name} touches by Persson's theory"
+        _refuse_complete(measured, float(length), state)
         ratio = float(length) / one.rms_height
         ends[f"surface.{name}"] = (low * ratio, ratio, high * ratio)
         told.append(
@@ -68,6 +64,15 @@ def _by_persson(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[En
         f"pressure of each contact, at the torque of the file; it stays at other torques: {'; '.join(told)}"
     )
     return ends, [taken]
+
+
+def _refuse_complete(measured: MeasuredRoughness, length: float, state: str) -> None:
+    """Refuse contacts without gaps, whose decay length [m] no joint file may have."""
+    if not length > 1e-6 * limits.DECAY_LENGTH.lower:
+        raise InputError(
+            f"{measured.source}: {state}: in complete contact an interface has no stiffness that counts; leave "
+            "contact_law out, the exponential law is its soft bound"
+        )
 
 
 def form_lengths(measured: MeasuredRoughness, contacts: FeltContacts) -> dict[str, float]:
@@ -124,6 +129,8 @@ def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[E
             _decay_ratio(measured.spectra, one.squares, pressure / modulus, capped=limited)
             for limited in (False, True)
         )
+        state = f"the contact {name} is pressed flat by boundary elements"
+        _refuse_complete(measured, elastic * one.rms_height, state)
         ratios[f"surface.{name}"] = (capped * math.exp(-deep), elastic, elastic * math.exp(wide))
         parts.append(
             f"{name} {format_quantity(elastic * one.rms_height, 'um', 3)} ({elastic:.3f} of the heights, at "

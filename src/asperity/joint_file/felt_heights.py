@@ -20,7 +20,7 @@ from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.section_build import entries
 from asperity.joint_file.si_tables import Values, si_values
 from asperity.materials import ContactPair, pair
-from asperity.surface.height_spectrum import HeightSpectrum
+from asperity.surface.height_spectrum import HeightSpectrum, lowest_frequency
 from asperity.surface.measured_roughness import MeasuredRoughness
 from asperity.units import format_quantity
 
@@ -181,12 +181,17 @@ def assumed_heights(measured: MeasuredRoughness, felt: dict[str, Felt]) -> list[
     for number, spectrum in enumerate(measured.spectra):
         if spectrum.lay is not None:
             told.append(f"{spectrum.source}: a profile across its lay, which is stated as {spectrum.lay}")
-        if any(spectrum.longest_wave < contact.axial[number] for contact in felt.values()):
-            size = format_quantity(spectrum.longest_wave, "mm", 3)
-            told.append(
-                f"{spectrum.source}: nothing is known of waves longer than {size}, its size; if there are any that "
-                "count, the contacts are softer"
-            )
+        for along, edges, sizes in (
+            ("in the rolling direction", spectrum.rolling_edges, [one.width for one in felt.values()]),
+            ("along the axis", spectrum.axial_edges, [one.axial[number] for one in felt.values()]),
+        ):
+            if max(sizes) * lowest_frequency(edges) > 1.0:
+                size = format_quantity(1.0 / lowest_frequency(edges), "mm", 3)
+                told.append(
+                    f"{spectrum.source}: nothing is known of waves longer than {size} {along}, two thirds of its size, "
+                    f"while contacts feel those up to {format_quantity(max(sizes), 'mm', 3)}; if there are any that "
+                    "count, the contacts are softer"
+                )
     share = max(contact.longest for contact in felt.values())
     if share > 0.5:
         told.append(

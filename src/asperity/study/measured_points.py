@@ -86,10 +86,14 @@ def refuse_derivatives(values: Values) -> None:
     by_length = any(
         "decay_length" in entry for entry in values["surface"].values() if isinstance(entry, dict)
     )
-    if by_length or "branch" in values:
+    remedies = {
+        "leave [[branch]] out": "branch" in values,
+        'state model.contact_law = "exponential"': by_length,
+    }
+    if any(remedies.values()):
         raise InputError(
             "surface.measurement: what contacts feel has no derivatives beside [[branch]], or by a contact law with a "
-            'decay length: leave [[branch]] out, or state model.contact_law = "exponential"'
+            f"decay length: {' and '.join(words for words, needed in remedies.items() if needed)}"
         )
 
 

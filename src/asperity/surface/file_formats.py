@@ -46,7 +46,7 @@ class FileFormat:
 
 
 TEXT = FileFormat(
-    "text", "txt csv asc dat xyz", "export of any program", reader="text", stated="units, spacing"
+    "text", "txt csv asc dat xyz", "export of any program; NIST, NPL", reader="text", stated="units, spacing"
 )
 X3P = FileFormat("X3P", "x3p", "any (ISO 25178-72); heights as binary data or text", reader="x3p")
 _AS_TEXT = "export the profile as text (ASCII, positions and heights in two columns)"

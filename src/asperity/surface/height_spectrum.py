@@ -62,12 +62,12 @@ class HeightSpectrum:
     def longest_wave(self) -> float:
         """Longest wave along the rollers' axis, or along the profile, that counts: two thirds of the size [m]."""
         edges = self.rolling_edges if self.axial_edges[-1] == 0.0 else self.axial_edges
-        return 1.0 / _lowest(edges)
+        return 1.0 / lowest_frequency(edges)
 
     @property
     def rolling_length(self) -> float:
         """Length of a map in the rolling direction [m]."""
-        return 1.5 / _lowest(self.rolling_edges)
+        return 1.5 / lowest_frequency(self.rolling_edges)
 
     def felt(self, *, rolling: float, axial: float) -> tuple[float, float]:
         """Mean square [m^2] of all waves but those below both frequencies [1/m], and its standard deviation.
@@ -87,7 +87,7 @@ class HeightSpectrum:
     def _shares_below(self, rolling: Any, axial: Any) -> list[NDArray[np.float64]]:
         """Shares of the bins in each direction that are longer than the waves of :meth:`felt`, the bins last."""
         return [
-            _below(edges, np.maximum(frequencies, _lowest(edges)))
+            _below(edges, np.maximum(frequencies, lowest_frequency(edges)))
             for edges, frequencies in ((self.rolling_edges, rolling), (self.axial_edges, axial))
         ]
 
@@ -113,7 +113,7 @@ class HeightSpectrum:
         """
         square = self._left_out(rolling, axial).sum(axis=0)
         if not self.is_map:
-            square = square * (1.0 - _below(self.axial_edges, _lowest(self.axial_edges)))
+            square = square * (1.0 - _below(self.axial_edges, lowest_frequency(self.axial_edges)))
         return np.stack([2.0 * math.pi * np.sqrt(_mean_squares(self.axial_edges)), square])
 
     def cut_off(self) -> float:
@@ -154,7 +154,7 @@ def _mean_squares(edges: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray((edges[:-1] ** 2 + edges[:-1] * edges[1:] + edges[1:] ** 2) / 3.0)
 
 
-def _lowest(edges: NDArray[np.float64]) -> float:
+def lowest_frequency(edges: NDArray[np.float64]) -> float:
     """Lowest frequency that the window tells from the form: that of one and a half periods; 0 without bins."""
     positive = edges[edges > 0.0]
     return 3.0 * float(positive[0]) if positive.size else 0.0

@@ -155,9 +155,9 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
     length = heights.shape[-1] * spacing
     if not 2.0 * spacing <= cutoff <= length:
         raise InputError(
-            f"the cutoff is {cutoff:.4g} m; it must lie between twice the spacing "
-            f"({2 * spacing:.4g} m) and the "
-            f"length of the profile ({length:.4g} m)"
+            f"the cut-off is {1e3 * cutoff:.4g} mm; it must lie between twice the spacing ({2e3 * spacing:.4g} mm) and "
+            f"the length of the surface ({1e3 * length:.4g} mm)",
+            options=["cut-off", "short-cut-off"],
         )
     rows = np.atleast_2d(heights)
     reach = math.ceil(1.5 * cutoff / spacing)  # the weight falls to 1e-14 there
@@ -190,7 +190,10 @@ def filtered(*, topography: Topography, short_cutoff: float | None, long_cutoff:
     ISO 16610-21:2011 (profiles), ISO 16610-61:2015 (areal), ISO 21920-2:2021.
     """
     if short_cutoff is not None and long_cutoff is not None and not short_cutoff < long_cutoff:
-        raise InputError(f"lambda_s = {short_cutoff} m must be shorter than lambda_c = {long_cutoff} m")
+        raise InputError(
+            f"lambda_s, {1e3 * short_cutoff:.4g} mm, must be shorter than lambda_c, {1e3 * long_cutoff:.4g} mm",
+            options=["short-cut-off", "cut-off"],
+        )
     out = topography
     if short_cutoff is not None:
         out = out.with_heights(

@@ -133,45 +133,37 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     gamma = float(first.frequency_ratio)
     if abs(float(second.frequency_ratio) - gamma) > 1e-9 * gamma:
         raise InputError(
-            f"the surfaces were measured for gamma = {gamma} and {float(second.frequency_ratio)}; "
-            f"use one gamma"
+            f"the surfaces were measured for gamma = {gamma} and {float(second.frequency_ratio)}; use one gamma"
         )
     short = max(float(first.shortest_wavelength), float(second.shortest_wavelength))
     long = min(float(first.longest_wavelength), float(second.longest_wavelength))
     if long < 10.0 * short * (1.0 - 1e-9):
         raise NoSolutionError(
-            f"the self-affine bands of the two surfaces share only {short:.3g} .. {long:.3g} m; a "
-            f"decade is needed"
+            f"the self-affine bands of the two surfaces share only {short:.3g} .. {long:.3g} m; a decade is needed"
         )
     lag = np.geomspace(0.5 * short, 0.5 * long, _LAGS)
+    both = (first, second)
     values = np.array(
-        [
-            float(first.fractal_dimension),
-            math.log(float(first.fractal_roughness)),
-            float(second.fractal_dimension),
-            math.log(float(second.fractal_roughness)),
-        ]
-    )
+        [(float(s.fractal_dimension), math.log(float(s.fractal_roughness))) for s in both]
+    ).ravel()
     result, misfit = _combined(values, lag)
     if misfit > LARGEST_MISFIT:
         raise NoSolutionError(
-            f"the sum of the two surfaces departs from a power law by {100 * misfit:.0f} % rms of "
-            f"its structure "
-            f"function (limit {100 * LARGEST_MISFIT:.0f} %): D = {values[0]:.3f} and "
-            f"{values[2]:.3f} differ too much"
+            f"the sum of the two surfaces departs from a power law by {100 * misfit:.0f} % rms of its structure "
+            f"function (limit {100 * LARGEST_MISFIT:.0f} %): D = {values[0]:.3f} and {values[2]:.3f} differ too much"
         )
     jacobian = np.empty((2, 4))
     for i in range(4):
         step = np.zeros(4)
         step[i] = 1e-6
         jacobian[:, i] = (_combined(values + step, lag)[0] - _combined(values - step, lag)[0]) / 2e-6
-    both = np.zeros((4, 4))
-    both[:2, :2], both[2:, 2:] = np.asarray(first.covariance), np.asarray(second.covariance)
+    scatter = np.zeros((4, 4))
+    scatter[:2, :2], scatter[2:, 2:] = np.asarray(first.covariance), np.asarray(second.covariance)
     return SurfaceMeasurement(
         fractal_dimension=jnp.asarray(result[0], dtype=jnp.float64),
         fractal_roughness=jnp.asarray(math.exp(result[1]), dtype=jnp.float64),
         frequency_ratio=jnp.asarray(gamma, dtype=jnp.float64),
-        covariance=jnp.asarray(jacobian @ both @ jacobian.T, dtype=jnp.float64),
+        covariance=jnp.asarray(jacobian @ scatter @ jacobian.T, dtype=jnp.float64),
         shortest_wavelength=jnp.asarray(short, dtype=jnp.float64),
         longest_wavelength=jnp.asarray(long, dtype=jnp.float64),
         estimator=f"sum of {first.estimator} and {second.estimator}",

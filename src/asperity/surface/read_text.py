@@ -29,6 +29,10 @@ def text_topography(
 
     Two columns are position and height; three columns are position, height and a valid flag (a heading that
     says so) or x, y, z of a full grid; one column, or more than three, are heights that need ``spacing``.
+
+    References
+    ----------
+    NIST, *Acceptable Data Format*, pml.nist.gov/VSC, and NPL's softgauges: one column that begins with the spacing.
     """
     text = decoded(path, largest=LARGEST_TEXT)
     lines = re.split(r"\r\n|\n|\r", text)
@@ -60,12 +64,14 @@ def text_topography(
     if spacing is None:
         raise InputError(
             f"{source} has {columns} column(s) of heights and no positions; give the distance of the points, "
-            "such as '0.5 um'",
+            "such as '0.5 um'; in text files of NIST and NPL their first number, in um",
             options=["spacing"],
         )
     heights = table * scale_z
     if columns == 1:
-        return Topography(heights[:, 0].copy(), spacing, source=source)
+        stated = int(np.isclose(heights[0, 0], spacing, rtol=1e-9, atol=0.0))
+        note = "the first number is the spacing, as in text files of NIST and NPL, and no height"
+        return Topography(heights[stated:, 0].copy(), spacing, source=source, notes=(note,) * stated)
     return Topography(
         heights, spacing, spacing, source=source, notes=("rows and columns taken as equally spaced",)
     )
@@ -189,8 +195,7 @@ def _table_with_gaps(body: list[str], separator: str | None, first: int, path: P
             except ValueError:
                 if missing.fullmatch(value.strip()) is None:
                     raise InputError(
-                        f"{path.name}: '{value.strip()[:40]}' in row {i + 1} of the table (which "
-                        f"starts in line "
+                        f"{path.name}: '{value.strip()[:40]}' in row {i + 1} of the table (which starts in line "
                         f"{first + 1}) is not a number"
                     ) from None
     return rows
@@ -241,8 +246,7 @@ def _equal_spacing(position: NDArray[np.float64], source: str) -> tuple[float, s
         raise InputError(f"{source}: the column of positions has missing values or fewer than two rows")
     if np.ptp(position) == 0.0 or not np.isfinite(np.ptp(position)):
         raise InputError(
-            f"{source}: all positions are {position[0]:g}; the first column must hold the positions of the "
-            "points"
+            f"{source}: all positions are {position[0]:g}; the first column must hold the positions of the points"
         )
     index = np.arange(position.size) - 0.5 * (position.size - 1)
     start = float(position[0] + np.mean(position - position[0]))
@@ -256,11 +260,8 @@ def _equal_spacing(position: NDArray[np.float64], source: str) -> tuple[float, s
             f"{source}: positions are not equally spaced (off by up to {deviation:.4g} at a mean spacing of "
             f"{abs(step):.6g}, in the unit of the file); resample the profile first"
         )
-    if deviation > 0.05 * abs(step):
-        return float(
-            step
-        ), f"positions are rounded to {quantum:g}; spacing from a straight line through all of them"
-    return float(step), ""
+    rounded = f"positions are rounded to {quantum:g}; spacing from a straight line through all of them"
+    return step, rounded if deviation > 0.05 * abs(step) else ""
 
 
 def _quantum(values: NDArray[np.float64]) -> float:
