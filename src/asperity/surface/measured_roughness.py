@@ -133,15 +133,13 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     gamma = float(first.frequency_ratio)
     if abs(float(second.frequency_ratio) - gamma) > 1e-9 * gamma:
         raise InputError(
-            f"the surfaces were measured for gamma = {gamma} and {float(second.frequency_ratio)}; "
-            f"use one gamma"
+            f"the surfaces were measured for gamma = {gamma} and {float(second.frequency_ratio)}; use one gamma"
         )
     short = max(float(first.shortest_wavelength), float(second.shortest_wavelength))
     long = min(float(first.longest_wavelength), float(second.longest_wavelength))
     if long < 10.0 * short * (1.0 - 1e-9):
         raise NoSolutionError(
-            f"the self-affine bands of the two surfaces share only {short:.3g} .. {long:.3g} m; a "
-            f"decade is needed"
+            f"the self-affine bands of the two surfaces share only {short:.3g} .. {long:.3g} m; a decade is needed"
         )
     lag = np.geomspace(0.5 * short, 0.5 * long, _LAGS)
     values = np.array(
@@ -155,16 +153,15 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     result, misfit = _combined(values, lag)
     if misfit > LARGEST_MISFIT:
         raise NoSolutionError(
-            f"the sum of the two surfaces departs from a power law by {100 * misfit:.0f} % rms of "
-            f"its structure "
-            f"function (limit {100 * LARGEST_MISFIT:.0f} %): D = {values[0]:.3f} and "
-            f"{values[2]:.3f} differ too much"
+            f"the sum of the two surfaces departs from a power law by {100 * misfit:.0f} % rms of its structure "
+            f"function (limit {100 * LARGEST_MISFIT:.0f} %): D = {values[0]:.3f} and {values[2]:.3f} differ too much"
         )
     jacobian = np.empty((2, 4))
     for i in range(4):
         step = np.zeros(4)
-        step[i] = 1e-6
-        jacobian[:, i] = (_combined(values + step, lag)[0] - _combined(values - step, lag)[0]) / 2e-6
+        step[i] = 1e-6 * (min(values[i] - 1.0, 2.0 - values[i]) if i in (0, 2) else 1.0)
+        change = _combined(values + step, lag)[0] - _combined(values - step, lag)[0]
+        jacobian[:, i] = 0.5 * change / step[i]
     both = np.zeros((4, 4))
     both[:2, :2], both[2:, 2:] = np.asarray(first.covariance), np.asarray(second.covariance)
     return SurfaceMeasurement(
@@ -189,7 +186,10 @@ def _combined(values: NDArray[np.float64], lag: NDArray[np.float64]) -> tuple[ND
     total = np.logaddexp(*logs)
     slope, level = np.polyfit(np.log(lag), total, 1)
     D = 2.0 - 0.5 * float(slope)
-    c = conventions.structure_function_constant(fractal_dimension=D)
-    log_G = (float(level) - math.log(c)) / (2.0 * (D - 1.0))
+    inside = 1.0 + 1e-9 < D < 2.0 - 1e-9
+    c = conventions.structure_function_constant(fractal_dimension=D) if inside else math.nan
+    log_G = (float(level) - math.log(c)) / (2.0 * (D - 1.0)) if inside else math.nan
+    if not log_G <= 0.0:
+        raise NoSolutionError(f"the sum of the two surfaces has D = {D:.10g}, too near to 1 or 2")
     misfit = float(np.sqrt(np.mean((total - slope * np.log(lag) - level) ** 2)))
     return np.array([D, log_G]), misfit
