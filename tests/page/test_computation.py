@@ -1,7 +1,9 @@
 """One worker, a short queue, a limited memory."""
 
 import asyncio
+import gc
 import threading
+import weakref
 
 import pytest
 
@@ -96,6 +98,19 @@ def test_each_program_is_compiled_again_once():
     faster._pool.shutdown(wait=True)
     assert faster.idle
     assert (one.count, other.count) == (1, 1)
+
+
+def test_what_waits_to_be_compiled_again_can_be_forgotten():
+    faster, one, other = FasterPrograms(), Slow(), Slow()
+    faster.add({one})
+    faster.add({other})
+    waiting = weakref.ref(other)
+    del other
+    gc.collect()
+    assert waiting() is None
+    one.hold.set()
+    faster._pool.shutdown(wait=True)
+    assert one.count == 1
 
 
 def test_what_waits_to_be_compiled_again_is_dropped_at_the_end():

@@ -129,6 +129,18 @@ def test_equal_dimensions_add_in_closed_form(D):
     assert float(both.fractal_roughness) == pytest.approx((1e-9**p + 3e-9**p) ** (1 / p), rel=1e-8)
 
 
+@pytest.mark.parametrize("D", [1.0 + 2.0**-52, 1.0 + 1e-7, 2.0 - 1e-7, 2.0 - 2.0**-52])
+@pytest.mark.parametrize("other", [None, 1.5])
+def test_dimensions_at_the_ends_of_their_range(D, other):
+    try:
+        both = equivalent_surface(first=body(D, 1e-9), second=body(other or D, 3e-9))
+    except NoSolutionError:
+        return
+    assert 1.0 < float(both.fractal_dimension) < 2.0
+    assert np.isfinite(both.covariance).all()
+    assert 0.0 < float(both.fractal_roughness) < np.inf
+
+
 def test_a_smooth_partner_changes_nothing_and_order_does_not_matter():
     one, two = body(1.5, 1e-8), body(1.45, 1e-20)
     both = equivalent_surface(first=one, second=two)

@@ -70,6 +70,8 @@ def test_intervals_are_those_of_the_normal_law():
         ({"covariance_of_dimension_and_log_roughness": [[1, 0.5], [0.2, 1]]}, "covariance"),
         ({"covariance_of_dimension_and_log_roughness": "wide"}, "covariance"),
         ({"covariance_of_dimension_and_log_roughness": [[float("nan"), 0], [0, 1]]}, "covariance"),
+        ({"covariance_of_dimension_and_log_roughness": [[1e9, 0], [0, 1e9]]}, "covariance"),
+        ({"fractal_roughness_m": 1e308}, "below 1 m"),
     ],
 )
 def test_wrong_documents(change, says):

@@ -148,3 +148,10 @@ def test_bearing_profiles_with_carriage_returns(shared_data, name, spacing_um, r
     middle = got.cut(start=0.3 * got.size[0], stop=0.7 * got.size[0])
     flat = levelled(topography=middle, form="polynomial", degree=2)
     assert 1e6 * height_parameters(topography=flat).root_mean_square == pytest.approx(rms_um, abs=0.004)
+
+
+def test_positions_too_large_for_their_squares_are_refused_without_a_warning(tmp_path):
+    file = tmp_path / "a.csv"
+    file.write_text("x [mm];z [um]\n" + "\n".join(f"{i};{i % 3}" for i in range(20)) + "\n1e308;1\n")
+    with pytest.raises(InputError, match="must be positive"):
+        read_surface(path=file)

@@ -99,11 +99,16 @@ class FasterPrograms:
         self._known.update(new)
         self._left = {compilation for compilation in self._left if not compilation.done()}
         with contextlib.suppress(RuntimeError):  # closed since: an answer of the last moment
-            self._left.update(self._pool.submit(program.compile_again) for program in new)
+            self._left.update(self._pool.submit(_compile_again, weakref.ref(program)) for program in new)
 
     def close(self) -> None:
         """Drop what waits, and finish what runs."""
         self._pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _compile_again(waiting: weakref.ref[Program]) -> None:
+    if (program := waiting()) is not None:  # not forgotten meanwhile, to free its memory
+        program.compile_again()
 
 
 def _yield_to_others() -> None:

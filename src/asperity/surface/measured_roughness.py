@@ -155,8 +155,9 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     jacobian = np.empty((2, 4))
     for i in range(4):
         step = np.zeros(4)
-        step[i] = 1e-6
-        jacobian[:, i] = (_combined(values + step, lag)[0] - _combined(values - step, lag)[0]) / 2e-6
+        step[i] = 1e-6 * (min(values[i] - 1.0, 2.0 - values[i]) if i in (0, 2) else 1.0)
+        change = _combined(values + step, lag)[0] - _combined(values - step, lag)[0]
+        jacobian[:, i] = 0.5 * change / step[i]
     scatter = np.zeros((4, 4))
     scatter[:2, :2], scatter[2:, 2:] = np.asarray(first.covariance), np.asarray(second.covariance)
     return SurfaceMeasurement(
@@ -181,7 +182,10 @@ def _combined(values: NDArray[np.float64], lag: NDArray[np.float64]) -> tuple[ND
     total = np.logaddexp(*logs)
     slope, level = np.polyfit(np.log(lag), total, 1)
     D = 2.0 - 0.5 * float(slope)
-    c = conventions.structure_function_constant(fractal_dimension=D)
-    log_G = (float(level) - math.log(c)) / (2.0 * (D - 1.0))
+    inside = 1.0 + 1e-9 < D < 2.0 - 1e-9
+    c = conventions.structure_function_constant(fractal_dimension=D) if inside else math.nan
+    log_G = (float(level) - math.log(c)) / (2.0 * (D - 1.0)) if inside else math.nan
+    if not log_G <= 0.0:
+        raise NoSolutionError(f"the sum of the two surfaces has D = {D:.10g}, too near to 1 or 2")
     misfit = float(np.sqrt(np.mean((total - slope * np.log(lag) - level) ** 2)))
     return np.array([D, log_G]), misfit

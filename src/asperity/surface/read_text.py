@@ -240,6 +240,7 @@ def _scale(given: str | None, heading_unit: str | None, what: str, source: str) 
     return scale
 
 
+@np.errstate(over="ignore", invalid="ignore")  # the spacing of too large positions is refused
 def _equal_spacing(position: NDArray[np.float64], source: str) -> tuple[float, str]:
     """Spacing from all of a column of positions that may be rounded; refuse unequal spacing."""
     if position.size < 2 or not np.isfinite(position).all():
