@@ -226,13 +226,7 @@ def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rol
 
 
 def limiting_torques(
-    joint: Joint,
-    rest: DriveState,
-    laws: ContactLaws,
-    *,
-    direction: Array,
-    rolls: bool,
-    holds: Array,
+    joint: Joint, rest: DriveState, laws: ContactLaws, *, direction: Array, rolls: bool, holds: Array
 ) -> TorqueCapacity:
     """Largest output torques that keep every limit: signs, and as of :func:`under_torque`, shape (searches,) [N·m]."""
     joint = in_motion(joint)

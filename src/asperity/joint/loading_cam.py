@@ -68,11 +68,7 @@ def mean_preload(joint: Joint, normal: Array) -> Array:
 
 
 def _by_force(
-    joint: Joint,
-    contacts: JointContacts,
-    least: DriveState,
-    preload: Array,
-    known: DriveState | None = None,
+    joint: Joint, contacts: JointContacts, least: DriveState, preload: Array, known: DriveState | None = None
 ) -> Pressed:
     """A joint that its cam presses with a force, from the state without it; where it is known, with its derivatives.
 
@@ -115,12 +111,7 @@ def states_under_torque(
     without_torque = assembled(joint, contacts)
     pressed = pressed_at(joint, contacts, without_torque)(joint.output_torque)
     loaded = loaded_states(
-        drive=joint.drive,
-        laws=pressed.laws,
-        rest=pressed.rest,
-        load=load,
-        creep_of=creep_of,
-        separate=True,
+        drive=joint.drive, laws=pressed.laws, rest=pressed.rest, load=load, creep_of=creep_of, separate=True
     )
     return without_torque.laws, DriveStates(
         without_torque.rest, *loaded, None if joint.cam is None else pressed.rest

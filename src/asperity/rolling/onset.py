@@ -223,11 +223,7 @@ def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
 
 
 def rolling_onset(
-    *,
-    joint: Joint,
-    result: JointResult,
-    windup: Real,
-    creep_share: float,
+    *, joint: Joint, result: JointResult, windup: Real, creep_share: float
 ) -> RollingOnset | None:
     """Up to which angles of a joint that turns its wind-up holds, and the curve beyond."""
     if not (np.isfinite(creep_share) and creep_share > 0.0):
@@ -237,25 +233,14 @@ def rolling_onset(
     grown = np.sqrt(np.asarray(result.rolling.normal) / np.asarray(result.forces.normal))  # Hertz
     width = np.asarray(result.diagnostics.hertz_half_width) * grown
     numbers = jax.tree.map(
-        lambda leaf: np.asarray(leaf, dtype=float),
-        (
-            joint.drive,
-            result.rolling,
-            width,
-            windup,
-            creep_share,
-        ),
+        lambda leaf: np.asarray(leaf, dtype=float), (joint.drive, result.rolling, width, windup, creep_share)
     )
     onset: RollingOnset = jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
     return onset
 
 
 def _onset(
-    drive: Drive,
-    rolling: RollingResult,
-    half_width: Array,
-    windup: Array,
-    creep_share: Array,
+    drive: Drive, rolling: RollingResult, half_width: Array, windup: Array, creep_share: Array
 ) -> RollingOnset:
     contacts = contacts_in_series(drive=drive, rolling=rolling, half_width=half_width)
     allowed = creep_share * windup

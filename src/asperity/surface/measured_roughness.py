@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import jax.numpy as jnp
 import numpy as np
 from numpy.typing import NDArray
 
@@ -161,12 +160,12 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     scatter = np.zeros((4, 4))
     scatter[:2, :2], scatter[2:, 2:] = np.asarray(first.covariance), np.asarray(second.covariance)
     return SurfaceMeasurement(
-        fractal_dimension=jnp.asarray(result[0], dtype=jnp.float64),
-        fractal_roughness=jnp.asarray(math.exp(result[1]), dtype=jnp.float64),
-        frequency_ratio=jnp.asarray(gamma, dtype=jnp.float64),
-        covariance=jnp.asarray(jacobian @ scatter @ jacobian.T, dtype=jnp.float64),
-        shortest_wavelength=jnp.asarray(short, dtype=jnp.float64),
-        longest_wavelength=jnp.asarray(long, dtype=jnp.float64),
+        result[0],
+        math.exp(result[1]),
+        gamma,
+        jacobian @ scatter @ jacobian.T,
+        short,
+        long,
         estimator=f"sum of {first.estimator} and {second.estimator}",
         profiles=first.profiles + second.profiles,
         source=f"{first.source} + {second.source}",

@@ -11,7 +11,7 @@ from typing import Any
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Array, Float
+from jaxtyping import Array, ArrayLike, Float
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
@@ -26,8 +26,12 @@ SCHEMA_VERSION = 1
 CONFIDENCE = 0.95
 
 
+def _doubles(numbers: ArrayLike) -> Array:
+    return jnp.asarray(numbers, dtype=jnp.float64)
+
+
 class SurfaceMeasurement(eqx.Module):
-    """Measured D and G of the Weierstrass-Mandelbrot profile, equation (6), with their covariance; scalar arrays.
+    """Measured D and G of the Weierstrass-Mandelbrot profile, equation (6), with their covariance; arrays of doubles.
 
     ``fractal_dimension``: D [-], 1 to 2; ``fractal_roughness``: G [m]; ``frequency_ratio``: gamma [-]; ``covariance``
     of (D, ln G), shape (2, 2): they are nearly fully correlated, so both must be drawn together;
@@ -35,12 +39,12 @@ class SurfaceMeasurement(eqx.Module):
     number of ``profiles`` averaged; ``source``: files measured.
     """
 
-    fractal_dimension: Float[Array, ""]
-    fractal_roughness: Float[Array, ""]
-    frequency_ratio: Float[Array, ""]
-    covariance: Float[Array, "2 2"]
-    shortest_wavelength: Float[Array, ""]
-    longest_wavelength: Float[Array, ""]
+    fractal_dimension: Float[Array, ""] = eqx.field(converter=_doubles)
+    fractal_roughness: Float[Array, ""] = eqx.field(converter=_doubles)
+    frequency_ratio: Float[Array, ""] = eqx.field(converter=_doubles)
+    covariance: Float[Array, "2 2"] = eqx.field(converter=_doubles)
+    shortest_wavelength: Float[Array, ""] = eqx.field(converter=_doubles)
+    longest_wavelength: Float[Array, ""] = eqx.field(converter=_doubles)
     estimator: str = eqx.field(static=True)
     profiles: int = eqx.field(static=True)
     source: str = eqx.field(static=True)
@@ -57,16 +61,13 @@ class SurfaceMeasurement(eqx.Module):
 
 def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
     """The measurement that corresponds to a fit."""
+    D, G, band = (
+        fit.fractal_dimension,
+        fit.fractal_roughness,
+        (fit.shortest_wavelength, fit.longest_wavelength),
+    )
     return SurfaceMeasurement(
-        fractal_dimension=jnp.asarray(fit.fractal_dimension, dtype=jnp.float64),
-        fractal_roughness=jnp.asarray(fit.fractal_roughness, dtype=jnp.float64),
-        frequency_ratio=jnp.asarray(fit.frequency_ratio, dtype=jnp.float64),
-        covariance=jnp.asarray(fit.covariance, dtype=jnp.float64),
-        shortest_wavelength=jnp.asarray(fit.shortest_wavelength, dtype=jnp.float64),
-        longest_wavelength=jnp.asarray(fit.longest_wavelength, dtype=jnp.float64),
-        estimator=fit.estimator,
-        profiles=fit.profiles,
-        source=source,
+        D, G, fit.frequency_ratio, fit.covariance, *band, fit.estimator, fit.profiles, source
     )
 
 
@@ -133,17 +134,7 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
             f"the measurement has gamma = {gamma:g} and the band {short:g} m to {long:g} m; gamma must be above "
             "1, and the shortest wavelength positive and below the longest"
         )
-    return SurfaceMeasurement(
-        fractal_dimension=jnp.asarray(D, dtype=jnp.float64),
-        fractal_roughness=jnp.asarray(G, dtype=jnp.float64),
-        frequency_ratio=jnp.asarray(gamma, dtype=jnp.float64),
-        covariance=jnp.asarray(covariance, dtype=jnp.float64),
-        shortest_wavelength=jnp.asarray(short, dtype=jnp.float64),
-        longest_wavelength=jnp.asarray(long, dtype=jnp.float64),
-        estimator=words[0],
-        profiles=int(profiles),
-        source=words[1],
-    )
+    return SurfaceMeasurement(D, G, gamma, covariance, short, long, words[0], int(profiles), words[1])
 
 
 def _number(document: dict[str, Any], key: str) -> float:

@@ -38,10 +38,7 @@ _FINEST = 400  # values along an axis of a plot; more cannot be seen
 
 
 def sweep_figure(
-    dataset: xarray.Dataset,
-    *,
-    result: str | None = None,
-    limits: Sequence[MapLimit] = (),
+    dataset: xarray.Dataset, *, result: str | None = None, limits: Sequence[MapLimit] = ()
 ) -> Figure:
     """Draw a sweep: one result, by default the fullest model's stiffness at the output among those there.
 
@@ -161,11 +158,7 @@ def _log_if_wide(axes: Axes, values: np.ndarray) -> None:
 
 
 def _map(
-    figure: Figure,
-    data: xarray.Dataset,
-    axes: list[str],
-    name: str,
-    limits: Sequence[MapLimit],
+    figure: Figure, data: xarray.Dataset, axes: list[str], name: str, limits: Sequence[MapLimit]
 ) -> None:
     x, y = (_in_unit(path, data[path].values) for path in axes)
     figure.set_size_inches(8.0, 6.4)
