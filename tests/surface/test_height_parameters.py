@@ -6,6 +6,8 @@ import scipy.ndimage
 
 from asperity.errors import InputError
 from asperity.surface.height_parameters import height_parameters
+from asperity.surface.levelling import levelled
+from asperity.surface.measure_files import read_surface
 from asperity.surface.topography import Topography
 
 
@@ -106,3 +108,17 @@ def test_block_means_and_points_agree():
     h = height_parameters(topography=Topography(z, 1.0, 1.0))
     assert h.correlation_length == pytest.approx(2 * np.sqrt(-4 * np.log(0.2)), rel=0.02)
     assert h.aspect_ratio == pytest.approx(1.0, abs=0.05)
+
+
+def test_parameters_of_a_measured_map_by_another_program(shared_data):
+    """surfalize 0.19.2, of the same heights less the plane."""
+    measured = read_surface(path=shared_data / "surfacetopography_examples" / "x3p-2.x3p")
+    h = height_parameters(topography=levelled(topography=measured, form="plane"))
+    assert 1e6 * h.arithmetic_mean == pytest.approx(0.0618930582, rel=1e-8)
+    assert 1e6 * h.root_mean_square == pytest.approx(0.0771930328, rel=1e-8)
+    assert h.skewness == pytest.approx(-0.378673607, rel=1e-8)
+    assert h.kurtosis == pytest.approx(2.98459665, rel=1e-8)
+    assert 1e6 * h.total_height == pytest.approx(0.552102046, rel=1e-8)
+    assert h.developed_area_ratio == pytest.approx(0.00192026142, rel=1e-4)
+    assert h.correlation_length == pytest.approx(2.66468589e-6, rel=1e-3)
+    assert h.aspect_ratio is None

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.surface.levelling import levelled
 from asperity.surface.measure import Conditioning, conditioned
 from asperity.surface.measure_files import read_surface
 from asperity.surface.roughness import (
@@ -200,3 +201,21 @@ def test_bearing_rollers_against_another_program(shared_data, name, other):
         topography=profile, conditioning=Conditioning("line", None, "refuse", None, None, None)
     )
     assert 0.09 < 1e6 * by_class.roughness.lengths["Rq"] < 0.22
+
+
+def test_roughness_of_a_bearing_ring_by_another_program(shared_data):
+    """surfalize 0.19.2: the same section less a parabola, its band-pass of 8 um and 0.8 mm, five cut-offs."""
+    file = shared_data / "bearing_roller_profiles" / "NU206-IR-1.txt"
+    ring = read_surface(path=file, position_unit="mm", height_unit="um", any_size=True)
+    land = levelled(topography=ring.cut(start=1.2e-3, stop=12.6e-3), form="polynomial", degree=2)
+    got = roughness(topography=land, cut_off=0.8e-3, short_cut_off=8e-6)
+    lengths = {
+        "Ra": 0.066775, "Rq": 0.083976, "Rz": 0.50938, "Rp": 0.219017, "Rv": 0.290363, "Rt": 0.633209, "Rk": 0.206333,
+    }  # fmt: skip
+    for symbol, expected in lengths.items():
+        assert 1e6 * got.lengths[symbol] == pytest.approx(expected, rel=1e-3), symbol
+    assert got.numbers["Rku"] == pytest.approx(3.309201, rel=1e-3)
+    # small differences: of the mean line for the skewness, of the ends of the curve for the triangles
+    assert got.numbers["Rsk"] == pytest.approx(-0.475596, abs=0.005)
+    assert 1e6 * got.lengths["Rpk"] == pytest.approx(0.054433, abs=0.001)
+    assert 1e6 * got.lengths["Rvk"] == pytest.approx(0.104846, abs=0.001)
