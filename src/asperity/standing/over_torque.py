@@ -112,6 +112,13 @@ def standing_program(
 ) -> StandingOverTorque:
     """What is compiled to wind an assembled joint up."""
     contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
+    return jax.lax.map(_stands(joint, contacts, without_torque, no_slip_friction), torques)
+
+
+def _stands(
+    joint: Joint, contacts: JointContacts, without_torque: Pressed, no_slip_friction: Real
+) -> Callable[[Array], StandingOverTorque]:
+    """The joint that stands under an output torque [N·m]."""
     unloaded = _with_its_torque(joint)
     pressed = pressed_at(joint, contacts, without_torque)
 
@@ -122,7 +129,7 @@ def standing_program(
         cam = turned_cam(joint, contacts, without_torque.rest, rest)
         return _standing(joint, contacts, no_slip_friction, state, cam)
 
-    return jax.lax.map(at, torques)
+    return at
 
 
 def over_torque_program(
@@ -175,14 +182,25 @@ def slope_program(joint: Joint, without_torque: Pressed, torques: Array) -> Arra
     return jax.lax.map(at, torques)
 
 
-def curve_program(joint: Joint, torques: Array, no_slip_friction: Real) -> dict[str, Array]:
-    """What a measured curve shows of a joint, assembled within the same program; for derivatives by its numbers."""
+def curve_program(joint: Joint, torques: Array, no_slip_friction: Real, shown: str) -> dict[str, Array]:
+    """What a measured curve shows of a joint, assembled within the same program; for derivatives by its numbers.
+
+    ``shown``: the name of a stiffness, or ``drift``; with the slip ratio, and whether the joint that stands is solved.
+    """
     joint = in_motion(joint)
     contacts = with_rims(joint, joint_contacts(joint))
-    states = _states(joint, contacts, assembled(joint, contacts))
+    without_torque = assembled(joint, contacts)
+    states = _states(joint, contacts, without_torque) if shown == "drift" else None
+    stands = _stands(joint, contacts, without_torque, no_slip_friction)
 
     def at(torque: Array) -> dict[str, Array]:
-        return _shown(joint, contacts, no_slip_friction, torque, states(torque))
+        if states is None:
+            curves = stands(torque)._asdict()
+            return {name: curves[name] for name in (shown, "slip_ratio", "solved")}
+        under = states(torque)
+        solved = under.standing.residual < STATE_TOLERANCE
+        drift = _drift(joint, torque, under)
+        return {"drift": drift, "slip_ratio": _slip_ratio(contacts, under.standing), "solved": solved}
 
     return jax.lax.map(at, torques)
 
@@ -262,26 +280,28 @@ def _standing(
             jnp.asarray(with_its_cam(stiffness.assembly, cam).stiffness.output),
         )
 
-    slip = slip_ratio(
-        normal_force=state.normal,
-        tangential_force=state.tangential,
-        friction_coefficient=friction_coefficient,
-    )
     published, series, assembly = jax.vmap(levels)(frictions)
     return StandingOverTorque(
         balanced=state.worst < STATE_TOLERANCE,
         solved=state.residual < STATE_TOLERANCE,
-        slip_ratio=jnp.where(state.slides == 0.0, slip, 1.0),
+        slip_ratio=_slip_ratio(contacts, state),
         published=published,
         series_with_bulk=series,
         assembly=assembly,
     )
 
 
-def _shown(
-    joint: Joint, contacts: JointContacts, no_slip_friction: Real, torque: Array, under: _Under
-) -> dict[str, Array]:
-    """The joint that stands, and the drift of the one that rolls with the torque and against it."""
+def _slip_ratio(contacts: JointContacts, state: DriveState) -> Array:
+    slip = slip_ratio(
+        normal_force=state.normal,
+        tangential_force=state.tangential,
+        friction_coefficient=contacts.pairs.friction_coefficient,
+    )
+    return jnp.where(state.slides == 0.0, slip, 1.0)
+
+
+def _drift(joint: Joint, torque: Array, under: _Under) -> Array:
+    """Drift of the joint that rolls with the torque and against it [rad]."""
     drive, own = joint.drive, _sense(drive_load(joint, body_masses(joint), 0.0).rotation)
     out = drive.members.index(drive.output)
 
@@ -297,8 +317,4 @@ def _shown(
     with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
     one, other = jnp.where(works, senses * drift, jnp.nan)
     first = senses[0] == with_torque
-    both = jnp.stack([jnp.where(first, one, other), jnp.where(first, other, one)])
-    return {
-        **_standing(joint, contacts, no_slip_friction, under.standing, under.cam)._asdict(),
-        "drift": both,
-    }
+    return jnp.stack([jnp.where(first, one, other), jnp.where(first, other, one)])

@@ -49,12 +49,12 @@ def test_each_torque__is_solved_once(case, monkeypatch, shown):
     """Repeated torques share a state; with slip or without, or, of a drift, forwards or backwards."""
     over = []
 
-    def solved(structure, base, direction, torque):
+    def solved(function, options, torque, *given):
         over.append(torque)
         both = np.stack([10.0 + torque, 100.0 + torque], axis=1)
         slip = np.stack([0.1 * np.abs(torque), 0.0 * torque], axis=1)
         holds = torque != 5.0
-        return {shown: both, "slip_ratio": slip, "solved": holds}, {shown: 2.0 * both}
+        return {shown: both, "slip_ratio": slip, "solved": holds}, 2.0 * both
 
     monkeypatch.setattr(module, "_over", solved)
     found = joint_points(

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from typing import Literal, NamedTuple
+from collections.abc import Callable
+from typing import Any, Literal, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -15,7 +16,7 @@ from asperity.joint_file.own_branches import joint_with_branches
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values, numbers, replace_values, table_structure, with_numbers
 from asperity.standing.over_torque import BATCH, curve_program
-from asperity.standing.standing import LEVELS, NO_SLIP_FRICTION
+from asperity.standing.standing import NO_SLIP_FRICTION
 from asperity.standing.windup import StiffnessLevel
 
 #: What a curve shows of a joint.
@@ -69,47 +70,52 @@ def _of_one_set(
     directions = [np.array(numbers(replace_values(nothing, {path: 1.0})), dtype=float) for path in asked]
     different, place = np.unique(torque, return_inverse=True)
     chosen = place, np.where(torque < 0.0, 1, 0) if shown == "drift" else np.where(slips, 0, 1)
-    structure, by = table_structure(filled), []
+    asked_of, by = (table_structure(filled), shown), [np.zeros((torque.size, 0))]
     curve: dict[str, np.ndarray] = {}
-    for direction in directions or [np.zeros(base.size)]:
-        curve, along = _over(structure, base, direction, different)
-        by.append(along[shown][chosen])
+    for direction in directions:
+        curve, along = _over(_directional, asked_of, different, base, direction)
+        by.append(along[chosen][:, None])
+    if not directions:
+        curve = _over(_curves, asked_of, different, base)
     value, ratio, holds = curve[shown][chosen], curve["slip_ratio"].max(axis=1)[place], curve["solved"][place]
     if shown != "drift":
         value = np.where(holds, value, np.nan)  # else the equations are not solved
     return JointPoints(
         value,
-        np.stack(by, axis=-1)[:, : len(asked)],
+        np.concatenate(by, axis=1),
         np.where(holds, ratio, np.fmax(ratio, 1.0)),
         np.isfinite(value),
     )
 
 
 def _over(
-    structure: str, base: np.ndarray, direction: np.ndarray, torque: np.ndarray
-) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
-    """A joint at different torques, and its derivative along a direction of the numbers of its file."""
+    function: Callable[..., Any], options: tuple[str, str], torque: np.ndarray, *given: np.ndarray
+) -> Any:
+    """What a function of options, of numbers of a joint and of torques gives at different torques."""
     filled = np.concatenate([torque, np.full(-torque.size % BATCH, torque[-1])])
     parts = []
     for part in filled.reshape(-1, BATCH):
-        program = compile_fast(_directional, base, direction, part, options=(structure,))
-        parts.append(jax.tree.map(np.asarray, program(base, direction, part)))
-    both: tuple[dict[str, np.ndarray], dict[str, np.ndarray]] = jax.tree.map(
-        lambda *leaves: np.concatenate(leaves)[: torque.size], *parts
-    )
-    return both
+        program = compile_fast(function, *given, part, options=options)
+        if function is _curves:  # which a posterior calls thousands of times
+            program.compile_again()
+        parts.append(jax.tree.map(np.asarray, program(*given, part)))
+    return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: torque.size], *parts)
+
+
+def _curves(structure: str, shown: str, base: Array, torques: Array) -> dict[str, Array]:
+    """Curves of a joint over torques."""
+    joint = joint_with_branches(with_numbers(json.loads(structure), base))
+    return curve_program(joint, torques, jnp.asarray(NO_SLIP_FRICTION), shown)
 
 
 def _directional(
-    structure: str, base: Array, direction: Array, torques: Array
-) -> tuple[dict[str, Array], dict[str, Array]]:
-    """Curves of a joint over torques, and the slopes of stiffness and drift along a direction of its numbers."""
-    tables = json.loads(structure)
+    structure: str, shown: str, base: Array, direction: Array, torques: Array
+) -> tuple[dict[str, Array], Array]:
+    """Curves of a joint over torques, and the slope of what is shown along a direction of its numbers."""
 
-    def slopes_and_curves(rows: Array) -> tuple[dict[str, Array], dict[str, Array]]:
-        joint = joint_with_branches(with_numbers(tables, rows))
-        shown = curve_program(joint, torques, jnp.asarray(NO_SLIP_FRICTION))
-        return {name: shown[name] for name in (*LEVELS, "drift")}, shown
+    def slope_and_curves(rows: Array) -> tuple[Array, dict[str, Array]]:
+        curves = _curves(structure, shown, rows, torques)
+        return curves[shown], curves
 
-    _, slopes, values = jax.jvp(slopes_and_curves, (base,), (direction,), has_aux=True)
-    return values, slopes
+    _, slope, values = jax.jvp(slope_and_curves, (base,), (direction,), has_aux=True)
+    return values, slope
