@@ -38,11 +38,7 @@ _mounting = functools.partial(
     present=lambda solved: tuple(shape.kind == "ring" for shape in solved.joint.shapes),
 )
 _safety = functools.partial(
-    Result,
-    group="stresses",
-    dimension=Dimension.DIMENSIONLESS,
-    display_unit="1",
-    axis="body",
+    Result, group="stresses", dimension=Dimension.DIMENSIONLESS, display_unit="1", axis="body"
 )
 _REMEDY = "choose a thicker wall, a stronger material or less preload"
 
@@ -143,12 +139,7 @@ ROWS = (
         note="of everything but the rings, below these; without a gap; nan without thermal_expansion",
     ),
     _bearing(
-        "bearing_load",
-        "radial load of one bearing",
-        Dimension.FORCE,
-        "N",
-        "bearings.load",
-        note=_NEEDS,
+        "bearing_load", "radial load of one bearing", Dimension.FORCE, "N", "bearings.load", note=_NEEDS
     ),
     _bearing(
         "bearing_life",

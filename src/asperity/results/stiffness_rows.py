@@ -28,12 +28,7 @@ _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
         "bodies in series",
         "asperities and bodies in series, roller centres held",
     ),
-    (
-        "published",
-        "published",
-        "asperities alone",
-        "the level of Zou et al. 2025: an upper bound",
-    ),
+    ("published", "published", "asperities alone", "the level of Zou et al. 2025: an upper bound"),
 )
 _GROUPS = {"assembly": "assembly", "series_with_bulk": "series", "published": "published"}
 
@@ -45,14 +40,7 @@ def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Resu
     def row(name: str, label: str, dimension: Dimension, value: str | Callable[[SolvedJoint], Any]) -> Result:
         said, unit = f"{label}, {words}", dimension.si_unit
         return Result(
-            f"{level}_{name}",
-            said,
-            dimension,
-            unit,
-            value,
-            group=_GROUPS[level],
-            level=level,
-            note=note,
+            f"{level}_{name}", said, dimension, unit, value, group=_GROUPS[level], level=level, note=note
         )
 
     torsional = Dimension.TORSIONAL_STIFFNESS

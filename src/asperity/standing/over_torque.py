@@ -253,11 +253,7 @@ def _rolling_with_its_torque(joint: Joint, contacts: JointContacts) -> DriveLoad
 
 
 def _standing(
-    joint: Joint,
-    contacts: JointContacts,
-    no_slip_friction: Real,
-    state: DriveState,
-    cam: CamOfJoint | None,
+    joint: Joint, contacts: JointContacts, no_slip_friction: Real, state: DriveState, cam: CamOfJoint | None
 ) -> StandingOverTorque:
     """Stiffness of the joint that stands, with and without slip."""
     sense = driving_sense(joint.drive)
