@@ -148,7 +148,8 @@ def over_torque_program(
         turned = turning(dataclasses.replace(joint, output_torque=torque), contacts, creep, shown)
         works = rolls.residual < STATE_TOLERANCE
         return OverTorque(
-            **_shown(joint, contacts, no_slip_friction, torque, under),
+            **_standing(joint, contacts, no_slip_friction, under.standing, under.cam)._asdict(),
+            drift=_drift(joint, torque, under),
             efficiency=jnp.where(works, turned.power.efficiency, jnp.nan),
             total_loss=jnp.where(works, turned.power.loss, jnp.nan),
             life_hours=jnp.where(works, turned.life_hours.drive, jnp.nan),

@@ -17,6 +17,7 @@ from asperity.surface.measurement import (
     SCHEMA,
     SCHEMA_VERSION,
     SurfaceMeasurement,
+    measured,
     measurement_document,
     measurement_from_document,
     read_measurement_document,
@@ -159,13 +160,9 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
         jacobian[:, i] = 0.5 * change / step[i]
     scatter = np.zeros((4, 4))
     scatter[:2, :2], scatter[2:, 2:] = np.asarray(first.covariance), np.asarray(second.covariance)
-    return SurfaceMeasurement(
-        result[0],
-        math.exp(result[1]),
-        gamma,
-        jacobian @ scatter @ jacobian.T,
-        short,
-        long,
+    covariance = jacobian @ scatter @ jacobian.T
+    return measured(
+        *(result[0], math.exp(result[1]), gamma, covariance, short, long),
         estimator=f"sum of {first.estimator} and {second.estimator}",
         profiles=first.profiles + second.profiles,
         source=f"{first.source} + {second.source}",

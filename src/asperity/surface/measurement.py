@@ -26,12 +26,8 @@ SCHEMA_VERSION = 1
 CONFIDENCE = 0.95
 
 
-def _doubles(numbers: ArrayLike) -> Array:
-    return jnp.asarray(numbers, dtype=jnp.float64)
-
-
 class SurfaceMeasurement(eqx.Module):
-    """Measured D and G of the Weierstrass-Mandelbrot profile, equation (6), with their covariance; arrays of doubles.
+    """Measured D and G of the Weierstrass-Mandelbrot profile, equation (6), with their covariance; scalar arrays.
 
     ``fractal_dimension``: D [-], 1 to 2; ``fractal_roughness``: G [m]; ``frequency_ratio``: gamma [-]; ``covariance``
     of (D, ln G), shape (2, 2): they are nearly fully correlated, so both must be drawn together;
@@ -39,12 +35,12 @@ class SurfaceMeasurement(eqx.Module):
     number of ``profiles`` averaged; ``source``: files measured.
     """
 
-    fractal_dimension: Float[Array, ""] = eqx.field(converter=_doubles)
-    fractal_roughness: Float[Array, ""] = eqx.field(converter=_doubles)
-    frequency_ratio: Float[Array, ""] = eqx.field(converter=_doubles)
-    covariance: Float[Array, "2 2"] = eqx.field(converter=_doubles)
-    shortest_wavelength: Float[Array, ""] = eqx.field(converter=_doubles)
-    longest_wavelength: Float[Array, ""] = eqx.field(converter=_doubles)
+    fractal_dimension: Float[Array, ""]
+    fractal_roughness: Float[Array, ""]
+    frequency_ratio: Float[Array, ""]
+    covariance: Float[Array, "2 2"]
+    shortest_wavelength: Float[Array, ""]
+    longest_wavelength: Float[Array, ""]
     estimator: str = eqx.field(static=True)
     profiles: int = eqx.field(static=True)
     source: str = eqx.field(static=True)
@@ -66,9 +62,14 @@ def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
         fit.fractal_roughness,
         (fit.shortest_wavelength, fit.longest_wavelength),
     )
-    return SurfaceMeasurement(
-        D, G, fit.frequency_ratio, fit.covariance, *band, fit.estimator, fit.profiles, source
-    )
+    numbers = (D, G, fit.frequency_ratio, fit.covariance, *band)
+    return measured(*numbers, estimator=fit.estimator, profiles=fit.profiles, source=source)
+
+
+def measured(*numbers: ArrayLike, estimator: str, profiles: int, source: str) -> SurfaceMeasurement:
+    """A measurement of its numbers, in the order of its fields."""
+    D, G, gamma, covariance, short, long = (jnp.asarray(number, dtype=jnp.float64) for number in numbers)
+    return SurfaceMeasurement(D, G, gamma, covariance, short, long, estimator, profiles, source)
 
 
 def measurement_document(*, measurement: SurfaceMeasurement) -> dict[str, Any]:
@@ -134,7 +135,8 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
             f"the measurement has gamma = {gamma:g} and the band {short:g} m to {long:g} m; gamma must be above "
             "1, and the shortest wavelength positive and below the longest"
         )
-    return SurfaceMeasurement(D, G, gamma, covariance, short, long, words[0], int(profiles), words[1])
+    numbers = (D, G, gamma, covariance, short, long)
+    return measured(*numbers, estimator=words[0], profiles=int(profiles), source=words[1])
 
 
 def _number(document: dict[str, Any], key: str) -> float:

@@ -81,8 +81,8 @@ class Topography:
         if direction == "x":
             return np.atleast_2d(self.heights), self.spacing
         if direction == "y" and self.spacing_across is not None:
-            turned = np.empty(self.heights.shape[::-1])
-            for start in range(0, turned.shape[1], 8):  # in strips of a line of the cache
+            turned = np.empty(self.heights.T.shape)
+            for start in range(0, len(self.heights), 8):  # in strips of a line of the cache
                 turned[:, start : start + 8] = self.heights[start : start + 8].T
             return turned, self.spacing_across
         raise InputError(f"direction must be 'x' (or 'y', for a map), not '{direction}' ({self.source})")
