@@ -124,8 +124,8 @@ def _developed_area_ratio(topography: Topography) -> float:
     """Sdr [-]: the area of the two triangles of each cell beyond that of the plane, over the latter."""
     z, total = topography.heights, 0.0
     assert topography.spacing_across is not None
-    for start in range(0, z.shape[0] - 1, 256):
-        rows = z[start : start + 257]
+    for start in range(0, z.shape[0] - 1, 16):  # so few that they stay in the processor's cache
+        rows = z[start : start + 17]
         along = (np.diff(rows, axis=1) / topography.spacing) ** 2 + 1.0
         across = (np.diff(rows, axis=0) / topography.spacing_across) ** 2
         total += float(np.sqrt(along[:-1] + across[:, :-1]).sum() + np.sqrt(along[1:] + across[:, 1:]).sum())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -174,4 +175,6 @@ def directional_fits(
         except NoSolutionError as refusal:
             return str(refusal)
 
-    return DirectionalFits(attempt("x"), attempt("y") if surfaces[0].topography.is_map else None)
+    with ThreadPoolExecutor(2) as pool:
+        along = list(pool.map(attempt, "xy" if surfaces[0].topography.is_map else "x"))
+    return DirectionalFits(along[0], along[1] if len(along) > 1 else None)
