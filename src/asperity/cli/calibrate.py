@@ -241,6 +241,6 @@ def _show(calibration: Calibration, drawn: Posterior | None) -> None:
                     f"{unknown.path}: {note}, so that the bounds determine the interval", markup=False
                 )
         target.print(
-            f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws follow "
-            "the exact posterior, and hold the error of the model; a low share only makes fewer of them independent."
+            f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws of the "
+            "scatter follow the exact posterior; a low share only makes fewer of them independent."
         )

@@ -271,9 +271,8 @@ def spectrum_of_map(*, topography: Topography, rolling: str) -> HeightSpectrum:
     columns *= twice
     mean_square, square = rows @ power @ columns.T, rows @ power**2 @ columns.T
     count = np.outer(rows.sum(axis=1), 0.5 * columns.sum(axis=1))
-    independent = (
-        _independent(mean_square, 2.0 * square, count) / _HANN_LOSS**2
-    )  # every ordinate is there twice
+    # every ordinate is there twice
+    independent = _independent(mean_square, 2.0 * square, count) / _HANN_LOSS**2
     x_edges, y_edges = x_edges / topography.size[0], y_edges / topography.size[1]
     return HeightSpectrum(
         rolling_edges=x_edges if along_x else y_edges,

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from asperity.errors import InputError
 from asperity.surface.topography import Topography
+from asperity.units import format_quantity
 
 #: Forms that can be removed.
 FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
@@ -155,8 +156,8 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
     length = heights.shape[-1] * spacing
     if not 2.0 * spacing <= cutoff <= length:
         raise InputError(
-            f"the cut-off is {1e3 * cutoff:.4g} mm; it must lie between twice the spacing ({2e3 * spacing:.4g} mm) and "
-            f"the length of the surface ({1e3 * length:.4g} mm)",
+            f"the cut-off is {format_quantity(cutoff, 'mm')}; it must lie between twice the spacing "
+            f"({format_quantity(2.0 * spacing, 'mm')}) and the length of the surface ({format_quantity(length, 'mm')})",
             options=["cut-off", "short-cut-off"],
         )
     rows = np.atleast_2d(heights)
@@ -191,7 +192,8 @@ def filtered(*, topography: Topography, short_cutoff: float | None, long_cutoff:
     """
     if short_cutoff is not None and long_cutoff is not None and not short_cutoff < long_cutoff:
         raise InputError(
-            f"lambda_s, {1e3 * short_cutoff:.4g} mm, must be shorter than lambda_c, {1e3 * long_cutoff:.4g} mm",
+            f"lambda_s, {format_quantity(short_cutoff, 'mm')}, must be shorter than lambda_c, "
+            f"{format_quantity(long_cutoff, 'mm')}",
             options=["short-cut-off", "cut-off"],
         )
     out = topography

@@ -3,6 +3,7 @@
 import dataclasses
 import json
 from dataclasses import replace
+from types import SimpleNamespace
 
 import jax.numpy as jnp
 import numpy as np
@@ -92,6 +93,24 @@ def test_error_of_the_model_moves_draws_within_their_bounds():
     assert half[:, 0].mean() == pytest.approx(0.5 - 0.03 * np.sqrt(2.0 / np.pi), rel=1e-3)
     kept = np.array([[0.2, 1.0], [0.0, 0.4]])
     assert np.array_equal(shifted(kept, np.zeros(2), seed=1), kept)
+
+
+def test_a_posterior_holds_the_error_of_its_calibration(monkeypatch):
+    """Draws of one point scatter by what an error of one standard deviation moves."""
+    same = Posterior(np.full((4000, 2), 0.5), np.ones(4000), np.ones(3), np.ones(3), 0, 1.0, 4)
+    monkeypatch.setattr(module, "sample", lambda **_: same)
+    monkeypatch.setattr(module, "surrogate_prediction", lambda model: None)
+    curve = SimpleNamespace(
+        model=SimpleNamespace(predictions=None),
+        measurement=SimpleNamespace(measured=np.ones(3)),
+        standard_deviation=0.1,
+    )
+    fitted = SimpleNamespace(
+        curves=(curve,), scaled_values=None, covariance=None, model_shifts=np.array([[0.02], [0.0]])
+    )
+    found = posterior(fitted, draws=1000, seed=3).scaled_values
+    assert found[:, 0].std() == pytest.approx(0.02, rel=4.0 / np.sqrt(8000))
+    assert np.all(found[:, 1] == 0.5)
 
 
 @pytest.mark.slow
