@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -11,7 +11,6 @@ from jax import Array
 from asperity.contact import carter
 from asperity.contact.creep_layer import layer_creepage_factor, layer_ratio
 from asperity.contact.skew import (
-    SkewedContact,
     lateral_compliance_ratio,
     longitudinal_capacity_ratio,
     skewed_contact,
@@ -122,6 +121,8 @@ def _creep_at(
             poisson_ratio_2=contacts.driven.poisson_ratio,
         )
 
+    sliced = None if contacts.crown_curvature is None else _slices(contacts, normal)
+
     def factors(slip_ratio: Array) -> tuple[Array, Array, Real, Array | None]:
         """Layer ratio, layer factor, creepage across over along at gross slip, crown factor."""
         ratio = _layer_ratio(contacts, layer_stiffness)
@@ -132,32 +133,34 @@ def _creep_at(
                 layer_ratio=ratio, slip_ratio=slip_ratio, stiffness_ratio=kappa * elastic
             )
         lateral_ratio = elastic * softer / layer
-        if contacts.crown_curvature is None:
+        if sliced is None:
             return ratio, layer, lateral_ratio, None
-        crown, layer, ratio = _sliced(contacts, normal, slip_ratio, smooth)
+        even = carter.creepage(slip_ratio=slip_ratio, gross_slip_creepage=smooth)
+        crown, layer, ratio = _sliced(contacts, sliced, slip_ratio, even)
         return ratio, layer, lateral_ratio, crown
 
-    ratio, layer, lateral_ratio, crown = factors(q)
-    across, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
-    if skew is not None:
-        across = jnp.broadcast_to(per_contact(skew), layer.shape)
+    if skew is None:
+        ratio, layer, lateral_ratio, crown = factors(q)
+        across, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
+    else:
+        q = jnp.broadcast_to(q, normal_force.shape)
+        across = jnp.broadcast_to(per_contact(skew), q.shape)
 
-        def skewed_with(
-            layer: Array, lateral_ratio: Real, crown: Array | None
-        ) -> tuple[Array, SkewedContact]:
+        def combined(slip_ratio: Array, _: None) -> tuple[Array, tuple[Any, ...]]:
+            """How far a contact slips by both forces together, and what this follows from."""
+            ratio, layer, lateral_ratio, crown = factors(slip_ratio)
             limit = smooth * layer if crown is None else smooth * crown * layer
-            return limit, skewed_contact(
+            skewed = skewed_contact(
                 longitudinal_slip_ratio=q,
                 lateral_creepage=across,
                 gross_slip_creepage=limit,
                 lateral_gross_slip_creepage=limit * lateral_ratio,
             )
+            both = jnp.clip(jnp.where(skewed.solved, skewed.slip_ratio, q), _LEAST_SLIP, _MOST_SLIP)
+            return both, (ratio, layer, lateral_ratio, crown, limit, skewed)
 
-        limit, skewed = skewed_with(layer, lateral_ratio, crown)
-        for _ in range(_COMBINED_PASSES):  # how far a contact slips follows from both forces together
-            combined = jnp.clip(jnp.where(skewed.solved, skewed.slip_ratio, q), _LEAST_SLIP, _MOST_SLIP)
-            ratio, layer, lateral_ratio, crown = factors(combined)
-            limit, skewed = skewed_with(layer, lateral_ratio, crown)
+        _, passes = jax.lax.scan(combined, q, length=1 + _COMBINED_PASSES)
+        ratio, layer, lateral_ratio, crown, limit, skewed = jax.tree.map(lambda leaf: leaf[-1], passes)
         alone = carter.creepage(slip_ratio=q, gross_slip_creepage=limit)
         skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
     smooth = smooth if crown is None else smooth * crown
@@ -178,12 +181,18 @@ def _layer_ratio(contacts: JointContacts, layer_stiffness: Array) -> Array:
     return jnp.where(stiff, ratio, jnp.nan)
 
 
-def _sliced(
-    contacts: JointContacts, normal: Array, slip_ratio: Array, even_limit: Real
-) -> tuple[Array, Array, Array]:
-    """Factors of the crowns and of the asperities on the creepage that all slices share; layer ratio in the middle."""
-    pairs = contacts.pairs
-    lines = contacts.loads_along(normal)
+class _Slices(NamedTuple):
+    """Of crowned contacts: layer ratio and whether it is known; share of the friction and creepage at gross slip."""
+
+    ratio: Array
+    known: Array
+    capacity: Array
+    limits: Array
+
+
+def _slices(contacts: JointContacts, normal: Array) -> _Slices:
+    """What the slices of the contacts are under normal forces."""
+    pairs, lines = contacts.pairs, contacts.loads_along(normal)
     assert lines is not None
     rough = rough_slices(
         pairs=pairs,
@@ -193,22 +202,26 @@ def _sliced(
         tangential_force=jnp.zeros_like(normal),
     )
     ratio = _layer_ratio(contacts, rough.layer_stiffness)
-    known = jnp.isfinite(ratio)
-    moduli = pairs.moduli
+    return _Slices(ratio, jnp.isfinite(ratio), *slice_friction(pairs=pairs, lines=lines))
+
+
+def _sliced(
+    contacts: JointContacts, slices: _Slices, slip_ratio: Array, even: Real
+) -> tuple[Array, Array, Array]:
+    """Factors of the crowns and of the asperities on the creepage that all slices share; layer ratio in the middle."""
+    moduli = contacts.pairs.moduli
     factor = layer_creepage_factor(
-        layer_ratio=jnp.where(known, ratio, 0.0),
+        layer_ratio=jnp.where(slices.known, slices.ratio, 0.0),
         slip_ratio=slip_ratio,
         stiffness_ratio=4.0 * moduli.tangential_contact_modulus / moduli.contact_modulus,
     )
     # slices so lightly loaded that every spot is plastic have no stiffness to count
-    factor = jnp.where(known, factor, 1.0)
-    capacity, limits = slice_friction(pairs=pairs, lines=lines)
-    smooth, rough_creepage = (
-        strip_creepage(slip_ratio=slip_ratio, capacity=capacity, gross_slip_creepage=limit)
-        for limit in (limits, limits * factor)
+    factor = jnp.where(slices.known, factor, 1.0)
+    smooth, rough = (
+        strip_creepage(slip_ratio=slip_ratio, capacity=slices.capacity, gross_slip_creepage=limit)
+        for limit in (slices.limits, slices.limits * factor)
     )
-    even = carter.creepage(slip_ratio=slip_ratio, gross_slip_creepage=even_limit)
-    return jnp.asarray(smooth / even), jnp.asarray(rough_creepage / smooth), ratio[0]
+    return jnp.asarray(smooth / even), jnp.asarray(rough / smooth), slices.ratio[0]
 
 
 def lateral_slip_ratio(

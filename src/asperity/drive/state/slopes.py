@@ -80,12 +80,13 @@ class ResponsesAndSlopes(NamedTuple):
 
 def responses_and_slopes(machine: Machine, task: Task, x: Unknowns) -> ResponsesAndSlopes:
     """Of :func:`asperity.drive.state.equations.contact_responses`."""
-    normal, tangential = contact_forces(machine, x)
-    one, responses = (jnp.ones_like(x.normal),), functools.partial(contact_responses, machine, task)
-    # two directions are traced in less time than a linearized function
-    value, by_normal = jax.jvp(lambda force: responses(force, tangential), (normal,), one)
-    _, by_tangential = jax.jvp(lambda force: responses(normal, force), (tangential,), one)
-    return ResponsesAndSlopes(value, by_normal, by_tangential)
+    forces, none = contact_forces(machine, x), jnp.zeros_like(x.normal)
+    one = none + 1.0
+    directions = jnp.stack([one, none]), jnp.stack([none, one])
+    slopes = functools.partial(jax.jvp, functools.partial(contact_responses, machine, task), forces)
+    # both directions in one program, the value once
+    value, both = jax.vmap(lambda *direction: slopes(direction), out_axes=(None, 0))(*directions)
+    return ResponsesAndSlopes(value, *(jax.tree.map(lambda leaf, k=k: leaf[k], both) for k in range(2)))
 
 
 def state_slopes(
