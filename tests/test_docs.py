@@ -189,6 +189,7 @@ def test_readme_marks_both_commands_for_ci():
         assert "\n" not in block[1], "one command, one line"
 
 
+@pytest.mark.slow
 def test_readme_table_is_what_its_command_gives():
     from click.testing import CliRunner
 

@@ -56,6 +56,7 @@ def _folder(folder=None, *, home=None):
     return done.stdout.strip(), done.stderr
 
 
+@pytest.mark.slow
 def test_a_new_folder_is_open_to_its_user_alone(tmp_path):
     assert _folder(tmp_path / "new" / "cache") == (str(tmp_path / "new" / "cache"), "")
     assert (tmp_path / "new" / "cache").stat().st_mode & 0o777 == 0o700
@@ -63,6 +64,7 @@ def test_a_new_folder_is_open_to_its_user_alone(tmp_path):
     assert _folder(tmp_path / "link") == (str(tmp_path / "new" / "cache"), "")
 
 
+@pytest.mark.slow
 def test_a_tilde_stands_for_the_home_of_the_user(tmp_path):
     assert _folder("~/x", home=tmp_path) == (str(tmp_path / "x"), "")
     assert _folder(home=tmp_path)[0].startswith(str(tmp_path))

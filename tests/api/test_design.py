@@ -48,6 +48,7 @@ def test_the_designed_joint_keeps_its_limit_when_it_is_solved(found):
     assert solution["stiffness"].si == pytest.approx(found.result.objective_after, rel=1e-9)
 
 
+@pytest.mark.long
 def test_text_and_figure(found):
     text = repr(found)
     assert "all limits are met" in text

@@ -55,7 +55,7 @@ def test_decay_length_of_a_self_affine_surface(pressed):
     np.testing.assert_allclose(pressed.tangential_ratios[:, 2:4].mean(axis=0), kappa, rtol=0.03)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_plastic_spots_make_it_stiffer(pressed):
     known = np.isfinite(pressed.decay_ratios[1])
     assert known.any()

@@ -208,6 +208,7 @@ def pin_pressure(mesh, downwards):
     return load
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("bore", "radius"), [(13e-3, 20e-3), (2e-3, 5e-3)])
 def test_a_pin_in_a_bore_between_two_contacts(bore, radius):
     """Both contacts drag a hollow planet by one newton, or press it; its pin holds it with a cosine pressure."""

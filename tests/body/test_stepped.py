@@ -41,6 +41,7 @@ def balanced(angles, radius, seed):
     return forces - np.linalg.pinv(rows) @ (rows @ forces)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("plane_state", "step"),
     [("plane_strain", 1.0), ("plane_stress", 1.0 - 1e-9), ("plane_strain", 1.0 + 2e-5)],
@@ -111,6 +112,7 @@ def test_against_finite_elements_in_space(step, bore, length, by_ring, by_roller
         assert 0.69 < float(forces @ matrix @ forces) / space < 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("step", "bore", "by_ring", "by_rollers", "around", "on_first", "on_second"),
     [

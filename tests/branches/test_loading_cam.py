@@ -42,7 +42,7 @@ def branches(planar_joint):
     return of
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("torque", [TORQUE, -TORQUE])
 def test_equal_branches_are_those_without_sizes(branches, torque):
     found, result, joint = branches([0.0, 0.0, 0.0], torque=torque)

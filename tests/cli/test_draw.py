@@ -12,7 +12,9 @@ from asperity.joint_file.reader import parse_case
 EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
 
 
-@pytest.mark.parametrize("suffix", ["svg", "pdf", "png"])
+@pytest.mark.parametrize(
+    "suffix", ["svg", *(pytest.param(end, marks=pytest.mark.slow) for end in ("pdf", "png"))]
+)
 def test_drawing_is_written_and_does_not_change(call, joint_file, tmp_path, suffix):
     file, found = joint_file(), []
     for name in "ab":

@@ -126,7 +126,7 @@ def test_a_torque_beyond_all_branches_is_refused(call, unequal):
         assert "is beyond the torque capacity" in outcome.err
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("unequal", ["zou2025"], indirect=True)
 def test_the_papers_drive_rolls_with_its_own_branches(call, unequal):
     """Planets 0.5, 0.4 and 0.2 um larger carry 14.2 N·m, equal ones of 13 um of interference 13.3."""

@@ -79,7 +79,7 @@ def test_targets_are_those_of_the_room():
     assert tuple(SUFFIXES) == TARGETS
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("to", "name"), [("table", "a.csv"), ("mujoco", "a.xml"), ("fmu", "a.fmu"), ("modelica", "a.mo")]
 )

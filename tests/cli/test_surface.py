@@ -73,6 +73,7 @@ def test_a_map_shows_its_lay(tmp_path):
     assert "a map shows its lay" in str(got.exception)
 
 
+@pytest.mark.slow
 def test_from_synthetic_files_to_one_equivalent_surface(tmp_path):
     documents = []
     for seed in (1, 2):
@@ -139,6 +140,7 @@ def test_bearing_profiles_have_no_d_and_g_and_the_reason(shared_data):
     assert "fractal_dimension" not in document
 
 
+@pytest.mark.slow
 def test_a_ring_has_its_roughness_behind_a_filter_and_its_form_without(shared_data):
     """A ring of Rq 0.14 um whose form was printed as Ra 25.6 um. NU208 less its chamfers is a crown of 1.7 m."""
     units = ("--position-unit", "mm", "--height-unit", "um")

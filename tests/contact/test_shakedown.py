@@ -157,7 +157,7 @@ def test_first_yield_without_friction_is_johnsons():
     assert float(tresca_elastic_limit(**none)) == pytest.approx(3.330, abs=5e-4)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_interpolation_errors_are_those_stated():
     random = np.random.default_rng(2)
     friction = random.uniform(0, 0.366, 40)

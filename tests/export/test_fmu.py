@@ -120,8 +120,8 @@ def test_cycle_follows_the_windup(made_content, unzipped):
     np.testing.assert_allclose(found, path, rtol=0.0, atol=0.01 * height)
 
 
+@pytest.mark.long
 @needs_compiler
-@pytest.mark.slow
 @pytest.mark.parametrize("closure", ["elastic", "constant_pin_force"])
 def test_cycle_of_the_papers_joint(papers_content, closure, tmp_path):
     """Its loop is 0.7 % of its wind-up; with a constant pin force both directions differ by 5 %."""

@@ -31,7 +31,7 @@ def stiffness(solution):
     return float(solution.result.assembly.stiffness.output)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_hollow_planet_on_its_pin_by_hand(hollow):
     """525 N·m/arcmin become 274 under constant normal forces, and 298 where a squeezed planet gives way to its pin.
 

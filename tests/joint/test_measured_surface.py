@@ -115,7 +115,7 @@ def test_the_command_runs_a_joint_from_two_measured_files(zou_file, write):
     assert interval["low_Nm_per_rad"] < nominal < interval["high_Nm_per_rad"]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_command_runs_a_joint_from_a_measured_spectrum(zou_file, tmp_path):
     """White noise of 0.1 µm has no power law; its waves, all but a few, are shorter than any contact is wide."""
     heights = 1e-7 * np.random.default_rng(0).standard_normal(4000)

@@ -163,6 +163,7 @@ def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_join
     assert torques == pytest.approx([torques[0]] * 3, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_negative_torque_has_the_limits_of_its_own_direction(paper_joint):
     """Wedges of unlike angles: the limits of the mirrored drive under the opposite torque, by another search."""
     one, other = (
@@ -192,7 +193,7 @@ def test_single_precision_is_refused(paper_joint):
         solve_joint(joint)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @settings(max_examples=40, deadline=None)
 @given(data=st.data())
 def test_any_joint_is_refused_or_has_a_finite_balanced_result(paper_joint, data):

@@ -165,8 +165,8 @@ def joint(paper_joint):
     return paper_joint
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("support", [pytest.param("free", marks=pytest.mark.long), "rigid_housing"])
+@pytest.mark.long
+@pytest.mark.parametrize("support", ["free", "rigid_housing"])
 def test_the_papers_joint_over_the_wall_of_its_ring(joint, load_example, support, output):
     """With asperities too stiff to count, against the bodies alone of examples/ring_wall.py: one matrix a body."""
     walls = np.array([4e-3, 10e-3, 20e-3, 60e-3])
@@ -293,7 +293,7 @@ def test_springs_and_exact_bodies_agree_for_a_ring_in_a_rigid_housing(joint, out
     assert exact == pytest.approx(springs, rel=0.02)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_published_series_assembled_in_this_order(joint, solved):
     """Floating planets make the assembly the softest level by far, with exact bodies as well."""
     rng = np.random.default_rng(5)

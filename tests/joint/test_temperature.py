@@ -95,7 +95,7 @@ def solved(joint):
     return jax.tree.map(np.asarray, compile_fast(evaluate, numbers)(numbers))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_it_is_the_joint_with_the_interference_that_is_left(planetary_at):
     """With 13.5 um and no temperature everything is the same; status, document and curve agree with it."""
     joint = joint_from_case(planetary_at("50 degC"))

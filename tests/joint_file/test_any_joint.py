@@ -109,7 +109,7 @@ def _same_as_single_files(values, numbers):
             np.testing.assert_allclose(numbers[name][:, index], alone[name], rtol=1e-9, err_msg=name)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_size_and_mass_by_hand(values, found):
     _, numbers, _ = found
     density = values["materials"]["52100"]["density"]

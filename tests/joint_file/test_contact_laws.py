@@ -155,7 +155,7 @@ def test_heights_of_an_average_by_hand():
     assert float(built.decay_length) == pytest.approx(0.48 * math.sqrt(math.pi / 2.0) * 0.25e-6, rel=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_stiffnesses_and_interval_of_an_average():
     """K_n of u0 and K_t = kappa K_n (1 - T/mu N) of the joint's own forces; the law's ends in the interval."""
     case = case_of(AVERAGE | {"roughness_average": "0.2 um +- 0.02 um"}, "exponential", name="planetary")

@@ -109,7 +109,7 @@ def test_two_bodies_add_their_squares(folder, named, named_text):
         )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_sweep_has_the_heights_of_separate_joints(named):
     preload = np.array([400.0, 1000.0, 2500.0])
     status, results = evaluate_points(si_values(named), {"load.preload": preload}, RESULTS)
@@ -173,7 +173,7 @@ def test_what_has_no_derivatives_is_refused_with_all_that_helps(key, more, remed
     refuse_derivatives({"surface": {"sp": {"rms_height": 1e-7}}})
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_beyond_the_capacity_it_is_not_known_what_the_contacts_feel(named):
     """Nor the capacity that follows from it, which had been that of heights at infinite widths."""
     torques = {"load.output_torque": np.array([2.0, 1e3])}
@@ -183,6 +183,7 @@ def test_beyond_the_capacity_it_is_not_known_what_the_contacts_feel(named):
     assert np.isfinite(results["speed_ratio"]).all()
 
 
+@pytest.mark.slow
 def test_points_without_a_joint_do_not_disturb_the_others(named):
     preload = np.array([1000.0, 1000.0])
     torque = np.array([1.0, 1e5])

@@ -82,7 +82,9 @@ MANY = {
 }
 
 
-@pytest.mark.parametrize("what", MANY)
+@pytest.mark.parametrize(
+    "what", ["keys", *(pytest.param(what, marks=pytest.mark.slow) for what in MANY if what != "keys")]
+)
 def test_of_a_great_many_errors_the_first_are_told(what, example_text):
     text = MANY[what](example_text)
     with pytest.raises(InputError) as caught:

@@ -15,7 +15,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 UNEQUAL = '[[branch]]\nplanet_deviation = "2 um"\n\n[[branch]]\n\n[[branch]]\n\n'
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "branches"), [("zou2025", ""), ("planetary", ""), ("planetary", UNEQUAL)], ids=str
 )
@@ -101,7 +101,7 @@ def test_branches_that_press_harder_are_a_larger_interference(planetary):
     assert document["life_hours"] == pytest.approx(stronger["life_hours"], rel=2e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_unlike_branches_carry_the_sum_of_what_their_friction_holds(planetary):
     """At the sun each holds mu N; the ratio of 6 makes 6 r mu N of it at the output, a third for each planet."""
     document = solve_case(planetary([0.1, 0.2, 0.5], 10.5)).document

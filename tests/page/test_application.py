@@ -197,6 +197,7 @@ def test_a_wrong_value_is_said_at_its_key(solve, key, value, said):
     assert answer["error"].startswith("my.toml: ")
 
 
+@pytest.mark.slow
 def test_an_impossible_joint_is_said_in_one_sentence(solve):
     response = solve(load__output_torque="50 N*m")
     assert response.status_code == 422
@@ -295,7 +296,7 @@ def test_a_file_is_checked(client, joint_text):
     assert "sun_radius" in missing["error"]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_downloads_say_the_same_again(client, solve, joint_text):
     answer = solve(load__preload="1200 N", bodies__sun="52100", model__closure="constant_pin_force").json()
     text = client.get(f"/api/joint/{answer['id']}/joint.toml")

@@ -60,6 +60,7 @@ def write(page, path, text):
     do(page, action)
 
 
+@pytest.mark.long
 def test_numbers_have_the_digits_of_the_commands(page):
     values = [
         0.0,
@@ -283,6 +284,7 @@ def test_a_link_shows_the_same_joint(page, chromium):
     other.close()
 
 
+@pytest.mark.long
 def test_choices_change_the_joint(page):
     page.locator("details[data-group=model] summary").click()
     do(page, lambda: page.locator("#value-model-closure").select_option("constant_pin_force"))
@@ -333,6 +335,7 @@ def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
     assert page.locator("#error").is_hidden()
 
 
+@pytest.mark.long
 def test_choices_of_the_library_and_of_the_ring(page):
     do(page, lambda: page.locator("#value-bodies-sun").select_option("440C"))
     assert "stainless bearing steel" in page.locator("#value-bodies-sun-help").text_content()
@@ -379,6 +382,7 @@ def test_a_chart_of_any_number_shows_where_there_is_no_result_and_why(page):
     assert "expected a torque" in page.locator("#chart-message").inner_text()
 
 
+@pytest.mark.long
 def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
     heights = np.cumsum(np.random.default_rng(1).normal(size=4096)) * 1e-9
     rows = "".join(f"{2e-7 * i:.9g},{z:.9g}\n" for i, z in enumerate(heights))
@@ -459,6 +463,7 @@ def test_a_study_shows_its_progress_its_result_and_can_be_stopped(page, tmp_path
     assert document["inputs"]["load.preload"]["tolerance"] == 50.0
 
 
+@pytest.mark.long
 def test_a_report_is_saved_as_html_and_pdf(page, tmp_path):
     for name, ending, begins in (("Save report", "html", b"<!doctype html"), ("Save PDF", "pdf", b"%PDF-")):
         with page.expect_download(timeout=300_000) as waiting:

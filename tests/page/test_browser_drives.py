@@ -74,6 +74,7 @@ def stiffness(text):
     return format_quantity(float(found.result.assembly.stiffness.output), "N*m/arcmin").split(" ")[0]
 
 
+@pytest.mark.long
 def test_what_is_seen_of_a_planetary(page):
     """Numbers of the solver, words of the drive, forces that balance, and no word of the paper's drive."""
     assert page.locator('[data-value="Stiffness at the output"]').inner_text() == stiffness(TEXT)

@@ -197,6 +197,7 @@ def test_a_click_below_a_field_in_use_reaches_what_it_is_meant_for(page):
     assert page.locator("#value-duty-1-sun_speed-help").is_visible()
 
 
+@pytest.mark.long
 def test_what_is_saved_beside_an_error_is_said(page, tmp_path):
     opened(page, "duty")
     press(page, "Add a load")
@@ -237,6 +238,7 @@ def test_all_warnings_are_shown(page):
         assert page.locator("#warnings").evaluate(hidden) == [0, 0]
 
 
+@pytest.mark.long
 def test_branches_need_an_interference_as_the_file_says(page):
     opened(page, "branch", "load")
     write(page, "load.preload", "1000 N")

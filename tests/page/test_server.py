@@ -186,6 +186,7 @@ def test_a_letter_at_a_time_gains_no_time(port):
     client.close()
 
 
+@pytest.mark.slow
 def test_half_a_request_after_an_answer_is_not_waited_for(port):
     client = _connected(port, b"GET / HTTP/1.1\r\nHost: x\r\n\r\n")
     assert client.recv(1000).startswith(b"HTTP/1.1 200")
@@ -194,6 +195,7 @@ def test_half_a_request_after_an_answer_is_not_waited_for(port):
     client.close()
 
 
+@pytest.mark.slow
 def test_whoever_does_not_read_the_answer_is_left(port):
     client = _connected(port, b"GET /large HTTP/1.1\r\nHost: x\r\n\r\n")
     time.sleep(3.0)

@@ -195,7 +195,7 @@ def test_turning_back_under_the_same_torque_goes_on_drifting(rolled):
     np.testing.assert_allclose(back.creepage, -there.creepage[[0, 2, 1, 4, 3]], rtol=1e-10)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_hysteresis_and_oil_of_the_check_case(rolled):
     """Their sizes scale from T1: hysteresis with N a/R, the oil's as 1.47 U^(3/4) E' R where bodies deform."""
     found = rolled(conditions(), sun_speed=100.0)
@@ -302,7 +302,7 @@ def test_life_of_bodies_and_drive(rolled, reliability):
     assert float(found.life_hours.drive) == pytest.approx(hours, rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_duty_of_one_load_is_that_load(rolled):
     duty = (DutyPoint(5.0, 100.0, 0.25), DutyPoint(5.0, 100.0, 0.7), DutyPoint(5.0, 100.0, 0.05))
     found = rolled(conditions(duty=duty), sun_speed=100.0, **HARD)

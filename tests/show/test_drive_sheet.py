@@ -1,5 +1,6 @@
 """Drawings of drives: every roller at its place, sizes as in the file."""
 
+import functools
 import io
 import math
 from itertools import pairwise
@@ -56,8 +57,9 @@ ODD = {
 }  # fmt: skip
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def sheet(planar_case):
+    @functools.cache
     def draw(name, forces=False):
         example, replaced = ODD.get(name, (name, {}))
         case = planar_case(example, replaced=replaced)

@@ -70,7 +70,7 @@ def test_every_number_of_a_joint_file_can_vary_alone(values, path):
     }
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_levels_of_stiffness(values):
     thick = {**changes(POINT), "drive.ring_wall_thickness": np.full(2, 0.06)}
     status, found, _ = derivatives_at(values, thick, NAMES)

@@ -185,6 +185,7 @@ def test_clearances_are_a_result_and_have_rows(case):
     np.testing.assert_array_equal(np.stack([each.values for each in rows.values()]), gaps)
 
 
+@pytest.mark.slow
 def test_a_disk_that_is_full_is_one_message_and_leaves_nothing(tmp_path):
     """HDF5 ends a process that cannot write to its file; a largest file size stands for the full disk."""
     program = (

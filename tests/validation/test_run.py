@@ -16,7 +16,7 @@ def checks():
     return found
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_this_installation_passes(checks):
     assert [check for check in checks if not check.passed] == []
     assert len(checks) >= 60

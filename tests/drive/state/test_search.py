@@ -113,6 +113,7 @@ def test_no_state_beyond_the_friction_of_both(standing):
     assert set(np.argmax(used[1:], axis=1)) <= {2, 3}
 
 
+@pytest.mark.slow
 def test_equal_planets_slide_together(standing):
     """No rest is left to carry: the first slip is the end."""
     both = 2.0 * PATH * STRONG * NORMAL

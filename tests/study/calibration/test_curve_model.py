@@ -50,6 +50,7 @@ def test_slopes_are_those_of_the_prediction(model):
         np.testing.assert_allclose(slopes[:, index], difference, rtol=1e-5, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_the_unknowns_of_the_curve_add_what_they_say(model):
     """Play taken up as play/2 tanh(T/T_p), a drift since the first row, an offset."""
     nothing = model.unknowns[3].to_unit(0.0), model.unknowns[4].to_unit(0.0)
@@ -63,7 +64,7 @@ def test_the_unknowns_of_the_curve_add_what_they_say(model):
     np.testing.assert_allclose(model(PLACE)[0], bare + added, rtol=1e-10, atol=1e-16)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_measured_stiffness_is_that_of_the_joint_in_series_with_its_play(zou_file):
     """1/K = 1/K_joint + d/dT [play/2 tanh(T/T_p)]."""
     play, take_up = 3e-4, 0.4
@@ -78,6 +79,7 @@ def test_a_measured_stiffness_is_that_of_the_joint_in_series_with_its_play(zou_f
     np.testing.assert_allclose(1.0 / loose(preload)[0], 1.0 / stiffness + opened, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_many_sets_are_as_one_by_one(model):
     scaled_values = np.array([PLACE, PLACE[::-1] * 0.5, np.full(5, 0.2)])
     np.testing.assert_allclose(

@@ -171,6 +171,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(case, model):
     assert np.all((0.95 * low < actual / stated) & (actual / stated < 1.05 * high)), actual / stated
 
 
+@pytest.mark.long
 def test_what_cannot_be_told_apart_is_named(case):
     """At small torques the drift is proportional to the torque: one number for two unknowns."""
     model = model_of(case, data_of(0.02 * TORQUE), TEXTS[:2])
@@ -190,6 +191,7 @@ def test_polynomial_of_the_posterior(case, model):
     np.testing.assert_allclose(predict(fit, jnp.asarray(near)), model(near)[0], rtol=1e-4, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_drift_past_gross_slip_is_refused(case):
     torque = np.array([2.0, 6.0, 10.0, 14.0, 18.0])
     with pytest.raises(NoSolutionError, match=r"does not roll steadily at|slips at the largest"):

@@ -201,7 +201,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(case):
     assert low < np.mean(table[:, 0, 3] ** 2) / scatter**2 < high
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_what_cannot_be_told_apart_is_named(case):
     """At small torques the drift is proportional to the torque: one number for two unknowns."""
     torque = 0.01 * TORQUE

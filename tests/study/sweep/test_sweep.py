@@ -77,7 +77,7 @@ def test_from_disk_it_is_the_same(in_memory, filled):
     assert stored["contact"].values.tolist() == ["sp", "pwr", "pwl", "wro", "wlo"]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_only_unfinished_blocks_are_computed_again(case, filled, tmp_path, monkeypatch):
     import zarr
 

@@ -39,6 +39,7 @@ def test_elasticities_obey_the_dimensions(homogeneous, found, base):
         assert total == pytest.approx(dimension.exponents[base], abs=1e-9), name
 
 
+@pytest.mark.long
 def test_ratios_are_pure_numbers(homogeneous, found):
     for base in range(3):
         weights = [e.key.dimension.exponents[base] * e.value for e in numeric_keys(homogeneous).values()]

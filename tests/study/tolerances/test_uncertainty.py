@@ -50,7 +50,7 @@ def spread(toleranced):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_moments_and_indices_of_a_product(spread):
     # m = pi rho R^2 B with independent factors: E and Var of each factor, and hence all indices, in closed form
     rho, r, b = 7850.0, 13.5e-3, 5e-3
