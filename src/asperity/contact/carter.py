@@ -152,12 +152,7 @@ def stick_centre(*, slip_ratio: Real, half_width: Real) -> Real:
 
 
 def rolling_traction(
-    *,
-    position: Real,
-    slip_ratio: Real,
-    half_width: Real,
-    peak_pressure: Real,
-    friction_coefficient: Real,
+    *, position: Real, slip_ratio: Real, half_width: Real, peak_pressure: Real, friction_coefficient: Real
 ) -> Real:
     r"""Shear traction across a rolling line contact.
 

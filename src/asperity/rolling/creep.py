@@ -60,11 +60,7 @@ class ContactCreep(NamedTuple):
 
 
 def contact_creep(
-    *,
-    contacts: JointContacts,
-    skew: tuple[Real, ...] | None,
-    normal_force: Array,
-    tangential_force: Array,
+    *, contacts: JointContacts, skew: tuple[Real, ...] | None, normal_force: Array, tangential_force: Array
 ) -> ContactCreep:
     r"""Carter's creep of the contacts with their asperities as a layer between the bodies, and with skew.
 

@@ -168,10 +168,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         )
     )
     film, film_over_roughness = oil_film(
-        conditions=joint.rolling,
-        pairs=pairs,
-        normal_force=strips.largest_load,
-        rolling_speed=speeds.rolling,
+        conditions=joint.rolling, pairs=pairs, normal_force=strips.largest_load, rolling_speed=speeds.rolling
     )
     drift = drift_per_turn(state.speed_loss)
     result = RollingResult(

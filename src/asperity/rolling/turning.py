@@ -34,10 +34,7 @@ def driving_sense(drive: Drive) -> Array:
 def with_driving_sense(state: DriveState, sense: Array) -> DriveState:
     """A state whose tangential forces, creepages and drags have the signs of :func:`driving_sense`."""
     return dataclasses.replace(
-        state,
-        tangential=sense * state.tangential,
-        creepage=sense * state.creepage,
-        drag=sense * state.drag,
+        state, tangential=sense * state.tangential, creepage=sense * state.creepage, drag=sense * state.drag
     )
 
 
