@@ -91,13 +91,14 @@ def settled_root(change: Callable[[Array], Array], start: Array) -> Array:
 def _repeated(change: Callable[[Array], Array], start: Array) -> Array:
     def unsettled(state: tuple[Array, Array, Array]) -> Array:
         rounds, numbers, left = state
-        return (rounds < _ROUNDS) & (jnp.max(jnp.abs(left / numbers)) > SETTLED)
+        return (rounds == 0) | ((rounds <= _ROUNDS) & (jnp.max(jnp.abs(left / numbers)) > SETTLED))
 
     def improved(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
         rounds, numbers, left = state
         return rounds + 1, numbers + left, change(numbers + left)
 
-    return jax.lax.while_loop(unsettled, improved, (jnp.asarray(0), start, change(start)))[1]
+    # the first round finds the change of the start, which is so written once
+    return jax.lax.while_loop(unsettled, improved, (jnp.asarray(0), start, jnp.zeros_like(start)))[1]
 
 
 def _solved(linear: Callable[[Array], Array], right: Array) -> Array:

@@ -37,6 +37,7 @@ def test_values_are_those_of_the_command(found, curve, printed, zou_file):
     ]
 
 
+@pytest.mark.slow
 def test_the_preload_is_recovered(found):
     row = found.to_frame().loc["load.preload"]
     assert row.lower < TRUE_PRELOAD < row.upper
@@ -44,6 +45,7 @@ def test_the_preload_is_recovered(found):
     assert found.start["load.preload"].si == 1000.0
 
 
+@pytest.mark.slow
 def test_text_and_figure(found):
     text = repr(found)
     assert "1 unknown from" in text

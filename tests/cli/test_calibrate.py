@@ -116,12 +116,14 @@ def test_printed_intervals_keep_their_width(lower, upper):
     assert shown[1] - shown[0] == pytest.approx(upper - lower, rel=0.1)
 
 
-def test_bad_input(folder):
+def test_bad_input(tmp_path, zou_file):
+    data = tmp_path / "data.csv"
+    data.write_text("torque [N*m],angle [mrad]\n1,0.1\n2,0.2\n3,0.3\n")
     for arguments in (
-        (folder / "none.toml", folder / "data.csv", "-u", "load.preload"),
-        (folder / "joint.toml", folder / "none.csv", "-u", "load.preload"),
-        (folder / "joint.toml", folder / "data.csv", "-u", "drift"),
-        (folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--plot-posterior", "x.png"),
+        (tmp_path / "none.toml", data, "-u", "load.preload"),
+        (zou_file, tmp_path / "none.csv", "-u", "load.preload"),
+        (zou_file, data, "-u", "drift"),
+        (zou_file, data, "-u", "load.preload", "--plot-posterior", "x.png"),
     ):
         assert isinstance(invoke(*arguments).exception, InputError)
 

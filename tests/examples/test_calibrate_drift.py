@@ -14,6 +14,7 @@ def example(load_example, monkeypatch):
     return load_example("calibrate_drift")
 
 
+@pytest.mark.slow
 def test_the_file_is_that_of_the_model(example, tmp_path):
     example.main(str(tmp_path / "drift.csv"))
     written, expected = (

@@ -75,6 +75,7 @@ def named(folder, named_text):
     return read_case(folder / "joint.toml")
 
 
+@pytest.mark.slow
 def test_each_contact_feels_the_bands_below_its_width(named):
     diagnostics = solve_joint(joint_from_case(named)).result.diagnostics
     for entry, half in zip(named.surface.values(), diagnostics.hertz_half_width, strict=True):

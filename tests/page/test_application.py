@@ -321,6 +321,7 @@ def test_the_report_is_that_of_the_joint(client, solve):
     assert "1100 N" in report.text
 
 
+@pytest.mark.slow
 def test_a_pdf_without_its_package_says_how_to_get_it(client, solve, monkeypatch):
     import sys
 

@@ -106,6 +106,7 @@ def test_skew_adds_creep_and_takes_friction(creep):
     assert np.all(np.asarray(strong.skew_factor) > 1.0)
 
 
+@pytest.mark.slow
 def test_skewed_contacts_on_a_soft_layer_carry_their_force(creep):
     """The zone that slips is that of both forces together, and so is the layer's factor: a fixed point by hand."""
     q, skew, elastic = 0.4, 1e-3, 1.0 / 0.7

@@ -97,7 +97,7 @@ def sizes_of(name, planar_case):
 @pytest.mark.parametrize(
     "forces", [*(pytest.param(forces, marks=pytest.mark.long) for forces in (False, True)), "section"]
 )
-@pytest.mark.parametrize("name", [*EXAMPLES, *ODD])
+@pytest.mark.parametrize("name", [*(pytest.param(name, marks=pytest.mark.slow) for name in EXAMPLES), *ODD])
 def test_every_text_is_inside_the_frame_and_covers_no_other(sheet, name, forces):
     figure = sheet_figure(sheet(name, forces))
     canvas = FigureCanvasAgg(figure)

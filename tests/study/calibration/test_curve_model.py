@@ -89,6 +89,7 @@ def test_many_sets_are_as_one_by_one(model):
     )
 
 
+@pytest.mark.slow
 def test_a_joint_that_slips_below_the_largest_torque_has_no_prediction(zou_file):
     torque = np.array([1.0, 8.0])
     data = Measurement(torque, np.array([0.0, 1e-4]), None, None, np.zeros(2), "synthetic")
