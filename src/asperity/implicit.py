@@ -97,7 +97,7 @@ def _repeated(change: Callable[[Array], Array], start: Array) -> Array:
         rounds, numbers, left = state
         return rounds + 1, numbers + left, change(numbers + left)
 
-    # the first round finds the change of the start, which is so written once
+    # the change of the start is found in the loop, so that its program is compiled once
     return jax.lax.while_loop(unsettled, improved, (jnp.asarray(0), start, jnp.zeros_like(start)))[1]
 
 

@@ -38,7 +38,7 @@ def invoke(*arguments):
     return CliRunner().invoke(asperity, [str(argument) for argument in arguments], catch_exceptions=True)
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_design_agrees_with_the_joint_command(folder):
     out, plot = folder / "designed.toml", folder / "designed.png"
     result = invoke("design", folder / "design.toml", "--out", out, "--plot", plot, "--json")

@@ -17,7 +17,7 @@ share = 1.0
 """
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_document_and_picture(call, joint_file, tmp_path):
     warm = 'yield_strength = "1200 MPa"\nthermal_conductivity = "50 W/m/K"\nspecific_heat_capacity = "460 J/kg/K"'
     file = joint_file(('yield_strength = "450 MPa"', warm))

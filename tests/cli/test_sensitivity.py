@@ -24,7 +24,7 @@ def run(*arguments):
     return CliRunner().invoke(asperity, list(arguments), catch_exceptions=False)
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_sensitivity_document_and_table(tmp_path, monkeypatch):
     from asperity.joint_file.reader import read_case
     from asperity.study.tolerances import sensitivity as module

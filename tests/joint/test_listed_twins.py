@@ -276,7 +276,6 @@ CASES = [
 ]
 
 
-@pytest.mark.long
 @pytest.mark.parametrize(("name", "crowned"), CASES)
 def test_a_drive_and_its_listed_twin_give_one_answer(tables, name, crowned):
     values, random = tables(name, crowned=crowned), np.random.default_rng(25)

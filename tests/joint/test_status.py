@@ -67,7 +67,7 @@ def points_of(case, all_changes):
     return {path: np.array([changes.get(path, base[path]) for changes in all_changes]) for path in paths}
 
 
-@pytest.mark.long
+@pytest.mark.slow
 @pytest.mark.parametrize("index", range(len(FAILURES)))
 def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, index):
     changes, name, told = FAILURES[index]

@@ -174,7 +174,7 @@ def test_what_has_no_derivatives_is_refused_with_all_that_helps(key, more, remed
     refuse_derivatives({"surface": {"sp": {"rms_height": 1e-7}}})
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_beyond_the_capacity_it_is_not_known_what_the_contacts_feel(named):
     """Nor the capacity that follows from it, which had been that of heights at infinite widths."""
     torques = {"load.output_torque": np.array([2.0, 1e3])}

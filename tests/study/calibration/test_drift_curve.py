@@ -171,7 +171,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(case, model):
     assert np.all((0.95 * low < actual / stated) & (actual / stated < 1.05 * high)), actual / stated
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_what_cannot_be_told_apart_is_named(case):
     """At small torques the drift is proportional to the torque: one number for two unknowns."""
     model = model_of(case, data_of(0.02 * TORQUE), TEXTS[:2])
