@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.state.equations import STANDING, Task, forces_on, machine_of
-from asperity.drive.state.search import solved, started_from, state_of
+from asperity.drive.state.search import known_state, solved, started_from, state_of
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE
 from asperity.drive.state.states import closed_around
 from asperity.errors import InputError
@@ -210,19 +210,20 @@ def loaded_step_by_step(drive, laws, rest, load):
     def further(path):
         unknowns, state, torque, step, steps = path
         task = at(torque + step)
-        found, slides = solved(machine, task, unknowns, slides=state.slides, pressed_sectors=0)
-        new = state_of(machine, task, found, slides)
+        found = solved(machine, task, unknowns, slides=state.slides, pressed_sectors=0)
+        new = state_of(machine, task, found)
         holds = new.residual < STATE_TOLERANCE
         step = step * jnp.where(holds, 1.5, 0.4)
         kept = jax.tree.map(
             lambda one, other: jnp.where(holds, one, other),
-            (found, new, task.load.output_torque),
+            (found.unknowns, new, task.load.output_torque),
             (unknowns, state, torque),
         )
         return *kept, step, steps + 1
 
     begin = started_from(machine, rest, size)
-    state = state_of(machine, at(jnp.zeros(())), begin, rest.slides)
+    at_rest = known_state(machine, at(jnp.zeros(())), begin, rest.slides, pressed_sectors=0)
+    state = state_of(machine, at(jnp.zeros(())), at_rest)
     path = (begin, state, jnp.zeros(()), jnp.ones(()), jnp.asarray(0))
     _, state, torque, *_ = jax.lax.while_loop(unfinished, further, path)
     return state, torque

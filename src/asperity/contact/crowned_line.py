@@ -290,11 +290,33 @@ def crown_compression(
 
 
 def _compression(crown_curvature: Real, length: Real, radius: Real, modulus: Real, force: Real) -> Array:
-    load, crown = _scaled(force, crown_curvature, length, radius, modulus)
+    return compression_and_shortening(
+        normal_force=force,
+        crown_curvature=crown_curvature,
+        contact_length=length,
+        effective_radius=radius,
+        contact_modulus=modulus,
+    )[0]
+
+
+def compression_and_shortening(
+    *,
+    normal_force: Real,
+    crown_curvature: Real,
+    contact_length: Real,
+    effective_radius: Real,
+    contact_modulus: Real,
+) -> tuple[Array, Array]:
+    r""":func:`crown_compression` [m], and by how much crowns shorten the line, :math:`1/\ell - 1/B` [1/m].
+
+    That on which the compression of the bodies depends, equation (B12) of :doc:`/equations`; 0 without crown.
+    """
+    load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
     approach = _approach(load, crown)
+    shorter = 1.0 / _spread(approach, crown) - 1.0
     even = load * (2.0 * math.log(2.0) - 2.0 - jnp.log(load))
-    added = (approach - even) + 3.0 * load * (1.0 / _spread(approach, crown) - 1.0)
-    return added * length**2 / (4.0 * radius)
+    added = (approach - even) + 3.0 * load * shorter
+    return added * contact_length**2 / (4.0 * effective_radius), shorter / contact_length
 
 
 def crown_compliance(
@@ -324,31 +346,3 @@ def crown_compliance(
     force = jnp.asarray(normal_force, dtype=float)
     others = (crown_curvature, contact_length, effective_radius, contact_modulus)
     return jax.jvp(functools.partial(_compression, *others), (force,), (jnp.ones_like(force),))[1]
-
-
-def shortening(
-    *,
-    normal_force: Real,
-    crown_curvature: Real,
-    contact_length: Real,
-    effective_radius: Real,
-    contact_modulus: Real,
-) -> Array:
-    r"""By how much crowns shorten the line on which the compression of the bodies depends, :math:`1/\ell - 1/B`.
-
-    Parameters
-    ----------
-    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus : Real
-        As for :func:`crowned_line`.
-
-    Returns
-    -------
-    Array
-        Difference of the reciprocals [1/m]; 0 without crown.
-
-    References
-    ----------
-    Equation (B12) of :doc:`/equations`.
-    """
-    load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
-    return (1.0 / _spread(_approach(load, crown), crown) - 1.0) / contact_length

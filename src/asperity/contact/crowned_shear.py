@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.contact.crowned_line import crown_compliance, crown_compression, shortening
+from asperity.contact.crowned_line import compression_and_shortening, crown_compliance
 from asperity.types import Real
 
 # Gauss–Legendre over the cube root of the normal force, in which what ends of the line add is smooth down to no force
@@ -47,7 +47,8 @@ def crown_shear_compliance(*, stick_force: Real, lateral_strain_compliance: Real
     J. Jäger, Arch. Appl. Mech. 65 (1995) 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349; K. L. Johnson,
     Contact Mechanics, 1985, section 7.2; equation (B12) of :doc:`/equations`.
     """
-    ends = (2.0 / math.pi) * lateral_strain_compliance * shortening(normal_force=stick_force, **line)
+    _, shorter = compression_and_shortening(normal_force=stick_force, **line)
+    ends = (2.0 / math.pi) * lateral_strain_compliance * shorter
     return crown_compliance(normal_force=stick_force, **line) + ends
 
 
@@ -100,7 +101,8 @@ def crown_slip(
     first, last = jnp.cbrt(stick), jnp.cbrt(normal)
     nodes, weights = (jnp.asarray(rule).reshape(-1, *(1,) * normal.ndim) for rule in (_NODES, _WEIGHTS))
     root = 0.5 * ((last + first) + (last - first) * nodes)
-    per_root = 3.0 * root**2 * shortening(normal_force=root**3, **line)
-    ends = 0.5 * (last - first) * jnp.sum(weights * per_root, axis=0)
-    added = crown_compression(normal_force=normal, **line) - crown_compression(normal_force=stick, **line)
-    return jnp.asarray(friction_coefficient * (added + (2.0 / math.pi) * lateral_strain_compliance * ends))
+    forces = jnp.concatenate([normal[None], stick[None], root**3])
+    added, shorter = compression_and_shortening(normal_force=forces, **line)
+    ends = 0.5 * (last - first) * jnp.sum(weights * 3.0 * root**2 * shorter[2:], axis=0)
+    sideways = (2.0 / math.pi) * lateral_strain_compliance * ends
+    return jnp.asarray(friction_coefficient * (added[0] - added[1] + sideways))

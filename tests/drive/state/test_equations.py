@@ -22,7 +22,7 @@ from asperity.drive.state.equations import (
     no_force,
     state_misfits,
 )
-from asperity.drive.state.search import assembled_guess, solved, started_from, state_of
+from asperity.drive.state.search import assembled_guess, known_state, solved, started_from, state_of
 from asperity.drive.state.state import ContactLaws, DriveLoad
 
 SUN, PLANET, RING, ORBIT = 10e-3, 20e-3, 50e-3, 30e-3
@@ -64,7 +64,8 @@ def state(machine):
         task = Task(kind, jnp.asarray(interference), load, no_displacement(drive), no_force(drive))
         if kind == STANDING:  # slip counts from the assembled drive
             task = task._replace(origin=unknowns.displacement * LENGTH)
-        return state_of(machine, task, unknowns, jnp.zeros(2))
+        found = known_state(machine, task, unknowns, jnp.zeros(2), pressed_sectors=0)
+        return state_of(machine, task, found)
 
     return of
 
@@ -184,9 +185,10 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
     task = Task(
         kind, jnp.asarray((ONE + TWO) * NORMAL), DriveLoad(jnp.asarray(TORQUE)), jnp.zeros(2), jnp.zeros(0)
     )
+    found = known_state(machine, task, again, jnp.zeros(2), pressed_sectors=0)
     for one, two in zip(
         dataclasses.astuple(known),
-        dataclasses.astuple(state_of(machine, task, again, jnp.zeros(2))),
+        dataclasses.astuple(state_of(machine, task, found)),
         strict=True,
     ):
         np.testing.assert_allclose(one, two, rtol=1e-12, atol=1e-13)
@@ -202,8 +204,7 @@ def test_a_preload_or_an_interference_is_found_again(machine, pressed_sectors, s
         no_displacement(machine.drive),
         no_force(machine.drive),
     )
-    found = state_of(
-        machine, task, *solved(machine, task, assembled_guess(machine), pressed_sectors=pressed_sectors)
-    )
+    balance = solved(machine, task, assembled_guess(machine), pressed_sectors=pressed_sectors)
+    found = state_of(machine, task, balance)
     np.testing.assert_allclose(found.normal, 700.0, rtol=1e-12)
     assert float(found.interference[1]) == pytest.approx((ONE + TWO) * 700.0, rel=1e-12)

@@ -88,6 +88,16 @@ class Task(NamedTuple):
     by_laws: Any = False
 
 
+def known_kind(task: Task) -> int | None:
+    """Kind of a state, None where a program finds states of several kinds."""
+    return task.kind if isinstance(task.kind, int) else None
+
+
+def of_kind(task: Task, kind: int | None) -> Task:
+    """The same state, of a kind that is known."""
+    return task if kind is None else task._replace(kind=kind)
+
+
 def machine_of(
     drive: Drive,
     laws: ContactLaws,
@@ -175,9 +185,13 @@ class Responses(NamedTuple):
 def contact_responses(machine: Machine, task: Task, normal: Array, tangential: Array) -> Responses:
     """What the contacts do under normal and tangential forces, shape (contacts,) [N]; equations (B1) and (M3).
 
-    Without what bodies that bend add to the approaches of each other's contacts.
+    Without what bodies that bend add to the approaches of each other's contacts, and without slip and creep where
+    only the assembled drive is sought.
     """
     laws, creep = machine.laws, machine.laws.creep
+    approach = contact_approach(laws=dataclasses.replace(laws, coupling=None), normal=normal)
+    if known_kind(task) == ASSEMBLED:
+        return Responses(approach, *(jnp.zeros_like(normal),) * 3)
     if machine.creep_of is not None:
         law, known = machine.creep_of, creep.gross_slip_scale
         scale = jax.lax.cond(
@@ -187,7 +201,7 @@ def contact_responses(machine: Machine, task: Task, normal: Array, tangential: A
         )
         creep = dataclasses.replace(creep, gross_slip_scale=scale)
     return Responses(
-        contact_approach(laws=dataclasses.replace(laws, coupling=None), normal=normal),
+        approach,
         slip_at_rest(laws=laws, normal=normal, tangential=tangential),
         creepages(law=creep, normal=normal, tangential=tangential),
         _drag(machine.drive, task, normal),

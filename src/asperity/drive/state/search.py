@@ -17,14 +17,17 @@ from asperity.drive.state.equations import (
     ROLLING,
     STANDING,
     Machine,
+    Responses,
     Task,
     Unknowns,
     contact_forces,
     contact_interference,
     contact_responses,
+    known_kind,
     moments_of,
     no_displacement,
     numbers_of_pairs,
+    of_kind,
     speeds_and_turns,
     state_misfits,
     turning_members,
@@ -110,6 +113,14 @@ _LOST = 1e4  # a step this long from one balance towards another is that of a me
 _Given = tuple[Machine, Task, Array]
 
 
+class Balance(NamedTuple):
+    """Unknowns of a state, what its contacts do under their forces, and the signs of those that slide as a whole."""
+
+    unknowns: Unknowns
+    responses: Responses
+    slides: Array
+
+
 def assembled_guess(machine: Machine) -> Unknowns:
     """An assembled drive with the reference forces, from which its state is sought."""
     drive, reference = machine.drive, machine.laws.reference_force
@@ -137,10 +148,9 @@ def started_from(machine: Machine, state: DriveState, size: Array) -> Unknowns:
 
 
 class _Search(NamedTuple):
-    """The last balance, the contacts that slide in it and what they hold; those that slide in the next trial."""
+    """The last balance and what its contacts hold; those that slide in the next trial."""
 
-    unknowns: Unknowns
-    slides: Array
+    last: Balance
     held: Array
     trial: Array
     going: Array
@@ -156,8 +166,8 @@ def solved(
     pressed_sectors: int,
     known: Array | bool = False,
     holds: Array | bool = False,
-) -> tuple[Unknowns, Array]:
-    """Unknowns of a state, and which contacts slide.
+) -> Balance:
+    """Unknowns of a state, what its contacts do, and which of them slide.
 
     Parameters
     ----------
@@ -176,10 +186,8 @@ def solved(
 
     Returns
     -------
-    Unknowns
-        Root of all equations.
-    Array
-        Signs of the contacts that slide as a whole, of :class:`asperity.drive.state.state.DriveState`.
+    Balance
+        Root of all equations, with its derivatives.
 
     Notes
     -----
@@ -193,6 +201,7 @@ def solved(
     Equation (M3) of :doc:`/equations`.
     """
     fixed_machine, fixed_task = jax.lax.stop_gradient((machine, task))
+    fixed_task = of_kind(fixed_task, known_kind(task))
     nothing = tied_zeros(fixed_machine.laws.reference_force)
     first: Unknowns = jax.tree.map(lambda leaf: jax.lax.stop_gradient(leaf) + nothing[0], start)
     may_slide = (jnp.asarray(task.kind) == STANDING) & ~jnp.asarray(holds)
@@ -200,7 +209,10 @@ def solved(
     paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
 
     def improve(state: _Search) -> _Search:
-        longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
+        first_trial = state.steps == 0
+        longest = jnp.where(
+            known, 0.0, jnp.where(first_trial, jnp.inf, _LOST)
+        )  # a known state is only evaluated
         misfits_at = partial(state_misfits, fixed_machine, fixed_task, pressed_sectors, state.trial)
 
         def step_at(x: Unknowns) -> Unknowns:
@@ -208,56 +220,75 @@ def solved(
             slopes = state_slopes(fixed_machine, fixed_task, pressed_sectors, state.trial, x, responses)
             return newton_step(slopes, misfits_at(x, responses.value).all, solve_in_turn)
 
-        tried, last = newton(step_at, state.unknowns, positive=first.normal.size, longest=longest)
+        tried, step = newton(step_at, state.last.unknowns, positive=first.normal.size, longest=longest)
         responses = contact_responses(fixed_machine, fixed_task, *contact_forces(fixed_machine, tried))
         misfits = misfits_at(tried, responses)
-        balanced = (_worst(misfits.all) < _BALANCED) & (last < _DETERMINED)
-        kept = balanced | (state.steps == 0)
-        unknowns, slides, held = jax.tree.map(
-            lambda new, old: jnp.where(kept, new, old),
-            (tried, state.trial, misfits.held),
-            (state.unknowns, state.slides, state.held),
+        balanced = (_worst(misfits.all) < _BALANCED) & (step < _DETERMINED)
+        last, held = jax.tree.map(
+            lambda new, old: jnp.where(balanced | first_trial, new, old),
+            (Balance(tried, responses, state.trial), misfits.held),
+            (state.last, state.held),
         )
-        trial = _next_slides(unknowns, slides, held, paired)
-        going = balanced & may_slide & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
-        return _Search(unknowns, slides, held, trial, going, state.steps + 1)
+        trial = _next_slides(last.unknowns, last.slides, held, paired)
+        going = balanced & may_slide & jnp.any(trial != last.slides) & (state.steps < 2 * nothing.size)
+        return _Search(last, held, trial, going, state.steps + 1)
 
-    going = (nothing[0] == 0.0) & ~jnp.asarray(known)
-    start_of = _Search(first, begin, begin, begin, going, nothing[0].astype(int))
-    end = jax.lax.while_loop(lambda state: state.going, improve, start_of)
-    unknowns = known_state(machine, task, end.unknowns, end.slides, pressed_sectors=pressed_sectors)
-    return unknowns, end.slides
+    started = Balance(first, Responses(*(nothing,) * 4), begin)
+    start_of = _Search(started, begin, begin, nothing[0] == 0.0, nothing[0].astype(int))
+    last = jax.lax.while_loop(lambda state: state.going, improve, start_of).last
+    return _with_derivatives(machine, task, last, pressed_sectors=pressed_sectors)
 
 
 def known_state(
     machine: Machine, task: Task, unknowns: Unknowns, slides: Array, *, pressed_sectors: int
-) -> Unknowns:
-    """Unknowns of a state that are known already, with the derivatives of a root."""
-    return _known_root(pressed_sectors, unknowns, (machine, task, slides))
+) -> Balance:
+    """A state that is known already, as :func:`solved` returns it."""
+    responses = contact_responses(machine, task, *contact_forces(machine, unknowns))
+    return _with_derivatives(
+        machine, task, Balance(unknowns, responses, slides), pressed_sectors=pressed_sectors
+    )
+
+
+def _with_derivatives(machine: Machine, task: Task, found: Balance, *, pressed_sectors: int) -> Balance:
+    """A balance with the derivatives of a root, and of what its contacts do there."""
+    kind = known_kind(task)
+    root = _known_root((pressed_sectors, kind), found[:2], (machine, task, found.slides))
+    return Balance(*root, found.slides)
+
+
+_Root = tuple[Unknowns, Responses]
+_Fixed = tuple[int, int | None]  # sectors that are pressed together, kind of the state where that is known
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _known_root(pressed_sectors: int, unknowns: Unknowns, given: _Given) -> Unknowns:
-    return unknowns
+def _known_root(fixed: _Fixed, root: _Root, given: _Given) -> _Root:
+    return root
 
 
 @_known_root.defjvp
-def _derivative(pressed_sectors: int, primals: tuple[Any, Any], tangents: tuple[Any, Any]) -> tuple[Any, Any]:
-    (unknowns, given), (_, moved) = primals, tangents
-    at = _known_root(
-        pressed_sectors, unknowns, given
-    )  # the root itself, so that this may be differentiated in turn
+def _derivative(fixed: _Fixed, primals: tuple[Any, Any], tangents: tuple[Any, Any]) -> tuple[Any, Any]:
+    (root, given), (_, moved) = primals, tangents
+    root = _known_root(fixed, root, given)  # itself, so that this may be differentiated in turn
+    (at, _), (pressed_sectors, kind) = root, fixed
 
-    def equations(given: _Given) -> Unknowns:
-        machine, task, slides = given
+    def equations(given: _Given) -> tuple[Unknowns, Responses]:
+        machine, task, slides = given[0], of_kind(given[1], kind), given[2]
         responses = contact_responses(machine, task, *contact_forces(machine, at))
-        return state_misfits(machine, task, pressed_sectors, slides, at, responses).all
+        return state_misfits(machine, task, pressed_sectors, slides, at, responses).all, responses
 
-    machine, task, slides = given
-    _, change = jax.jvp(equations, (given,), (moved,))
+    machine, task, slides = given[0], of_kind(given[1], kind), given[2]
+    _, (change, by_given) = jax.jvp(equations, (given,), (moved,))
     responses = responses_and_slopes(machine, task, at)
     step = newton_step(state_slopes(machine, task, pressed_sectors, slides, at, responses), change, solve)
-    return at, jax.tree.map(jnp.negative, step)
+    by_root = jax.tree.map(jnp.negative, step)
+    normal, tangential = contact_forces(machine, by_root)
+    by_forces = jax.tree.map(
+        lambda *slopes: slopes[0] + slopes[1] * normal + slopes[2] * tangential,
+        by_given,
+        responses.by_normal,
+        responses.by_tangential,
+    )
+    return root, (by_root, by_forces)
 
 
 def _next_slides(x: Unknowns, slides: Array, held: Array, paired: np.ndarray) -> Array:
@@ -275,17 +306,13 @@ def _worst(residuals: Unknowns) -> Array:
     return jnp.max(jnp.abs(jnp.concatenate(list(residuals))))
 
 
-def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> DriveState:
-    """A state, with its residual, from its unknowns and the signs of the contacts that slide as a whole.
-
-    Equation (M3).
-    """
-    drive = machine.drive
+def state_of(machine: Machine, task: Task, found: Balance) -> DriveState:
+    """A state, with its residual, from its balance; equation (M3)."""
+    drive, (x, responses, slides) = machine.drive, found
     normal, tangential = contact_forces(machine, x)
     pin = x.pin * machine.largest
     speed, turned = speeds_and_turns(machine, x, task.kind)
     rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
-    responses = contact_responses(machine, task, normal, tangential)
     misfits = state_misfits(machine, task, False, slides, x, responses)
     within = jnp.abs(tangential) <= machine.friction * normal * (1.0 + SLIP_TOLERANCE)
     carried = jnp.all((normal > 0.0) & within)

@@ -113,12 +113,12 @@ def state_at_rest(
     task = Task(ASSEMBLED, given, unloaded, no_displacement(drive), no_force(drive))
     pressed = sectors if interference is None else 0
     if known is None:
-        balance = solved(machine, task, assembled_guess(machine), pressed_sectors=pressed)
-        return state_of(machine, task, *balance)
+        found = solved(machine, task, assembled_guess(machine), pressed_sectors=pressed)
+        return state_of(machine, task, found)
     pattern_interference = known.interference if added is None else known.interference - added
     unknowns = started_from(machine, known, jnp.sum(pattern * pattern_interference) / jnp.sum(pattern**2))
-    root = known_state(machine, task, unknowns, known.slides, pressed_sectors=pressed)
-    return state_of(machine, task, root, known.slides)
+    found = known_state(machine, task, unknowns, known.slides, pressed_sectors=pressed)
+    return state_of(machine, task, found)
 
 
 def rolling_state(
@@ -153,9 +153,8 @@ def rolling_state(
     machine = machine_of(drive, laws, interference / size)
     load = DriveLoad(jnp.asarray(output_torque))
     task = Task(ROLLING, size, load, no_displacement(drive), start.pin_force, start.normal)
-    return state_of(
-        machine, task, *solved(machine, task, started_from(machine, start, size), pressed_sectors=0)
-    )
+    found = solved(machine, task, started_from(machine, start, size), pressed_sectors=0)
+    return state_of(machine, task, found)
 
 
 def drive_states(
@@ -309,17 +308,16 @@ def _loaded(
     borne = dataclasses.replace(load, body_force=forces_on(drive, load))
     loaded = Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
 
-    def step(before: _Balance, kind: Array | int) -> tuple[_Balance, DriveState]:
+    def step(before: _Start, kind: Array | int) -> tuple[_Start, DriveState]:
         first, known = (kind == state_kind for state_kind in (_FIRST_ROLLING, _KNOWN_STANDING))
         kind = jnp.where(first, ROLLING, jnp.where(known, STANDING, kind))
         task = loaded._replace(kind=kind, by_laws=first)
-        begin = jnp.where(kind == STANDING, before.slides, 0.0)
-        unknowns, slides = solved(
-            machine, task, before.unknowns, slides=begin, pressed_sectors=0, known=known, holds=holds
-        )
-        return _Balance(unknowns, slides), state_of(machine, task, unknowns, slides)
+        unknowns, slides = before
+        begin = jnp.where(kind == STANDING, slides, 0.0)
+        found = solved(machine, task, unknowns, slides=begin, pressed_sectors=0, known=known, holds=holds)
+        return (found.unknowns, found.slides), state_of(machine, task, found)
 
-    last, solved_states = _Balance(started_from(machine, rest, size), rest.slides), []
+    last, solved_states = (started_from(machine, rest, size), rest.slides), []
     for alike in kinds:
         if len(alike) == 1:
             last, state = step(last, alike[0])
@@ -348,18 +346,12 @@ def closed_around(
 
 
 _Kinds = Sequence[tuple[Array | int, ...]]
+_Start = tuple[Unknowns, Array]  # and the signs of the contacts that slide
 
 
 def _rolling_kinds(creep_of: CreepOf | None) -> tuple[int, ...]:
     """Kinds of the states by which rolling is found, one after the other."""
     return (ROLLING,) if creep_of is None else (_FIRST_ROLLING, ROLLING)
-
-
-class _Balance(NamedTuple):
-    """What one state passes to the next."""
-
-    unknowns: Unknowns
-    slides: Array
 
 
 def rest_forces(*, drive: Drive, pattern: Array) -> Array:
