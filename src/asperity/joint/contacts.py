@@ -136,11 +136,7 @@ def with_crowns(springs: NormalSprings, *, contacts: JointContacts, rest_force: 
 
 @jax.jit  # traced once for all states of the contacts
 def rough_joint_contacts(
-    *,
-    contacts: JointContacts,
-    normal_force: Array,
-    tangential_force: Array,
-    lines: CrownedLine | None = None,
+    *, contacts: JointContacts, normal_force: Array, tangential_force: Array, lines: CrownedLine | None = None
 ) -> RoughContact:
     """The fractal contact law at the contacts of a joint under forces of shape (contacts, ...) [N].
 

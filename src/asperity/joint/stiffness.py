@@ -130,11 +130,7 @@ def loaded_stiffness(
 
 
 def stiffness_levels(
-    joint: Joint,
-    contacts: JointContacts,
-    loaded: LoadedContacts,
-    sliding_friction: Array,
-    pin_force: Array,
+    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, sliding_friction: Array, pin_force: Array
 ) -> tuple[TorsionalStiffness, TorsionalStiffness, Assembly]:
     """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly.
 

@@ -30,11 +30,7 @@ def _results_of_surfaces(joint: Joint, surfaces: tuple[Roughness, ...]) -> Joint
 
 
 def result_ends(
-    result: JointResult,
-    *,
-    shape: tuple[int, ...],
-    percentiles: tuple[float, float],
-    least_usable: float,
+    result: JointResult, *, shape: tuple[int, ...], percentiles: tuple[float, float], least_usable: float
 ) -> dict[str, Any]:
     """Lower and upper end of the stiffness at every level of the model, and of the drift, over a batch of surfaces.
 

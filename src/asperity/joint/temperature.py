@@ -51,11 +51,7 @@ def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
 
 
 def contact_fit(
-    joint: Joint,
-    *,
-    assembly_temperature: Real,
-    working_temperature: Real,
-    housing_expansion: Real | None,
+    joint: Joint, *, assembly_temperature: Real, working_temperature: Real, housing_expansion: Real | None
 ) -> ContactFit:
     """How a drive was assembled, and what temperature does to it."""
     drive, pattern = joint.drive, jnp.asarray(joint.pattern)

@@ -86,10 +86,7 @@ def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...]) -> str:
 
 
 def capacity_document(
-    capacity: TorqueCapacity,
-    *,
-    contacts: tuple[str, ...],
-    first_slip: TorqueCapacity | None = None,
+    capacity: TorqueCapacity, *, contacts: tuple[str, ...], first_slip: TorqueCapacity | None = None
 ) -> dict[str, Any]:
     """The capacity of one joint in one direction as a part of a JSON document [N·m]."""
     torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
