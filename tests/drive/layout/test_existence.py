@@ -5,6 +5,7 @@ import math
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import CARRIER, Body, Contact, speeds
@@ -17,7 +18,11 @@ from asperity.drive.layout.existence import (
     pulling_contacts,
     refuse_impossible,
 )
+from asperity.drive.layout.unfolding import unfolded
 from asperity.errors import InputError
+
+# the difference of two ways to square this distance is not 0 in NumPy
+AWKWARD = (0.0, 0.030627527170000002)
 
 
 def test_bodies_that_do_not_touch_are_named(drives):
@@ -144,6 +149,18 @@ def test_one_planet_alone_has_no_neighbour(drives):
     alone = dataclasses.replace(drives["planetary"], sectors=1)
     refuse_impossible(alone)
     assert neighbour_gaps(alone) == {("planet", "planet"): math.inf}
+    alone = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), alone)
+    alone.centres[alone.members.index("planet")] = AWKWARD
+    assert neighbour_gaps(alone) == {("planet", "planet"): math.inf}
+
+
+def test_two_rollers_at_one_place_overlap_by_their_sizes(drives):
+    whole = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drives["planetary"])
+    whole = unfolded(whole, sectors=3, floating=())
+    centres = np.array(whole.centres)
+    centres[[whole.members.index(name) for name in ("planet_1", "planet_2")]] = AWKWARD
+    gap = neighbour_gaps(dataclasses.replace(whole, centres=centres))["planet_1", "planet_2"]
+    assert float(gap) == pytest.approx(-40e-3, rel=1e-12)
 
 
 def test_the_number_of_planets_may_vary():

@@ -139,7 +139,7 @@ def _driven(drive: Drive, measures: _Measures) -> np.ndarray:
 def neighbour_gaps(drive: Drive) -> dict[tuple[str, str], Array]:
     r"""Clearances between bodies without a contact with each other: their two names → gap [m], negative in overlap.
 
-    .. math:: \sqrt{r_i^2 + r_j^2 - 2 r_i r_j \cos\varphi} - R_i - R_j, \qquad R_j - r_i - R_i
+    .. math:: \sqrt{(r_i - r_j)^2 + 4 r_i r_j \sin^2(\varphi/2)} - R_i - R_j, \qquad R_j - r_i - R_i
 
     with the orbits r of their centres and the smallest angle φ between any two of their copies; the second in a ring.
     Neighbours of one kind are taken with their largest track, others, whose tracks may lie in different planes, with
@@ -166,10 +166,9 @@ def neighbour_gaps(drive: Drive) -> dict[tuple[str, str], Array]:
             angle = xp.mod(_polar(x[j], y[j]) - _polar(x[i], y[i]), step)
             turned = xp.minimum(angle, step - angle)
             size = xp.min(xp.stack(radii[one])) + xp.min(xp.stack(radii[two]))
-        squared = orbit[i] ** 2 + orbit[j] ** 2 - 2.0 * orbit[i] * orbit[j] * xp.cos(turned)
-        gap = xp.sqrt(squared) - size
         alone = (i == j) & (xp.asarray(drive.sectors) < 2.0)
-        clearances[one, two] = xp.where(alone, xp.inf, gap)
+        squared = (orbit[i] - orbit[j]) ** 2 + 4.0 * orbit[i] * orbit[j] * xp.sin(0.5 * turned) ** 2
+        clearances[one, two] = xp.where(alone, xp.inf, xp.sqrt(xp.where(alone, 1.0, squared)) - size)
     return clearances
 
 
