@@ -29,3 +29,15 @@ def test_the_opposite_force_presses_the_other_half():
     np.testing.assert_allclose(other.push_compliance, one.push_compliance, rtol=1e-12)
     np.testing.assert_allclose(other.along, -one.along, rtol=1e-9, atol=1e-24)
     np.testing.assert_allclose(other.around, one.around, rtol=1e-9, atol=1e-24)
+
+
+def test_the_rim_grows_as_under_the_mean_pressure_of_the_pin():
+    """Over all directions only the mean of the cosine pressure is left, 1/pi of its largest: Lamé's tube."""
+    places = 101
+    angles = jnp.asarray(2.0 * math.pi / places * np.arange(places))
+    found = bore_compliance(body=PLANET, contact_angles=angles, push_angle=0.4)
+    inner, outer, length = 13e-3, 20e-3, 10e-3
+    pressure = 2.0 / (math.pi * inner * length) / math.pi  # of one newton
+    expected = 2.0 * pressure * inner**2 * outer * (1.0 - 0.3**2) / (208e9 * (outer**2 - inner**2))
+    assert float(jnp.mean(found.around[:places])) == pytest.approx(expected, rel=1e-9)
+    assert float(jnp.mean(found.around[places:])) == pytest.approx(0.0, abs=1e-9 * expected)

@@ -12,7 +12,6 @@ loaded share s of the length, and the slices carry the load.
 
 from __future__ import annotations
 
-import functools
 import math
 
 import equinox as eqx
@@ -250,14 +249,7 @@ def crowned_line(
     )
 
 
-def crown_compression(
-    *,
-    normal_force: Real,
-    crown_curvature: Real,
-    contact_length: Real,
-    effective_radius: Real,
-    contact_modulus: Real,
-) -> Array:
+def crown_compression(*, normal_force: Real, **line: Real) -> Array:
     r"""By how much more crowned rollers approach each other than cylinders under the same force.
 
     .. math::
@@ -268,8 +260,10 @@ def crown_compression(
 
     Parameters
     ----------
-    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus : Real
-        As for :func:`crowned_line`.
+    normal_force : Real
+        Normal force [N], positive.
+    line : Real
+        As for :func:`crowned_line`, without the force.
 
     Returns
     -------
@@ -286,17 +280,7 @@ def crown_compression(
     ----------
     K. L. Johnson, Contact Mechanics, 1985, (4.25)–(4.28) for the ellipse; equation (B12) of :doc:`/equations`.
     """
-    return _compression(crown_curvature, contact_length, effective_radius, contact_modulus, normal_force)
-
-
-def _compression(crown_curvature: Real, length: Real, radius: Real, modulus: Real, force: Real) -> Array:
-    return compression_and_shortening(
-        normal_force=force,
-        crown_curvature=crown_curvature,
-        contact_length=length,
-        effective_radius=radius,
-        contact_modulus=modulus,
-    )[0]
+    return compression_and_shortening(normal_force=normal_force, **line)[0]
 
 
 def compression_and_shortening(
@@ -307,9 +291,23 @@ def compression_and_shortening(
     effective_radius: Real,
     contact_modulus: Real,
 ) -> tuple[Array, Array]:
-    r""":func:`crown_compression` [m], and by how much crowns shorten the line, :math:`1/\ell - 1/B` [1/m].
+    r"""What crowns add to the approach, and by how much they shorten the line on which that depends.
 
-    That on which the compression of the bodies depends, equation (B12) of :doc:`/equations`; 0 without crown.
+    .. math:: \Delta\delta, \qquad 1/\ell - 1/B
+
+    Parameters
+    ----------
+    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus : Real
+        As for :func:`crowned_line`.
+
+    Returns
+    -------
+    tuple of Array
+        :func:`crown_compression` [m], and the difference of the reciprocal lengths [1/m]; both 0 without crown.
+
+    References
+    ----------
+    Equation (B12) of :doc:`/equations`.
     """
     load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
     approach = _approach(load, crown)
@@ -319,20 +317,15 @@ def compression_and_shortening(
     return added * contact_length**2 / (4.0 * effective_radius), shorter / contact_length
 
 
-def crown_compliance(
-    *,
-    normal_force: Real,
-    crown_curvature: Real,
-    contact_length: Real,
-    effective_radius: Real,
-    contact_modulus: Real,
-) -> Array:
+def crown_compliance(*, normal_force: Real, **line: Real) -> Array:
     r"""Incremental compliance that crowns add to a line contact, :math:`\mathrm d\,\Delta\delta/\mathrm dN`.
 
     Parameters
     ----------
-    normal_force, crown_curvature, contact_length, effective_radius, contact_modulus : Real
-        As for :func:`crowned_line`.
+    normal_force : Real
+        Normal force [N], positive.
+    line : Real
+        As for :func:`crowned_line`, without the force.
 
     Returns
     -------
@@ -344,5 +337,6 @@ def crown_compliance(
     Equation (B12) of :doc:`/equations`.
     """
     force = jnp.asarray(normal_force, dtype=float)
-    others = (crown_curvature, contact_length, effective_radius, contact_modulus)
-    return jax.jvp(functools.partial(_compression, *others), (force,), (jnp.ones_like(force),))[1]
+    return jax.jvp(
+        lambda some: crown_compression(normal_force=some, **line), (force,), (jnp.ones_like(force),)
+    )[1]

@@ -149,7 +149,7 @@ def test_one_planet_alone_has_no_neighbour(drives):
     alone = dataclasses.replace(drives["planetary"], sectors=1)
     refuse_impossible(alone)
     assert neighbour_gaps(alone) == {("planet", "planet"): math.inf}
-    alone = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), alone)
+    alone = jax.tree.map(lambda leaf: np.array(leaf, dtype=float), alone)
     alone.centres[alone.members.index("planet")] = AWKWARD
     assert neighbour_gaps(alone) == {("planet", "planet"): math.inf}
 
