@@ -155,12 +155,10 @@ def test_one_planet_alone_has_no_neighbour(drives):
 
 
 def test_two_rollers_at_one_place_overlap_by_their_sizes(drives):
-    whole = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drives["planetary"])
-    whole = unfolded(whole, sectors=3, floating=())
-    centres = np.array(whole.centres)
-    centres[[whole.members.index(name) for name in ("planet_1", "planet_2")]] = AWKWARD
-    gap = neighbour_gaps(dataclasses.replace(whole, centres=centres))["planet_1", "planet_2"]
-    assert float(gap) == pytest.approx(-40e-3, rel=1e-12)
+    whole = unfolded(drives["planetary"], sectors=3, floating=())
+    whole = jax.tree.map(lambda leaf: np.array(leaf, dtype=float), whole)
+    whole.centres[[whole.members.index(name) for name in ("planet_1", "planet_2")]] = AWKWARD
+    assert neighbour_gaps(whole)["planet_1", "planet_2"] == pytest.approx(-40e-3, rel=1e-12)
 
 
 def test_the_number_of_planets_may_vary():
