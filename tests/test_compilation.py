@@ -2,11 +2,12 @@ import os
 from pathlib import Path
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity import compilation, kept_programs
-from asperity.compilation import call_compiled, called_programs, compile_fast
+from asperity.compilation import call_compiled, called_programs, compile_fast, compile_for_many
 
 
 def _twice(numbers):
@@ -62,6 +63,18 @@ def test_the_memory_of_this_process_is_known():
 def test_a_compiler_without_the_options_is_no_obstacle(monkeypatch):
     monkeypatch.setattr(compilation, "_COMPILE_FAST", ({"xla_option_of_another_release": True}, {}))
     assert compile_fast(_twice, {"c": np.float64(2.0)})({"c": np.float64(2.0)})["c"] == 4.0
+
+
+def test_a_program_of_many_points_has_no_kernels_for_large_arrays(monkeypatch):
+    def squares(table):
+        return jnp.sum(table * table, axis=1)
+
+    table = np.arange(3000.0).reshape(1000, 3)
+    program = compile_for_many(squares, jax.ShapeDtypeStruct(table.shape, table.dtype))
+    np.testing.assert_array_equal(program(table), (table**2).sum(axis=1))
+    assert "ynn" not in program.as_text()
+    monkeypatch.setattr(compilation, "_FOR_MANY", ({"xla_option_of_another_release": True}, {}))
+    np.testing.assert_array_equal(compile_for_many(squares, table)(table), (table**2).sum(axis=1))
 
 
 def _programs(folder):

@@ -30,6 +30,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.kept_programs import Choices, KeptProgram, Request, keep, kept, without_the_cache_of_jax
+from asperity.linear import optimised
 
 _IN_ONE_PART = {
     "xla_backend_optimization_level": 0,
@@ -48,6 +49,14 @@ _COMPILE_FAST: Choices = (
 #: The same with the optimisations of the machine code: two to four times as long to compile, and as much faster.
 _RUN_FAST: Choices = (
     *({**options, "xla_backend_optimization_level": 1} for options in _COMPILE_FAST[:-1]),
+    {},
+)
+
+#: For many points: without threads of XLA's own, which take more time than they save, and without the sums and products
+#: of YNNPACK, which take longer than XLA's own where arrays are small.
+_FOR_MANY: Choices = (
+    {"xla_cpu_multi_thread_eigen": False, "xla_cpu_experimental_ynn_fusion_type": ""},
+    {"xla_cpu_multi_thread_eigen": False},
     {},
 )
 
@@ -120,6 +129,12 @@ def compile_fast(function: Callable[..., Any], *arguments: Any, options: tuple[A
     """
     leaves, structure = jax.tree.flatten(arguments)
     return _compiled(function, options, structure, tuple(map(_kind, leaves)))
+
+
+def compile_for_many(function: Callable[..., Any], *arguments: Any) -> Any:
+    """Compile a function of many points at once, with all optimisations; threads may call it side by side."""
+    with optimised():
+        return _compiled_with(jax.jit(function).lower(*arguments), _FOR_MANY)
 
 
 def _kind(leaf: Any) -> tuple[tuple[int, ...], np.dtype[Any]]:

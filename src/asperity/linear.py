@@ -4,11 +4,16 @@ XLA runs LAPACK on a batch in threads of its own and waits for them in one of th
 calls that run at once wait for each other for ever (jaxlib 0.10). Only calls that cannot run at once use LAPACK: the
 steps of Newton's method, which follow each other, and the least squares of
 :func:`asperity.drive.layout.closing.closed`, a program of its own that ends before any other begins.
+
+Where XLA optimises a program (:func:`optimised`), elimination that is written out takes a quarter of LAPACK's time, for
+13 unknowns 1.2 instead of 4.4 µs; in a program that is compiled fast it takes twice as long.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import contextlib
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
 
 import jax
 import jax.numpy as jnp
@@ -17,6 +22,21 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.types import namespace
+
+#: Whether XLA optimises the program that is traced now.
+_OPTIMISED: ContextVar[bool] = ContextVar("XLA optimises", default=False)
+#: Systems that are eliminated together: their tables stay in the nearest cache.
+_TOGETHER = 64
+
+
+@contextlib.contextmanager
+def optimised() -> Iterator[None]:
+    """Trace a program in this block that XLA optimises."""
+    before = _OPTIMISED.set(True)
+    try:
+        yield
+    finally:
+        _OPTIMISED.reset(before)
 
 
 def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
@@ -47,7 +67,7 @@ def solve_with(linear: Callable[[Array], Array], matrix: Array, right_side: Arra
 
 @jax.custom_batching.custom_vmap
 def solve_in_turn(matrix: Array, right_side: Array) -> Array:
-    r"""Solve :math:`A x = b` in a step of an iteration: one system by elimination, a batch of them by LAPACK.
+    r"""Solve :math:`A x = b` in a step of an iteration: one system by elimination; a batch by LAPACK, or written out.
 
     Shape (n,).
     """
@@ -60,7 +80,25 @@ def _batch_in_turn(size: int, batched: list[bool], matrix: Array, right_side: Ar
         given if many else jnp.broadcast_to(given, (size, *given.shape))
         for given, many in zip((matrix, right_side), batched, strict=True)
     )
+    if _OPTIMISED.get():
+        return jax.lax.map(lambda one: _written_out(*one), (matrix, right_side), batch_size=_TOGETHER), True
     return jnp.linalg.solve(matrix, right_side[..., None])[..., 0], True
+
+
+def _written_out(matrix: Array, vector: Array) -> Array:
+    """Gaussian elimination with partial pivoting, without loops."""
+    table, pivot_rows = jnp.column_stack([matrix, vector]), []
+    for left in range(vector.size, 0, -1):
+        pivot = jnp.argmax(jnp.abs(table[:, 0]))
+        row = table[pivot]
+        pivot_rows.append(row)
+        rest = jnp.where((jnp.arange(1, left) == pivot)[:, None], table[0], table[1:])
+        table = rest[:, 1:] - (rest[:, 0] / row[0])[:, None] * row[1:]
+    solution: list[Array] = []
+    for row in reversed(pivot_rows):
+        found = sum((row[1 + k] * x for k, x in enumerate(solution)), start=-row[-1])
+        solution.insert(0, -found / row[0])
+    return jnp.stack(solution)
 
 
 def least_squares(matrix: Array, right_side: Array) -> Array:

@@ -1,6 +1,7 @@
 """One evaluator for all studies: its points, its derivatives against differences, and the independent baseline."""
 
 import math
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
@@ -180,6 +181,58 @@ def test_programs_run_one_at_a_time(values, monkeypatch):
         found = list(pool.map(lambda _: evaluate_points(values, points, (name,)), range(2)))
     assert max(most) == 1
     np.testing.assert_array_equal(found[1][1][name], [900.0, 1000.0])
+
+
+def _placed(values, monkeypatch, program, *, size=2, **options):
+    """What a program of blocks of points makes of five numbers."""
+    monkeypatch.setattr(batch, "_program", lambda *_: program)
+    preload = np.array([900.0, 910.0, 920.0, 930.0, 940.0])
+    found = evaluate_points(
+        values, {"load.preload": preload}, ("assembly_stiffness_output",), quick=False, batch=size, **options
+    )
+    return preload, found[1]["assembly_stiffness_output"]
+
+
+def test_blocks_of_an_optimised_program_run_side_by_side_and_stay_in_order(values, monkeypatch):
+    both = threading.Barrier(2, timeout=60.0)  # an error if no second thread comes
+
+    def program(base, column):
+        if column[0] < 940.0:
+            both.wait()
+        return jnp.zeros(column.shape, dtype=jnp.int8), {"assembly_stiffness_output": 2.0 * column}
+
+    done = []
+    preload, found = _placed(values, monkeypatch, program, threads=2, report=done.append)
+    np.testing.assert_array_equal(found, 2.0 * preload)
+    assert done == [2, 2, 1]
+
+
+def test_one_thread_is_that_of_the_caller(values, monkeypatch):
+    def program(base, column):
+        assert threading.current_thread() is threading.main_thread()
+        return jnp.zeros(column.shape, dtype=jnp.int8), {"assembly_stiffness_output": 2.0 * column}
+
+    preload, found = _placed(values, monkeypatch, program, threads=1)
+    np.testing.assert_array_equal(found, 2.0 * preload)
+
+
+def test_blocks_that_have_not_begun_are_left_out_after_an_interruption(values, monkeypatch):
+    begun, interrupted = [], threading.Event()
+
+    def program(base, column):
+        begun.append(column[0])
+        if len(begun) > 1:
+            interrupted.wait(60.0)
+        return jnp.zeros(column.shape, dtype=jnp.int8), {"assembly_stiffness_output": column}
+
+    def interrupt(count):
+        threading.Timer(0.2, interrupted.set).start()
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        _placed(values, monkeypatch, program, size=1, threads=2, report=interrupt)
+    assert 900.0 in begun
+    assert len(begun) <= 3  # of five: the first, and one in each thread
 
 
 @pytest.mark.parametrize(("asked", "size", "done"), [(None, 8, [5]), (2, 2, [2, 2, 1]), (3, 4, [4, 1])])

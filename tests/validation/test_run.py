@@ -27,7 +27,7 @@ def test_this_installation_passes(checks):
     json.dumps(document, allow_nan=False)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_every_check_names_its_reference(checks):
     assert all(check.reference and check.unit and check.quantity for check in checks)
     assert all(0.0 < check.tolerance <= 0.02 for check in checks)

@@ -114,11 +114,7 @@ class JointWindup(Shown):
     """
 
     def __init__(
-        self,
-        joint: DescribedJoint,
-        curve: Windup,
-        onset: RollingOnset | None,
-        document: dict[str, Any],
+        self, joint: DescribedJoint, curve: Windup, onset: RollingOnset | None, document: dict[str, Any]
     ) -> None:
         self.joint, self.curve, self.onset, self.document = joint, curve, onset, document
         self.level: StiffnessLevel = document["level"]

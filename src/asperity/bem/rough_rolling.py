@@ -159,11 +159,7 @@ class _Bundle:
 
 
 def rough_rolling(
-    contact: RoughPressure,
-    *,
-    stiffness_ratio: float,
-    slip_ratio: float,
-    start: RoughRolling | None = None,
+    contact: RoughPressure, *, stiffness_ratio: float, slip_ratio: float, start: RoughRolling | None = None
 ) -> RoughRolling:
     r"""Steady rolling of rough cylinders under a tangential force.
 

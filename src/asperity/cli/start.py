@@ -46,12 +46,7 @@ def init(file: str, kind: str, force: bool) -> None:
 
 @click.command()
 @click.option(
-    "--type",
-    "kind",
-    type=click.Choice(TYPES),
-    default=TYPES[0],
-    show_default=True,
-    help="Type of the drive.",
+    "--type", "kind", type=click.Choice(TYPES), default=TYPES[0], show_default=True, help="Type of the drive."
 )
 def schema(kind: str) -> None:
     """Print the JSON schema of joint files, which lets editors check and complete them.

@@ -155,10 +155,7 @@ def measure(
 
     check_image(plot)
     use_double_precision()
-    measured = measured_files(
-        files,
-        **{ARGUMENTS.get(name, name): value for name, value in options.items()},
-    )
+    measured = measured_files(files, **{ARGUMENTS.get(name, name): value for name, value in options.items()})
     if hardness is not None:
         from asperity.bem.pressed_map import with_pressed_map
         from asperity.precision import use_compilation_cache

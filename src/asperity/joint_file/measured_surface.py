@@ -18,12 +18,7 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.contact_laws import laws_side_by_side, with_law
 from asperity.joint_file.decay_ratios import RATIOS_OF, form_lengths, refuse_without_elements
 from asperity.joint_file.drawn_surface import Ends, interval_of_heights, with_measured_surface
-from asperity.joint_file.felt_heights import (
-    FeltContacts,
-    assumed_heights,
-    felt_contacts,
-    with_lengths,
-)
+from asperity.joint_file.felt_heights import FeltContacts, assumed_heights, felt_contacts, with_lengths
 from asperity.joint_file.material_entries import BY_DECAY_LENGTH
 from asperity.joint_file.model import Case
 from asperity.surface.height_spectrum import HeightSpectrum

@@ -170,11 +170,7 @@ def _is_section(parts: Parts, model: type[BaseModel]) -> bool:
 
 
 def explained(
-    error: ValidationError,
-    tables: Mapping[str, Any],
-    refused: Mapping[str, str],
-    *,
-    model: type[BaseModel],
+    error: ValidationError, tables: Mapping[str, Any], refused: Mapping[str, str], *, model: type[BaseModel]
 ) -> tuple[list[str], int]:
     """Messages about the errors of a file, one for each mistake."""
     mistakes = [(_parts(detail), detail) for detail in error.errors(include_url=False)]

@@ -96,10 +96,7 @@ def _ring(values: Values) -> BodyShape:
 def _wedge(values: Values) -> Layout:
     drive, model = values["drive"], values["model"]
     made = wedge_drive(
-        DriveGeometry(
-            **{name: drive[name] for name in _WEDGE_SIZES},
-            planet_count=drive["planets"],
-        ),
+        DriveGeometry(**{name: drive[name] for name in _WEDGE_SIZES}, planet_count=drive["planets"]),
         planet_count=drive["planets"],
         closure=Closure(
             equal_coefficients=EQUAL_COEFFICIENTS
@@ -127,9 +124,7 @@ def _roller(drive: Values, name: str) -> BodyShape:
 def _planetary(values: Values) -> Layout:
     drive = values["drive"]
     made = planetary_drive(
-        sun_radius=drive["sun_radius"],
-        planet_radius=drive["planet_radius"],
-        planet_count=drive["planets"],
+        sun_radius=drive["sun_radius"], planet_radius=drive["planet_radius"], planet_count=drive["planets"]
     )
     if drive.get("output") == "ring":
         made = dataclasses.replace(made, output="ring", grounded=CARRIER)

@@ -119,11 +119,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     text = result.joint_text
     if problem.case.measured is not None:  # in a folder that is gone when the page shows it
         text = with_measurement(text, MEASUREMENT_FILE)
-    document = {
-        **design_document(result),
-        "conflict": shortcoming(result) or None,
-        "joint_text": text,
-    }
+    document = {**design_document(result), "conflict": shortcoming(result) or None, "joint_text": text}
     return document | joint_diagnostics(result.joint_text) | {"shown": design_words(result)}
 
 

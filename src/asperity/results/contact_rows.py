@@ -43,12 +43,7 @@ def _crowned(name: str, label: str, path: str, note: str) -> Result:
         return namespace(normal).full_like(normal, np.nan) if quantity is None else quantity
 
     return _contact(
-        name,
-        label,
-        _NUMBER,
-        "1",
-        value,
-        note=f"{note}; nan where no roller of the joint is crowned",
+        name, label, _NUMBER, "1", value, note=f"{note}; nan where no roller of the joint is crowned"
     )
 
 

@@ -92,10 +92,7 @@ def windup_document(
             }
             for index in range(3)
         ],
-        "rolling": {
-            **_rolling(joint, forward, onsets[0]),
-            "reverse": _rolling(joint, reverse, onsets[1]),
-        },
+        "rolling": {**_rolling(joint, forward, onsets[0]), "reverse": _rolling(joint, reverse, onsets[1])},
     }
 
 

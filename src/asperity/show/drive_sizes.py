@@ -59,10 +59,7 @@ class Clearance(NamedTuple):
 
 
 def sizes(
-    joint: Joint,
-    scale: float,
-    interference: float | None = None,
-    stated: Sequence[StatedPart] | None = None,
+    joint: Joint, scale: float, interference: float | None = None, stated: Sequence[StatedPart] | None = None
 ) -> list[Size]:
     """Diameters of the tracks, bores and circles of axes, inner diameters and walls of the rings, each kind once."""
     listed: list[Size] = []

@@ -140,10 +140,7 @@ def cross(centre: Point, half: float, angle: float) -> list[Item]:
     """The two axes of a circle."""
     x, y = centre
     e, f = half * math.cos(angle), half * math.sin(angle)
-    return [
-        Line(((x - e, y - f), (x + e, y + f)), "axis"),
-        Line(((x + f, y - e), (x - f, y + e)), "axis"),
-    ]
+    return [Line(((x - e, y - f), (x + e, y + f)), "axis"), Line(((x + f, y - e), (x - f, y + e)), "axis")]
 
 
 def write_contact_names(joint: Joint, view: list[Item], taken: Taken) -> list[Item]:

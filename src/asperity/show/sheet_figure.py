@@ -86,11 +86,7 @@ def _overhang(letter: str) -> float:
 
 def arrowheads(line: Line, *, length: float) -> list[tuple[Point, Point, Point]]:
     """Triangles at the ends of a line, the tip first [mm]."""
-    ends = {
-        "start": [(line.points[0], line.points[1])],
-        "end": [(line.points[-1], line.points[-2])],
-        "": [],
-    }
+    ends = {"start": [(line.points[0], line.points[1])], "end": [(line.points[-1], line.points[-2])], "": []}
     ends["both"] = ends["start"] + ends["end"]
     heads = []
     for (x, y), (u, v) in ends[line.arrows]:

@@ -89,11 +89,7 @@ def title_block(
     ]
     rows: list[list[tuple[str, str, float]]] = [
         [("Project", title.project, 0.62), ("Part", title.part, 0.38)],
-        [
-            ("Material", title.material, 0.4),
-            ("Revision", title.revision, 0.22),
-            ("Date", title.date, 0.38),
-        ],
+        [("Material", title.material, 0.4), ("Revision", title.revision, 0.22), ("Date", title.date, 0.38)],
         [
             ("Scale", scale_text(scale), 0.2),
             ("Dimensions", "mm", 0.2),

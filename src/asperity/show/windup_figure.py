@@ -58,10 +58,7 @@ def windup_figure(
         difference = 60.0 * _ARCMINUTES * (angle - straight)
         deviation.plot(curve.torque, difference, color=color, linestyle=line, label=label)
     deviation.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
-    deviation.set(
-        xlabel="torque at the output [N·m]",
-        ylabel="angle less a straight line\n[arcsec]",
-    )
+    deviation.set(xlabel="torque at the output [N·m]", ylabel="angle less a straight line\n[arcsec]")
     loop.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.axvline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.locator_params(axis="x", nbins=4)

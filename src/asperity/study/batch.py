@@ -8,12 +8,15 @@ ones.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import itertools
 import json
 import math
+import os
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import jax
@@ -21,7 +24,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
+from asperity.compilation import compile_fast, compile_for_many
 from asperity.errors import InputError
 from asperity.joint.status import OUT_OF_RANGE, UNBALANCED, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of
@@ -60,8 +63,8 @@ QUICK_POINTS = 20_000
 DERIVATIVE_BATCH = 64
 #: Calls in forward mode beyond which reverse mode, whose program takes half as long again to compile, finishes sooner.
 _REVERSE_BLOCKS = 4
-#: Held by a program that solves linear equations: XLA runs LAPACK on a large batch in its pool of threads, and as many
-#: such calls at once as the pool has threads, from threads of ours, wait for each other for ever (jaxlib 0.10).
+#: Held by a program that is compiled fast: XLA runs LAPACK on a large batch in its pool of threads, and as many such
+#: calls at once as the pool has threads, from threads of ours, wait for each other for ever (jaxlib 0.10).
 _ALONE = threading.Lock()
 
 
@@ -94,7 +97,7 @@ def _program(
     arrays = [jax.ShapeDtypeStruct((size,), jnp.float64)] * len(paths)
     if quick:
         return compile_fast(_points, base, *arrays, options=(structure, paths, results))
-    return jax.jit(point_kernel(tables, paths, results)).lower(base, *arrays).compile()
+    return compile_for_many(point_kernel(tables, paths, results), base, *arrays)
 
 
 def _points(
@@ -111,6 +114,7 @@ def evaluate_points(
     *,
     quick: bool | None = None,
     batch: int | None = None,
+    threads: int | None = None,
     report: Callable[[int], Any] | None = None,
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Status and results of a joint at many points.
@@ -119,7 +123,8 @@ def evaluate_points(
     dotted path → values in SI units, all of shape (n,); ``results``: names of
     :func:`asperity.joint_file.any_joint.results_of`. ``quick``: whether to compile fast and run slowly, by default up
     to :data:`QUICK_POINTS` points. ``batch``: points for which to compile, at most, by default as many as there are;
-    calls with the same one share a program. ``report`` is called with the number of points just done.
+    calls with the same one share a program. ``threads`` that run a program which is not quick, by default one for each
+    core. ``report`` is called with the number of points just done.
 
     Status codes are indices into :data:`asperity.joint.status.STATUSES`, shape (n,); results have the shape (n,) or
     (rows, n), nan where they have no value. On a measured surface every point has what its contacts feel at the widths
@@ -127,7 +132,8 @@ def evaluate_points(
     """
     require_double_precision()
     if MEASURED in values:
-        return _evaluate_measured(values, points, results, quick=quick, batch=batch, report=report)
+        options = {"quick": quick, "batch": batch, "threads": threads}
+        return _evaluate_measured(values, points, results, report=report, **options)
     values, paths = with_tracks(values), tuple(points)
     _refuse_count(values, paths)
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
@@ -143,21 +149,40 @@ def evaluate_points(
     status = np.empty(count, dtype=np.int8)
     table = results_of(values)
     result_values = {name: np.empty((*table[name].row_shape, count), dtype=float) for name in results}
-    for start in range(0, count, size):
-        part = slice(start, min(start + size, count))
-        missing = size - (part.stop - start)
-        padded = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
-        with _ALONE:
-            code, done = jax.tree.map(np.asarray, program(base, *padded))
-        status[part] = code[: size - missing]
-        for name, value in done.items():
-            result_values[name][..., part] = value[..., : size - missing]
-        if report is not None:
-            report(part.stop - start)
+
+    def evaluated(start: int) -> BatchResult:
+        block = [column[start : start + size] for column in columns.values()]
+        padded = [np.pad(column, (0, size - column.size), mode="edge") for column in block]
+        with _ALONE if quick else contextlib.nullcontext():
+            done: BatchResult = jax.tree.map(np.asarray, program(base, *padded))
+        return done
+
+    starts = range(0, count, size)
+    with _mapped_by(1 if quick else threads or os.cpu_count() or 1) as mapped:
+        for start, (code, done) in zip(starts, mapped(evaluated, starts), strict=True):
+            part = slice(start, min(start + size, count))
+            status[part] = code[: part.stop - start]
+            for name, value in done.items():
+                result_values[name][..., part] = value[..., : part.stop - start]
+            if report is not None:
+                report(part.stop - start)
     status[outside] = OUT_OF_RANGE
     for name in results:
         result_values[name][..., outside] = np.nan
     return status, result_values
+
+
+@contextlib.contextmanager
+def _mapped_by(threads: int) -> Iterator[Callable[..., Iterable[Any]]]:
+    """A ``map`` in a number of threads; what has not begun is left out where the block ends early."""
+    if threads == 1:
+        yield map
+        return
+    pool = ThreadPoolExecutor(threads)
+    try:
+        yield pool.map
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _evaluate_measured(

@@ -198,10 +198,7 @@ def _preloads(moved: float) -> np.ndarray:
     return np.array(
         [
             brentq(lambda force, approach=approach: _compression(force) - approach, 1.0, 1e5, xtol=1e-9)
-            for approach in (
-                _INTERFERENCE + 2.0 * _ERROR - moved,
-                _INTERFERENCE - 2.0 * _ERROR + moved,
-            )
+            for approach in (_INTERFERENCE + 2.0 * _ERROR - moved, _INTERFERENCE - 2.0 * _ERROR + moved)
         ]
     )
 

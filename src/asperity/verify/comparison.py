@@ -152,12 +152,7 @@ def compare(
         row, contact = [], None
         for load in np.asarray(force):
             contact, state = loaded_state(
-                half_space,
-                heights,
-                normal_force=load,
-                hardness=hardness,
-                axes=(0, 1),
-                start=contact,
+                half_space, heights, normal_force=load, hardness=hardness, axes=(0, 1), start=contact
             )
             capped = (
                 jnp.mean(contact.pressure >= sample.hardness, dtype=jnp.float64) / contact.contact_fraction

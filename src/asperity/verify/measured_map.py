@@ -105,11 +105,7 @@ def compare_map(
     modulus = float(pair.contact_modulus)
     topography = measured.topographies[0]
     pressed = pressed_map(
-        topography,
-        rolling=measured.direction,
-        hardness=hardness / modulus,
-        points=points // 2,
-        solved=solved,
+        topography, rolling=measured.direction, hardness=hardness / modulus, points=points // 2, solved=solved
     )
     patches, cell = map_patches(topography, points=points // 2)
     pressure = pressed.pressure * modulus

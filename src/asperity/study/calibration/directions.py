@@ -38,11 +38,7 @@ class Direction:
 
 
 def direction_of(
-    unknowns: tuple[Variable, ...],
-    row: np.ndarray,
-    along: float,
-    change_by_scatter: float,
-    quantile: float,
+    unknowns: tuple[Variable, ...], row: np.ndarray, along: float, change_by_scatter: float, quantile: float
 ) -> Direction:
     """A singular vector of the slopes in words, for a step that changes its strongest unknown by a tenth."""
     strongest = int(np.argmax(np.abs(row)))

@@ -81,10 +81,7 @@ def _of_one_set(
     if shown != "drift":
         value = np.where(holds, value, np.nan)  # else the equations are not solved
     return JointPoints(
-        value,
-        np.concatenate(by, axis=1),
-        np.where(holds, ratio, np.fmax(ratio, 1.0)),
-        np.isfinite(value),
+        value, np.concatenate(by, axis=1), np.where(holds, ratio, np.fmax(ratio, 1.0)), np.isfinite(value)
     )
 
 

@@ -303,11 +303,7 @@ def _concluded(kept: np.ndarray, moving: Chains, first_deviation: float) -> Post
 
 
 def posterior(
-    calibration: Calibration,
-    *,
-    draws: int,
-    seed: int,
-    progress: Callable[[int, int], None] | None = None,
+    calibration: Calibration, *, draws: int, seed: int, progress: Callable[[int, int], None] | None = None
 ) -> Posterior:
     """Posterior of the unknowns of a calibration: all draws of all chains, which start at its least-squares fit.
 

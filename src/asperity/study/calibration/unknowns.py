@@ -17,10 +17,7 @@ from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
 #: Properties of a measured curve that are not in a joint file, with their dimensions.
-CURVE_UNKNOWNS = {
-    "offset": Dimension.ANGLE,
-    "drift": Dimension.ANGULAR_VELOCITY,
-}
+CURVE_UNKNOWNS = {"offset": Dimension.ANGLE, "drift": Dimension.ANGULAR_VELOCITY}
 
 #: The offset of a drift curve that is fitted together with another curve.
 OFFSET_OF_DRIFT = "offset of drift"

@@ -139,11 +139,7 @@ def _refuse_what_cannot_exist(evaluator: DesignEvaluator, nearest: EvaluatedDesi
 
 
 def _result(
-    evaluator: DesignEvaluator,
-    best: np.ndarray,
-    fixed: np.ndarray,
-    unrounded: float | None,
-    ended: _Ended,
+    evaluator: DesignEvaluator, best: np.ndarray, fixed: np.ndarray, unrounded: float | None, ended: _Ended
 ) -> DesignResult:
     problem, goal = evaluator.problem, evaluator.problem.objectives[0]
     residual, multipliers = optimality(evaluator, best, fixed=fixed)

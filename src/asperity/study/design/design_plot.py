@@ -121,10 +121,7 @@ def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
         figure.colorbar(points, ax=axes, label=labels[objectives[2]])
     axes.set_ylabel(labels[objectives[1]])
     axes.grid(alpha=0.3)
-    axes.set_title(
-        f"Pareto front of {front.sizes['design']} designs",
-        fontsize="medium",
-    )
+    axes.set_title(f"Pareto front of {front.sizes['design']} designs", fontsize="medium")
     for index, path in enumerate(variables):
         below = figure.add_subplot(grid[index + 1], sharex=axes)
         unit = key_at(path).unit

@@ -36,7 +36,9 @@ _CONNECT_SECONDS = "10s"
 def compute_block(path: str, plan: Plan, index: int) -> int:
     """Compute one block and write it; what a worker runs."""
     use_double_precision()  # the flag does not travel to workers
-    status, result_values = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
+    status, result_values = block_results(
+        plan, plan.block(index), quick=plan.points <= QUICK_POINTS, threads=1
+    )
     write_block(path, plan, index, status, result_values)
     return index
 
