@@ -38,7 +38,7 @@ def test_ways_to_write_an_axis(joint):
     assert _axis("load.preload", (joint["load.preload"],)).values.tolist() == [1000.0]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_sweep_is_drawn(grid):
     assert asperity.plot(grid, result="published_stiffness_output").axes
     with pytest.raises(InputError, match="cannot draw 'int'"):

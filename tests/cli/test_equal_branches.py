@@ -88,7 +88,7 @@ def test_commands_of_the_files_own_branches_say_so(call, unequal):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("unequal", ["planetary"], indirect=True)
 def test_what_rolls_is_what_the_branches_of_the_file_do_together(call, unequal, tmp_path):
     """The same three planets; 2 and 1 um less than nominal, they would slip at less than equal ones."""

@@ -163,7 +163,7 @@ def test_a_torque_beyond_rolling_has_no_drift(call, tmp_path):
     assert "--rolling-csv: no steady rolling" in refused.err
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_drive_of_another_type(call, zou_file, tmp_path):
     file, table = zou_file.with_name("multiroller.toml"), tmp_path / "w.csv"
     found = json.loads(call("windup", file, "--csv", table, "--json").out)

@@ -3,10 +3,12 @@
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
+@pytest.mark.slow
 def test_the_file_is_that_of_the_model(load_example, monkeypatch):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     example = load_example("calibrate_synthetic")

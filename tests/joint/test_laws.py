@@ -89,7 +89,7 @@ def test_crowns_take_from_the_force_of_an_interference(planar_joint):
     assert float(jnp.sum(found)) == pytest.approx(approach, rel=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "sections"),
     [
@@ -216,7 +216,7 @@ def test_force_and_length_are_two_names_of_one_joint(paper_joint, body_model, re
     assert float(same.interference) == pytest.approx(11e-6, rel=rel)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_sizes_are_deviations_in_a_study_of_tolerances_only(paper_values):
     """±5 um on every planet radius make 218 or 1854 N of the 1000 N; another drive keeps its interference."""
     values = paper_values(interference=12.904e-6, output_torque=1.0, **THICK)

@@ -225,7 +225,7 @@ def test_one_draw_in_twenty_may_lack_a_stiffness(drawn):
     assert drawn(60, 41)["published"] == {"low_Nm_per_rad": None, "high_Nm_per_rad": None}
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_command_says_that_the_law_fails_instead_of_a_number(zou_file, write):
     path = write("a.json", measurement(dimension=1.2))
     shown = CliRunner().invoke(

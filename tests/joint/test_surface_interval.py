@@ -38,7 +38,7 @@ def test_no_end_where_too_many_are_missing_or_one_is_not_finite():
     assert found["drift"] == {"low_rad_per_output_turn": None, "high_rad_per_output_turn": None}
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_many_surfaces_of_another_drive_are_the_joint_with_each(planar_case, monkeypatch):
     """Few one after the other, many by one program."""
     springs = {

@@ -124,7 +124,7 @@ def test_size_and_mass_by_hand(values, found):
     np.testing.assert_allclose(numbers["assembly_stiffness_per_mass"][0, :3], stiffness / mass, rtol=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_slopes_are_differences_of_solutions(values, found):
     compared = list(_slopes_and_differences(values, found[2]))
     assert len(compared) >= 8 * len(VARIABLES)

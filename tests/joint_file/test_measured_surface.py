@@ -408,7 +408,7 @@ def decay_length_by_hand(waves, pressure):
             "planetary", (("[load]", 'planet_crown_radius = "20 m"\n\n[load]'),), marks=pytest.mark.long
         ),
         ("planar", ()),
-        ("multiroller", ()),
+        pytest.param("multiroller", (), marks=pytest.mark.long),
     ],
 )
 def test_perssons_theory_in_every_drive(planar_case, isotropic_map, kind, replaced):

@@ -83,6 +83,7 @@ def test_each_contact_feels_the_bands_below_its_width(named):
     assert len({entry.rms_height.value for entry in named.surface.values()}) > 1
 
 
+@pytest.mark.slow
 def test_the_heights_of_many_widths_are_those_of_the_bands(named):
     widths = np.geomspace(2.5e-5, 1e-3, 60).reshape(3, 20)
     heights = felt_at(named.measured.measured.spectra, widths, np.full(widths.shape, 1e-2))
@@ -174,7 +175,7 @@ def test_what_has_no_derivatives_is_refused_with_all_that_helps(key, more, remed
     refuse_derivatives({"surface": {"sp": {"rms_height": 1e-7}}})
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_beyond_the_capacity_it_is_not_known_what_the_contacts_feel(named):
     """Nor the capacity that follows from it, which had been that of heights at infinite widths."""
     torques = {"load.output_torque": np.array([2.0, 1e3])}

@@ -136,7 +136,7 @@ def test_the_windup_is_that_of_the_assembly_up_to_the_torque(monkeypatch, joint_
     assert "stage_shares" not in asked  # those of every wind-up
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_joint_with_another_drive(zou_file):
     text = zou_file.with_name("multiroller.toml").read_text(encoding="utf-8")
     found = joint_answer(JointRequest("m.toml", text, {"load.output_torque": "-8 N*m"}))

@@ -393,6 +393,7 @@ def test_nobody_waits_for_the_file_of_another(client, joint_text, monkeypatch, p
         assert [each.result().status_code for each in large] == [422, 422, 422]
 
 
+@pytest.mark.slow
 def test_the_interface_describes_its_answers(client, solve):
     import jsonschema
 

@@ -119,7 +119,7 @@ def test_it_fails_where_the_bearings_of_the_pins_do(zou_file):
     assert "more than the static rating" in weak.meaning
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_safety_that_is_not_known_is_no_failure_of_the_pins(zou_file):
     """Under a load of the duty that the joint does not carry its bearings have no load, and no safety."""
     duty = '\n[[duty]]\noutput_torque = "900 N*m"\nsun_speed = "600 rpm"\nshare = 1.0\n'

@@ -47,6 +47,7 @@ def test_pins_and_torques_by_hand(planetary, values):
     assert 3.0 * (10e-3 * (sun + drag[0]) + 50e-3 * (ring - drag[1])) == pytest.approx(10.0, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_what_mounts_the_ring_by_hand(planetary, values):
     """Three planets; 30 um over 12.6e-6 of 50 mm a kelvin; the ring of a free rim bends."""
     _, solution, _ = planetary

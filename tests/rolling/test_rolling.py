@@ -98,6 +98,7 @@ def test_drift_of_the_rough_joint_at_other_torques(rolled, torque, minutes):
     assert drift == pytest.approx(minutes, rel=4e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("torque", [5.0, 12.0])
 def test_rolling_takes_its_own_forces(rolled, torque):
     """At rest the closures share the traction differently, by up to 30 %; in rolling the creep decides."""

@@ -121,7 +121,7 @@ def path_following(paper_joint, changes, largest):
     return half, up, down[::-1]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("closure", "largest", "width_error", "energy_error"),
     [

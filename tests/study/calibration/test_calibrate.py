@@ -240,7 +240,7 @@ def test_the_bounds_limit_what_a_small_share_in_something_not_identifiable_adds(
     assert (preload.lower, preload.upper) == pytest.approx((1e3 * 100.0**-half, 1e3 * 100.0**half), rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.filterwarnings("error")
 def test_no_play_says_nothing_about_its_torque(case):
     # the estimate of the play is exactly 0, so that the slope by play_torque is too

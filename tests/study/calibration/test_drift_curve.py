@@ -118,7 +118,7 @@ def test_offset_is_added_and_no_torque_has_no_drift(model):
     assert np.all(np.sign(without) == np.sign(TORQUE))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_many_sets_are_as_one_by_one_and_slip_has_no_prediction(model):
     sets = np.array([scaled(model), scaled(model, [1500.0, 0.2, 0.0])])
     np.testing.assert_allclose(model.predictions(sets), [model(each)[0] for each in sets], rtol=1e-10)

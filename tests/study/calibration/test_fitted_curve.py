@@ -161,7 +161,7 @@ def test_together_they_tell_what_neither_tells_alone(case, exact):
         assert not alone.determined or joint.upper / joint.lower < (alone.upper / alone.lower) ** 0.5, path
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_exact_curves_give_exact_values(case, exact):
     for each, true in zip(fitted(case, both(*exact)).estimates, TRUTH, strict=True):
         assert each.value == pytest.approx(true, rel=1e-4, abs=0.0), each.path

@@ -213,7 +213,7 @@ def test_what_cannot_be_told_apart_is_named(case):
     assert "NOT identifiable" in found.directions[0].words
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_curve_past_gross_slip_is_refused(case):
     torque = np.array([1.0, 20.0, 60.0])
     for data in (measured(torque, angle=2e-6 * torque), measured(torque, drift=1e-3 * torque)):

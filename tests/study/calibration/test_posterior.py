@@ -113,7 +113,7 @@ def test_a_posterior_holds_the_error_of_its_calibration(monkeypatch):
     assert np.all(found[:, 1] == 0.5)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_hopeless_surrogate_is_refused():
     with pytest.raises(NoSolutionError, match="have not converged"):
         sampled(np.array([0.2, 0.0]), draws=50)

@@ -105,7 +105,7 @@ def test_only_unfinished_blocks_are_computed_again(case, filled, tmp_path, monke
     assert unfinished_blocks(path) == []
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_damaged_blocks_are_computed_again_and_said(case, in_memory, filled, tmp_path):
     path = tmp_path / "s.zarr"
     shutil.copytree(filled, path)

@@ -26,6 +26,12 @@ def found(homogeneous):
     return sensitivity(homogeneous)
 
 
+@pytest.fixture(scope="module")
+def of_the_paper(case):
+    """By the program that the command's test has, too."""
+    return sensitivity(case)
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("base", range(3), ids=["length", "mass", "time"])
 def test_elasticities_obey_the_dimensions(homogeneous, found, base):
@@ -74,7 +80,8 @@ def test_derivatives_are_limits_of_differences(homogeneous, found):
             assert float(one["derivative"]) == pytest.approx(slope, rel=2e-5, abs=2e-11 * scale), path
 
 
-def test_closed_forms(found):
+def test_closed_forms(of_the_paper):
+    found = of_the_paper
     # self-locking: tan(beta/2)/mu, so d/d(mu) = -tan(beta/2)/mu^2, with beta = 13.1582 deg and mu = 0.12
     slope = float(found["derivative"].sel(result="self_locking_ratio", input="load.friction_coefficient"))
     assert slope == pytest.approx(-np.tan(np.radians(13.1582) / 2.0) / 0.12**2, rel=1e-5)
@@ -89,13 +96,13 @@ def test_closed_forms(found):
     assert derivative * 450e6 == pytest.approx(-ratio, rel=1e-9)
 
 
-def test_ranking_is_by_influence(found):
-    ranked = ranking(found, "torque_capacity")
+def test_ranking_is_by_influence(of_the_paper):
+    ranked = ranking(of_the_paper, "torque_capacity")
     size = np.abs(ranked["elasticity"].values)
     assert np.all(np.diff(size) <= 0.0)
     assert "surface.fractal_dimension" not in ranked["input"].values[:10]
     with pytest.raises(InputError, match="no result"):
-        ranking(found, "weight")
+        ranking(of_the_paper, "weight")
 
 
 @pytest.mark.long
