@@ -8,6 +8,7 @@ import pytest
 
 from asperity import compilation, kept_programs
 from asperity.compilation import call_compiled, called_programs, compile_fast, compile_for_many
+from asperity.linear import solve_in_turn
 
 
 def _twice(numbers):
@@ -75,6 +76,17 @@ def test_a_program_of_many_points_has_no_kernels_for_large_arrays(monkeypatch):
     assert "ynn" not in program.as_text()
     monkeypatch.setattr(compilation, "_FOR_MANY", ({"xla_option_of_another_release": True}, {}))
     np.testing.assert_array_equal(compile_for_many(squares, table)(table), (table**2).sum(axis=1))
+
+
+def test_elimination_is_written_out_for_processors_only(monkeypatch):
+    shapes = [jax.ShapeDtypeStruct(shape, np.float64) for shape in ((4, 3, 3), (4, 3))]
+
+    def solutions(matrices, right_sides):
+        return jax.vmap(solve_in_turn)(matrices, right_sides)
+
+    assert "lapack" not in compile_for_many(solutions, *shapes).as_text()
+    monkeypatch.setattr(jax, "default_backend", lambda: "gpu")
+    assert "lapack" in compile_for_many(lambda *given: solutions(*given), *shapes).as_text()
 
 
 def _programs(folder):

@@ -133,6 +133,8 @@ def compile_fast(function: Callable[..., Any], *arguments: Any, options: tuple[A
 
 def compile_for_many(function: Callable[..., Any], *arguments: Any) -> Any:
     """Compile a function of many points at once, with all optimisations; threads may call it side by side."""
+    if jax.default_backend() != "cpu":  # it has kernels of its own, and threads for one program
+        return jax.jit(function).lower(*arguments).compile()
     with optimised():
         return _compiled_with(jax.jit(function).lower(*arguments), _FOR_MANY)
 

@@ -123,8 +123,8 @@ def evaluate_points(
     dotted path → values in SI units, all of shape (n,); ``results``: names of
     :func:`asperity.joint_file.any_joint.results_of`. ``quick``: whether to compile fast and run slowly, by default up
     to :data:`QUICK_POINTS` points. ``batch``: points for which to compile, at most, by default as many as there are;
-    calls with the same one share a program. ``threads`` that run a program which is not quick, by default one for each
-    core. ``report`` is called with the number of points just done.
+    calls with the same one share a program. ``threads`` that run a program which is not quick on processors, by
+    default one for each core. ``report`` is called with the number of points just done.
 
     Status codes are indices into :data:`asperity.joint.status.STATUSES`, shape (n,); results have the shape (n,) or
     (rows, n), nan where they have no value. On a measured surface every point has what its contacts feel at the widths
@@ -158,7 +158,8 @@ def evaluate_points(
         return done
 
     starts = range(0, count, size)
-    with _mapped_by(1 if quick else threads or os.cpu_count() or 1) as mapped:
+    alone = quick or jax.default_backend() != "cpu"
+    with _mapped_by(1 if alone else threads or os.cpu_count() or 1) as mapped:
         for start, (code, done) in zip(starts, mapped(evaluated, starts), strict=True):
             part = slice(start, min(start + size, count))
             status[part] = code[: part.stop - start]
