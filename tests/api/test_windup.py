@@ -44,7 +44,7 @@ def test_the_sun_turns(curve):
     assert frame["drift_per_swing_rad"].iloc[0] == 0.0
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_torque_beyond_rolling_has_no_drift():
     tutorial = asperity.load(Path(__file__).parents[2] / "examples" / "tutorial_joint.toml")
     found = asperity.windup(tutorial, torque="13.8 N*m")

@@ -114,7 +114,7 @@ def test_a_negative_torque_is_the_same_curve(call, joint_file, asked):
     assert documents[0] == documents[1]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_direction_with_less_capacity_is_refused_by_name(call, joint_file):
     """A constant pin force: 182 N·m one way, 12.5 the other."""
     file = joint_file(('closure = "elastic"', 'closure = "constant_pin_force"'))

@@ -47,7 +47,7 @@ def test_a_stepped_planet_is_a_spring_at_each_contact(planar_joint, monkeypatch)
     np.testing.assert_allclose(whole, np.diag(np.concatenate(by_hand)), rtol=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_bore_of_a_stepped_planet_adds_its_compliance(planar_joint):
     """Between the contacts of the planet, which lies above the sun, and nothing else."""
     bored = planar_joint("stepped_planet", {"[drive]": '[drive]\nplanet_bore_diameter = "16 mm"'})

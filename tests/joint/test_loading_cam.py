@@ -111,7 +111,7 @@ def test_the_torque_does_the_work_that_compresses_the_contacts(plain, least):
     assert turned[-1] == pytest.approx(force * closed, rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_stiffness_is_the_slope_of_the_whole_angle(plain, least):
     """Central differences of the cam's angle, in series with the joint whose cam is held."""
     torque, step = 20.0, 0.05

@@ -48,7 +48,7 @@ def test_by_hand_the_sun_slips_near_mu_times_the_preload(solved_paper):
     assert by_hand < float(solved_paper[1].capacity.output_torque) < 1.05 * by_hand
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_weak_contact_is_named_in_either_direction(paper_joint):
     def with_weak(contact):
         friction = tuple(np.asarray(0.05 if name == contact else 0.2) for name in NAMES)
@@ -79,7 +79,7 @@ def test_a_steep_enough_friction_ends_in_lift_off(paper_joint):
         assert contact in roller  # without a centrifugal force both its contacts are unloaded together
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_contact_that_grows_too_wide_is_the_limit_and_the_refusal_agrees(paper_joint):
     given = {"preload": 1e5, "friction_coefficient": 0.24, "ring_wall_thickness": 1.1e-3, "sun_speed": 0.0}
 

@@ -185,7 +185,7 @@ def test_beyond_the_capacity_it_is_not_known_what_the_contacts_feel(named):
     assert np.isfinite(results["speed_ratio"]).all()
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_points_without_a_joint_do_not_disturb_the_others(named):
     preload = np.array([1000.0, 1000.0])
     torque = np.array([1.0, 1e5])

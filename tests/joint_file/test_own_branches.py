@@ -27,7 +27,7 @@ def test_without_sections_they_are_equal(name):
     assert len(joint.contact_names) in (2, 5)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_drive_unfolded():
     joint = described(
         "zou2025", ('preload = "1000 N"', 'interference = "13 um"'), ("[model]", f"{BRANCHES}[model]")

@@ -221,7 +221,7 @@ def test_hysteresis_and_oil_of_the_check_case(rolled):
     assert float(found.power.efficiency) == pytest.approx(float(found.power.output / found.power.input))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_skew_of_the_sun_contact(rolled):
     """1 mrad takes 39 % of mu N sideways from smooth bodies without torque (46 N at 1000 N)."""
     angles = (1e-3, 0.0, 0.0, 0.0, 0.0)
@@ -311,7 +311,7 @@ def test_duty_of_one_load_is_that_load(rolled):
     assert float(found.duty_life_turns) == pytest.approx(float(found.life_turns.drive), rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_miners_sum_over_a_duty(rolled):
     """A load that leaves the standing drive unharmed half of the time doubles the hours; braking counts too."""
     loads = [(8.0, 100.0, 0.3), (-2.0, 50.0, 0.2), (3.0, 0.0, 0.5)]

@@ -21,7 +21,7 @@ def found(joint):
     return both_senses(joint=joint, torque=TORQUES)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_points_are_joints_solved_alone(joint, found):
     for index in (1, 4):
         torque = TORQUES[index]

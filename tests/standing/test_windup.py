@@ -215,7 +215,7 @@ def test_a_symmetric_joint_is_mirrored(paper_joint, speed):
     np.testing.assert_allclose(curve.stage_stiffness, curve.reverse_stage_stiffness, rtol=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     "changes", [{"closure": "constant_pin_force"}, {"left_push_angle": 0.3, "right_push_angle": -0.1}]
 )
