@@ -6,6 +6,9 @@ import importlib.metadata
 import re
 from typing import Any
 
+import numpydoc.docscrape_sphinx
+from jinja2.sandbox import SandboxedEnvironment
+
 project = "asperity"
 author = "the asperity authors"
 copyright = "the asperity authors, Apache-2.0"
@@ -48,6 +51,19 @@ numpydoc_show_class_members = False
 numpydoc_validation_checks: set[str] = set()
 
 suppress_warnings = ["mystnb.unknown_mime_type"]
+
+
+_templates: list[SandboxedEnvironment] = []
+
+
+def _one_environment(loader: Any) -> SandboxedEnvironment:
+    """The templates of numpydoc, which it would compile again for each of 12,000 docstrings."""
+    if not _templates:
+        _templates.append(SandboxedEnvironment(loader=loader))
+    return _templates[0]
+
+
+numpydoc.docscrape_sphinx.SandboxedEnvironment = _one_environment
 
 
 def _skip(app: Any, what: str, name: str, thing: Any, skip: bool, options: Any) -> bool | None:
