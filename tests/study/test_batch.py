@@ -226,9 +226,14 @@ def test_blocks_that_have_not_begun_are_left_out_after_an_interruption(values, m
         return jnp.zeros(column.shape, dtype=jnp.int8), {"assembly_stiffness_output": column}
 
     def interrupt(count):
-        threading.Timer(0.2, interrupted.set).start()
         raise KeyboardInterrupt
 
+    class Pool(ThreadPoolExecutor):
+        def shutdown(self, wait=True):
+            interrupted.set()
+            super().shutdown(wait)
+
+    monkeypatch.setattr(batch, "ThreadPoolExecutor", Pool)
     with pytest.raises(KeyboardInterrupt):
         _placed(values, monkeypatch, program, size=1, threads=2, report=interrupt)
     assert 900.0 in begun

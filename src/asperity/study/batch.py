@@ -175,15 +175,12 @@ def evaluate_points(
 
 @contextlib.contextmanager
 def _mapped_by(threads: int) -> Iterator[Callable[..., Iterable[Any]]]:
-    """A ``map`` in a number of threads; what has not begun is left out where the block ends early."""
+    """A ``map`` in a number of threads; what has not begun is left out where no more results are asked for."""
     if threads == 1:
         yield map
         return
-    pool = ThreadPoolExecutor(threads)
-    try:
+    with ThreadPoolExecutor(threads) as pool:
         yield pool.map
-    finally:
-        pool.shutdown(cancel_futures=True)
 
 
 def _evaluate_measured(
