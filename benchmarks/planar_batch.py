@@ -18,7 +18,7 @@ import numpy as np
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.precision import use_double_precision
-from asperity.study.batch import DERIVATIVE_BATCH, derivatives_at, evaluate_points
+from asperity.study.batch import DERIVATIVE_BATCH, QUICK_POINTS, derivatives_at, evaluate_points
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 LEVELS = ("published", "series_with_bulk", "assembly")
@@ -43,7 +43,7 @@ def measure(kind: str, points: int, repeats: int) -> None:
     torque = values["load"]["output_torque"] * np.linspace(0.3, 0.8, points)
 
     def evaluated(name: str, column: np.ndarray) -> None:
-        evaluate_points(values, {"load.output_torque": column}, (name,), quick=False)
+        evaluate_points(values, {"load.output_torque": column}, (name,), in_all=QUICK_POINTS + 1)
 
     for name in (*(f"{level}_stiffness_output" for level in LEVELS), "torque_capacity"):
         column = torque if name != "torque_capacity" else torque[: points // 64]
@@ -51,7 +51,7 @@ def measure(kind: str, points: int, repeats: int) -> None:
         print(f"{kind:15} {name:36} {column.size / best:9.0f} joints/s, compiled in {first - best:5.1f} s")
     at = {path: np.full(DERIVATIVE_BATCH, entry.value) for path, entry in inputs.items()}
     name = (f"{LEVELS[-1]}_stiffness_output",)
-    _, value = first_and_best(lambda: evaluate_points(values, at, name, quick=True), repeats)
+    _, value = first_and_best(lambda: evaluate_points(values, at, name, in_all=QUICK_POINTS), repeats)
     _, slopes = first_and_best(lambda: derivatives_at(values, at, name, tuple(inputs)), repeats)
     print(
         f"{kind:15} gradient by {len(inputs)} numbers {1e3 * slopes / DERIVATIVE_BATCH:.3g} ms a joint, "

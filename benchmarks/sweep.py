@@ -44,12 +44,13 @@ def bare(plan, indices):
     import os
 
     os.environ["JAX_ENABLE_X64"] = "1"
+    from asperity.study.batch import QUICK_POINTS
     from asperity.study.sweep.sweep_plan import block_results
 
-    block_results(plan, plan.block(0), quick=False)
+    block_results(plan, plan.block(0), in_all=QUICK_POINTS + 1)
     start = time.perf_counter()
     for index in indices:
-        block_results(plan, plan.block(index), quick=False)
+        block_results(plan, plan.block(index), in_all=QUICK_POINTS + 1)
     return time.perf_counter() - start
 
 

@@ -39,7 +39,7 @@ def test_uncertainty_needs_tolerances_and_distributions(tmp_path):
         "--samples",
         "500",
         "--results",
-        "body_mass",
+        "body_mass,speed_ratio",
         "--json",
         "--plot",
         "u.svg",

@@ -1,7 +1,6 @@
 """Charts: what a request may ask, and numbers that are those of single joints."""
 
 import jsonschema
-import numpy as np
 import pytest
 
 from asperity.errors import InputError
@@ -54,23 +53,6 @@ def test_a_chart_says_what_single_joints_say(asked, joint_text):
     schema = openapi()["components"]["schemas"]["Chart"]
     jsonschema.validate(found, schema)
     assert set(found) == set(schema["properties"])
-
-
-def test_charts_of_files_with_branches_keep_their_number(joint_text, monkeypatch):
-    """The other numbers of the file are arrays, so that its charts are one program; planets are as many as sections."""
-    branches = "\n[[branch]]\nplanet_deviation = '1 um'\n" + 2 * "\n[[branch]]\n"
-    text = joint_text.replace('preload = "1000 N"', 'interference = "13 um"') + branches
-    seen = {}
-
-    def evaluated(values, columns, results, **options):
-        seen.update(columns)
-        return np.zeros(5, dtype=int), {results[0]: np.ones(5)}
-
-    monkeypatch.setattr("asperity.page.chart.evaluate_points", evaluated)
-    over = {"over": "load.output_torque", "from": "1 N*m", "to": "4 N*m"}
-    chart_answer(chart_request({"toml": text, "name": "my.toml", "chart": CHART | over}))
-    assert "drive.planets" not in seen
-    assert {"branch.1.planet_deviation", "load.output_torque", "drive.sun_radius"} <= set(seen)
 
 
 @pytest.mark.slow

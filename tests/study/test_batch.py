@@ -14,7 +14,7 @@ from asperity.drive.layout.drive import speed_ratio
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.si_tables import numeric_keys, si_values
+from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values
 from asperity.study import batch
 from asperity.study.batch import derivatives_at, evaluate_points, numbers, point_kernel
 
@@ -164,21 +164,51 @@ def test_both_ways_give_the_same_numbers_where_the_joint_exists(values):
         )  # without torque the ratio of slip is rounding
 
 
+@pytest.mark.slow
+def test_optimised_points_are_those_of_the_quick_program(values):
+    """Where only what varies is an array, and where all numbers are."""
+    points = {"load.output_torque": np.array([0.0, 5.0, 20.0])}
+    names = ("published_stiffness_output", "normal_force", "slip_ratio")
+    quick, optimised = (
+        evaluate_points(values, points, names, in_all=count) for count in (3, batch.QUICK_POINTS + 1)
+    )
+    assert quick[0].tolist() == optimised[0].tolist() == [0, 0, STATUS_NAMES.index("beyond_torque_capacity")]
+    for name in names:
+        np.testing.assert_allclose(quick[1][name], optimised[1][name], rtol=1e-9, atol=1e-15, err_msg=name)
+    assert np.isnan(quick[1]["published_stiffness_output"]).tolist() == [False, False, True]
+
+
+def test_one_program_serves_any_numbers_of_few_points(values, monkeypatch):
+    asked = set()
+
+    def program_of(function, table, options):
+        asked.add((function, table.shape, options))
+        return lambda table: (np.zeros(table.shape[1], dtype=np.int8), {"mass": table[0]})
+
+    monkeypatch.setattr(batch, "compile_fast", program_of)
+    for path, points in (("load.preload", 1), ("drive.planets", 2), ("drive.sun_radius", 64)):
+        status, _ = evaluate_points(values, {path: np.full(points, 4.0)}, ("mass",))
+        assert status.shape == (points,)
+    assert len(asked) == 1
+
+
 def test_programs_run_one_at_a_time(values, monkeypatch):
     """Two threads of a Dask worker, say; on two cores XLA's LAPACK would wait for itself for ever."""
     running, most, name = [], [], "assembly_stiffness_output"
 
-    def program(base, column):
-        running.append(column)
+    def program(table):
+        running.append(table)
         most.append(len(running))
         time.sleep(0.02)
         running.pop()
-        return jnp.zeros(column.shape, dtype=jnp.int8), {name: column}
+        return np.zeros(table.shape[1], dtype=np.int8), {name: table[preload]}
 
-    monkeypatch.setattr(batch, "_program", lambda *_: program)
+    preload = numbers(replace_values(values, {"load.preload": 0.5})).index(0.5)
+    monkeypatch.setattr(batch, "compile_fast", lambda *_, **__: program)
     points = {"load.preload": np.array([900.0, 1000.0])}
     with ThreadPoolExecutor(2) as pool:
-        found = list(pool.map(lambda _: evaluate_points(values, points, (name,)), range(2)))
+        many = {"in_all": batch.QUICK_POINTS}
+        found = list(pool.map(lambda _: evaluate_points(values, points, (name,), **many), range(2)))
     assert max(most) == 1
     np.testing.assert_array_equal(found[1][1][name], [900.0, 1000.0])
 
@@ -187,10 +217,9 @@ def _placed(values, monkeypatch, program, *, size=2, **options):
     """What a program of blocks of points makes of five numbers."""
     monkeypatch.setattr(batch, "_program", lambda *_: program)
     preload = np.array([900.0, 910.0, 920.0, 930.0, 940.0])
-    found = evaluate_points(
-        values, {"load.preload": preload}, ("assembly_stiffness_output",), quick=False, batch=size, **options
-    )
-    return preload, found[1]["assembly_stiffness_output"]
+    name, options = "assembly_stiffness_output", {"in_all": batch.QUICK_POINTS + 1, "batch": size} | options
+    found = evaluate_points(values, {"load.preload": preload}, (name,), **options)
+    return preload, found[1][name]
 
 
 def test_blocks_of_an_optimised_program_run_side_by_side_and_stay_in_order(values, monkeypatch):
@@ -242,22 +271,28 @@ def test_blocks_that_have_not_begun_are_left_out_after_an_interruption(values, m
 
 @pytest.mark.parametrize(("asked", "size", "done"), [(None, 8, [5]), (2, 2, [2, 2, 1]), (3, 4, [4, 1])])
 def test_points_are_evaluated_in_blocks_of_a_power_of_two(values, monkeypatch, asked, size, done):
-    name, sizes, quick = "assembly_stiffness_output", [], []
+    name, sizes, optimised = "assembly_stiffness_output", [], []
+    row = numbers(replace_values(values, {"load.preload": 0.5})).index(0.5)
 
-    def program_of(structure, paths, results, block, fast):
-        sizes.append(block)
-        quick.append(fast)
-        return lambda base, column: (jnp.zeros(block, dtype=jnp.int8), {name: 2.0 * jnp.asarray(column)})
+    def quick(function, table, options):
+        sizes.append(table.shape[1])
+        return lambda table: (np.zeros(table.shape[1], dtype=np.int8), {name: 2.0 * table[row]})
 
-    monkeypatch.setattr(batch, "_program", program_of)
+    def optimised_program(structure, paths, results, block):
+        optimised.append(block)
+        return lambda base, column: (np.zeros(block, dtype=np.int8), {name: column})
+
+    monkeypatch.setattr(batch, "compile_fast", quick)
+    monkeypatch.setattr(batch, "_program", optimised_program)
     preload, reported = np.array([900.0, 910.0, 920.0, 930.0, 940.0]), []
     points = {"load.preload": preload}
+    monkeypatch.setattr(batch, "_FEWEST", 1)
     status, found = evaluate_points(values, points, (name,), batch=asked, report=reported.append)
     np.testing.assert_array_equal(status, 0)
     np.testing.assert_array_equal(found[name], 2.0 * preload)
-    assert (sizes, reported, quick) == ([size], done, [True])
+    assert (set(sizes), reported, optimised) == ({size}, done, [])
     evaluate_points(values, {"load.preload": np.full(batch.QUICK_POINTS + 1, 900.0)}, (name,))
-    assert not quick[-1]
+    assert optimised == [batch.BATCH]
 
 
 def test_blocks_of_derivatives_are_put_together(monkeypatch):
@@ -270,7 +305,7 @@ def test_blocks_of_derivatives_are_put_together(monkeypatch):
 
     monkeypatch.setattr(batch, "compile_fast", run)
     table, directions = np.arange(5.0)[None], np.arange(10.0).reshape(2, 5)
-    first, second = batch._in_blocks(None, (), 2, table, directions)
+    first, second = batch._blockwise(None, (), 2, table, directions)
     np.testing.assert_array_equal(first, 3.0 * np.arange(5.0))
     np.testing.assert_array_equal(second, directions)
     assert blocks == 3 * [[(1, 2), (2, 2)]]

@@ -75,8 +75,7 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
         also = ", ".join(getattr(entry, "also", ()))
         names = f"{entry.name} ({also})" if also else entry.name
         target.print(
-            f"{names}: {entry.description}. Source: {entry.reference}. {entry.note}".rstrip(),
-            markup=False,
+            f"{names}: {entry.description}. Source: {entry.reference}. {entry.note}".rstrip(), markup=False
         )
 
 

@@ -18,7 +18,8 @@ _LONGEST_STEP = 2e-3  # s, MuJoCo's own
 def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
     """The MJCF file of a joint."""
     parts, elements = content.parts, fitted.elements
-    damping = _damping(content)
+    # viscous, and loses what the loss factor loses at the fastest vibration [N·m·s/rad]
+    damping = parts.loss_factor * content.stiffness / _fastest(content)
     tendons = [_tendon(content, "spring", stiffness=elements.spring, damping=damping)]
     tendons += [
         _tendon(content, f"slip{place}", stiffness=np.array([stiffness]), yield_angle=yield_angle)
@@ -122,11 +123,6 @@ def _fastest(content: ExportContent) -> float:
     motor = content.parts.input * content.reduction**2
     joined = motor * content.parts.output / (motor + content.parts.output)
     return math.sqrt(float(np.max(np.asarray(content.windup.stiffness))) / joined)
-
-
-def _damping(content: ExportContent) -> float:
-    """Viscous damping that loses what the loss factor loses at the fastest vibration [N·m·s/rad]."""
-    return content.parts.loss_factor * content.stiffness / _fastest(content)
 
 
 def _time_step(content: ExportContent) -> float:

@@ -87,7 +87,9 @@ def joint_from_values(values: Values) -> Joint:
         preload=load.get("preload"),
         interference=load.get("interference"),
         output_torque=load["output_torque"],
-        input_speed=_input_speed(load, drive),
+        input_speed=load["sun_speed"]
+        if "sun_speed" in load
+        else load["output_speed"] * abs(speed_ratio(drive)),
         pin_stiffness=springs.get("pin_stiffness", math.inf),
         input_shaft_stiffness=springs.get("input_shaft_stiffness", math.inf),
         output_shaft_stiffness=springs.get("output_shaft_stiffness", math.inf),
@@ -119,11 +121,6 @@ def joint_from_values(values: Values) -> Joint:
         housing_expansion=temperature.get("housing_expansion"),
     )
     return dataclasses.replace(joint, fit=fit)
-
-
-def _input_speed(load: Values, drive: Drive) -> Any:
-    """Speed of the input [rad/s], as the file states it or from that of the output without slip."""
-    return load["sun_speed"] if "sun_speed" in load else load["output_speed"] * abs(speed_ratio(drive))
 
 
 def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:

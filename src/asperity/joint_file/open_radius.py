@@ -77,10 +77,6 @@ def _sizes(drive: Mapping[str, Any], model: type[Case]) -> dict[str, Any] | None
     return sizes | {"output": drive.get("output")}
 
 
-def _ratio_of_wedge(drive: Mapping[str, Any]) -> Any:
-    return (drive["ring_radius"] - drive["sun_radius"]) / drive["sun_radius"]  # (A2)
-
-
 def _ratio_of_planetary(drive: Mapping[str, Any]) -> Any:
     rings = (drive["sun_radius"] + 2.0 * drive["planet_radius"]) / drive["sun_radius"]
     return rings if drive.get("output") == "ring" else 1.0 + rings
@@ -103,7 +99,7 @@ def _ratio_of_stepped(drive: Mapping[str, Any]) -> Any:
 
 #: Speed ratio without sign of each type from the sizes of its drive, which may be arrays.
 _RATIOS: dict[str, Callable[[Mapping[str, Any]], Any]] = {
-    WEDGE_TYPE: _ratio_of_wedge,
+    WEDGE_TYPE: lambda drive: (drive["ring_radius"] - drive["sun_radius"]) / drive["sun_radius"],  # (A2)
     "planetary": _ratio_of_planetary,
     "multiroller": _ratio_of_multiroller,
     "stepped_planet": _ratio_of_stepped,

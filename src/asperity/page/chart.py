@@ -15,7 +15,7 @@ from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import AnyCase, key_at, si_values, varied_keys
 from asperity.page.joint_request import JointRequest, joint_request
 from asperity.results import Result, known_result, row_name
-from asperity.study.batch import count_of_branches, evaluate_points
+from asperity.study.batch import evaluate_points
 from asperity.study.parameters import Axis, ListedAxis, check_axes
 from asperity.units import format_quantity, from_si, parse_quantity
 
@@ -156,12 +156,10 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
         )
 
     here = stated[request.over].value
-    points, kept = (x.size + 1) * max(len(curves), 1), count_of_branches(values)
-    columns = {path: np.full(points, entry.value) for path, entry in stated.items() if path != kept}
-    columns[request.over] = np.tile([*x, here], max(len(curves), 1))
+    columns = {request.over: np.tile([*x, here], max(len(curves), 1))}
     if request.family:
         columns[request.family] = np.repeat(curves, x.size + 1)
-    status, result_values = evaluate_points(values, columns, (result.name,), quick=True, batch=BLOCK)
+    status, result_values = evaluate_points(values, columns, (result.name,), batch=BLOCK)
     y = np.atleast_2d(result_values[result.name])[row].reshape(-1, x.size + 1)
     status = status.reshape(-1, x.size + 1)
     used = sorted(set(status.reshape(-1).tolist()) - {0})

@@ -13,7 +13,6 @@ from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.choices import CHOICES, choices_of_case
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import CONTACTS, WEDGE_TYPE, contacts_of
-from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import keys_by_path, meaning, models_of
 from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
@@ -114,18 +113,15 @@ def _parameters(case_type: type[BaseModel], section: str) -> list[dict[str, Any]
                     "whole": key.integer,
                     "allowed": key.allowed,
                     "example": key.typical,
-                    "example_value": _example(key),
+                    "example_value": float(
+                        f"{from_si(parse_quantity(key.typical, key.dimension), key.unit):.14g}"
+                    ),
                     "required": field.is_required(),
                     "default": _default(said),
                     "replaces": list(counterparts(name)),
                 }
             )
     return parameters
-
-
-def _example(key: Key) -> float:
-    """The example in the unit of the range."""
-    return float(f"{from_si(parse_quantity(key.typical, key.dimension), key.unit):.14g}")
 
 
 def _default(text: str) -> str | None:

@@ -98,7 +98,7 @@ def _table(table: Table) -> str:
         return f"<tr>{''.join(f'<{kind}{scope}{word}>{cell}</{kind}>' for word, cell in pairs)}</tr>"
 
     body = "\n".join(row(cells, "td", _text) for cells in table.rows)
-    head = row(table.head, "th", _lines)
+    head = row(table.head, "th", lambda title: "<br>".join(map(_text, title.split("\n"))))
     return (
         f'<div class="wide"><table><caption>{_text(table.title)}</caption><thead>{head}</thead>'
         f"<tbody>\n{body}\n</tbody></table></div>"
@@ -107,11 +107,6 @@ def _table(table: Table) -> str:
 
 def _text(text: str) -> str:
     return html.escape(printable(text))
-
-
-def _lines(text: str) -> str:
-    """A title of a column, which may have several lines."""
-    return "<br>".join(_text(line) for line in text.split("\n"))
 
 
 def _inline(svg: str, number: int) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
@@ -107,7 +105,8 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
             sum(
                 side[k]
                 for side, places in ((driving, bodies.driving), (driven, bodies.driven))
-                for k in _at(places, b)
+                for k, member in enumerate(places)
+                if member == b
             )
             for b in range(len(bodies.names))
         ]
@@ -159,7 +158,3 @@ def life_at_rate(rate: Array) -> Array:
     """Life of what fails at a rate L^(-e), shape of the rate; the rates of the parts of a system add up: (B8)."""
     endless = rate == 0.0
     return jnp.where(endless, jnp.inf, jnp.where(endless, 1.0, rate) ** (-1.0 / WEIBULL_SLOPE))
-
-
-def _at(bodies: Sequence[int], body: int) -> list[int]:
-    return [k for k, member in enumerate(bodies) if member == body]

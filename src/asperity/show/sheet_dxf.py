@@ -105,9 +105,7 @@ def _draw(space: Any, items: Iterable[Item], scale: float, elsewhere: Container[
         if isinstance(item, Text):
             aligned = TextEntityAlignment[item.align.upper()]
             entity = space.add_text(
-                dxf_text(item.text),
-                height=item.height / scale,
-                dxfattribs={"layer": _TEXT_LAYER},
+                dxf_text(item.text), height=item.height / scale, dxfattribs={"layer": _TEXT_LAYER}
             )
             entity.set_placement(item.at, align=aligned)
             continue

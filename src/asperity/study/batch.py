@@ -1,9 +1,9 @@
 """Evaluate a joint at many points: status, chosen results and, where asked, their exact derivatives.
 
-One kernel serves all studies. Sweeps and samples feed it with arrays of the varied numbers and get results that are nan
-where they have no value. Searches feed it with all numbers of the joint file, so that one compiled program serves every
-study of joints of one structure, and get the results as they are: the way to a good joint may lead through impossible
-ones.
+One kernel serves all studies. It takes all numbers of the joint file, so that one compiled program serves every study
+of joints of one structure; only for very many points it takes arrays of the varied ones, and the others once. Sweeps
+and samples get results that are nan where they have no value. Searches get them as they are: the way to a good joint
+may lead through impossible ones.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import json
 import math
 import os
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -59,6 +59,8 @@ Kernel = Callable[..., BatchResult]
 BATCH = 1_024
 #: Up to this number of points, a program that compiles fast and runs slowly finishes sooner.
 QUICK_POINTS = 20_000
+#: Points of the smallest of these programs, which serves all studies of fewer points.
+_FEWEST = 64
 #: Most points of one call of the program with derivatives; more points are more calls.
 DERIVATIVE_BATCH = 64
 #: Calls in forward mode beyond which reverse mode, whose program takes half as long again to compile, finishes sooner.
@@ -89,22 +91,12 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
 
 
 @functools.lru_cache(maxsize=32)
-def _program(
-    structure: str, paths: tuple[str, ...], results: tuple[str, ...], size: int, quick: bool
-) -> Kernel:
+def _program(structure: str, paths: tuple[str, ...], results: tuple[str, ...], size: int) -> Kernel:
+    """The optimised program of points of which only some numbers vary."""
     tables = json.loads(structure)
     base = tuple(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(tables))
     arrays = [jax.ShapeDtypeStruct((size,), jnp.float64)] * len(paths)
-    if quick:
-        return compile_fast(_points, base, *arrays, options=(structure, paths, results))
     return compile_for_many(point_kernel(tables, paths, results), base, *arrays)
-
-
-def _points(
-    structure: str, paths: tuple[str, ...], results: tuple[str, ...], base: Any, *columns: Array
-) -> BatchResult:
-    """The kernel as a function that is known by its name, so that its program is kept."""
-    return point_kernel(json.loads(structure), paths, results)(base, *columns)
 
 
 def evaluate_points(
@@ -112,7 +104,7 @@ def evaluate_points(
     points: Mapping[str, np.ndarray],
     results: tuple[str, ...],
     *,
-    quick: bool | None = None,
+    in_all: int | None = None,
     batch: int | None = None,
     threads: int | None = None,
     report: Callable[[int], Any] | None = None,
@@ -121,9 +113,10 @@ def evaluate_points(
 
     ``values``: tables of the joint file in SI units, :func:`asperity.joint_file.si_tables.si_values`; ``points``:
     dotted path → values in SI units, all of shape (n,); ``results``: names of
-    :func:`asperity.joint_file.any_joint.results_of`. ``quick``: whether to compile fast and run slowly, by default up
-    to :data:`QUICK_POINTS` points. ``batch``: points for which to compile, at most, by default as many as there are;
-    calls with the same one share a program. ``threads`` that run a program which is not quick on processors, by
+    :func:`asperity.joint_file.any_joint.results_of`. ``in_all``: points of all calls of a study, by default of this
+    one: up to :data:`QUICK_POINTS` are evaluated by a program that compiles fast, runs slowly and serves any numbers
+    that vary, more by one that is optimised. ``batch``: points for which to compile, at most, by default as many as
+    there are; calls with the same one share a program. ``threads`` that run an optimised program on processors, by
     default one for each core. ``report`` is called with the number of points just done.
 
     Status codes are indices into :data:`asperity.joint.status.STATUSES`, shape (n,); results have the shape (n,) or
@@ -132,16 +125,12 @@ def evaluate_points(
     """
     require_double_precision()
     if MEASURED in values:
-        options = {"quick": quick, "batch": batch, "threads": threads}
+        options = {"in_all": in_all, "batch": batch, "threads": threads}
         return _evaluate_measured(values, points, results, report=report, **options)
-    values, paths = with_tracks(values), tuple(points)
-    _refuse_count(values, paths)
+    values = with_tracks(values)
+    _refuse_count(values, tuple(points))
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
     count = next(iter(columns.values())).size
-    quick = count <= QUICK_POINTS if quick is None else quick
-    size = min(BATCH, 1 << max((batch or count) - 1, 0).bit_length())
-    program = _program(table_structure(values), paths, results, size, quick)
-    base = tuple(np.float64(number) for number in numbers(values))
     outside = np.zeros(count, dtype=bool)
     for path, column in columns.items():
         outside |= _outside(key_at(path, type_of(values)), column)
@@ -149,38 +138,61 @@ def evaluate_points(
     status = np.empty(count, dtype=np.int8)
     table = results_of(values)
     result_values = {name: np.empty((*table[name].row_shape, count), dtype=float) for name in results}
-
-    def evaluated(start: int) -> BatchResult:
-        block = [column[start : start + size] for column in columns.values()]
-        padded = [np.pad(column, (0, size - column.size), mode="edge") for column in block]
-        with _ALONE if quick else contextlib.nullcontext():
-            done: BatchResult = jax.tree.map(np.asarray, program(base, *padded))
-        return done
-
-    starts = range(0, count, size)
-    alone = quick or jax.default_backend() != "cpu"
-    with _mapped_by(1 if alone else threads or os.cpu_count() or 1) as mapped:
-        for start, (code, done) in zip(starts, mapped(evaluated, starts), strict=True):
-            part = slice(start, min(start + size, count))
-            status[part] = code[: part.stop - start]
+    parts, start = _parts(values, columns, results, max(in_all or 0, count), batch or count, threads), 0
+    with contextlib.closing(parts):
+        for code, done in parts:
+            part = slice(start, start + code.size)
+            status[part] = code
             for name, value in done.items():
-                result_values[name][..., part] = value[..., : part.stop - start]
+                result_values[name][..., part] = value
+            start += code.size
             if report is not None:
-                report(part.stop - start)
+                report(code.size)
     status[outside] = OUT_OF_RANGE
     for name in results:
         result_values[name][..., outside] = np.nan
     return status, result_values
 
 
-@contextlib.contextmanager
-def _mapped_by(threads: int) -> Iterator[Callable[..., Iterable[Any]]]:
-    """A ``map`` in a number of threads; what has not begun is left out where no more results are asked for."""
-    if threads == 1:
-        yield map
+def _parts(
+    values: Values, columns: Columns, results: tuple[str, ...], in_all: int, batch: int, threads: int | None
+) -> Generator[Any]:
+    """What :func:`evaluate_points` puts together, block by block."""
+    count = next(iter(columns.values())).size
+    size = min(BATCH, 1 << max(batch - 1, 0).bit_length())
+    if in_all <= QUICK_POINTS:
+        filled, size = replace_values(values, columns), max(size, _FEWEST)
+        options, table = (table_structure(filled), results), _table(filled, count)
+        for start in range(0, count, size):
+            with _ALONE:
+                done = _blockwise(_points, options, size, table[:, start : start + size])
+            yield done
         return
-    with ThreadPoolExecutor(threads) as pool:
-        yield pool.map
+    program = _program(table_structure(values), tuple(columns), results, size)
+    base = tuple(np.float64(number) for number in numbers(values))
+
+    def evaluated(start: int) -> Any:
+        block = [column[start : start + size] for column in columns.values()]
+        padded = [np.pad(column, (0, size - column.size), mode="edge") for column in block]
+        return jax.tree.map(lambda each: np.asarray(each)[..., : block[0].size], program(base, *padded))
+
+    starts = range(0, count, size)
+    if threads == 1 or jax.default_backend() != "cpu":
+        yield from map(evaluated, starts)
+        return
+    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+        yield from pool.map(evaluated, starts)
+
+
+def _table(values: Values, points: int) -> np.ndarray:
+    """All numbers of tables of numbers and arrays, shape (numbers, points)."""
+    return np.stack([np.broadcast_to(np.asarray(number, float), (points,)) for number in numbers(values)])
+
+
+def _points(structure: str, results: tuple[str, ...], table: Array) -> BatchResult:
+    """Status and results of columns of numbers, for files of one structure."""
+    result_values, status = _evaluated(structure, results)(table)
+    return status, _masked(status, result_values)
 
 
 def _evaluate_measured(
@@ -283,7 +295,7 @@ def derivatives_at(
     _refuse_count(values, variables)
     points = max((np.size(value) for value in changes.values()), default=1)
     filled = replace_values(with_tracks(values), changes)
-    table = np.stack([np.broadcast_to(np.asarray(number, float), (points,)) for number in numbers(filled)])
+    table = _table(filled, points)
     nothing = with_numbers(filled, itertools.repeat(0.0))
     directions = np.zeros((len(table), len(variables)))
     for index, path in enumerate(variables):
@@ -338,7 +350,7 @@ def _forwards(
     """What :func:`derivatives_at` returns, along one direction after the other."""
     (_, points), count = table.shape, max(directions.shape[1], 1)
     along = directions if directions.size else np.zeros((len(table), 1))
-    values, slopes, status = _in_blocks(
+    values, slopes, status = _blockwise(
         _directional, options, block, np.tile(table, (1, count)), np.repeat(along, points, axis=1)
     )
     first = {name: value.reshape(-1, count, points)[:, 0] for name, value in values.items()}
@@ -354,7 +366,7 @@ def _backwards(
 ) -> _Derivatives:
     """What :func:`derivatives_at` returns, from one row of the results after the other."""
     _, points = table.shape
-    values, gradients, status = _in_blocks(
+    values, gradients, status = _blockwise(
         _gradients, options, block, np.tile(table, (1, rows)), np.repeat(np.arange(rows), points)[None]
     )
     by_rows = np.einsum("nrp,nv->rpv", gradients.reshape(-1, rows, points), directions)
@@ -368,7 +380,7 @@ def derivative_block(points: int) -> int:
     return min(DERIVATIVE_BATCH, 1 << max(points - 1, 0).bit_length())
 
 
-def _in_blocks(function: Callable[..., Any], options: tuple[Any, ...], size: int, *tables: np.ndarray) -> Any:
+def _blockwise(function: Callable[..., Any], options: tuple[Any, ...], size: int, *tables: np.ndarray) -> Any:
     """Call a compiled function block by block; the last block is filled up with copies of its last point."""
     points = tables[0].shape[1]
     parts = []

@@ -162,9 +162,7 @@ def with_cam(*, assembly: Assembly, compliance: Real) -> Assembly:
     }
     shares["loading_cam_share"] = 1.0 - kept
     return dataclasses.replace(
-        assembly,
-        stiffness=TorsionalStiffness(sun=held.sun * kept, output=held.output * kept),
-        **shares,
+        assembly, stiffness=TorsionalStiffness(sun=held.sun * kept, output=held.output * kept), **shares
     )
 
 

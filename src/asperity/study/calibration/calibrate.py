@@ -200,7 +200,7 @@ def calibrate(
     begins = [curves.first]
     if starts > 1:
         sampler = qmc.LatinHypercube(d=size, rng=np.random.default_rng(seed))
-        begins += _usable(curves, sampler.random(8 * (starts - 1)))[: starts - 1]
+        begins += [point for point in sampler.random(8 * (starts - 1)) if curves.exists(point)][: starts - 1]
     ended = []
     for index, begin in enumerate(begins):
         ended.append(fitted(begin, curves.sizes))
@@ -250,11 +250,6 @@ def _weighted_by_errors(
         f"the sizes of the errors of both curves did not settle in {_MOST_ROUNDS} rounds: one curve may be explained "
         "exactly by the unknowns; ask for fewer unknowns, or fit one curve alone"
     )
-
-
-def _usable(curves: JoinedCurves, scaled_values: np.ndarray) -> list[np.ndarray]:
-    """Scaled values at which the joint has a stiffness at every torque: a search from elsewhere has no direction."""
-    return [point for point in scaled_values if curves.exists(point)]
 
 
 def _conclude(

@@ -15,7 +15,6 @@ from typing import Any
 
 from asperity.errors import InputError
 from asperity.precision import use_double_precision
-from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import require
 from asperity.study.sweep.store import write_block
 from asperity.study.sweep.store_layout import unfinished_blocks
@@ -36,9 +35,7 @@ _CONNECT_SECONDS = "10s"
 def compute_block(path: str, plan: Plan, index: int) -> int:
     """Compute one block and write it; what a worker runs."""
     use_double_precision()  # the flag does not travel to workers
-    status, result_values = block_results(
-        plan, plan.block(index), quick=plan.points <= QUICK_POINTS, threads=1
-    )
+    status, result_values = block_results(plan, plan.block(index), in_all=plan.points, threads=1)
     write_block(path, plan, index, status, result_values)
     return index
 

@@ -14,7 +14,6 @@ from asperity.errors import InputError
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
-from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import common_attributes, coordinate, dataset
 from asperity.study.parameters import SweepAxis
 from asperity.study.sweep.cluster import run_on_cluster
@@ -110,7 +109,7 @@ def sweep(
     todo = _Progress(plan, blocks, report)
     if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
         for index in blocks:
-            status, result_values = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
+            status, result_values = block_results(plan, plan.block(index), in_all=plan.points)
             write_block(store, plan, index, status, result_values)
             todo.finished(index)
     else:

@@ -49,7 +49,9 @@ def sweep_figure(
     """
     from matplotlib.figure import Figure
 
-    name = result or next((n for n in _PREFERRED if n in dataset), _first(dataset))
+    name = result or next(
+        (str(n) for n in (*_PREFERRED, *dataset.data_vars) if n in dataset and n != "status"), "status"
+    )
     if name not in dataset or name not in RESULTS:
         raise InputError(f"the sweep has no result '{name}'; it has {', '.join(map(str, dataset.data_vars))}")
     axes = [str(dim) for dim in dataset["status"].dims]
@@ -67,10 +69,6 @@ def sweep_figure(
     heading = told if len(axes) == 1 and name in _PREFERRED[:3] else f"{_words(dataset, name)}\n{told}"
     figure.suptitle(heading, fontsize=10)
     return figure
-
-
-def _first(dataset: xarray.Dataset) -> str:
-    return next((str(name) for name in dataset.data_vars if name != "status"), "status")
 
 
 def _spread(count: int, most: int) -> np.ndarray:
