@@ -29,6 +29,25 @@ def test_empty_cache_directory_switches_the_cache_off(monkeypatch):
     assert jax.config.jax_compilation_cache_dir == before
 
 
+def test_half_of_a_program_is_not_kept(tmp_path, monkeypatch):
+    """A full disk, or an interruption: JAX would say at every later start that it cannot read what was written."""
+    cache = pytest.importorskip("jax._src.lru_cache").LRUCache(str(tmp_path), max_size=-1)
+    write = Path.write_bytes
+
+    def full(path, content):
+        write(path, content[:5])
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(OSError, match="No space"):
+        cache.put("program", b"machine code")
+    assert cache.get("program") is None
+    assert not list(tmp_path.iterdir())
+    monkeypatch.undo()
+    cache.put("program", b"machine code")
+    assert cache.get("program") == b"machine code"
+
+
 FOLDER = """
 import os, pwd
 import jax

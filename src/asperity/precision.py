@@ -7,6 +7,9 @@ and the examples call :func:`use_double_precision`; a library user calls it once
 
 import functools
 import logging
+import os
+import threading
+from typing import Any
 
 from asperity.errors import PrecisionError, printable
 
@@ -42,7 +45,6 @@ def use_compilation_cache() -> None:
     If the folder cannot be written, the cache stays off; results never depend on it. It also stays off, and a note says
     so, if others can write to the folder: a compiled program is code that runs.
     """
-    import os
     from pathlib import Path
 
     import jax
@@ -71,6 +73,36 @@ def use_compilation_cache() -> None:
     jax.config.update("jax_compilation_cache_dir", str(cache))
     jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
     jax.config.update("jax_persistent_cache_min_entry_size_bytes", -1)
+    _write_whole_files()
+
+
+@functools.cache
+def _write_whole_files() -> None:
+    """Let JAX write a program completely or not at all.
+
+    It writes in place: another process reads half of a program, and what a full disk leaves is complained of for ever.
+    """
+    try:
+        from jax._src.lru_cache import _CACHE_SUFFIX, LRUCache
+    except ImportError:  # another release, which may do without
+        return
+
+    in_place = LRUCache.put
+
+    def put(cache: Any, key: str, value: bytes) -> None:
+        if cache.eviction_enabled:  # behind a lock
+            in_place(cache, key, value)
+            return
+        whole = cache.path / f"{key}{_CACHE_SUFFIX}"
+        part = cache.path / f"{key}.{os.getpid()}.{threading.get_ident()}"
+        if not whole.exists():
+            try:
+                part.write_bytes(value)
+                part.replace(whole)
+            finally:
+                part.unlink(missing_ok=True)
+
+    LRUCache.put = put  # type: ignore[assignment, method-assign]
 
 
 @functools.cache
