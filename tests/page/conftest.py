@@ -35,7 +35,8 @@ class Served:
             ],
             stderr=subprocess.PIPE,
             text=True,
-            env=os.environ,
+            # as the programs of the tests are, which are compiled once for both
+            env={**os.environ, "JAX_DISABLE_MOST_OPTIMIZATIONS": "1"},
         )
         assert self.process.stderr is not None
         line = self.process.stderr.readline()
