@@ -20,7 +20,7 @@ from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import si_values, varied_keys
 from asperity.joint_file.solved_document import full_document, solve_with_surface
 from asperity.study.batch import derivatives_at, evaluate_points
-from asperity.study.measured_points import refuse_derivatives
+from asperity.study.measured_points import heights_moved, refuse_derivatives
 
 #: Edges of the bins along the rolling direction [1/m]: contacts are 0.12 to 0.18 mm wide, in the second bin.
 EDGES = (1_000.0, 4_000.0, 9_000.0, 54_000.0)
@@ -141,6 +141,21 @@ def test_derivatives_move_the_heights(named):
         _, ends = evaluate_points(values, points, RESULTS[:1])
         difference = np.diff(ends[RESULTS[0]]) / (2.0 * step)
         assert slopes[RESULTS[0]][0, 0, number] == pytest.approx(difference[0], rel=1e-4)
+
+
+def test_heights_and_widths_move_each_other(named):
+    """Heights that move with widths, which move with a preload and with all heights, by hand."""
+    width, step = 0.15e-3, 1e-8
+    by_width = (height_by_hand(width + step) - height_by_hand(width - step)) / (2.0 * step)
+    rng = np.random.default_rng(4)
+    by_preload, by_heights = rng.uniform(1e-9, 3e-9, size=5), rng.uniform(-0.2, 0.2, size=(5, 5)) / by_width
+    slopes = np.column_stack([by_preload, by_heights])[:, None]
+    preload = {"load.preload": np.array([1000.0])}
+    moved = heights_moved(si_values(named), preload, np.full((5, 1), 0.5 * width), slopes, tuple(preload))
+    assert moved.shape == (1, 5, 1)
+    one = moved[0, :, 0]
+    np.testing.assert_allclose(one, 2.0 * by_width * (by_preload + by_heights @ one), rtol=1e-5)
+    assert np.abs(one / (2.0 * by_width * by_preload) - 1.0).max() > 0.1
 
 
 @pytest.mark.long

@@ -10,10 +10,12 @@ from asperity.errors import InputError
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.si_tables import NumericKey
 from asperity.results import RESULTS
 from asperity.study.tolerances import uncertainty as module
 from asperity.study.tolerances.sensitivity import sensitivity
 from asperity.study.tolerances.uncertainty import (
+    quantiles,
     quantiles_with_failed,
     toleranced_inputs,
     uncertainty,
@@ -48,6 +50,22 @@ def spread(toleranced):
         samples=SAMPLES,
         seed=1,
     )
+
+
+@pytest.mark.parametrize(
+    ("distribution", "deviations"),
+    [
+        (Distribution("uniform", 0.0), [-1.0, -0.8, 0.0, 0.8, 1.0]),
+        # below v - t (1 - x) lies x^2/2
+        (Distribution("triangular", 0.0), [-1.0, math.sqrt(0.2) - 1.0, 0.0, 1.0 - math.sqrt(0.2), 1.0]),
+        # 1.2815515655 standard deviations, each half a tolerance, from the middle
+        (Distribution("normal", 2.0), [-math.inf, -0.64077578, 0.0, 0.64077578, math.inf]),
+    ],
+)
+def test_quantiles_of_a_tolerance(distribution, deviations):
+    entry = NumericKey("drive.planet_radius", 13.5e-3, 0.1e-3, None, distribution)
+    found = quantiles(entry, distribution, np.array([0.0, 0.1, 0.5, 0.9, 1.0]))
+    np.testing.assert_allclose(found, 13.5e-3 + 0.1e-3 * np.array(deviations), rtol=1e-10)
 
 
 @pytest.mark.long
