@@ -9,7 +9,7 @@ import jax
 import pytest
 
 from asperity.errors import PrecisionError
-from asperity.precision import require_double_precision, use_compilation_cache
+from asperity.precision import _write_whole_files, require_double_precision, use_compilation_cache
 
 
 def test_single_precision_is_refused_with_the_remedy():
@@ -32,6 +32,7 @@ def test_empty_cache_directory_switches_the_cache_off(monkeypatch):
 def test_half_of_a_program_is_not_kept(tmp_path, monkeypatch):
     """A full disk, or an interruption: JAX would say at every later start that it cannot read what was written."""
     cache = pytest.importorskip("jax._src.lru_cache").LRUCache(str(tmp_path), max_size=-1)
+    _write_whole_files()  # also where the tests keep nothing
     write = Path.write_bytes
 
     def full(path, content):

@@ -148,7 +148,8 @@ def test_heights_and_widths_move_each_other(named):
     width, step = 0.15e-3, 1e-8
     by_width = (height_by_hand(width + step) - height_by_hand(width - step)) / (2.0 * step)
     rng = np.random.default_rng(4)
-    by_preload, by_heights = rng.uniform(1e-9, 3e-9, size=5), rng.uniform(-0.2, 0.2, size=(5, 5)) / by_width
+    by_preload = rng.uniform(1e-9, 3e-9, size=5)
+    by_heights = rng.uniform(0.02, 0.08, size=(5, 5)) / by_width  # the feedback is .2 to .8 of a change
     slopes = np.column_stack([by_preload, by_heights])[:, None]
     preload = {"load.preload": np.array([1000.0])}
     moved = heights_moved(si_values(named), preload, np.full((5, 1), 0.5 * width), slopes, tuple(preload))

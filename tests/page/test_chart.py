@@ -1,6 +1,7 @@
 """Charts: what a request may ask, and numbers that are those of single joints."""
 
 import jsonschema
+import numpy as np
 import pytest
 
 from asperity.errors import InputError
@@ -53,6 +54,22 @@ def test_a_chart_says_what_single_joints_say(asked, joint_text):
     schema = openapi()["components"]["schemas"]["Chart"]
     jsonschema.validate(found, schema)
     assert set(found) == set(schema["properties"])
+
+
+def test_charts_of_files_with_branches_vary_what_is_asked_alone(joint_text, monkeypatch):
+    """There are as many planets as sections: they cannot vary with the rest."""
+    branches = "\n[[branch]]\nplanet_deviation = '1 um'\n" + 2 * "\n[[branch]]\n"
+    text = joint_text.replace('preload = "1000 N"', 'interference = "13 um"') + branches
+    seen = {}
+
+    def evaluated(values, columns, results, **options):
+        seen.update(columns)
+        return np.zeros(5, dtype=int), {results[0]: np.ones(5)}
+
+    monkeypatch.setattr("asperity.page.chart.evaluate_points", evaluated)
+    over = {"over": "load.output_torque", "from": "1 N*m", "to": "4 N*m"}
+    chart_answer(chart_request({"toml": text, "name": "my.toml", "chart": CHART | over}))
+    assert set(seen) == {"load.output_torque"}
 
 
 @pytest.mark.slow

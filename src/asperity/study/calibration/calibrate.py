@@ -200,6 +200,7 @@ def calibrate(
     begins = [curves.first]
     if starts > 1:
         sampler = qmc.LatinHypercube(d=size, rng=np.random.default_rng(seed))
+        # a search has no direction where the joint lacks a stiffness at a torque
         begins += [point for point in sampler.random(8 * (starts - 1)) if curves.exists(point)][: starts - 1]
     ended = []
     for index, begin in enumerate(begins):
