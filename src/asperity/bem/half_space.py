@@ -244,6 +244,17 @@ def field_on_grid(name: str, field: ArrayLike, shape: tuple[int, ...]) -> np.nda
     return array
 
 
+def pressure_on_grid(pressure: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
+    """The field of a pressure [Pa]; an ``InputError`` as well if a value is negative, or none is positive."""
+    p = field_on_grid("pressure", pressure, shape)
+    if p.min() < 0.0 or p.max() <= 0.0:
+        raise InputError(
+            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not be negative, and must be positive "
+            "in the contact"
+        )
+    return p
+
+
 def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> tuple[tuple[int, ...], Array]:
     """Points and spacing [m] of a grid of one axis (a strip, plane strain) or two; an ``InputError`` for any other."""
     points = tuple(int(n) for n in shape)

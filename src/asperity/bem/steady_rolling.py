@@ -13,7 +13,7 @@ from jax.typing import ArrayLike
 
 from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace, strip_integral
-from asperity.bem.half_space import field_on_grid
+from asperity.bem.half_space import pressure_on_grid
 from asperity.bem.transient_rolling import layer_on_grid
 from asperity.errors import InputError, NoSolutionError
 
@@ -218,12 +218,7 @@ def steady_rolling(
     if len(half_space.shape) != 1:
         raise InputError(f"the grid has shape {half_space.shape}: steady rolling needs a strip (one axis)")
     mu = positive("friction_coefficient", friction_coefficient, "")
-    p = field_on_grid("pressure", pressure, half_space.shape)
-    if p.min() < 0.0 or p.max() <= 0.0:
-        raise InputError(
-            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not be negative, and must be positive "
-            "in the contact"
-        )
+    p = pressure_on_grid(pressure, half_space.shape)
     components = (
         _prescribed("longitudinal", longitudinal_creepage, longitudinal_force),
         _prescribed("lateral", lateral_creepage, lateral_force),

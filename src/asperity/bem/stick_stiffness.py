@@ -75,29 +75,19 @@ def conjugate_gradients(
 
 
 @eqx.filter_jit
-def _normal_rate(
-    half_space: HalfSpace, mask: Array, tolerance: Array, max_iterations: Array
-) -> tuple[Array, ...]:
+def _rate(
+    half_space: HalfSpace, mask: Array, axis: int | None, tolerance: Array, max_iterations: Array
+) -> tuple[Array, Array, Array]:
+    """Traction per displacement along a tangential axis, or None for the normal, as :func:`conjugate_gradients`."""
+    target, response = mask.astype(jnp.float64), half_space.normal_displacement
+    if axis is not None:
+        mask, response = jnp.stack([mask, mask]), half_space.shear_displacement
+        target = jnp.zeros(mask.shape).at[axis].set(target)
     return conjugate_gradients(
-        response=half_space.normal_displacement,
+        response=response,
         estimate=half_space.traction_estimate,
         usable=mask,
-        target=mask.astype(jnp.float64),
-        tolerance=tolerance,
-        max_iterations=max_iterations,
-    )
-
-
-@eqx.filter_jit
-def _tangential_rate(
-    half_space: HalfSpace, mask: Array, axis: int, tolerance: Array, max_iterations: Array
-) -> tuple[Array, ...]:
-    both = jnp.stack([mask, mask])
-    return conjugate_gradients(
-        response=half_space.shear_displacement,
-        estimate=half_space.traction_estimate,
-        usable=both,
-        target=jnp.zeros(both.shape).at[axis].set(mask.astype(jnp.float64)),
+        target=target,
         tolerance=tolerance,
         max_iterations=max_iterations,
     )
@@ -122,16 +112,19 @@ def _checked_mask(half_space: HalfSpace, contact_mask: ArrayLike, tolerance: flo
     return mask
 
 
-def _checked_result(
+def _stiffness(
     what: str,
     half_space: HalfSpace,
-    rate: Array,
-    main: Array,
-    cross: Array,
-    k: Array,
-    error: Array,
+    contact_mask: ArrayLike,
+    axis: int | None,
     tolerance: float,
+    max_iterations: int,
 ) -> ContactStiffness:
+    mask = _checked_mask(half_space, contact_mask, tolerance)
+    rate, k, error = _rate(half_space, mask, axis, jnp.asarray(tolerance), jnp.asarray(max_iterations))
+    main, cross = jnp.sum(rate), jnp.zeros(())
+    if axis is not None:
+        main, cross = jnp.sum(rate[axis]), jnp.sum(rate[1 - axis])
     if not float(error) <= tolerance or not float(main) > 0.0:
         raise NoSolutionError(
             f"{what}: not converged after {int(k)} iterations, estimated relative error {float(error):.3g}, "
@@ -185,11 +178,7 @@ def normal_stiffness(
     J. R. Barber, Proc. R. Soc. A 459 (2003) 53. K. L. Johnson, Contact Mechanics, 1985, section 3.8: 2 E a
     for a disc.
     """
-    mask = _checked_mask(half_space, contact_mask, tolerance)
-    rate, k, error = _normal_rate(half_space, mask, jnp.asarray(tolerance), jnp.asarray(max_iterations))
-    return _checked_result(
-        "normal stiffness", half_space, rate, jnp.sum(rate), jnp.zeros(()), k, error, tolerance
-    )
+    return _stiffness("normal stiffness", half_space, contact_mask, None, tolerance, max_iterations)
 
 
 def tangential_stiffness(
@@ -245,17 +234,4 @@ def tangential_stiffness(
     """
     if axis not in (0, 1):
         raise InputError(f"axis = {axis}: the tangential directions are 0 and 1")
-    mask = _checked_mask(half_space, contact_mask, tolerance)
-    rate, k, error = _tangential_rate(
-        half_space, mask, axis, jnp.asarray(tolerance), jnp.asarray(max_iterations)
-    )
-    return _checked_result(
-        "tangential stiffness",
-        half_space,
-        rate,
-        jnp.sum(rate[axis]),
-        jnp.sum(rate[1 - axis]),
-        k,
-        error,
-        tolerance,
-    )
+    return _stiffness("tangential stiffness", half_space, contact_mask, axis, tolerance, max_iterations)
