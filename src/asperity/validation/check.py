@@ -38,13 +38,7 @@ class Check:
         return self.deviation <= self.tolerance
 
     def as_dict(self) -> dict[str, Any]:
-        """For JSON: numbers that are not finite are None.
-
-        Returns
-        -------
-        dict
-            The fields, ``computed`` under the name "found", and ``passed``.
-        """
+        """The fields for JSON, ``computed`` as "found", and ``passed``; numbers that are not finite are None."""
         fields = {"found" if name == "computed" else name: getattr(self, name) for name in self.__slots__}
         for name in ("expected", "found", "deviation"):
             if not math.isfinite(fields[name]):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import functools
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -95,36 +96,30 @@ def hertz() -> Iterator[Check]:
     )
     peak = hertz_line.peak_pressure(normal_force=_FORCE, contact_length=_LENGTH, half_width=width)
     source = "Johnson 1985, (4.43)-(4.45), by hand: 10/20 mm, 10 mm long, 2000 N"
-    yield compared(
-        model="Hertz line contact",
-        reference=source,
-        quantity="half-width",
-        unit="µm",
-        expected=122.47,
-        computed=1e6 * np.asarray(width),
-        tolerance=1e-4,
-    )
-    yield compared(
-        model="Hertz line contact",
-        reference=source,
-        quantity="peak pressure",
-        unit="MPa",
-        expected=1039.64,
-        computed=1e-6 * np.asarray(peak),
-        tolerance=1e-5,
-    )
+    for quantity, unit, expected, computed, tolerance in (
+        ("half-width", "µm", 122.47, 1e6 * np.asarray(width), 1e-4),
+        ("peak pressure", "MPa", 1039.64, 1e-6 * np.asarray(peak), 1e-5),
+    ):
+        yield compared(
+            model="Hertz line contact",
+            reference=source,
+            quantity=quantity,
+            unit=unit,
+            expected=expected,
+            computed=computed,
+            tolerance=tolerance,
+        )
 
 
 def creep() -> Iterator[Check]:
     """Carter's law by hand, and CONTACT's deck ``carter2d``."""
-    model = "Creep of a rolling line contact (Carter)"
+    check = functools.partial(compared, model="Creep of a rolling line contact (Carter)")
     modulus = 206e9 / (2.0 * 0.91)
     width = hertz_line.half_width(
         normal_force=_FORCE, contact_length=_LENGTH, effective_radius=_RADIUS, contact_modulus=modulus
     )
     limit = carter.gross_slip_creepage(friction_coefficient=0.1, half_width=width, effective_radius=_RADIUS)
-    yield compared(
-        model=model,
+    yield check(
         reference="Carter 1926, by hand: 10/20 mm, 10 mm long, 2000 N, friction 0.1",
         quantity="creepage at 10, 25, 50, 75 and 100 % of friction",
         unit="-",
@@ -139,55 +134,37 @@ def creep() -> Iterator[Check]:
     )
     limit = carter.gross_slip_creepage(friction_coefficient=0.3, half_width=width, effective_radius=0.5)
     share = carter.slip_ratio_at_creepage(creepage=2.4e-4, gross_slip_creepage=limit)
-    deck = "CONTACT, example carter2d (Vollebregt)"
-    yield compared(
-        model=model,
-        reference=f"{deck}, 50 cells",
-        quantity="traction over friction",
-        unit="-",
-        expected=0.6480,
-        computed=share,
-        tolerance=0.015,
-    )
-    yield compared(
-        model=model,
-        reference=f"{deck}, analytical",
-        quantity="traction over friction",
-        unit="-",
-        expected=0.64,
-        computed=share,
-        tolerance=1e-4,
-    )
-    yield compared(
-        model=model,
-        reference=f"{deck}, analytical",
-        quantity="half-width of the stick zone",
-        unit="mm",
-        expected=0.6,
-        computed=1e3 * np.asarray(carter.stick_half_width(slip_ratio=share, half_width=width)),
-        tolerance=1e-4,
-    )
+    stick = 1e3 * np.asarray(carter.stick_half_width(slip_ratio=share, half_width=width))
+    for how, quantity, unit, expected, computed, tolerance in (
+        ("50 cells", "traction over friction", "-", 0.6480, share, 0.015),
+        ("analytical", "traction over friction", "-", 0.64, share, 1e-4),
+        ("analytical", "half-width of the stick zone", "mm", 0.6, stick, 1e-4),
+    ):
+        yield check(
+            reference=f"CONTACT, example carter2d (Vollebregt), {how}",
+            quantity=quantity,
+            unit=unit,
+            expected=expected,
+            computed=computed,
+            tolerance=tolerance,
+        )
 
 
 def stresses() -> Iterator[Check]:
     """Largest stresses below a line contact, and the shakedown limit."""
     shear = stress_peaks.shear_peak(friction_coefficient=jnp.zeros(1))
     mises = stress_peaks.mises_peak(friction_coefficient=jnp.zeros(1), poisson_ratio=0.5)
-    model = "Stresses below a line contact"
-    yield compared(
-        model=model,
+    check = functools.partial(compared, model="Stresses below a line contact", unit="-")
+    yield check(
         reference="closed form: p0/4 at half the half-width, (√3/2) a beside the middle",
         quantity="largest alternating shear stress over the peak pressure, its position and depth over the half-width",
-        unit="-",
         expected=[0.25, np.sqrt(0.75), 0.5],
         computed=[float(v[0]) for v in (shear.stress, shear.position, shear.depth)],
         tolerance=1e-9,
     )
-    yield compared(
-        model=model,
+    yield check(
         reference="Johnson 1985, figure 4.5: 0.300 at 0.78",
         quantity="largest principal shear stress over the peak pressure, and its depth over the half-width",
-        unit="-",
         expected=[0.300, 0.786],
         computed=[float(mises.stress[0]), float(mises.depth[0])],
         tolerance=2e-3,

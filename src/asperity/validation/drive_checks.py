@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 
@@ -211,12 +212,11 @@ def _creep(force: float, preload: float) -> float:
 
 def unlike() -> Iterator[Check]:
     """A plain planetary with two opposed planets of unlike radii."""
-    model = "Branches of unlike sizes"
+    check = functools.partial(compared, model="Branches of unlike sizes")
     source = "two opposed planets by hand, 2 µm too large and too small, interference 20 µm: Johnson, Weber–Banaschek"
     held, centre = _opposed(jnp.asarray(_RIGID))
     preload = _preloads(0.0)
-    yield compared(
-        model=model,
+    yield check(
         reference=source,
         quantity="normal forces of sun and ring on both planets, the sun held",
         unit="N",
@@ -224,8 +224,7 @@ def unlike() -> Iterator[Check]:
         computed=np.asarray(held.rest.normal),
         tolerance=1e-6,
     )
-    yield compared(
-        model=model,
+    yield check(
         reference=source,
         quantity="force on the bearings of the sun",
         unit="N",
@@ -235,8 +234,7 @@ def unlike() -> Iterator[Check]:
     )
     soft, _ = _opposed(jnp.asarray(_SOFT))
     moved = brentq(lambda u: _SOFT * u - np.subtract(*_preloads(u)), 0.0, 2.0 * _ERROR, xtol=1e-18)
-    yield compared(
-        model=model,
+    yield check(
         reference=f"{source}; the sun on bearings of 200 N/µm",
         quantity="displacement of the sun",
         unit="µm",
@@ -246,8 +244,7 @@ def unlike() -> Iterator[Check]:
     )
     both = 0.5 * _TORQUE / (_SUN + _PLANET)
     first = brentq(lambda t: _creep(t, preload[0]) - _creep(both - t, preload[1]), 0.3 * both, 0.7 * both)
-    yield compared(
-        model=model,
+    yield check(
         reference="the same creep in both branches by hand: Carter 1926, 8 N·m on planets 30 mm from the axis",
         quantity="tangential forces of both planets in rolling",
         unit="N",

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator, Sequence
 
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.bem import (
     ElasticPair,
@@ -71,25 +71,19 @@ def sliding() -> Iterator[Check]:
         axis=0,
         tangential_force=np.array([0.875 * friction * force]),
     )
-    deck = "CONTACT, example cattaneo (Vollebregt, Kalker)"
-    yield compared(
-        model="Boundary elements: partial slip",
-        reference=deck,
-        quantity="displacement at 7/8 of sliding",
-        unit="µm",
-        expected=8.155,
-        computed=1e6 * np.asarray(slip.displacement[0]),
-        tolerance=3e-3,
-    )
-    yield compared(
-        model="Boundary elements: partial slip",
-        reference=deck,
-        quantity="work of friction",
-        unit="µJ",
-        expected=2.750,
-        computed=1e6 * np.asarray(slip.friction_work[0]),
-        tolerance=1e-2,
-    )
+    for quantity, unit, expected, computed, tolerance in (
+        ("displacement at 7/8 of sliding", "µm", 8.155, slip.displacement, 3e-3),
+        ("work of friction", "µJ", 2.750, slip.friction_work, 1e-2),
+    ):
+        yield compared(
+            model="Boundary elements: partial slip",
+            reference="CONTACT, example cattaneo (Vollebregt, Kalker)",
+            quantity=quantity,
+            unit=unit,
+            expected=expected,
+            computed=1e6 * np.asarray(computed[0]),
+            tolerance=tolerance,
+        )
 
 
 def _line_contact(margin: int) -> tuple[FreeHalfSpace, np.ndarray]:
@@ -153,7 +147,7 @@ def rolling() -> Iterator[Check]:
 
 
 _MODULUS, _POISSON, _LENGTH = 206e9, 0.3, 5e-3
-_MODEL = "Elastic discs and rings"
+_compared = functools.partial(compared, model="Elastic discs and rings")
 
 _compiled = jax.jit(compliance_matrix, static_argnames=("copies", "mode_count"))
 
@@ -161,8 +155,8 @@ _compiled = jax.jit(compliance_matrix, static_argnames=("copies", "mode_count"))
 def _matrix(
     body: Disc | Annulus, angles: Sequence[float], half_width: float, *, copies: int, modes: int
 ) -> np.ndarray:
-    widths: Array = jnp.full(len(angles), half_width)
-    compliance: np.ndarray = np.asarray(
+    widths = jnp.full(len(angles), half_width)
+    return np.asarray(
         _compiled(
             body=body,
             contact_angles=jnp.asarray(angles, dtype=float),
@@ -172,7 +166,6 @@ def _matrix(
             mode_count=modes,
         )
     )
-    return compliance
 
 
 def discs() -> Iterator[Check]:
@@ -185,8 +178,7 @@ def discs() -> Iterator[Check]:
         / (math.pi * _MODULUS * _LENGTH)
         * (2.0 * math.log(4.0 * 13.5e-3 / 80e-6) - 2.0)
     )
-    yield compared(
-        model=_MODEL,
+    yield _compared(
         reference="Johnson 1985, (5.57), differentiated: R 13.5, L 5 mm, half-width 80 µm",
         quantity="approach of two opposite contacts per force",
         unit="µm/kN",
@@ -197,8 +189,7 @@ def discs() -> Iterator[Check]:
     # of a half-space, by the same derivative: (2 ln(2d/b) - nu/(1 - nu) - 1) in place of (2 ln(4R/b) - 2)
     half = 0.5 * (c[0, 0] + c[0, 1] + c[1, 0] + c[1, 1]) * math.pi * _MODULUS * _LENGTH / (1.0 - _POISSON**2)
     depth = 0.5 * 80e-6 * math.exp(0.5 * (half + _POISSON / (1.0 - _POISSON) + 1.0))
-    yield compared(
-        model=_MODEL,
+    yield _compared(
         reference="measured: three quarters of the diameter, J. Tribol. 110(2) 285 (1988)",
         quantity="depth at which a half-space moves as the middle of a roller, over the diameter",
         unit="-",
@@ -223,8 +214,7 @@ def rings() -> Iterator[Check]:
             )
             modes = modes_needed(inner_radius=40e-3, outer_radius=40e-3 + wall, copies=3)
             displacements.append(_matrix(ring, [-polar, polar], 91.2e-6, copies=3, modes=modes)[0, :2].sum())
-        yield compared(
-            model=_MODEL,
+        yield _compared(
             reference="independent sum of 40 000 modes: ring of 40 mm under six loads, walls of 4, 10 and 60 mm",
             quantity=f"radial displacement per force, outer rim {name}",
             unit="µm/kN",
@@ -240,8 +230,7 @@ def rings() -> Iterator[Check]:
         )
         c = _matrix(ring, [0.0], wall / 50, copies=count, modes=math.ceil(6000 / count))
         displacements.append(c[0, 0] * _MODULUS * wall**3 / 12.0)
-    yield compared(
-        model=_MODEL,
+    yield _compared(
         reference="bending of a thin ring under 2, 3 and 4 equal loads, closed form (Timoshenko)",
         quantity="displacement of a load times EI/(P R³)",
         unit="-",

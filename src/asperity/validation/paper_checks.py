@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 
 import numpy as np
@@ -21,9 +22,8 @@ def figures() -> Iterator[Check]:
     numbers: dict[str, dict[str, float]] = {}
     for claim in judge(curves):
         numbers[claim.name] = {key: value for part in claim.statements for key, value in part.numbers.items()}
-    model = "Figures of Zou et al. 2025"
-    yield compared(
-        model=model,
+    check = functools.partial(compared, model="Figures of Zou et al. 2025")
+    yield check(
         reference="figure 4c: maximum near D = 1.85",
         quantity="fractal dimension of the stiffest pair",
         unit="-",
@@ -33,8 +33,7 @@ def figures() -> Iterator[Check]:
         absolute=True,
     )
     peaks = [value for key, value in numbers["C9"].items() if key.startswith("peak_fractal_dimension")]
-    yield compared(
-        model=model,
+    yield check(
         reference="figure 7a: maximum near D = 1.85 at every torque",
         quantity="fractal dimension of the stiffest joint, 0 to 5 N·m",
         unit="-",
@@ -43,8 +42,7 @@ def figures() -> Iterator[Check]:
         tolerance=0.02,
         absolute=True,
     )
-    yield compared(
-        model=model,
+    yield check(
         reference="figure 4b: no stiffness from T = mu F on, 0.12 of 1000 N",
         quantity="tangential force at which the pair slips",
         unit="N",
@@ -52,8 +50,7 @@ def figures() -> Iterator[Check]:
         computed=numbers["C2"]["slip_force_N"],
         tolerance=1e-9,
     )
-    yield compared(
-        model=model,
+    yield check(
         reference="statics of (1)-(5) by hand: 5 N·m over three planets, ratio 9, sun of 4 mm",
         quantity="tangential force of the sun at 5 N·m",
         unit="N",
@@ -61,14 +58,12 @@ def figures() -> Iterator[Check]:
         computed=numbers["C7"]["T_sp_end_N"],
         tolerance=1e-9,
     )
-    loads = curves.loads
-    yield compared(
-        model=model,
+    yield check(
         reference="independent script, two digits: D 1.4, no torque",
         quantity="published torsional stiffness at the output",
         unit="N·m/rad",
         expected=5.0e6,
-        computed=float(loads.output_stiffness[0, 0]),
+        computed=float(curves.loads.output_stiffness[0, 0]),
         tolerance=0.01,
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 
@@ -78,6 +79,7 @@ def crowns() -> Iterator[Check]:
 
 def skewed() -> Iterator[Check]:
     """Rollers whose axes are not parallel."""
+    check = functools.partial(compared, model="Skewed rollers", unit="-")
     force, length, friction = 1000.0, 5e-3, 0.12
     width = float(
         hertz_line.half_width(
@@ -102,11 +104,9 @@ def skewed() -> Iterator[Check]:
             for x, y in ((small, 0.0), (0.0, small))
         )
     ]
-    yield compared(
-        model="Skewed rollers",
+    yield check(
         reference="Kalker 1967, coefficients of a long contact: pi²/(4(1 - nu)) and pi²/4",
         quantity="creep coefficients C11 and C22",
-        unit="-",
         expected=[math.pi**2 / (4.0 * (1.0 - _POISSON)), math.pi**2 / 4.0],
         computed=slopes,
         tolerance=1e-6,
@@ -116,20 +116,16 @@ def skewed() -> Iterator[Check]:
     _, sideways = skew.skewed_slip_ratios(
         longitudinal_creepage=0.0, lateral_creepage=(1.0 - jnp.sqrt(1.0 - shares)) * along * ratio, **limits
     )
-    yield compared(
-        model="Skewed rollers",
+    yield check(
         reference="Carter 1926; Johnson 1985, section 8.3",
         quantity="without skew: creepage at 10 to 95 % of friction over that at gross slip",
-        unit="-",
         expected=1.0 - jnp.sqrt(1.0 - shares),
         computed=np.asarray(straight.longitudinal_creepage) / float(along),
         tolerance=1e-12,
     )
-    yield compared(
-        model="Skewed rollers",
+    yield check(
         reference="Carter 1926, across: antiplane shear has the same curve",
         quantity="skew alone: axial force over friction at the skew that takes 10 to 95 %",
-        unit="-",
         expected=shares,
         computed=np.asarray(sideways),
         tolerance=1e-12,
@@ -138,21 +134,17 @@ def skewed() -> Iterator[Check]:
     alike = {"gross_slip_creepage": 1e-3, "lateral_gross_slip_creepage": 1e-3}
     half = skew.skewed_slip_ratios(longitudinal_creepage=0.3e-3, lateral_creepage=0.4e-3, **alike)
     left = skew.longitudinal_capacity_ratio(lateral_creepage=0.6e-3, **alike)
-    yield compared(
-        model="Skewed rollers",
+    yield check(
         reference="Poisson's ratio 0: Carter's curve along the creepage, Vermeulen and Johnson's rule for a strip",
         quantity="forces over friction at half of the creepage of gross slip, 3 : 4; force left by a skew of 60 %",
-        unit="-",
         expected=[0.75 * 0.6, 0.75 * 0.8, 0.8],
         computed=[*map(float, half), float(left)],
         tolerance=1e-12,
     )
     slides = skew.skewed_slip_ratios(longitudinal_creepage=3.0, lateral_creepage=4.0, **limits)
-    yield compared(
-        model="Skewed rollers",
+    yield check(
         reference="Coulomb: far beyond gross slip the force opposes the sliding, 3 : 4",
         quantity="forces over friction",
-        unit="-",
         expected=[0.6, 0.8],
         computed=[*map(float, slides)],
         tolerance=1e-5,
@@ -175,9 +167,8 @@ def bearings() -> Iterator[Check]:
         duty=duty,
         shares=jnp.array([0.6, 0.4]),
     )
-    model = "Rolling bearings"
-    yield compared(
-        model=model,
+    check = functools.partial(compared, model="Rolling bearings")
+    yield check(
         reference="SKF, Rolling bearings, calculation example 1: 6309, C = 55.3 kN, 10 kN, 3000 rpm",
         quantity="basic rating life",
         unit="h",
@@ -188,8 +179,7 @@ def bearings() -> Iterator[Check]:
     million_turns = np.array([(8.0 / 0.8) ** (10.0 / 3.0), (8.0 / 1.6) ** (10.0 / 3.0)])
     hours = 1e6 * million_turns / (60.0 * np.array([1500.0, 3000.0]))
     source = "ISO 281 and Miner's sum by hand: roller bearing, C = 8 kN, 800 and 1600 N at 1500 and 3000 rpm"
-    yield compared(
-        model=model,
+    yield check(
         reference=source,
         quantity="life under the first load, and under both for 60 and 40 % of the time",
         unit="h",
@@ -197,8 +187,7 @@ def bearings() -> Iterator[Check]:
         computed=np.array([float(lives.life[1]), float(lives.duty_life[1])]) / 3600.0,
         tolerance=1e-12,
     )
-    yield compared(
-        model=model,
+    yield check(
         reference="ISO 76 by hand: C_0 over the largest load, 31.5/10 and 9/1.6",
         quantity="static safety",
         unit="-",
