@@ -146,6 +146,7 @@ def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -
 def heading(content: ExportContent, *, what: str) -> list[str]:
     """Sentences in ASCII, one line each, at the head of every exported file; ``what`` it is, such as "MuJoCo model"."""
     torque = format_quantity(content.largest_torque, "N*m")
+    unlike = content.joint.unlike is not None
     lines = [
         f"{what} of the joint in {printable(content.source)}, written by asperity {asperity.__version__}",
         "SI units: N*m, rad, kg*m^2, s. Angles and torques are those of the output unless a name says otherwise.",
@@ -157,19 +158,12 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
         f"{format_quantity(float(content.windup.hysteresis), 'arcmin')}",
         play_sentence(content),
         friction_sentence(content),
-        *_whose_branches(content),
+        *(["Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."] * unlike),
         "Stiffness and drift are two regimes: the wind-up of a joint that stands comes back, the drift of a joint "
         "that turns does not.",
         f"Range: -{torque} to {torque}; beyond it nothing was computed.",
     ]
     return [_ascii(line) for line in lines]
-
-
-def _whose_branches(content: ExportContent) -> list[str]:
-    """Comment on branches of unlike sizes; empty for equal ones."""
-    if content.joint.unlike is None:
-        return []
-    return ["Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."]
 
 
 def drift_sentence(content: ExportContent) -> str:
@@ -211,17 +205,8 @@ def friction_sentence(content: ExportContent) -> str:
 
 
 def _ascii(line: str) -> str:
-    for letter, spelt in (
-        ("·", "*"),
-        ("²", "^2"),
-        ("µ", "u"),
-        ("°", " deg"),
-        ("–", "-"),
-        ("−", "-"),
-        ("±", "+-"),
-    ):
-        line = line.replace(letter, spelt)
-    return line.encode("ascii", "backslashreplace").decode("ascii")
+    spelt = str.maketrans({"·": "*", "²": "^2", "µ": "u", "°": " deg", "–": "-", "−": "-", "±": "+-"})
+    return line.translate(spelt).encode("ascii", "backslashreplace").decode("ascii")
 
 
 #: What the loop is worth, for every model that has one.

@@ -28,9 +28,7 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
         )
     ]
     old = _tendon(content, "spring", stiffness=np.array([fitted.linear_stiffness]), damping=damping)
-    friction = ""
-    if content.friction > 0.0:
-        friction = f' frictionloss="{content.friction:.9g}"'
+    friction = f' frictionloss="{content.friction:.9g}"' if content.friction > 0.0 else ""
     name = quoteattr(Path(content.source).stem)
     axis = math.copysign(1.0, content.speed_ratio)
     lines = [
@@ -41,11 +39,11 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
         "  <worldbody>",
         '    <body name="motor">',
         f'      <joint name="motor" type="hinge" axis="0 0 {axis:.0f}"{friction}/>',
-        *_inertial(parts.input),
+        _inertial(parts.input),
         "    </body>",
         '    <body name="output">',
         '      <joint name="output" type="hinge" axis="0 0 1"/>',
-        *_inertial(parts.output),
+        _inertial(parts.output),
         "    </body>",
         "  </worldbody>",
         "  <tendon>",
@@ -94,9 +92,9 @@ def _comment(lines: list[str]) -> list[str]:
     return ["  <!--", *(f"    {line}" for line in safe), "  -->"]
 
 
-def _inertial(inertia: float) -> list[str]:
+def _inertial(inertia: float) -> str:
     about = " ".join([f"{inertia:.9g}"] * 3)
-    return [f'      <inertial pos="0 0 0" mass="0.1" diaginertia="{about}"/>']
+    return f'      <inertial pos="0 0 0" mass="0.1" diaginertia="{about}"/>'
 
 
 def _tendon(

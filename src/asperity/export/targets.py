@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,7 +10,7 @@ import numpy as np
 
 import asperity
 from asperity.errors import InputError, quoted
-from asperity.export.content import ExportContent, heading
+from asperity.export.content import ExportContent, fitted_elements, heading
 from asperity.writing import check_file, replacing
 
 #: Endings of the files of each target.
@@ -50,49 +49,25 @@ def check_target(to: str, path: str | Path, *inputs: str | Path) -> None:
 
 def exported(content: ExportContent, *, to: str, suffix: str) -> Exported:
     """The file of a target; an ``InputError`` if the target cannot carry something of the joint."""
-    return _WRITERS[to](content, suffix.lower())
+    if to == "table":
+        return Exported(csv_file(content) if suffix.lower() == ".csv" else mat_file(content))
+    if to == "fmu":
+        from asperity.export.fmu import fmu_file, fmu_parts
+
+        parts = fmu_parts(content)
+        return Exported(fmu_file(content, parts), parts.sentences)
+    from asperity.export.mjcf import mjcf_file
+    from asperity.export.modelica import modelica_file
+
+    program, file = {"mujoco": ("MuJoCo", mjcf_file), "modelica": ("the Modelica model", modelica_file)}[to]
+    fitted = fitted_elements(content, program=program)
+    return Exported(file(content, fitted), fitted.sentences)
 
 
 def write_exported(made: Exported, path: str | Path) -> None:
     """Write the file of a target, completely or not at all; an ``InputError`` if it cannot be written."""
     with replacing(path) as part:
         part.write_bytes(made.data)
-
-
-def _table(content: ExportContent, suffix: str) -> Exported:
-
-    return Exported(csv_file(content) if suffix == ".csv" else mat_file(content))
-
-
-def _mujoco(content: ExportContent, suffix: str) -> Exported:
-    from asperity.export.content import fitted_elements
-    from asperity.export.mjcf import mjcf_file
-
-    fitted = fitted_elements(content, program="MuJoCo")
-    return Exported(mjcf_file(content, fitted), fitted.sentences)
-
-
-def _fmu(content: ExportContent, suffix: str) -> Exported:
-    from asperity.export.fmu import fmu_file, fmu_parts
-
-    parts = fmu_parts(content)
-    return Exported(fmu_file(content, parts), parts.sentences)
-
-
-def _modelica(content: ExportContent, suffix: str) -> Exported:
-    from asperity.export.content import fitted_elements
-    from asperity.export.modelica import modelica_file
-
-    fitted = fitted_elements(content, program="the Modelica model")
-    return Exported(modelica_file(content, fitted), fitted.sentences)
-
-
-_WRITERS: dict[str, Callable[[ExportContent, str], Exported]] = {
-    "table": _table,
-    "mujoco": _mujoco,
-    "fmu": _fmu,
-    "modelica": _modelica,
-}
 
 
 def table_columns(content: ExportContent) -> dict[str, np.ndarray]:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import asperity
 from asperity.errors import AsperityError
@@ -46,9 +46,6 @@ from asperity.results.windup_document import (
 from asperity.rolling.onset import RollingOnset
 from asperity.show.title_block import Title
 from asperity.standing.windup import Windup
-
-if TYPE_CHECKING:
-    pass
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
 _CREEP_SHARE = 0.05  # as in asperity windup

@@ -195,20 +195,6 @@ def _crowns(crowned: Document) -> Table:
     )
 
 
-def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:
-    """The balance of forces knows no losses of rolling contacts; a motor has to overcome them too."""
-    return [
-        (
-            f"torque at the {end}, without losses in rolling",
-            quantity(document["standing"]["forces"]["input_torque_Nm"], "N*m"),
-        ),
-        (
-            f"torque at the {end} in rolling, all losses counted",
-            quantity(document["rolling"]["input_torque_Nm"], "N*m"),
-        ),
-    ]
-
-
 def drive(document: Document) -> Iterator[Block]:
     """Ratio, torques and masses of a drive, a table."""
     geometry, forces = document["geometry"], document["standing"]["forces"]
@@ -220,7 +206,12 @@ def drive(document: Document) -> Iterator[Block]:
         *((f"{role} member", words(geometry[role])) for role in ("input", "output", "grounded")),
         ("speed ratio, input over output", number(geometry["speed_ratio"])),
         ("speed of the output", quantity(abs(forces["output_speed_rad_per_s"]), "rpm")),
-        *_input_torques(document, "input"),
+        # the balance of forces knows no losses of rolling contacts; a motor has to overcome them too
+        ("torque at the input, without losses in rolling", quantity(forces["input_torque_Nm"], "N*m")),
+        (
+            "torque at the input in rolling, all losses counted",
+            quantity(document["rolling"]["input_torque_Nm"], "N*m"),
+        ),
         ("torque at the output", quantity(forces["output_torque_Nm"], "N*m")),
         *_wedge(geometry),
         *((f"mass of {words(name)}", quantity(mass, "g")) for name, mass in forces["body_mass_kg"].items()),

@@ -18,7 +18,12 @@ def rolling(document: Document) -> Iterator[Block]:
     in_rolling = document["rolling"]
     if in_rolling["unknown_because"]:
         yield Bullets([f"{reason}." for reason in in_rolling["unknown_because"]])
-    yield _position(document)
+    yield Table(
+        "Position of the output: drift beside stiffness",
+        ("quantity", "value", "what it is"),
+        [(label, quantity(value, unit), meaning) for label, value, unit, meaning in position_rows(document)],
+        words=(0, 2),
+    )
     yield _losses(in_rolling)
     yield _contacts(document)
     surfaces = surface_rows(in_rolling["contacts"])
@@ -46,15 +51,6 @@ def rolling(document: Document) -> Iterator[Block]:
     else:
         yield Paragraph("Axial thrust: none, the axes are parallel.")
     yield from _life(document)
-
-
-def _position(document: Document) -> Table:
-    return Table(
-        "Position of the output: drift beside stiffness",
-        ("quantity", "value", "what it is"),
-        [(label, quantity(value, unit), meaning) for label, value, unit, meaning in position_rows(document)],
-        words=(0, 2),
-    )
 
 
 def _losses(in_rolling: Document) -> Table:
