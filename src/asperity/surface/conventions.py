@@ -26,15 +26,11 @@ from asperity.errors import InputError
 def validated_fractal(*, fractal_dimension: float, fractal_roughness: float) -> tuple[float, float]:
     """D and G, if they are inside the range where the Weierstrass-Mandelbrot model means something.
 
-    Raises
-    ------
-    InputError
-        Unless 1 < D < 2 and G is positive and finite.
+    An ``InputError`` unless 1 < D < 2 and G is positive and finite.
     """
     if not 1.0 < fractal_dimension < 2.0:
         raise InputError(
-            f"the fractal dimension is {fractal_dimension}; that of a profile lies between 1 and 2 "
-            f"(that of a "
+            f"the fractal dimension is {fractal_dimension}; that of a profile lies between 1 and 2 (that of a "
             "surface minus 1)"
         )
     if not (fractal_roughness > 0.0 and math.isfinite(fractal_roughness)):

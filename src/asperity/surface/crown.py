@@ -62,12 +62,8 @@ def _circle(z: NDArray[np.float64], spacing: float) -> tuple[float, float, float
 class LogarithmicProfile:
     r"""The logarithmic profile of least squares, :math:`z = z_0 + bx - A \ln\{1 / [1 - (2(x - x_c)/L)^2]\}`.
 
-    Attributes
-    ----------
-    coefficient, length : float
-        A and L [m]; by the standard A is 0.00035 times the roller's diameter.
-    misfit : float
-        Rms of the heights about it [m].
+    ``coefficient`` and ``length``: A and L [m]; by the standard A is 0.00035 times the roller's diameter. ``misfit``:
+    rms of the heights about it [m].
 
     References
     ----------

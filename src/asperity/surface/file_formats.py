@@ -167,10 +167,7 @@ def checked_file(*, path: str | Path, largest: int) -> Path:
 def file_bytes(*, path: str | Path, largest: int, first: int = -1) -> bytes:
     """Content of a checked file, or only its first bytes.
 
-    Raises
-    ------
-    InputError
-        As :func:`checked_file`, or if the file cannot be opened.
+    An ``InputError`` as of :func:`checked_file`, or if the file cannot be opened.
     """
     file = checked_file(path=path, largest=largest)
     try:
@@ -183,10 +180,7 @@ def file_bytes(*, path: str | Path, largest: int, first: int = -1) -> bytes:
 def metres_per_unit(unit: str) -> float:
     """Metres in one unit of length, or in one count of stated length.
 
-    Raises
-    ------
-    InputError
-        If this is not a unit of length, or the length is not positive.
+    An ``InputError`` if this is not a unit of length, or the length is not positive.
 
     Examples
     --------

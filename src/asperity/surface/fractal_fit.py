@@ -13,7 +13,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.surface.file_formats import LARGEST_SPAN
 from asperity.surface.line_spectrum import fit_lines
 from asperity.surface.scratches import scratches
-from asperity.surface.self_affine_band import NARROWEST_DECADES, BandSearch, widest_power_law
+from asperity.surface.self_affine_band import NARROWEST_DECADES, widest_power_law
 from asperity.surface.spectral_likelihood import SpectralFit
 from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum, without_line
 from asperity.surface.structure_function import (
@@ -117,13 +117,11 @@ def fractal_fit(
         raise InputError(f"the limits of the band are {limits} m; a wavelength must be a positive length")
     if None not in limits and not shortest_wavelength < longest_wavelength:  # type: ignore[operator]
         raise InputError(
-            f"the shortest wavelength, {shortest_wavelength} m, must be below the longest, "
-            f"{longest_wavelength} m"
+            f"the shortest wavelength, {shortest_wavelength} m, must be below the longest, {longest_wavelength} m"
         )
     if profiles.ndim != 2 or profiles.shape[1] < 64:
         raise NoSolutionError(
-            f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or more are "
-            "needed"
+            f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or more are needed"
         )
     with np.errstate(over="ignore"):
         span = float(np.ptp(profiles))
@@ -161,7 +159,9 @@ def fractal_fit(
         if step is None
         else resolved_frequency(profiles=profiles, step=step, spacing=spacing),
     )
-    fit = _accepted(search, step)
+    if search.fit is None:
+        raise _refusal(search.reason, step)
+    fit = search.fit
     low, high = fit.usable_band
     blemish = scratches(
         profiles=profiles,
@@ -199,18 +199,13 @@ def fractal_fit(
         result = _result(*_straight_line(hann, fit), fit, estimator, common)
     else:
         result = _result(fit.fractal_dimension, fit.log_level, fit.covariance, fit, "likelihood", common)
-    _require_fractal(result.fractal_dimension, math.sqrt(result.covariance[0, 0]), step)
-    return result
-
-
-def _require_fractal(D: float, error: float, step: float | None) -> None:
-    """Refuse unless the 95 % interval of D lies inside 1 .. 2."""
-    if not (D - CERTAIN * error > 1.0 and D + CERTAIN * error < 2.0):
+    D, reach = result.fractal_dimension, CERTAIN * math.sqrt(result.covariance[0, 0])
+    if not (D - reach > 1.0 and D + reach < 2.0):
         raise _refusal(
-            f"the 95 % interval of D, {D:.3f} ± {CERTAIN * error:.3f}, is not inside the range 1 to 2 of a "
-            "fractal profile",
+            f"the 95 % interval of D, {D:.3f} ± {reach:.3f}, is not inside the range 1 to 2 of a fractal profile",
             step,
         )
+    return result
 
 
 def _refusal(reason: str, step: float | None) -> NoSolutionError:
@@ -218,12 +213,6 @@ def _refusal(reason: str, step: float | None) -> NoSolutionError:
     return NoSolutionError(
         f"no power law over at least {NARROWEST_DECADES:g} decade, so no D and G: {reason}{quantised}"
     )
-
-
-def _accepted(search: BandSearch, step: float | None) -> SpectralFit:
-    if search.fit is None:
-        raise _refusal(search.reason, step)
-    return search.fit
 
 
 def _from_lines(profiles: NDArray[np.float64], spacing: float, gamma: float) -> FractalFit | None:

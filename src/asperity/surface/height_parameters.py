@@ -56,19 +56,7 @@ def height_parameters(*, topography: Topography) -> HeightParameters:
         Pa = \langle |z| \rangle, \quad Pq = \langle z^2 \rangle^{1/2}, \quad
         Psk = \langle z^3 \rangle / Pq^3, \quad Pku = \langle z^4 \rangle / Pq^4
 
-    Parameters
-    ----------
-    topography : Topography
-        Profile or map; missing points are left out and counted.
-
-    Returns
-    -------
-    HeightParameters
-
-    Raises
-    ------
-    InputError
-        If no point has a height.
+    Missing points are left out and counted. An ``InputError`` if no point has a height.
 
     References
     ----------
@@ -179,9 +167,8 @@ def _lobe_distances(
             places = np.argwhere(inside[inner] & ~inside[outer])
             a, b = (value[part][tuple(places.T)] for part in (inner, outer))
             points = places.astype(np.float64)
-            points[:, 0] += (
-                (a - CORRELATION_READ) / (a - b) if step > 0 else 1.0 - (a - CORRELATION_READ) / (a - b)
-            )
+            share = (a - CORRELATION_READ) / (a - b)
+            points[:, 0] += share if step > 0 else 1.0 - share
             edges.append(points[:, ::-1] if axis else points)
     distances = np.hypot(*((np.concatenate(edges) - middle) * spacings).T)
     if distances.size == 0:

@@ -165,13 +165,7 @@ def _plain(numbers: NDArray[np.float64]) -> list[float]:
 
 
 def spectrum_from_document(entry: Any) -> HeightSpectrum:
-    """The spectrum of :meth:`HeightSpectrum.document`.
-
-    Raises
-    ------
-    InputError
-        If it is not such a document.
-    """
+    """The spectrum of :meth:`HeightSpectrum.document`; an ``InputError`` if it is not such a document."""
     try:
         first, second, square, independent = (
             np.asarray(entry[key], dtype=np.float64)

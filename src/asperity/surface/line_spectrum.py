@@ -61,8 +61,7 @@ class LineFit:
 
 def line_concentration(*, profile: NDArray[np.float64], frequency_ratio: float) -> float:
     """Median share of the strongest few ordinates in bands one ``frequency_ratio`` wide: near 1 for lines."""
-    n = profile.size
-    z = without_line(profile[None])[0] * raised_cosine(n, 1.0)
+    z = without_line(profile[None])[0] * raised_cosine(profile.size, 1.0)
     power = np.abs(scipy.fft.rfft(z)) ** 2
     shares = []
     top = power.size - 1
@@ -89,9 +88,8 @@ def fit_lines(*, profiles: NDArray[np.float64], spacing: float, frequency_ratio:
         log_a.append(amplitudes[1])
         error.append(amplitudes[2])
         explained.append(amplitudes[3])
-    if sum(f.size for f in log_f) < 4 or max(f.max() for f in log_f) - min(f.min() for f in log_f) < np.log(
-        9.99
-    ):
+    every = np.concatenate(log_f)
+    if every.size < 4 or every.max() - every.min() < np.log(9.99):
         return None
     result, covariance, misfit = _regression(log_f, log_a, error, frequency_ratio)
     if len(log_f) >= _FEWEST_TO_SPREAD:
@@ -102,9 +100,9 @@ def fit_lines(*, profiles: NDArray[np.float64], spacing: float, frequency_ratio:
         fractal_dimension=float(result[0]),
         log_roughness=float(result[1]),
         covariance=covariance,
-        low=float(np.exp(min(f.min() for f in log_f))),
-        high=float(np.exp(max(f.max() for f in log_f))),
-        lines=sum(f.size for f in log_f),
+        low=float(np.exp(every.min())),
+        high=float(np.exp(every.max())),
+        lines=every.size,
         misfit=misfit,
         explained=float(np.mean(explained)),
     )
@@ -151,9 +149,8 @@ def _spread_covariance(
     k = len(log_f)
     left_out = []
     for i in range(k):
-        rest = [j for j in range(k) if j != i]
-        args = ([log_f[j] for j in rest], [log_a[j] for j in rest], [error[j] for j in rest])
-        left_out.append(_regression(*args, gamma)[0])
+        others = (column[:i] + column[i + 1 :] for column in (log_f, log_a, error))
+        left_out.append(_regression(*others, gamma)[0])
     widening = float(stdtrit(k - 1, 0.975) / ndtri(0.975)) ** 2
     return np.asarray((k - 1) * np.cov(np.stack(left_out).T, bias=True) * widening)
 

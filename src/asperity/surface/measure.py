@@ -68,10 +68,8 @@ class MeasuredSurface:
 def conditioned(*, topography: Topography, conditioning: Conditioning) -> MeasuredSurface:
     """Outliers, missing points and form removed; then the parameters.
 
-    Raises
-    ------
-    InputError
-        If a step is impossible, a cut-off does not suit the surface, or points are missing and the choice is to refuse.
+    An ``InputError`` if a step is impossible, a cut-off does not suit the surface, or points are missing and the choice
+    is to refuse.
     """
     surface = topography
     if conditioning.outlier_threshold is not None:
@@ -111,8 +109,7 @@ def pooled_profiles(*, surfaces: list[Topography], direction: str) -> tuple[NDAr
     for surface, (_, other) in zip(surfaces, sets, strict=True):
         if abs(other - spacing) > 1e-3 * spacing:
             raise InputError(
-                f"{surface.source} has the spacing {other:.6g} m, {surfaces[0].source} "
-                f"{spacing:.6g} m; measure files "
+                f"{surface.source} has the spacing {other:.6g} m, {surfaces[0].source} {spacing:.6g} m; measure files "
                 "of different spacing one by one"
             )
     points = min(profiles.shape[1] for profiles, _ in sets)

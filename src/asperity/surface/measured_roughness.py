@@ -59,10 +59,7 @@ def roughness_document(roughness: MeasuredRoughness) -> dict[str, Any]:
 def roughness_from_document(document: Any) -> MeasuredRoughness:
     """A measured surface from its document.
 
-    Raises
-    ------
-    InputError
-        If this is no such document, or one of an earlier release that was refused.
+    An ``InputError`` if this is no such document, or one of an earlier release that was refused.
     """
     refuse_other_documents(document)
     spectra = document.get("spectra", [])
@@ -81,10 +78,7 @@ def roughness_from_document(document: Any) -> MeasuredRoughness:
 def read_roughness(*, path: str | Path) -> MeasuredRoughness:
     """A measured surface from a JSON file written by ``asperity surface measure --json``.
 
-    Raises
-    ------
-    InputError
-        If the file cannot be read or is not such a document.
+    An ``InputError`` if the file cannot be read or is not such a document.
     """
     document = read_measurement_document(path=path)
     try:

@@ -57,13 +57,9 @@ class SurfaceMeasurement(eqx.Module):
 
 def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
     """The measurement that corresponds to a fit."""
-    D, G, band = (
-        fit.fractal_dimension,
-        fit.fractal_roughness,
-        (fit.shortest_wavelength, fit.longest_wavelength),
-    )
-    numbers = (D, G, fit.frequency_ratio, fit.covariance, *band)
-    return measured(*numbers, estimator=fit.estimator, profiles=fit.profiles, source=source)
+    numbers = (fit.fractal_dimension, fit.fractal_roughness, fit.frequency_ratio, fit.covariance)
+    band = (fit.shortest_wavelength, fit.longest_wavelength)
+    return measured(*numbers, *band, estimator=fit.estimator, profiles=fit.profiles, source=source)
 
 
 def measured(*numbers: ArrayLike, estimator: str, profiles: int, source: str) -> SurfaceMeasurement:
@@ -192,10 +188,7 @@ def read_measurement_document(*, path: str | Path) -> Any:
 def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
     """D and G from a JSON file written by ``asperity surface measure --json``.
 
-    Raises
-    ------
-    InputError
-        If the file cannot be read or is not such a document, or has no D and G.
+    An ``InputError`` if the file cannot be read or is not such a document, or has no D and G.
     """
     document = read_measurement_document(path=path)
     try:

@@ -25,19 +25,13 @@ def measurement_figure(*, surfaces: list[Topography], fit: FractalFit | str, dir
         profiles=profiles, spacing=spacing, differenced=True, bins_per_decade=20, rows_of_a_map=rows_of_a_map
     )
     positive = spectrum.density > 0.0
-    axes["spectrum"].loglog(
-        spectrum.frequency[positive],
-        spectrum.density[positive],
-        ".",
-        color="0.35",
-        markersize=4,
-        label="measured",
-    )
+    measured: Any = {"color": "0.35", "markersize": 4, "label": "measured"}
+    axes["spectrum"].loglog(spectrum.frequency[positive], spectrum.density[positive], ".", **measured)
     axes["spectrum"].set(xlabel="spatial frequency f [1/m]", ylabel="one-sided power spectral density P [m³]")
     axes["spectrum"].set_title("Spectrum")
     lags = logarithmic_lags(points=profiles.shape[1], per_decade=15, longest_fraction=0.5)
     S = structure_functions(profiles=profiles, lags=lags).mean(axis=0)
-    axes["structure"].loglog(lags * spacing, S, ".", color="0.35", markersize=4, label="measured")
+    axes["structure"].loglog(lags * spacing, S, ".", **measured)
     axes["structure"].set(xlabel="lag τ [m]", ylabel="structure function S [m²]")
     axes["structure"].set_title("Structure function")
     if isinstance(fit, str):
@@ -50,10 +44,9 @@ def measurement_figure(*, surfaces: list[Topography], fit: FractalFit | str, dir
         low, high = fit.roughness_interval(confidence=0.95)
         d_low, d_high = fit.dimension_interval(confidence=0.95)
         figure.suptitle(
-            f"D = {fit.fractal_dimension:.4f} ({d_low:.4f} … {d_high:.4f}),  G = "
-            f"{fit.fractal_roughness:.3g} m "
-            f"({low:.3g} … {high:.3g} m),  95 % intervals,  {fit.estimator}, {fit.profiles} "
-            f"profile(s) along {direction}",
+            f"D = {fit.fractal_dimension:.4f} ({d_low:.4f} … {d_high:.4f}),  G = {fit.fractal_roughness:.3g} m "
+            f"({low:.3g} … {high:.3g} m),  95 % intervals,  {fit.estimator}, {fit.profiles} profile(s) along "
+            f"{direction}",
             fontsize=9,
         )
     for name in ("spectrum", "structure"):

@@ -79,13 +79,7 @@ def plain_numbers(number: Any) -> Any:
 
 
 def pressed_map_from_document(entry: Any) -> PressedMap:
-    """The numbers of :meth:`PressedMap.document`.
-
-    Raises
-    ------
-    InputError
-        If it is not such a document.
-    """
+    """The numbers of :meth:`PressedMap.document`; an ``InputError`` if it is not such a document."""
     try:
         numbers: dict[str, Any] = {
             field.name: np.asarray(entry[field.name], dtype=np.float64) for field in fields(PressedMap)

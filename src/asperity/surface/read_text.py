@@ -86,8 +86,7 @@ def numpy_topography(*, path: Path, height_unit: str | None, spacing: float | No
         raise InputError(f"{path.name} is not a readable NumPy file ({_one_line(error)})") from None
     if array.ndim not in (1, 2) or array.dtype.kind not in "fiu" or min(array.shape) == 0:
         raise InputError(
-            f"{path.name} holds an array {array.shape} of {array.dtype}; a line or grid of real numbers is "
-            "needed"
+            f"{path.name} holds an array {array.shape} of {array.dtype}; a line or grid of real numbers is needed"
         )
     if height_unit is None or spacing is None:
         raise InputError(

@@ -79,8 +79,7 @@ def widest_power_law(
     if not windows:
         return BandSearch(
             None,
-            f"only {max(np.log10(highest / lowest), 0.0):.2f} decades of wavelength lie between the "
-            f"record length "
+            f"only {max(np.log10(highest / lowest), 0.0):.2f} decades of wavelength lie between the record length "
             "and the noise or sampling limit; at least one is needed",
         )
     return BandSearch(None, nearest[1] or "no band of one decade has enough frequencies to judge")
@@ -128,8 +127,7 @@ def _fault(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[str, float]:
     if not 1.0 < fit.fractal_dimension < 2.0:
         off = max(1.0 - fit.fractal_dimension, fit.fractal_dimension - 2.0)
         return (
-            f"{where} the spectrum falls as frequency^-{5 - 2 * fit.fractal_dimension:.2f}; a "
-            f"fractal profile "
+            f"{where} the spectrum falls as frequency^-{5 - 2 * fit.fractal_dimension:.2f}; a fractal profile "
             "(1 < D < 2) needs an exponent between 1 and 3",
             2.0 + off,
         )

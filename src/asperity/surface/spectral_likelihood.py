@@ -182,9 +182,8 @@ def fit_spectrum(
         key=lambda c: float(c[0, 0]),
     )
     level, unit = float(np.exp(theta[1])), reference**roll_off_exponent
-    by_floor = np.array(
-        [0.0, theta[3], 0.0, 1.0]
-    )  # the white part is relative to the level, uncertain as well
+    # the white part is relative to the level, uncertain as well
+    by_floor = np.array([0.0, theta[3], 0.0, 1.0])
     expected = model.log_density(theta)
     return SpectralFit(
         fractal_dimension=float(theta[0]),

@@ -29,8 +29,7 @@ class Topography:
     def __post_init__(self) -> None:
         if self.heights.ndim not in (1, 2):
             raise InputError(
-                f"heights must be a line or a grid, not an array with {self.heights.ndim} axes "
-                f"({self.source})"
+                f"heights must be a line or a grid, not an array with {self.heights.ndim} axes ({self.source})"
             )
         if self.heights.ndim == 2 and self.spacing_across is None:
             raise InputError(f"a map needs the distance of its rows, spacing_across ({self.source})")
@@ -73,10 +72,7 @@ class Topography:
     def profiles(self, *, direction: str) -> tuple[NDArray[np.float64], float]:
         """All parallel profiles along ``"x"`` or ``"y"``: array (profiles, points) and their spacing [m].
 
-        Raises
-        ------
-        InputError
-            If the direction is unknown, or ``"y"`` is requested of a single profile.
+        An ``InputError`` if the direction is unknown, or ``"y"`` is requested of a single profile.
         """
         if direction == "x":
             return np.atleast_2d(self.heights), self.spacing
@@ -90,10 +86,7 @@ class Topography:
     def cut(self, *, start: float, stop: float) -> Topography:
         """The part of a profile between two positions [m], both ends included.
 
-        Raises
-        ------
-        InputError
-            If this is a map, or fewer than two points lie between the ends.
+        An ``InputError`` if this is a map, or fewer than two points lie between the ends.
         """
         if self.is_map:
             raise InputError(f"only a profile can be cut by position; {self.source} is a map")
