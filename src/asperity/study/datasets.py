@@ -121,8 +121,7 @@ def dataset(
     for name, value in result_values.items():
         variables[name] = ((*row_dimensions(table[name]), *dimensions), value, result_attributes(table[name]))
     coords = {**coordinates, **row_coordinates(table[name] for name in result_values)}
-    made: xarray.Dataset = xr.Dataset(variables, coords=coords, attrs=dict(attributes))
-    return made
+    return xr.Dataset(variables, coords=coords, attrs=dict(attributes))
 
 
 def asked_units(
@@ -230,8 +229,7 @@ def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
             continue
         for row, values in rows_of(dataset, str(name)).items():
             columns[_header(row_name(str(name), row), values)] = values.transpose(*dims).values.ravel()
-    made: pandas.DataFrame = pd.DataFrame(columns)
-    return made
+    return pd.DataFrame(columns)
 
 
 def _header(name: str, variable: xarray.DataArray) -> str:

@@ -120,8 +120,7 @@ def heights_moved(
     gain = 2.0 * (by_width[..., None] * slopes).transpose(1, 0, 2)
     count = len(variables)
     direct = by_length.T[:, :, None] * np.array(longer).T
-    moved: np.ndarray = np.linalg.solve(np.eye(len(widths)) - gain[..., count:], gain[..., :count] + direct)
-    return moved
+    return np.linalg.solve(np.eye(len(widths)) - gain[..., count:], gain[..., :count] + direct)
 
 
 def _slope(function: Callable[[float], Heights], step: float = 1e-6) -> Heights:

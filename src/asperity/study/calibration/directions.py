@@ -180,10 +180,8 @@ def _of_unknown(
         basis, _ = np.linalg.qr(slopes[:, rest])
         one, two = (column - basis @ (basis.T @ column) for column in relative[:, [index, other]].T)
         sizes = np.linalg.norm(one), np.linalg.norm(two)
-        if min(sizes) <= 1e-9 * np.linalg.norm(
-            relative[:, index]
-        ):  # the other unknowns, or nothing, explain it
-            continue
+        if min(sizes) <= 1e-9 * np.linalg.norm(relative[:, index]):
+            continue  # the other unknowns, or nothing, explain it
         correlation = abs(float(one @ two)) / float(sizes[0] * sizes[1])
         elasticity = float(one @ two) / float(sizes[1] ** 2)
         if correlation > ALIKE and abs(elasticity) <= LARGEST_ELASTICITY:

@@ -88,8 +88,7 @@ class Measurement:
     @property
     def measured(self) -> np.ndarray:
         """The angle, the stiffness or the drift, whichever is there."""
-        column = next(column for column in (self.angle, self.stiffness, self.drift) if column is not None)
-        return column
+        return next(column for column in (self.angle, self.stiffness, self.drift) if column is not None)
 
     @property
     def quantity(self) -> MeasuredQuantity:

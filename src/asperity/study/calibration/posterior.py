@@ -169,11 +169,10 @@ def sample(
     """
     require_numpyro()
     require_double_precision()
-    span = float(np.log(DEVIATION_FACTOR))
+    span, tell = float(np.log(DEVIATION_FACTOR)), progress or (lambda done, total: None)
 
-    def log_surrogate(
-        given: Any, point: Array
-    ) -> Array:  # data are an argument: one program for all of one form
+    # data are an argument: one program for all of one form
+    def log_surrogate(given: Any, point: Array) -> Array:
         log_deviation = given["log_deviation"] + span * (2.0 * point[-1] - 1.0)
         scaled = (surrogate(given["fitted"], point[:-1]) - given["data"]) * jnp.exp(-log_deviation)
         return -data.size * log_deviation - 0.5 * jnp.sum(scaled**2)
@@ -199,13 +198,13 @@ def sample(
         for _ in range(warmup):
             moving.warm_up()
             done += 1
-            _tell(progress, done, total)
+            tell(done, total)
         moving.begin_exactly()
         seen = []
         for _ in range(PILOT):
             seen.append(moving.step())
             done += 1
-            _tell(progress, done, total)
+            tell(done, total)
         if moving.accepted >= LEAST_ACCEPTANCE * moving.proposed or refit == REFITS:
             break
         centre, spread, begin = _where_likely(seen, moving, centre, spread)
@@ -221,13 +220,8 @@ def sample(
         moving.step()
         kept.append(moving.position)
         done += 1
-        _tell(progress, done, total)
+        tell(done, total)
     return _concluded(np.stack(kept, axis=1), moving, first_deviation)
-
-
-def _tell(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
-    if progress is not None:
-        progress(done, total)
 
 
 def _capped(covariance: np.ndarray, last: float) -> np.ndarray:
@@ -350,12 +344,7 @@ def shifted(scaled_values: np.ndarray, shift: np.ndarray, seed: int) -> np.ndarr
     moved = np.flatnonzero(shift)
     with np.errstate(over="ignore"):
         ends = (np.array([0.0, 1.0])[:, None, None] - scaled_values[:, moved]) / shift[moved]
-    low, high = (
-        ndtr(end)
-        for end in (
-            ends.min(axis=0).max(axis=1, initial=-np.inf),
-            ends.max(axis=0).min(axis=1, initial=np.inf),
-        )
-    )
+    low = ndtr(ends.min(axis=0).max(axis=1, initial=-np.inf))
+    high = ndtr(ends.max(axis=0).min(axis=1, initial=np.inf))
     error = ndtri(low + (high - low) * np.random.default_rng(seed).random(len(scaled_values)))
     return scaled_values + error[:, None] * shift

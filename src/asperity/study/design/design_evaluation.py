@@ -115,8 +115,7 @@ class DesignEvaluator:
     def existing(self, margins: np.ndarray) -> np.ndarray:
         """Which of many designs, by their margins of :meth:`many`, are joints that can exist in every scenario."""
         slack = [self._existence_slack(limit) for limit in self.problem.constraints for _ in limit.rows]
-        can_exist: np.ndarray = (margins + np.array(slack)).min(axis=1) >= 0.0
-        return can_exist
+        return (margins + np.array(slack)).min(axis=1) >= 0.0
 
     def _existence_slack(self, constraint: Constraint) -> float:
         """No joint exists if rollers overlap, slip or lift off, whatever limit is stated for them."""
@@ -170,10 +169,8 @@ class DesignEvaluator:
         objective, objective_slopes = [], []
         for goal in self.problem.objectives:
             value, slope = (goal.of(arrays)[:, self.counted] for arrays in (results, slopes))
-            row, scenario = (
-                np.argmax(goal.sign * value, axis=0),
-                np.arange(value.shape[1]),
-            )  # the worst contact
+            # the worst contact
+            row, scenario = np.argmax(goal.sign * value, axis=0), np.arange(value.shape[1])
             picked, steep = value[row, scenario], _finite(slope[row, scenario]) * steps
             positive = RESULTS[goal.name].positive
             usable = np.isfinite(picked) & ((picked > 0.0) | (not positive))

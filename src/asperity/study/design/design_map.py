@@ -16,6 +16,7 @@ from asperity.study.design.design_plot import in_unit, shown_unit
 from asperity.study.design.design_problem import Constraint, DesignProblem
 from asperity.study.design.design_result import DesignResult
 from asperity.study.design.design_search import FEASIBLE
+from asperity.study.sweep.sweep_map import draw_limit
 from asperity.units import format_quantity, from_si
 
 if TYPE_CHECKING:
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 _FINEST, _COARSEST = 61, 15  # points along a variable
 _MOST_STATES = 60_000  # joints that are evaluated for a map: points times scenarios
-_FORBIDDEN_SIDE = -60.0  # ticks of a line point where its limit is violated [deg]
 #: Colour and line of the limits, told apart without colours too.
 _LINES = (
     ("#1b6ca8", "-"),
@@ -56,7 +56,6 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
-    from matplotlib.patheffects import withTickedStroke
 
     problem, (first, second) = result.problem, mapped_variables(result.problem, over)
     evaluator = DesignEvaluator(problem)
@@ -106,18 +105,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
             continue
         colour, line = _LINES[drawn % len(_LINES)]
         drawn += 1
-        contour = axes.contour(x, y, field, levels=[0.0], colors=[colour], linestyles=[line], linewidths=2.0)
-        contour.set_path_effects([withTickedStroke(angle=_FORBIDDEN_SIDE, spacing=9.0, length=0.6)])
-        keys.append(
-            Line2D(
-                [],
-                [],
-                color=colour,
-                linestyle=line,
-                linewidth=2.0,
-                label=limit_text(constraint, problem.table),
-            )
-        )
+        keys.append(draw_limit(axes, x, y, field, colour, line, label=limit_text(constraint, problem.table)))
     judged = "all limits met" if result.feasible else "a limit is violated"
     keys.append(
         Line2D([], [], color="C3", marker="o", markersize=8, linestyle="none", label=f"design: {judged}")

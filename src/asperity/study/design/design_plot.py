@@ -12,11 +12,11 @@ from asperity.show.style import mark_few_decades
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
 from asperity.study.design.design_result import DesignResult
 from asperity.study.design.design_search import FEASIBLE
+from asperity.study.sweep.sweep_plot import shade
 from asperity.units import from_si
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _POINTS = 31
@@ -77,7 +77,7 @@ def design_figure(result: DesignResult, *, width: float | None = None) -> Figure
         shown = least[joint] if joint.any() else np.zeros(1)
         below.set_ylim(max(-60.0, 100.0 * shown.min() - 5.0), max(10.0, 100.0 * shown.max() + 5.0))
         for panel in (axes, below):
-            _shade(panel, x, ~joint)
+            shade(panel, x, ~joint)
         if variable.logarithmic:
             axes.set_xscale("log")
             mark_few_decades(axes.xaxis, float(x.min()), float(x.max()))
@@ -93,13 +93,6 @@ def design_figure(result: DesignResult, *, width: float | None = None) -> Figure
             axes.legend(fontsize="small")
     figure.suptitle(f"{problem.goal}, at its worst scenario", fontsize="medium")
     return figure
-
-
-def _shade(axes: Axes, x: np.ndarray, where: np.ndarray) -> None:
-    """Grey where nothing exists, from point to point."""
-    edges = np.concatenate([x[:1], 0.5 * (x[1:] + x[:-1]), x[-1:]])
-    for place in np.flatnonzero(where):
-        axes.axvspan(edges[place], edges[place + 1], color="0.9", linewidth=0.0, zorder=0)
 
 
 def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:

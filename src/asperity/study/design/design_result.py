@@ -245,7 +245,7 @@ def design_document(result: DesignResult) -> dict[str, Any]:
         return number_or_null(node) if isinstance(node, float) else node
 
     goal, diagnostics = result.problem.objectives[0], joint_diagnostics(result.joint_text)
-    document: dict[str, Any] = plain(
+    return plain(
         {
             "objective": {
                 "result": goal.name,
@@ -271,4 +271,3 @@ def design_document(result: DesignResult) -> dict[str, Any]:
             "not_limited": not_limited(result, diagnostics) or None,
         }
     )
-    return document

@@ -74,9 +74,7 @@ def sampled_start(evaluator: DesignEvaluator) -> np.ndarray:
     )
     points: np.ndarray = sampler.random(_SAMPLED)
     margins = evaluator.many(points)[1]
-    order = np.lexsort((-margins.min(axis=1), ~evaluator.existing(margins)))
-    nearest: np.ndarray = points[order[0]]
-    return nearest
+    return points[np.lexsort((-margins.min(axis=1), ~evaluator.existing(margins)))[0]]
 
 
 def local_optimum(

@@ -115,9 +115,7 @@ def open_store(path: str | Path, *, verify: bool = True) -> xarray.Dataset:
                 f"{path}: {len(damaged)} of {plan.block_count} blocks are damaged or missing; the same sweep into this "
                 "store computes them again"
             )
-    opened = xr.open_zarr(str(path), consolidated=False)
-    ordered: xarray.Dataset = opened[["status", *stored["results"]]]
-    return ordered
+    return xr.open_zarr(str(path), consolidated=False)[["status", *stored["results"]]]
 
 
 def remove_store(path: str | Path) -> None:
@@ -141,9 +139,8 @@ def _refuse_other(folder: Path, plan: Plan) -> None:
     wanted = plan_identity(plan)
     differing = [part for part in wanted if stored.get(part) != wanted[part]]
     if differing:
-        differing = [
-            part for part in differing if part != "block_shape"
-        ] or differing  # it follows from the others
+        # the shape of the blocks follows from the others
+        differing = [part for part in differing if part != "block_shape"] or differing
         words = {
             "joint": "the joint file",
             "axes": "the axes",

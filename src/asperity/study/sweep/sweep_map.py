@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
 _LEVELS = 9
 _LOG_RATIO = 30.0
@@ -178,9 +179,6 @@ def _draw_limits(
     panel: Axes, data: xarray.Dataset, x: np.ndarray, y: np.ndarray, limits: Sequence[MapLimit]
 ) -> Iterator[Any]:
     """A line for each limit that the map crosses; its ticks point where the limit is violated."""
-    from matplotlib.lines import Line2D
-    from matplotlib.patheffects import withTickedStroke
-
     solved = data["status"].values == 0
     drawn = 0
     for limit in limits:
@@ -194,6 +192,16 @@ def _draw_limits(
             continue
         colour, style = _LINES[drawn % len(_LINES)]
         drawn += 1
-        line = panel.contour(x, y, margin, levels=[0.0], colors=[colour], linestyles=[style], linewidths=2.0)
-        line.set_path_effects([withTickedStroke(angle=_FORBIDDEN_SIDE, spacing=9.0, length=0.6)])
-        yield Line2D([], [], color=colour, linestyle=style, linewidth=2.0, label=limit.text_of(data))
+        yield draw_limit(panel, x, y, margin, colour, style, label=limit.text_of(data))
+
+
+def draw_limit(
+    panel: Axes, x: np.ndarray, y: np.ndarray, margin: np.ndarray, colour: str, style: Any, *, label: str
+) -> Line2D:
+    """Draw the line where the margin of a limit is 0, with ticks where it is negative; its entry in a legend."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patheffects import withTickedStroke
+
+    line = panel.contour(x, y, margin, levels=[0.0], colors=[colour], linestyles=[style], linewidths=2.0)
+    line.set_path_effects([withTickedStroke(angle=_FORBIDDEN_SIDE, spacing=9.0, length=0.6)])
+    return Line2D([], [], color=colour, linestyle=style, linewidth=2.0, label=label)

@@ -80,6 +80,13 @@ def _words(data: xarray.Dataset, name: str) -> str:
     return f"{result_words(data, name)} [{_shown(RESULTS[name].si_unit)}]"
 
 
+def shade(axes: Axes, x: np.ndarray, where: np.ndarray) -> None:
+    """Grey where nothing exists, from point to point."""
+    edges = np.concatenate([x[:1], 0.5 * (x[1:] + x[:-1]), x[-1:]])
+    for place in np.flatnonzero(where):
+        axes.axvspan(edges[place], edges[place + 1], color="0.9", linewidth=0.0, zorder=0)
+
+
 def _shown(unit: str) -> str:
     return "-" if unit == "1" else unit.replace("*", "·")
 
@@ -122,10 +129,7 @@ def _curves(axes: Axes, data: xarray.Dataset, path: str, name: str) -> None:
     axes.set_ylabel(_label_of_result(data, name))
     axes.set_xlim(*_with_margin(x, log=_is_log(x)))
     failed = np.all(np.isnan(drawn), axis=0)  # some results, such as the capacity, exist where others do not
-    for place in np.flatnonzero(failed):
-        middles = 0.5 * (x[1:] + x[:-1])
-        edges = np.concatenate([x[:1], middles, x[-1:]])
-        axes.axvspan(edges[place], edges[place + 1], color="0.9", linewidth=0.0, zorder=0)
+    shade(axes, x, failed)
     if failed.any():
         axes.fill_between([], [], color="0.9", label="no result")
     _log_if_wide(axes, np.concatenate(drawn))

@@ -202,12 +202,9 @@ class _Drives:
         """An ``InputError`` is raised if the drive of nominal sizes misses a limit."""
         sizes, diameters = _sizes(case)
         refuse_impossible_joint(joint_from_case(case))
-        tables, names = (
-            with_nominal_sizes(si_values(case)),
-            tuple(dict.fromkeys(limit.name for limit in limits)),
-        )
+        tables, names = with_nominal_sizes(si_values(case)), dict.fromkeys(limit.name for limit in limits)
         points = {path: np.array([entry.value]) for path, entry in sizes.items()}
-        status, nominal, slopes = derivatives_at(tables, points, names, tuple(sizes))
+        status, nominal, slopes = derivatives_at(tables, points, tuple(names), tuple(sizes))
         if status[0] != 0 or not all(_met(limits, nominal)):
             found = "; ".join(
                 f"{limit.name} is {float(value):.6g}, {'at most' if limit.at_most else 'at least'} {limit.limit:.6g} "
@@ -240,8 +237,7 @@ class _Drives:
     def influence(self) -> np.ndarray:
         """Largest share of the margin of a limit that each size uses, shape (sizes,) [1/m]."""
         used = [np.abs(slope) / max(margin, 1e-9 * abs(limit.limit)) for limit, margin, slope in self._rows()]
-        largest: np.ndarray = np.stack(used).max(axis=0)
-        return largest
+        return np.stack(used).max(axis=0)
 
     def linearised(self, steps: np.ndarray, share: float) -> tuple[np.ndarray, float]:
         """Drives by the slopes, those that miss a limit first in front; the deviation that the share allows [m]."""

@@ -108,7 +108,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     nonzero = np.where(y == 0.0, np.nan, y)[:, None]
     elasticity = np.where(finite, derivative * x / nonzero, np.nan)
     pair = ("result", "input")
-    made: xarray.Dataset = xr.Dataset(
+    return xr.Dataset(
         {
             "derivative": (pair, derivative, {"long_name": "derivative", "units": "result_unit/input_unit"}),
             "elasticity": (
@@ -129,7 +129,6 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
         },
         attrs=common_attributes("sensitivities of a joint"),
     )
-    return made
 
 
 def refuse_failed(case: AnyCase, status: int) -> None:
@@ -151,5 +150,4 @@ def ranking(sensitivities: xarray.Dataset, result: str) -> xarray.Dataset:
     known_result(result, among=sensitivities["result"].values.tolist())
     one = sensitivities.sel(result=result)
     order = np.argsort(-np.abs(np.nan_to_num(one["elasticity"].values, nan=0.0)), kind="stable")
-    ranked: xarray.Dataset = one.isel(input=order)
-    return ranked
+    return one.isel(input=order)
