@@ -143,11 +143,6 @@ class CalibratedJoint(Shown):
             Draws of each of four chains.
         seed : int, optional
             Of the draws.
-
-        Returns
-        -------
-        Posterior
-            All draws.
         """
         from asperity.study.calibration.posterior import posterior, require_numpyro
 
@@ -155,13 +150,7 @@ class CalibratedJoint(Shown):
         return posterior(self.calibration, draws=draws, seed=seed)
 
     def plot(self) -> Figure:
-        """Draw data, fit and residuals.
-
-        Returns
-        -------
-        matplotlib.figure.Figure
-            A notebook shows it; elsewhere call its ``savefig``.
-        """
+        """Draw data, fit and residuals; a notebook shows the figure, elsewhere call its ``savefig``."""
         return displayed(calibration_figure(self.calibration))
 
     def _parts(self) -> list[str | Table]:

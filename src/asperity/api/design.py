@@ -104,10 +104,7 @@ class DesignedJoint(Shown):
     def plot(self) -> Figure:
         """Draw the objective along each free number, with the range that meets all limits.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            A notebook shows it; elsewhere call its ``savefig``.
+        A notebook shows the figure; elsewhere call its ``savefig``.
         """
         from asperity.study.design.design_plot import design_figure
 

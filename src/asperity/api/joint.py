@@ -171,18 +171,7 @@ class DescribedJoint(Shown):
         return DescribedJoint(case_with_surface(self.case, measurement), self.source)
 
     def edited(self, text: str) -> DescribedJoint:
-        """The joint of another text of its file.
-
-        Parameters
-        ----------
-        text : str
-            TOML.
-
-        Returns
-        -------
-        DescribedJoint
-            A new joint.
-        """
+        """The joint of another text, TOML, of its file."""
         return DescribedJoint(parse_case(text, source=self.source), self.source)
 
     def save(self, path: str | Path) -> None:
@@ -243,8 +232,7 @@ class DescribedJoint(Shown):
         """The joint in one line."""
         stated = ", ".join(f"{self[path].label} {self[path]}" for path in _SUMMARY if path in self.numbers)
         count = next(self[path] for path in _COUNTS if path in self.numbers)
-        what = count.label
-        return f"{self.source}: {count.si:g} {what}, {stated}"
+        return f"{self.source}: {count.si:g} {count.label}, {stated}"
 
     def _parts(self) -> list[str | Table]:
         rows = [(path, format_quantity(q.si, q.unit, 6)) for path, q in self.numbers.items()]

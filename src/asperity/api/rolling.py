@@ -56,10 +56,7 @@ class JointRolling(JointSolution):
     def plot(self) -> Figure:
         """Draw creep curves, efficiency, drift and life.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            A notebook shows it; elsewhere call its ``savefig``.
+        A notebook shows the figure; elsewhere call its ``savefig``.
         """
         from asperity.rolling.curves import rolling_curves
         from asperity.show.rolling_figure import rolling_figure

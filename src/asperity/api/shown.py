@@ -57,8 +57,7 @@ class Shown(ABC):
         """Lines and tables, in their order."""
 
     def __repr__(self) -> str:
-        texts = [part.text() if isinstance(part, Table) else part for part in self._parts()]
-        return "\n\n".join(texts)
+        return "\n\n".join(part.text() if isinstance(part, Table) else part for part in self._parts())
 
     def _repr_html_(self) -> str:
         return "".join(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.api.named_quantity import NamedQuantity, shown_number
+from asperity.api.named_quantity import NamedQuantity, columns_of, shown_number
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
 from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import document_of, full_document
@@ -106,8 +106,7 @@ class JointSolution(Shown):
     @property
     def limits(self) -> list[dict[str, Any]]:
         """Every limit of the joint and of its model in SI units, with ``ok``, ``meaning`` and ``remedy``."""
-        checks: list[dict[str, Any]] = self._of_joint["diagnostics"]
-        return checks
+        return self._of_joint["diagnostics"]
 
     @functools.cached_property
     def _of_joint(self) -> dict[str, Any]:
@@ -124,10 +123,7 @@ class JointSolution(Shown):
         return frame(
             {
                 "label": [quantity.label for quantity in singles],
-                "value": [quantity.value for quantity in singles],
-                "unit": [quantity.unit for quantity in singles],
-                "si": [quantity.si for quantity in singles],
-                "si_unit": [quantity.si_unit for quantity in singles],
+                **columns_of(singles),
                 "level": [quantity.level for quantity in singles],
             },
             index=[quantity.name for quantity in singles],
@@ -151,10 +147,7 @@ class JointSolution(Shown):
     def plot(self) -> Figure:
         """Draw what gives way: the share of every spring in the compliance, and the stiffness on every level.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            A notebook shows it; elsewhere call its ``savefig``.
+        A notebook shows the figure; elsewhere call its ``savefig``.
         """
         from asperity.show.compliance_figure import compliance_figure
 
@@ -192,7 +185,7 @@ class JointSolution(Shown):
         shown = [self[name] for name in (*_PRINTED_CONTACTS, *drift)]
         head = ("contact", *(_titled(quantity) for quantity in shown))
         rows = [
-            (contact, *(shown_number(_number(quantity, contact), "1") for quantity in shown))
+            (contact, *(shown_number(quantity[contact].value, "1") for quantity in shown))
             for contact in self._solved.row_names("contact")
         ]
         return Table(head, rows)
@@ -229,9 +222,3 @@ def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
 def _titled(quantity: NamedQuantity) -> str:
     short = quantity.label.removesuffix(" of the contact").removesuffix(" of the Hertzian contact")
     return short if quantity.unit == "1" else f"{short} {quantity.unit.replace('*', '·')}"
-
-
-def _number(quantity: NamedQuantity, contact: str) -> float:
-    """Value of one contact in the unit of display."""
-    number: float = quantity[contact].value
-    return number

@@ -205,10 +205,7 @@ class JointDynamics(Shown):
     def plot(self) -> Figure:
         """Draw the frequency response, and the natural frequencies over torque.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            A notebook shows it; elsewhere call its ``savefig``.
+        A notebook shows the figure; elsewhere call its ``savefig``.
         """
         from asperity.show.dynamics_figure import dynamics_figure
         from asperity.show.style import plain_title

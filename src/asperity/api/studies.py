@@ -199,8 +199,7 @@ def plot(shown: Any, *, result: str | None = None) -> Figure:
             goals = tuple(str(name) for name in shown.data_vars if name in RESULTS)
             return displayed(pareto_figure(shown, goals))
     if result is None and callable(getattr(shown, "plot", None)):
-        figure: Figure = shown.plot()
-        return figure
+        return shown.plot()
     raise InputError(f"cannot draw {quoted(type(shown).__name__)}; expected a sweep, a solution or a wind-up")
 
 

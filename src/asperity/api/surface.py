@@ -194,10 +194,7 @@ class FractalSurface(Shown):
     def plot(self) -> Figure:
         """Draw heights, spectrum and structure function with the fitted power law.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            A notebook shows it; elsewhere call its ``savefig``.
+        A notebook shows the figure; elsewhere call its ``savefig``.
         """
         from asperity.surface.plots import measurement_figure
 

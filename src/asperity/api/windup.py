@@ -172,10 +172,7 @@ class JointWindup(Shown):
     def plot(self) -> Figure:
         """Draw the torque–angle loop, the incremental stiffness, and the angle behind when the input turns.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            A notebook shows it; elsewhere call its ``savefig``.
+        A notebook shows the figure; elsewhere call its ``savefig``.
         """
         from asperity.show.style import plain_title
         from asperity.show.windup_figure import windup_figure
