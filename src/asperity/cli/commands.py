@@ -63,9 +63,7 @@ class LazyGroup(click.Group):
             return None
         RUNNING.set(f"'asperity {cmd_name}'")
         function = cmd_name.replace("-", "_")
-        module = importlib.import_module(f"asperity.cli.{_MODULES.get(cmd_name, function)}")
-        command: click.Command = getattr(module, function)
-        return command
+        return getattr(importlib.import_module(f"asperity.cli.{_MODULES.get(cmd_name, function)}"), function)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list of commands from the table, without importing any of them."""

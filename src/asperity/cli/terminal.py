@@ -154,8 +154,7 @@ def rich_console(*, stderr: bool = False) -> Console:
     stream = sys.stderr if stderr else sys.stdout
     if isinstance(stream, CheckedStream):
         stream = stream.unescaped()
-    made: Console = _console_class()(file=stream, highlight=False, soft_wrap=False)
-    return made
+    return _console_class()(file=stream, highlight=False, soft_wrap=False)
 
 
 @functools.cache
@@ -187,9 +186,8 @@ def table(target: Console, title: str, *columns: str) -> Table:
 
     lines = box.SIMPLE_HEAD if target.encoding.lower().startswith("utf") else None
     made = Table(title=escape(title), title_justify="left", title_style="bold", box=lines, pad_edge=False)
-    for index, column in enumerate(
-        columns
-    ):  # the widest gives way first: else the names of the rows would go
+    # the widest gives way first: else the names of the rows would go
+    for index, column in enumerate(columns):
         made.add_column(
             escape(column), justify="right" if index else "left", overflow="ellipsis" if index else "fold"
         )

@@ -128,9 +128,8 @@ def export_content(
 def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
     entry, moving = (float(np.asarray(inertia)) for inertia in joint_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
-    lost = float(np.asarray(power.loss)) - float(
-        np.sum(np.asarray(power.creep))
-    )  # creep takes speed, not torque
+    # creep takes speed, not torque
+    lost = float(np.asarray(power.loss)) - float(np.sum(np.asarray(power.creep)))
     friction = lost / speed if speed > 0.0 else float("nan")
     if inertias is None:
         return MovingParts(entry, moving, 0.0, False, friction)

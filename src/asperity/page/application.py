@@ -83,8 +83,7 @@ def application(
             kept.keep(request.identity, answer)
             if faster is not None:
                 faster.add(called)
-        document: dict[str, Any] = answer[1]
-        return document
+        return answer[1]
 
     async def asset(request: Request) -> Response:
         name, kind = ASSETS[request.url.path]
@@ -142,9 +141,8 @@ def application(
     @contextlib.asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
         warm = computations.submit(answered, start)
-        warm.add_done_callback(
-            lambda done: done.cancelled() or done.exception()
-        )  # the page asks for it again
+        # the page asks for it again
+        warm.add_done_callback(lambda done: done.cancelled() or done.exception())
         yield
         computations.close()
         charts.close()

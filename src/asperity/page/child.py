@@ -113,8 +113,7 @@ class Child:
             if "error" in answer:
                 raise (NoSolutionError if answer["kind"] == "no_solution" else InputError)(answer["error"])
             if "result" in answer:
-                result: dict[str, Any] = answer["result"]
-                return result
+                return answer["result"]
             if report is not None:
                 report(answer["done"], answer["total"])
         if self._stopped:

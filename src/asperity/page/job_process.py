@@ -31,9 +31,8 @@ def main() -> None:
     """Run the job of the standard input."""
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # whatever a package prints must not mix with the answers
-    sys.path[:] = [
-        os.path.abspath(path) for path in sys.path if path
-    ]  # nothing is imported from the job's folder
+    # nothing is imported from the job's folder
+    sys.path[:] = [os.path.abspath(path) for path in sys.path if path]
     request = json.loads(sys.stdin.readline())
     threading.Thread(target=_end_with_the_page, daemon=True).start()
     with contextlib.suppress(OSError, AttributeError):
@@ -173,6 +172,7 @@ def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, An
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+    left_out = ("start", "stop", "form", "degree", "outlier_threshold", "short_cutoff", "long_cutoff")
     measured = measured_files(
         [file],
         position_unit=options.get("position_unit"),
@@ -185,14 +185,8 @@ def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, An
         lay=lay,
         estimator="automatic",
         frequency_ratio=1.5,
-        start=None,
-        stop=None,
-        form=None,
-        degree=None,
-        outlier_threshold=None,
-        short_cutoff=None,
-        long_cutoff=None,
         shortest_wavelength=None,
         longest_wavelength=None,
+        **dict.fromkeys(left_out),
     )
     return files_document(measured)

@@ -47,9 +47,8 @@ def listening_socket(host: str, port: int) -> socket.socket:
         family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     except OSError as error:
         raise InputError(f"the address {host} is unknown: {error.strerror or error}") from None
-    if ipaddress.ip_address(
-        str(address[0]).partition("%")[0]
-    ).is_unspecified:  # every request must name its host
+    # every request must name its host
+    if ipaddress.ip_address(str(address[0]).partition("%")[0]).is_unspecified:
         raise InputError(
             f"{host} stands for all addresses of this computer; give the one that other computers use, e.g. 192.168.1.5"
         )
