@@ -79,7 +79,8 @@ def _rate(
     half_space: HalfSpace, mask: Array, axis: int | None, tolerance: Array, max_iterations: Array
 ) -> tuple[Array, Array, Array]:
     """Traction per displacement along a tangential axis, or None for the normal, as :func:`conjugate_gradients`."""
-    target, response = mask.astype(jnp.float64), half_space.normal_displacement
+    target = mask.astype(jnp.float64)
+    response: Response = half_space.normal_displacement
     if axis is not None:
         mask, response = jnp.stack([mask, mask]), half_space.shear_displacement
         target = jnp.zeros(mask.shape).at[axis].set(target)

@@ -149,8 +149,8 @@ def _spread_covariance(
     k = len(log_f)
     left_out = []
     for i in range(k):
-        others = (column[:i] + column[i + 1 :] for column in (log_f, log_a, error))
-        left_out.append(_regression(*others, gamma)[0])
+        f, a, s = (column[:i] + column[i + 1 :] for column in (log_f, log_a, error))
+        left_out.append(_regression(f, a, s, gamma)[0])
     widening = float(stdtrit(k - 1, 0.975) / ndtri(0.975)) ** 2
     return np.asarray((k - 1) * np.cov(np.stack(left_out).T, bias=True) * widening)
 
