@@ -96,9 +96,8 @@ def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, see
     from asperity.cli.terminal import progress_bar
     from asperity.study.tolerances.branch_scatter import branch_scatter
 
-    asked: dict[str, Any] = {"distribution": otherwise, "draws": draws, "seed": seed}
     with progress_bar("drives") as report:
-        return branch_scatter(case, report=report, **asked).document()
+        return branch_scatter(case, distribution=otherwise, draws=draws, seed=seed, report=report).document()
 
 
 def _show_branches(scatter: dict[str, Any], draws: int, as_json: bool) -> None:

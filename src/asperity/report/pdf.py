@@ -92,7 +92,11 @@ def _block(block: Heading | Paragraph | Bullets | Table | Listing) -> str:
         case Table():
             return _table(block)
         case Listing(text):
-            lines = [part for line in text.split("\n") for part in _wrapped(line)]
+            lines = [  # broken where they would leave the page
+                line[start : start + _LONGEST_LINE]
+                for line in text.split("\n")
+                for start in range(0, max(1, len(line)), _LONGEST_LINE)
+            ]
             return f"#text(size: 7.5pt, raw({_quoted(chr(10).join(lines))}, block: true))"
 
 
@@ -122,11 +126,6 @@ def _sheet(picture: Picture, opening: Sequence[Heading | Paragraph], name: str) 
 def _lines(text: str) -> str:
     """A title of a column, which may have several lines."""
     return " + linebreak() + ".join(literal(line) for line in text.split("\n"))
-
-
-def _wrapped(line: str) -> list[str]:
-    """A line of a listing, broken where it would leave the page."""
-    return [line[start : start + _LONGEST_LINE] for start in range(0, max(1, len(line)), _LONGEST_LINE)]
 
 
 def _table(table: Table) -> str:

@@ -168,17 +168,15 @@ def in_units(dataset: xarray.Dataset, units: Mapping[str, str]) -> xarray.Datase
 
 def in_si(dataset: xarray.Dataset) -> xarray.Dataset:
     """A dataset of :func:`in_units` in SI units again."""
-    named = {str(name): dataset[name].attrs.get("units") for name in (*dataset.coords, *dataset.data_vars)}
-    changed = {}
-    for name, unit in named.items():
+    made = dataset.copy()
+    for name in map(str, (*dataset.coords, *dataset.data_vars)):
+        variable = dataset[name]
+        unit = variable.attrs.get("units")
         if unit is not None and name != "status":
             si = RESULTS[name].si_unit if name in RESULTS else key_at(name).dimension.si_unit
             if unit != si:
-                changed[name] = (unit, si)
-    made = dataset.copy()
-    for name, (unit, si) in changed.items():
-        variable = dataset[name]
-        made[name] = (variable.dims, variable.values / from_si(1.0, unit), {**variable.attrs, "units": si})
+                attributes = {**variable.attrs, "units": si}
+                made[name] = (variable.dims, variable.values / from_si(1.0, unit), attributes)
     return made
 
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint_file.any_joint import results_of
@@ -126,7 +125,9 @@ class _Progress:
     """Counts points as blocks are finished."""
 
     def __init__(self, plan: Plan, blocks: list[int], report: Report | None) -> None:
-        self._sizes = {index: _size(plan.block(index)) for index in blocks}
+        self._sizes = {
+            index: math.prod(part.stop - part.start for part in plan.block(index)) for index in blocks
+        }
         self.left = sum(self._sizes.values())
         self._points = plan.points
         self._report = report
@@ -140,10 +141,6 @@ class _Progress:
     def finished(self, index: int) -> None:
         """Count a block that has been written."""
         self._tell(self._sizes[index])
-
-
-def _size(block: tuple[slice, ...]) -> int:
-    return int(np.prod([part.stop - part.start for part in block]))
 
 
 def _in_memory(

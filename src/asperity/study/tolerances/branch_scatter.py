@@ -100,29 +100,9 @@ def branch_scatter(
     solution = solve_joint(joint)
     forward = float(joint.output_torque) >= 0.0
     capacity = solution.capacity if forward else solution.reverse_capacity
-    return _scatter(
-        joint,
-        lambda index: dataclasses.replace(base, added=added[index]),
-        draws=draws,
-        seed=seed,
-        equal=float(capacity.output_torque),
-        report=report,
-    )
-
-
-def _scatter(
-    joint: Joint,
-    sizes: Callable[[int], Any],
-    *,
-    draws: int,
-    seed: int,
-    equal: float,
-    report: Callable[[int, int], Any] | None,
-) -> BranchScatter:
-    """Every draw solved."""
     rows = []
     for index in range(draws):
-        rows.append(_one(joint, sizes(index)))
+        rows.append(_one(joint, dataclasses.replace(base, added=added[index])))
         if report is not None:
             report(index + 1, draws)
     columns = np.array(rows).T
@@ -134,7 +114,7 @@ def _scatter(
         largest_rolling_share=columns[4],
         sun_force=columns[5],
         loose=columns[6] > 0.0,
-        equal=equal,
+        equal=float(capacity.output_torque),
         torque=abs(float(joint.output_torque)),
         seed=seed,
     )
