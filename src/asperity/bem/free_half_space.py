@@ -41,8 +41,7 @@ def _strip_operators(
 def _surface_operators(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array) -> tuple[Array, Array]:
     x, y = (_wrapped_distance(n, pixel_size[axis]) for axis, n in enumerate(shape))
     xx, yy, xy = patch_integrals(x[:, None], y[None, :], pixel_size=pixel_size)
-    # No pair of points uses entry n; an odd coefficient must vanish there for the symbol to be
-    # real.
+    # No pair of points uses entry n; an odd coefficient must vanish there for the symbol to be real.
     xy = xy.at[shape[0], :].set(0.0).at[:, shape[1]].set(0.0)
     coefficients = jnp.stack([normal_patch(pair, xx, yy), *shear_patch(pair, xx, yy, xy)])
     symbols = jnp.fft.rfftn(coefficients, axes=(1, 2)).real
@@ -135,15 +134,9 @@ class FreeHalfSpace(HalfSpace):
 
     def layered_traction_estimate(self, displacement: Array, layer_compliance: Array) -> Array:
         """Traction [Pa] that gives roughly this displacement [m] with a layer [m/Pa] on the surface."""
-        softest = jnp.max(layer_compliance)
-        typical = jnp.min(jnp.where(layer_compliance > 0.0, layer_compliance, softest))
-        weight = jnp.sqrt(
-            jnp.where(
-                layer_compliance > 0.0,
-                typical / jnp.where(layer_compliance > 0.0, layer_compliance, 1.0),
-                1.0,
-            )
-        )
+        covered, softest = layer_compliance > 0.0, jnp.max(layer_compliance)
+        typical = jnp.min(jnp.where(covered, layer_compliance, softest))
+        weight = jnp.sqrt(jnp.where(covered, typical / jnp.where(covered, layer_compliance, 1.0), 1.0))
         return weight * filtered(weight * displacement, self._inverse / (1.0 + typical * self._inverse))
 
     def coupled_displacement(self, traction: Array) -> Array:

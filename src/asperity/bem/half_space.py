@@ -133,20 +133,17 @@ def shear_symbols(pair: ElasticPair, q_axes: list[Array], shape: tuple[int, ...]
     q = jnp.sqrt(sum((k**2 for k in q_axes), jnp.zeros(())))
     safe = jnp.where(q > 0.0, q, 1.0)
     along_x = jnp.where(q > 0.0, (q_axes[0] / safe) ** 2, 0.0)
-    if len(shape) == 1:
-        projections = [along_x, 1.0 - along_x]
-        cross: list[Array] = []
-    else:
+    cross: list[Array] = []
+    if len(shape) == 2:
         # The wave at half the sampling rate stands for both signs of its wavenumber: no cross term there.
         inner = [
             jnp.where(jnp.abs(k) * (1.0 + 1e-9) < jnp.max(jnp.abs(k)), k, 0.0) if n % 2 == 0 else k
             for k, n in zip(q_axes, shape, strict=True)
         ]
-        projections = [along_x, 1.0 - along_x]
         cross = [inner[0] * inner[1] / safe**2]
     in_plane, antiplane = 2.0 / pair.contact_modulus, 1.0 / pair.antiplane_modulus
 
-    parts = [antiplane + (in_plane - antiplane) * p for p in projections]
+    parts = [antiplane + (in_plane - antiplane) * p for p in (along_x, 1.0 - along_x)]
     parts += [(in_plane - antiplane) * c for c in cross]
     return jnp.where(q > 0.0, jnp.stack(parts) / safe, 0.0)
 

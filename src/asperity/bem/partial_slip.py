@@ -103,12 +103,8 @@ def shear_history(
         work = work - jnp.sum(solution.traction * (new_slip - slip)) * half_space.pixel_area
         stick = jnp.sum(sticks, dtype=cap.dtype) / jnp.sum(contact, dtype=cap.dtype)
         small = BoundedSolution(solution.traction, new_slip, rigid, solution.iterations, solution.residual)
-        return (solution.traction, new_slip, work), (
-            small,
-            stick,
-            work,
-            jnp.sum(solution.traction) * half_space.pixel_area,
-        )
+        force = jnp.sum(solution.traction) * half_space.pixel_area
+        return (solution.traction, new_slip, work), (small, stick, work, force)
 
     start = (jnp.zeros_like(cap), by_pressure, jnp.zeros(()))
     _, out = jax.lax.scan(step, start, (path, rolled_pixels))
