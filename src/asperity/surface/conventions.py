@@ -46,22 +46,8 @@ def power_spectral_density(
     .. math::
         P(f) = \tfrac12 G^{2(D-1)} f^{-(5-2D)}, \qquad \int_0^\infty P \, df = \langle z^2 \rangle
 
-    Parameters
-    ----------
-    frequency : array
-        f [1/m], cycles per metre.
-    fractal_dimension, fractal_roughness : float
-        D [-] and G [m].
-
-    Returns
-    -------
-    array
-        P [m^3].
-
-    Notes
-    -----
-    Half of the squared amplitude of term n, spread over the distance :math:`f_n \ln\gamma` of the
-    frequencies.
+    f [1/m] in cycles per metre, D [-], G [m], P [m^3]: half of the squared amplitude of term n, spread over the
+    distance :math:`f_n \ln\gamma` of the frequencies.
 
     Examples
     --------
@@ -69,10 +55,10 @@ def power_spectral_density(
     0.5
     """
     f = np.asarray(frequency, dtype=np.float64)
-    log = 2.0 * (fractal_dimension - 1.0) * math.log(fractal_roughness) - (
-        5.0 - 2.0 * fractal_dimension
-    ) * np.log(f)
-    return np.asarray(0.5 * np.exp(log))
+    D = fractal_dimension
+    return np.asarray(
+        0.5 * np.exp(2.0 * (D - 1.0) * math.log(fractal_roughness) - (5.0 - 2.0 * D) * np.log(f))
+    )
 
 
 def structure_function_constant(*, fractal_dimension: float) -> float:
