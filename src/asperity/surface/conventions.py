@@ -46,7 +46,7 @@ def power_spectral_density(
     .. math::
         P(f) = \tfrac12 G^{2(D-1)} f^{-(5-2D)}, \qquad \int_0^\infty P \, df = \langle z^2 \rangle
 
-    f [1/m] in cycles per metre, D [-], G [m], P [m^3]: half of the squared amplitude of term n, spread over the
+    Of f [1/m], in cycles per metre, D [-] and G [m]: P [m^3], half of the squared amplitude of term n, spread over the
     distance :math:`f_n \ln\gamma` of the frequencies.
 
     Examples

@@ -167,7 +167,7 @@ def checked_file(*, path: str | Path, largest: int) -> Path:
 def file_bytes(*, path: str | Path, largest: int, first: int = -1) -> bytes:
     """Content of a checked file, or only its first bytes.
 
-    An ``InputError`` as of :func:`checked_file`, or if the file cannot be opened.
+    An ``InputError`` as by :func:`checked_file`, or if the file cannot be opened.
     """
     file = checked_file(path=path, largest=largest)
     try:

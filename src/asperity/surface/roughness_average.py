@@ -102,7 +102,9 @@ def roughness_average(*, fractal_dimension: Any, fractal_roughness: Any, cut_off
     .. math::
         R_a = \sqrt{2/\pi}\, R_q, \qquad R_q^2 = \tfrac12 G^{2(D-1)} \lambda_c^{2H}\, I(H)
 
-    D [-], 1 < D < 2; G [m]; ``cut_off`` of the profile filter, lambda_c [m]; Ra [m], its mean over a long profile.
+    Of D [-], 1 < D < 2, and G [m], behind the cut-off lambda_c [m] of the profile filter: Ra [m], its mean over a long
+    profile.
+
     Normally distributed heights, and a power law from a few cut-offs down to wavelengths far below it. The filter
     lambda_s of instruments, a three-hundredth of the cut-off, takes 0.4 % of Ra at D = 1.5 and 7 % at D = 1.8.
 
