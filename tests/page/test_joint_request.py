@@ -73,6 +73,7 @@ def test_the_choices_are_those_of_the_file():
         "bodies.planet",
         "bodies.loading_roller",
         "bodies.ring",
+        "bodies.housing",
     }
 
 
@@ -183,6 +184,7 @@ def test_a_joint_with_another_drive_has_its_own_choices(planetary_text):
         "bodies.sun",
         "bodies.planet",
         "bodies.ring",
+        "bodies.housing",
     ]
     assert not any(path.startswith(("roller.", "contact.")) for path in choices)
 

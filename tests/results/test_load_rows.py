@@ -62,6 +62,7 @@ def solved(*shapes, strengths=(3e8, 3e8, 3e8)):
             shapes=shapes,
             materials=tuple(SimpleNamespace(fatigue_strength=strength) for strength in strengths),
             contact_lengths=(10e-3,),
+            housing=None,
         ),
         rims=SimpleNamespace(
             stress=both,

@@ -164,7 +164,7 @@ def test_what_is_absent_has_a_reason(numbers, said):
 
 def test_both_rims_of_a_body_that_bends():
     rims = BodyRims(
-        *(np.array([1.0, 2.0]) * factor for factor in (1, 2, 3, 4)), np.float64(5.0), np.float64(np.nan)
+        *(np.array([1.0, 2.0]) * factor for factor in (1, 2, 3, 4)), *np.array([5.0, np.nan, 0.0])
     )
     assert rim_entry(rims) == {
         "stress_Pa": {"inner": 1.0, "outer": 2.0},

@@ -268,12 +268,15 @@ class RimRange(NamedTuple):
         Largest hoop stress, tension positive, and mean and amplitude between the largest and the smallest [Pa].
     mises : Array
         Largest equivalent stress by von Mises on both rims, shape (...) [Pa].
+    pull : Array
+        Largest radial stress of the rim without contacts, tension positive, shape (...) [Pa].
     """
 
     largest: Array
     mean: Array
     amplitude: Array
     mises: Array
+    pull: Array
 
 
 def rim_range(*, body: Annulus, stresses: RimStresses) -> RimRange:
@@ -308,7 +311,13 @@ def rim_range(*, body: Annulus, stresses: RimStresses) -> RimRange:
     )
     order = slice(None) if body.loaded_rim == "inner" else slice(None, None, -1)
     highest, lowest = jnp.stack(high[order]), jnp.stack(low[order])
-    return RimRange(highest, 0.5 * (highest + lowest), 0.5 * (highest - lowest), worst)
+    return RimRange(
+        highest,
+        0.5 * (highest + lowest),
+        0.5 * (highest - lowest),
+        worst,
+        jnp.max(stresses.other_radial, axis=0),
+    )
 
 
 def _mises(body: Annulus, hoop: Array, radial: Real, shear: Real) -> Array:

@@ -1,4 +1,4 @@
-"""What a body of a drive is besides its tracks: a solid or hollow roller, or a ring."""
+"""What a body of a drive is besides its tracks: a solid or hollow roller, or a ring; the housing that holds rings."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import Literal
 import equinox as eqx
 import jax.numpy as jnp
 
+from asperity.materials import Material
 from asperity.types import Real
 
 #: What holds the outer rim of a ring.
@@ -59,6 +60,31 @@ class BodyShape(eqx.Module):
 
 
 SOLID = BodyShape("solid")
+
+
+class Housing(eqx.Module):
+    """The housing into which the rings are pressed that are not free.
+
+    Parameters
+    ----------
+    material : Material
+        Its material.
+    outer_radius : Real
+        Its outer radius [m].
+    interference : Real
+        By how much the outer diameter of a ring exceeds the bore at the assembly [m].
+    friction_coefficient : Real
+        Of the seat [-].
+    temperature_rise : Real, optional
+        Working temperature above that of the assembly [K].
+    """
+
+    material: Material
+    outer_radius: Real
+    interference: Real
+    friction_coefficient: Real
+    temperature_rise: Real = 0.0
+
 
 #: Bore that stands for none, over the radius of the roller.
 _NO_BORE = 1e-4

@@ -19,7 +19,7 @@ from asperity.drive.state.state import BodiesOfContacts
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.drive.structure.pin_beam import PinBeam
-from asperity.joint.body_shape import BodyShape
+from asperity.joint.body_shape import BodyShape, Housing
 from asperity.joint.contacts import JointContacts, elastic_material
 from asperity.joint.fit import BodyModel, ClosureSprings, Fit, per_contact
 from asperity.joint.play import NO_PLAY, Play
@@ -118,6 +118,8 @@ class Joint(eqx.Module):
         Of the bearing on the carrier of each roller without a pin, in both directions [N/m]; None for floating ones.
     ring_bending_stiffness : Real or None, optional
         Of a spring in series with each contact of a ring [N/m]; None for none.
+    housing : Housing or None, optional
+        Into which the rings are pressed that are not free; None where only its stiffness is known, or nothing.
     carrier_balance : {"complete", "printed"}, optional
         ``printed``: equation (5) of Zou et al. 2025, which leaves out the friction torques of the rollers' bearings on
         the carrier.
@@ -156,6 +158,7 @@ class Joint(eqx.Module):
     pin_transverse_stiffness: Real | None = None
     planet_support_stiffness: Real | None = None
     ring_bending_stiffness: Real | None = None
+    housing: Housing | None = None
     carrier_balance: Literal["complete", "printed"] = eqx.field(static=True, default="complete")
 
     @property

@@ -13,6 +13,7 @@ from jax import Array
 
 from asperity.body.bore import pin_stress
 from asperity.body.coupling import BodyInMachine
+from asperity.body.press_fit import PressFit
 from asperity.body.rim_range import (
     RimLoads,
     RimRange,
@@ -50,6 +51,8 @@ class BodyRims(eqx.Module):
     fatigue_safety : Array
         Safety of the worse rim against fatigue under the torque, shape (...) [-]; nan where the material has no
         fatigue strength.
+    seat_pressure : Array
+        Smallest pressure of a ring on its housing, at rest and under the torque, shape (...) [Pa].
     """
 
     stress: Array
@@ -58,6 +61,7 @@ class BodyRims(eqx.Module):
     amplitude: Array
     yield_safety: Array
     fatigue_safety: Array
+    seat_pressure: Array
 
 
 def body_rims(
@@ -68,13 +72,14 @@ def body_rims(
     turns: tuple[float, ...],
     sectors: int = 1,
     pin: PinLoad | None = None,
+    seat: PressFit | None = None,
 ) -> BodyRims:
-    """Stresses of one body under the torque and at rest, with those of the pin in its bore where one presses there."""
+    """Stresses of one body under the torque and at rest, with those of the pin in its bore, or of its seat."""
     batch = width.shape[1:]
     if not isinstance(member.body, Annulus):
         nothing = jnp.full(batch, jnp.nan)
         both = jnp.stack([nothing, nothing])
-        return BodyRims(both, both, both, both, nothing, nothing)
+        return BodyRims(both, both, both, both, nothing, nothing, nothing)
     at, body = np.array(member.contacts), member.body
     signs = jnp.asarray(turns).reshape((-1,) + (1,) * len(batch))
     outward = 1.0 if body.loaded_rim == "inner" else -1.0
@@ -96,6 +101,14 @@ def body_rims(
                 loaded_hoop=stresses.loaded_hoop + by_pin.rim_hoop,
                 other_hoop=stresses.other_hoop + by_pin.bore_hoop,
                 other_radial=stresses.other_radial + by_pin.bore_radial,
+                other_shear=stresses.other_shear,
+            )
+        if seat is not None:
+            held = seat.pressure - (0.0 if member.sectors is not None else _centring_pressure(body, loads))
+            stresses = RimStresses(
+                loaded_hoop=stresses.loaded_hoop + seat.ring_hoop[0],
+                other_hoop=stresses.other_hoop + seat.ring_hoop[1],
+                other_radial=stresses.other_radial - held,
                 other_shear=stresses.other_shear,
             )
         return rim_range(body=body, stresses=stresses)
@@ -121,4 +134,13 @@ def body_rims(
         amplitude=working.amplitude,
         yield_safety=material.yield_strength / jnp.maximum(working.mises, resting.mises),
         fatigue_safety=safety,
+        seat_pressure=-jnp.maximum(working.pull, resting.pull),
     )
+
+
+def _centring_pressure(body: Annulus, loads: RimLoads) -> Array:
+    """Amplitude F/(pi b L) of the pressure with which a housing holds a ring against forces that do not balance."""
+    cosine, sine = jnp.cos(loads.angles), jnp.sin(loads.angles)
+    x = jnp.sum(loads.radial * cosine - loads.tangential * sine, axis=0)
+    y = jnp.sum(loads.radial * sine + loads.tangential * cosine, axis=0)
+    return jnp.sqrt(x**2 + y**2) / (jnp.pi * body.outer_radius * body.length)

@@ -10,19 +10,20 @@ from asperity.joint.bodies import exact_bodies
 from asperity.joint.bores import pin_forces, push_angles
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
+from asperity.joint.housing import ring_fit, seated
 from asperity.joint.rim_safety import BodyRims, PinLoad, body_rims
 from asperity.joint.working_loads import working_forces
 
 
 def bends(joint: Joint) -> tuple[bool, ...]:
-    """Which bodies, in the order of the drive's, have one track and a rim that nothing rigid holds.
+    """Which bodies, in the order of the drive's, have one track and a rim that nothing rigid holds, or a known seat.
 
     The tracks of a stepped roller lie in different planes: what bends it is not part of plane elasticity.
     """
     return tuple(
-        (shape.kind == "hollow" or (shape.kind == "ring" and shape.support != "rigid_housing"))
+        (shape.kind == "hollow" or (shape.kind == "ring" and (shape.support != "rigid_housing" or seat)))
         and len(tracks_of(joint, number)) == 1
-        for number, shape in enumerate(joint.shapes)
+        for number, (shape, seat) in enumerate(zip(joint.shapes, seated(joint), strict=True))
     )
 
 
@@ -31,7 +32,8 @@ def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
 
     Away from the contacts, whose own stresses are judged by yield, shakedown and rolling fatigue. Exact plane
     elasticity. Where the input turns, the forces under the torque are those of rolling. Pins of a stated diameter press
-    in their bores with the forces that balance those of the contacts; the stress of rotation is not included.
+    in their bores with the forces that balance those of the contacts, and a described housing on its rings; the stress
+    of rotation is not included.
     """
     states = (working_forces(joint, result), (result.rest.normal, result.rest.tangential))
     width = jnp.asarray(result.diagnostics.hertz_half_width)
@@ -57,7 +59,8 @@ def _bending_bodies(
         )
         finer = sectors if drive.bodies[number].place == "held" else 1
         pin = _pin_load(joint, number, states)
-        rims.append(body_rims(member, joint.materials[number], states, width, signs, finer, pin))
+        seat = ring_fit(joint, number) if seated(joint)[number] else None
+        rims.append(body_rims(member, joint.materials[number], states, width, signs, finer, pin, seat))
     return rims
 
 
@@ -78,7 +81,7 @@ def _in_order(rims: list[BodyRims], bending: tuple[bool, ...]) -> BodyRims:
     at = [number for number, acts in enumerate(bending) if acts]
     pair = jnp.full((2, len(bending)), jnp.nan)
     one = jnp.full(len(bending), jnp.nan)
-    empty = BodyRims(pair, pair, pair, pair, one, one)
+    empty = BodyRims(pair, pair, pair, pair, one, one, one)
 
     def placed(base: Array, *values: Array) -> Array:
         return base.at[..., jnp.array(at)].set(jnp.stack(values, axis=-1)) if values else base

@@ -22,6 +22,7 @@ from asperity.joint.capacity import torque_capacities, torque_capacity, under_to
 from asperity.joint.description import Joint, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.fit import refuse_loose
+from asperity.joint.housing import refuse_housing
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
@@ -166,6 +167,7 @@ def refuse_impossible_joint(joint: Joint) -> Joint:
     joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_impossible(joint.drive)
     refuse_loose(joint.fit)
+    refuse_housing(joint)
     refuse_pins(joint)
     refuse_bores(joint)
     refuse_short_pins(joint)

@@ -14,7 +14,7 @@ from asperity.joint_file.finish_in_surface import dimension_text
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.material_entries import BY_DECAY_LENGTH, MaterialEntry
 from asperity.joint_file.model import Case, Rolling
-from asperity.joint_file.part_names import WEDGE_TYPE, material_key
+from asperity.joint_file.part_names import HOUSING, WEDGE_TYPE, material_key
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import leaves
 from asperity.joint_file.section_build import film_roughness
@@ -206,7 +206,11 @@ def assumptions(case: Case) -> tuple[str, ...]:
     told += rolling_assumptions(case.rolling, fractal=law == "zou_2025")
     told += lubrication_assumptions(
         case.lubrication,
-        materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},
+        materials={
+            name: case.materials[name]
+            for body, name in case.bodies.items()
+            if case.housing is None or body != HOUSING
+        },
         by_average=film_roughness(si_values(case)) is not None,
     )
     told += [
@@ -283,7 +287,7 @@ def temperature_assumptions(case: Case, *, housed: bool) -> list[str]:
             f"load.preload is a force: {change} does not move it, as if a spring or a weight made it; give "
             "load.interference if the sizes make the preload"
         )
-    elif case.temperature.housing_expansion is None and housed:
+    elif case.temperature.housing_expansion is None and case.housing is None and housed:
         told.append("no temperature.housing_expansion: the housing expands as the ring does")
     return told
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Collection
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -17,13 +17,15 @@ from asperity.drive.layout.expansion import interference_of_sizes
 from asperity.drive.mechanism import Bearings
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.pin_beam import PinBeam
-from asperity.joint.body_shape import BodyShape, on_pin
-from asperity.joint.description import Joint
+from asperity.joint.body_shape import BodyShape, Housing, on_pin
+from asperity.joint.description import Joint, tracks_of
+from asperity.joint.housing import in_housing
 from asperity.joint.temperature import contact_fit
 from asperity.joint_file.material_entries import contact_law_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import (
     CONTACTS,
+    HOUSING,
     TRACKS,
     contacts_of,
     material_key,
@@ -43,10 +45,7 @@ from asperity.joint_file.section_build import (
     surface_of,
 )
 from asperity.joint_file.si_tables import Values, si_values
-
-if TYPE_CHECKING:
-    pass
-
+from asperity.materials import Material
 
 _SIDES = ("first_radius", "second_radius")
 
@@ -71,6 +70,7 @@ def joint_from_values(values: Values) -> Joint:
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
         pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
+    temperature = values.get("temperature")
     joint = Joint(
         type=type_of(values),
         drive=drive,
@@ -111,16 +111,38 @@ def joint_from_values(values: Values) -> Joint:
         crown_curvatures=_crown_curvatures(values),
         cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
     )
-    if "temperature" not in values or "interference" not in load:
+    expansion = None if temperature is None else temperature.get("housing_expansion")
+    if "housing" in values:
+        material = materials[values["bodies"][HOUSING]]
+        joint, expansion = (
+            _in_housing(joint, values["housing"], material, temperature),
+            material.thermal_expansion,
+        )
+    if temperature is None or "interference" not in load:
         return joint
-    temperature = values["temperature"]
     fit = contact_fit(
         joint,
         assembly_temperature=temperature["assembly"],
         working_temperature=temperature["working"],
-        housing_expansion=temperature.get("housing_expansion"),
+        housing_expansion=expansion,
     )
     return dataclasses.replace(joint, fit=fit)
+
+
+def _in_housing(joint: Joint, entry: Values, material: Material, temperature: Values | None) -> Joint:
+    """A joint in the housing that a file describes."""
+    housing = Housing(
+        material=material,
+        outer_radius=0.5 * entry["outer_diameter"],
+        interference=entry["interference"],
+        friction_coefficient=entry["friction_coefficient"],
+        temperature_rise=0.0 if temperature is None else temperature["working"] - temperature["assembly"],
+    )
+    shapes = tuple(
+        in_housing(shape, tracks_of(joint, number)[0][0], housing)
+        for number, shape in enumerate(joint.shapes)
+    )
+    return dataclasses.replace(joint, shapes=shapes, housing=housing)
 
 
 def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:

@@ -8,7 +8,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import WEDGE_TYPE, material_keys
+from asperity.joint_file.part_names import HOUSING, WEDGE_TYPE, material_keys
 from asperity.joint_file.section import is_list, models_of
 from asperity.library import read_finishes
 
@@ -26,7 +26,7 @@ def _words(annotation: Any) -> tuple[str, ...]:
 def choices_of(model: type[Case], bodies: Iterable[str]) -> dict[str, tuple[str, ...]]:
     """The choices that a joint file offers."""
     return {
-        **{f"bodies.{name}": () for name in bodies},
+        **{f"bodies.{name}": () for name in (*bodies, HOUSING)},
         FINISH: tuple(read_finishes()),
         **_words_of_sections(model),
     }

@@ -41,6 +41,8 @@ OUTSIDE_FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N", example="200 N")
 
 BORE_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", open_lower=True, example="4 mm")
 CROWN_RADIUS = Key(Dimension.LENGTH, 1.0, 1e9, "mm", example="1000 mm")
+HOUSING_DIAMETER = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="140 mm")
+HOUSING_INTERFERENCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="40 um")
 HOUSING = Key(Dimension.STIFFNESS_PER_AREA, 0.0, 1e9, "MPa/mm", example="500 MPa/mm")
 
 SPRING = Key(Dimension.STIFFNESS, 1e-6, 1e15, "N/mm", example="2e5 N/mm")

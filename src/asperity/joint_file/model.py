@@ -26,7 +26,7 @@ from asperity.joint_file.material_entries import (
     one_kind_of_roughness,
     unknown_materials,
 )
-from asperity.joint_file.part_names import CONTACTS, material_keys
+from asperity.joint_file.part_names import CONTACTS, HOUSING, material_keys
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section, WholeFile
 from asperity.joint_file.sections import (
@@ -34,6 +34,7 @@ from asperity.joint_file.sections import (
     Duty,
     DynamicsEntry,
     HeldBearing,
+    HousingEntry,
     Lubrication,
     PinBearing,
     PlayEntry,
@@ -179,6 +180,8 @@ class Case(WholeFile):
     """Preload, torque, speed, friction."""
     temperature: TemperatureEntry | None = None
     """Temperature of the drive; that of the assembly if the section is absent."""
+    housing: HousingEntry | None = None
+    """The housing into which rings are pressed, for their seats; not described if the section is absent."""
     pin_bearing: PinBearing | None = None
     """Rolling bearings of the rollers on pins, for their life: one section, whose ratings hold for every row of rollers
     on pins; try rows with different bearings one after the other."""
@@ -287,10 +290,13 @@ class Case(WholeFile):
     def _housing_of_rings(self) -> Self:
         compliance = self.compliance or Compliance()
         supports = self.ring_supports()
-        if ("elastic_housing" in supports) != (compliance.ring_housing_stiffness is not None):
+        stated = compliance.ring_housing_stiffness is not None
+        if self.housing is not None:
+            self._described_housing(stated)
+        elif ("elastic_housing" in supports) != stated:
             raise InputError(
                 f'{self.ring_key} = "elastic_housing" and compliance.ring_housing_stiffness belong together: give both '
-                "or neither"
+                "or neither, or describe the housing in [housing]"
             )
         bent = [support for support in supports if support in BENT]
         if bent and compliance.ring_bending_stiffness is not None:
@@ -299,6 +305,20 @@ class Case(WholeFile):
                 "compliance.ring_bending_stiffness, which would count it twice"
             )
         return self
+
+    def _described_housing(self, stiffness: bool) -> None:
+        """Refuse a housing that no ring needs, and what is known of it already."""
+        if self.without_housing():
+            raise InputError(f"[housing]: {self.without_housing()} has no housing: leave out the section")
+        if stiffness:
+            raise InputError(
+                "[housing] gives the stiffness of the housing: leave out compliance.ring_housing_stiffness"
+            )
+        if self.temperature is not None and self.temperature.housing_expansion is not None:
+            raise InputError(
+                "[housing]: the material of the housing, bodies.housing, gives its expansion: leave out "
+                "temperature.housing_expansion"
+            )
 
     def ring_supports(self) -> tuple[str | None, ...]:
         """What the file says that holds the outer rim of each ring; None where it says nothing."""
@@ -313,7 +333,7 @@ class Case(WholeFile):
     def _known_expansion(self) -> Self:
         refuse_temperature(
             self.temperature,
-            by_interference=self.load.interference is not None,
+            by_interference=self.load.interference is not None or self.housing is not None,
             bodies=self.bodies,
             materials=self.materials,
             without_housing=self.without_housing(),
@@ -352,6 +372,10 @@ class Case(WholeFile):
         """Messages about tables whose entries are not the bodies or contacts of the drive."""
         messages = list(self._without_effect())
         contacts, bodies = self.part_names()
+        if self.housing is not None:
+            if HOUSING in bodies:
+                messages.append("[housing]: no roller may have its name; rename the roller 'housing'")
+            bodies = (*bodies, HOUSING)
         for path, table, known in (
             ("bodies", self.bodies, bodies),
             ("drive.contact_length", self.drive.contact_length, contacts),
@@ -362,6 +386,11 @@ class Case(WholeFile):
             if not isinstance(table, dict):
                 continue
             unknown = [name for name in table if name not in known]
+            if path == "bodies" and HOUSING in unknown:
+                unknown.remove(HOUSING)
+                messages.append(
+                    "bodies.housing: there is no section [housing]; give one, or leave the material out"
+                )
             messages += [
                 f"{path}.{name}: a {self.type} drive has no such {'body' if path == 'bodies' else 'contact'}"
                 f"{nearest(name, known) or '; it has ' + ', '.join(known)}"

@@ -8,6 +8,8 @@ from typing import Any
 #: Type of the drive of Zou et al. 2025, that of a file without a type.
 WEDGE_TYPE = "zou2025"
 
+#: Name of the housing in [bodies].
+HOUSING = "housing"
 #: Contacts of each type with the bodies that they join.
 CONTACTS: dict[str, dict[str, tuple[str, str]]] = {
     WEDGE_TYPE: {

@@ -143,8 +143,8 @@ def refuse_temperature(
     unknown = without_expansion(bodies, materials)
     if by_interference and unknown:
         raise InputError(
-            f"[temperature] with load.interference needs the thermal_expansion of every material: give it for "
-            f'{", ".join(unknown)}, e.g. thermal_expansion = "11.5e-6 1/K", or take a material of the library'
+            f"[temperature] with load.interference or [housing] needs the thermal_expansion of every material: give it "
+            f'for {", ".join(unknown)}, e.g. thermal_expansion = "11.5e-6 1/K", or take a material of the library'
         )
     if temperature.housing_expansion is not None and without_housing:
         raise InputError(f"{without_housing} has no housing: leave out temperature.housing_expansion")
@@ -157,6 +157,18 @@ def without_expansion(bodies: Mapping[str, str], materials: Mapping[str, Materia
     """
     used = dict.fromkeys(bodies.values())
     return [name for name in used if name in materials and materials[name].thermal_expansion is None]
+
+
+class HousingEntry(Section):
+    """The housing into which every ring is pressed that is not free; bodies.housing is its material."""
+
+    outer_diameter: Annotated[Quantity, limits.HOUSING_DIAMETER]
+    """Outer diameter of the housing, a thick-walled cylinder as long as the ring."""
+    interference: Annotated[Quantity, limits.HOUSING_INTERFERENCE]
+    """By how much the outer diameter of a ring exceeds the bore at the assembly, less what pressing smooths the seats.
+    On the diameter, as fits are given, while load.interference is one on the radius."""
+    friction_coefficient: Friction
+    """Friction coefficient of the seat; by DIN 7190-1 0.12 to 0.2 of steel in steel, 0.1 to 0.15 in light alloy."""
 
 
 Deviation = Annotated[Quantity, limits.DEVIATION]

@@ -12,7 +12,7 @@ import asperity
 from asperity.joint_file.case_types import WedgeCase
 from asperity.joint_file.choices import CHOICES, choices_of_case
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import CONTACTS, WEDGE_TYPE, contacts_of
+from asperity.joint_file.part_names import CONTACTS, HOUSING, WEDGE_TYPE, contacts_of
 from asperity.joint_file.section import keys_by_path, meaning, models_of
 from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
@@ -29,6 +29,7 @@ HEADINGS = {
     "roller": "Rollers",
     "contact": "Contacts",
     "compliance": "Structure",
+    "housing": "Housing",
     "play": "Play",
     "bearings": "Bearing friction",
     "pin_bearing": "Rolling bearings of the pins",
@@ -160,6 +161,8 @@ def _choice(case_type: type[BaseModel], path: str, words: tuple[str, ...]) -> di
         "group": section,
         "meaning": said,
         "words": list(words),
-        "required": field.is_required() and case_type.model_fields[section].is_required(),
+        "required": field.is_required()
+        and case_type.model_fields[section].is_required()
+        and path != f"bodies.{HOUSING}",
         "default": _default(said),
     }

@@ -9,6 +9,7 @@ import jax.numpy as jnp
 
 from asperity.drive.structure.bearing_life import LARGEST_LOAD_RATIO
 from asperity.joint.bores import bore_stiffness
+from asperity.joint.housing import seated
 from asperity.joint.rims import bends
 from asperity.joint.working_loads import pin_bending
 from asperity.results.result import Limit, Result
@@ -17,6 +18,7 @@ from asperity.unit_table import Dimension
 
 _load = functools.partial(Result, group="loads")
 _STATE = "in rolling where the input turns, standing under the torque where it stands"
+_HOUSED = "nan without a section [housing]"
 _NEEDS = "nan without a section for its ratings, such as [pin_bearing]"
 _bearing = functools.partial(
     Result, group="bearings", axis="bearing", present=lambda solved: solved.has_bearings
@@ -37,9 +39,11 @@ _mounting = functools.partial(
     needs="geometry",
     present=lambda solved: tuple(shape.kind == "ring" for shape in solved.joint.shapes),
 )
+_seat = functools.partial(Result, group="seats", axis="body", present=lambda solved: seated(solved.joint))
 _safety = functools.partial(
     Result, group="stresses", dimension=Dimension.DIMENSIONLESS, display_unit="1", axis="body"
 )
+_NO_UNIT, _KELVIN = (Dimension.DIMENSIONLESS, "1"), (Dimension.TEMPERATURE_RISE, "K")
 _REMEDY = "choose a thicker wall, a stronger material or less preload"
 
 
@@ -137,6 +141,88 @@ ROWS = (
         lambda solved: solved.mounting().cooling,
         needs="geometry",
         note="of everything but the rings, below these; without a gap; nan without thermal_expansion",
+    ),
+    _seat(
+        "seat_pressure",
+        "smallest pressure on the housing",
+        Dimension.PRESSURE,
+        "MPa",
+        "rims.seat_pressure",
+        positive=False,
+        note=f"between it and a ring, of fit and rollers together, without torque and under it; {_HOUSED}",
+        limit=Limit(
+            "accuracy",
+            "the ring touches its housing all round",
+            "the ring lifts off its housing between its rollers, so that it is softer than computed, and creeps",
+            "choose more interference in the housing, a stiffer housing or a thicker wall of the ring",
+            lowest=0.0,
+        ),
+    ),
+    _seat(
+        "seat_torque_safety",
+        "torque that a seat in the housing holds over that on it",
+        *_NO_UNIT,
+        "seats.torque_safety",
+        note=f"of a ring, by friction under the pressure of the fit alone; {_HOUSED}",
+        limit=Limit(
+            "function",
+            "the seat holds the torque of the ring",
+            "the ring turns in its housing under the torque",
+            "choose more interference in the housing, a wider seat, or a key",
+            lowest=1.0,
+        ),
+    ),
+    _seat(
+        "seat_force",
+        "axial force that presses into the housing",
+        Dimension.FORCE,
+        "N",
+        "seats.force",
+        note=f"a ring, at the assembly, at the end of the way; {_HOUSED}",
+    ),
+    _seat(
+        "seat_heating",
+        "heating of the housing that takes its interference",
+        *_KELVIN,
+        "seats.heating",
+        note=f"with a ring, without a gap; nan without thermal_expansion; {_HOUSED}",
+    ),
+    _seat(
+        "seat_cooling",
+        "cooling that takes the interference in the housing",
+        *_KELVIN,
+        "seats.cooling",
+        note=f"of a ring, without a gap; nan without thermal_expansion; {_HOUSED}",
+    ),
+    _seat(
+        "seat_bore_change",
+        "by how much the seat in the housing narrows the bore",
+        Dimension.LENGTH,
+        "um",
+        "seats.bore_change",
+        note=f"of a ring, on the diameter, at the assembly; {_HOUSED}",
+    ),
+    _seat(
+        "housing_stress",
+        "largest hoop stress of the housing",
+        Dimension.PRESSURE,
+        "MPa",
+        "seats.housing_stress",
+        note=f"at its bore around a ring, by the fit alone; {_HOUSED}",
+    ),
+    _seat(
+        "housing_yield_safety",
+        "safety of the housing against yield",
+        *_NO_UNIT,
+        "seats.yield_safety",
+        note=f"around a ring, by the fit alone, at the assembly and at the working temperature; {_HOUSED}",
+        limit=Limit(
+            "damage",
+            "the housing stays elastic",
+            "the housing yields at its bore and loses part of the fit",
+            "choose less interference in the housing, a thicker or a stronger one",
+            lowest=1.0,
+        ),
     ),
     _bearing(
         "bearing_load", "radial load of one bearing", Dimension.FORCE, "N", "bearings.load", note=_NEEDS

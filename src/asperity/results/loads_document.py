@@ -16,6 +16,7 @@ from asperity.drive.layout.drive import CARRIER
 from asperity.drive.state.loads import MemberLoads, pin_components
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
+from asperity.joint.housing import ring_fit, seated
 from asperity.joint.rim_safety import RIM_NAMES, BodyRims
 from asperity.joint.rims import bends
 from asperity.joint.working_loads import (
@@ -57,6 +58,11 @@ _MOUNTING = (
     "that. Heated or cooled by these temperatures, a ring has this radial gap around its rollers; its housing is "
     "heated with it; they need the thermal_expansion of the materials. No state on the way strains a ring more than "
     "its seat does."
+)
+_SEATED = (
+    "Seated in its housing: Lamé's thick cylinders in plane stress, as DIN 7190 has them, elastic and of the length of "
+    "the ring; force, temperatures and bore at the assembly, the rest at the working temperature. The interference in "
+    "the housing is that after pressing, which smooths the seats; load.interference is that of the ring in its seat."
 )
 _AXIAL = (
     "Axial forces are those of skewed contacts in rolling; those of rollers on pins act on the carrier as well. "
@@ -109,6 +115,9 @@ def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: 
         thrust = np.stack([none, *turning], axis=-1)
     rows = _rows(joint, loads, np.stack(held, axis=-1), speeds, thrust)
     mounted = _mounting_rows(solved, mounting_gap, len(cases))
+    if any(seated(joint)):
+        notes.append(_SEATED)
+        mounted = itertools.chain(mounted, _seat_rows(solved, len(cases)))
     return document_of_rows(cases, itertools.chain(rows, mounted), bearings=bearings, notes=notes)
 
 
@@ -182,8 +191,31 @@ def _mounting_rows(solved: SolvedJoint, gap: float, cases: int) -> Iterator[Row]
             yield name, "mounted over its rollers", quantity, unit, [value, *[math.nan] * (cases - 1)]
 
 
+def _seat_rows(solved: SolvedJoint, cases: int) -> Iterator[Row]:
+    """How each ring sits in its housing, with a value for the first case alone."""
+    seats = solved.seats
+    for number, holds in enumerate(seated(solved.joint)):
+        if not holds:
+            continue
+        fit = ring_fit(solved.joint, number)
+        stated: tuple[tuple[str, str, Any], ...] = (
+            ("axial force that presses it in", "N", seats.force[number]),
+            ("or heating of the housing, without a gap", "K", seats.heating[number]),
+            ("or cooling of the ring, without a gap", "K", seats.cooling[number]),
+            ("its bore narrows by, on the diameter", "m", seats.bore_change[number]),
+            ("pressure of the fit", "Pa", fit.pressure),
+            ("smallest pressure, with the rollers", "Pa", solved.rims.seat_pressure[number]),
+            ("hoop stress of its bore by the fit", "Pa", fit.ring_hoop[0]),
+            ("hoop stress of the housing's bore", "Pa", seats.housing_stress[number]),
+            ("torque that the seat holds over its torque", "1", seats.torque_safety[number]),
+        )
+        name = solved.joint.drive.bodies[number].name.replace("_", " ")
+        for quantity, unit, value in stated:
+            yield name, "seated in its housing", quantity, unit, [value, *[math.nan] * (cases - 1)]
+
+
 #: Units of tables for those of the document.
-_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm", "K": "K"}
+_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm", "K": "K", "m": "um", "1": "1"}
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
 _ROUNDING = 1e-12
 Document = dict[str, Any]

@@ -24,6 +24,7 @@ from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
 from asperity.joint.description import Joint, contact_values, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult
+from asperity.joint.housing import Seats, seats
 from asperity.joint.mounting import Mounting, mounting
 from asperity.joint.rims import joint_rims
 from asperity.joint.solve import Solution, joint_state, solution_of
@@ -223,6 +224,12 @@ class SolvedJoint:
         """Force and temperatures that mount its rings, with a radial gap around the rollers [m]."""
         mounted: Mounting = call_compiled(mounting, in_motion(self.joint), self.result, gap)
         return mounted
+
+    @functools.cached_property
+    def seats(self) -> Seats:
+        """How its rings sit in their housing under the joint's torque."""
+        held: Seats = call_compiled(seats, in_motion(self.joint), self.loads)
+        return held
 
     @functools.cached_property
     def size(self) -> Any:

@@ -10,6 +10,7 @@ import numpy as np
 
 from asperity.drive.layout.existence import neighbours
 from asperity.joint.description import Joint, places
+from asperity.joint.housing import ring_fit, seated
 from asperity.joint_file.stated_parts import StatedPart
 from asperity.show.dimension_lines import (
     diameter,
@@ -109,8 +110,10 @@ def contact_interferences(joint: Joint, interference: float | None = None) -> li
     return [0.0 if share == 0.0 else None if drive is None else share * drive for share in shares]
 
 
-def made_inside(joint: Joint, ring: RingOfBody, interference: float | None, part: StatedPart) -> str:
-    """Inner diameter of a ring as it must be made."""
+def made_inside(
+    joint: Joint, ring: RingOfBody, interference: float | None, part: StatedPart, *, free: bool = False
+) -> str:
+    """Inner diameter of a ring as it must be made: in its housing, or ``free`` before it is pressed in."""
     _, second = places(joint.drive)
     less = next(
         contact_interference
@@ -118,6 +121,8 @@ def made_inside(joint: Joint, ring: RingOfBody, interference: float | None, part
         if second[number] == ring.body
         and math.isclose(1e3 * float(joint.drive.second_radius[number]), ring.inner)
     )
+    if free and less is not None and seated(joint)[ring.body]:
+        less -= 0.5 * float(ring_fit(joint, ring.body, working=False).bore_change)
     return made_bore(ring.inner, less, 1e3 * part.tolerance(1e-3 * ring.inner))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from asperity.joint.description import Joint, places, tracks_of
+from asperity.joint.housing import ring_fit, seated
 from asperity.joint_file.stated_parts import StatedParts
 from asperity.show.dimension_lines import diameter, dimension, toleranced
 from asperity.show.drive_sheet import PLAIN, Paper, crown_lines, wrapped_texts
@@ -99,7 +100,9 @@ def _sizes(joint: Joint, body: int, stated: StatedParts, interference: float | N
     """Diameters of a body."""
     part, shape = stated.bodies[body], joint.shapes[body]
     rings = [ring for ring in rings_of(joint) if ring.body == body]
-    texts = {ring.inner: f"{made_inside(joint, ring, interference, part)}, made bore" for ring in rings}
+    texts = {
+        ring.inner: f"{made_inside(joint, ring, interference, part, free=True)}, made bore" for ring in rings
+    }
     texts |= {ring.outer: diameter(ring.outer, 0.0) for ring in rings}
     if not rings:
         texts = {r: diameter(r, 1e3 * part.tolerance(1e-3 * r)) for r in radii_of(joint, body)}
@@ -135,6 +138,11 @@ def _lines(joint: Joint, body: int, stated: StatedParts, interference: float | N
             lines.append(f"tolerance of track {names}: not stated")
     if shape.kind == "ring" and shape.size is not None:
         lines.append(f"wall {toleranced(1e3 * float(shape.size), 1e3 * part.wall)}")
+    if joint.housing is not None and seated(joint)[body]:
+        larger = format_quantity(float(joint.housing.interference), "µm")
+        narrower = format_quantity(float(ring_fit(joint, body, working=False).bore_change), "µm")
+        lines.append(f"outer diameter {larger} larger than the bore of the housing")
+        lines.append(f"made bore: before it is pressed in, which narrows it by {narrower}")
     if shape.length is None:
         lines.append("length: that of the contact line; no other is stated")
     if len(tracks_of(joint, body)) > 1:

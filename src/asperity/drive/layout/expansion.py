@@ -13,6 +13,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.body.press_fit import rim_compliance
 from asperity.drive.layout.drive import Drive
 from asperity.types import Real
 
@@ -123,8 +124,9 @@ def ring_expansion(
     r"""Expansion coefficient of the inner radius of a ring that a housing of another material holds.
 
     .. math::
-        \alpha = \alpha_r + (\alpha_h - \alpha_r)\, \frac{k c}{1 + k c}\, \frac{2}{1 - \nu + (1 + \nu)\,a^2/b^2},
-        \qquad c = \frac{b}{E}\, \frac{(1 - \nu)\,b^2 + (1 + \nu)\,a^2}{b^2 - a^2}
+        \alpha = \alpha_r + (\alpha_h - \alpha_r)\, \frac{k c}{1 + k c}\, \frac{2}{1 - \nu + (1 + \nu)\,a^2/b^2}
+
+    with the compliance c of its outer rim by :func:`~asperity.body.press_fit.rim_compliance`.
 
     Parameters
     ----------
@@ -159,9 +161,8 @@ def ring_expansion(
     modulus, poisson = youngs_modulus, poisson_ratio
     if plane_state == "plane_strain":
         modulus, poisson = modulus / (1.0 - poisson**2), poisson / (1.0 - poisson)
-    squared = (inner_radius / outer) ** 2
-    narrowing = 1.0 - poisson + (1.0 + poisson) * squared
-    compliance = outer / modulus * narrowing / (1.0 - squared)
+    narrowing = 1.0 - poisson + (1.0 + poisson) * (inner_radius / outer) ** 2
+    compliance = rim_compliance(rim=outer, other=inner_radius, youngs_modulus=modulus, poisson_ratio=poisson)
     rigid = jnp.isinf(jnp.asarray(housing_stiffness))
     held = jnp.where(rigid, 0.0, housing_stiffness) * compliance
     share = jnp.where(rigid, 1.0, held / (1.0 + held))

@@ -1,0 +1,149 @@
+"""How the rings of a drive sit in their housing: what holds them, and what that does to both."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import NamedTuple
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.body.press_fit import PressFit, press_fit, rim_compliance
+from asperity.body.rim_range import mises_stress
+from asperity.drive.state.loads import MemberLoads
+from asperity.errors import InputError
+from asperity.joint.body_shape import BodyShape, Housing
+from asperity.joint.description import Joint, track_lengths, tracks_of
+from asperity.types import Real
+from asperity.units import format_quantity
+
+
+class Seats(NamedTuple):
+    """How each ring sits in its housing, shape (bodies,); nan of what no housing holds.
+
+    ``force`` presses it in at the assembly [N]; ``heating`` of the housing, or ``cooling`` of the ring, takes the
+    interference, without a gap [K], nan without thermal expansions; ``bore_change``, by how much the seat narrows the
+    bore at the assembly, on the diameter [m]. At the working temperature: ``torque_safety``, the torque that friction
+    holds over that of the ring [-], and ``housing_stress``, hoop stress at the bore of the housing [Pa]; its
+    ``yield_safety``, there and at the assembly [-].
+    """
+
+    force: Array
+    heating: Array
+    cooling: Array
+    bore_change: Array
+    torque_safety: Array
+    housing_stress: Array
+    yield_safety: Array
+
+
+def seated(joint: Joint) -> tuple[bool, ...]:
+    """Which bodies a described housing holds."""
+    return tuple(
+        joint.housing is not None and shape.kind == "ring" and shape.support != "free"
+        for shape in joint.shapes
+    )
+
+
+def refuse_housing(joint: Joint) -> None:
+    """Refuse a housing that lies inside one of its rings."""
+    for number, holds in enumerate(seated(joint)):
+        wall = joint.shapes[number].size
+        if not holds or joint.housing is None or wall is None:
+            continue
+        seat, outer = (
+            2.0 * float(tracks_of(joint, number)[0][0] + wall),
+            2.0 * float(joint.housing.outer_radius),
+        )
+        if not outer > seat:
+            name = joint.drive.bodies[number].name.replace("_", " ")
+            raise InputError(
+                f"housing.outer_diameter {format_quantity(outer, 'mm')}: the outer diameter of the {name} is "
+                f"{format_quantity(seat, 'mm')}; make the housing larger, or the wall of the ring thinner"
+            )
+
+
+def in_housing(shape: BodyShape, bore_radius: Real, housing: Housing) -> BodyShape:
+    """A ring whose elastic housing has the radial stiffness of its sizes."""
+    if shape.support != "elastic_housing":
+        return shape
+    assert shape.size is not None
+    widening = rim_compliance(
+        rim=bore_radius + shape.size,
+        other=housing.outer_radius,
+        youngs_modulus=housing.material.youngs_modulus,
+        poisson_ratio=housing.material.poisson_ratio,
+    )
+    return dataclasses.replace(shape, housing_stiffness=1.0 / widening)
+
+
+def ring_fit(joint: Joint, number: int, *, working: bool = True) -> PressFit:
+    r"""The seat of a ring, alone, at the working temperature or at that of the assembly; pure.
+
+    .. math:: \Delta d(T) = \Delta d + 2 b\,(\alpha_r - \alpha_h)\,\Delta T
+    """
+    housing, ring, wall = joint.housing, joint.materials[number], joint.shapes[number].size
+    assert housing is not None
+    assert wall is not None
+    bore = tracks_of(joint, number)[0][0]
+    interference: Real = housing.interference
+    if working and ring.thermal_expansion is not None and housing.material.thermal_expansion is not None:
+        widening = ring.thermal_expansion - housing.material.thermal_expansion
+        interference = interference + 2.0 * (bore + wall) * widening * housing.temperature_rise
+    return press_fit(
+        ring=ring,
+        housing=housing.material,
+        bore_radius=bore,
+        seat_radius=bore + wall,
+        outer_radius=housing.outer_radius,
+        interference=interference,
+    )
+
+
+def seats(joint: Joint, loads: MemberLoads) -> Seats:
+    r"""How the rings sit in their housing under the torque; equation (I5) of :doc:`/equations`; pure.
+
+    .. math:: F = 2\pi\mu\,p\,b\,L, \qquad T = F\,b, \qquad \Delta T = \frac{\Delta d}{2\,\alpha\,b}
+
+    With the pressure of the seat alone: the forces of the rollers press the ring outwards and add to it.
+    """
+    rows = [
+        _seat(joint, number, loads.moments[number]) if holds else [math.nan] * len(Seats._fields)
+        for number, holds in enumerate(seated(joint))
+    ]
+    return Seats(
+        *(jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, row))) for row in zip(*rows, strict=True))
+    )
+
+
+def _seat(joint: Joint, number: int, torque: Array) -> list[Real]:
+    """The numbers of :class:`Seats` for one ring."""
+    housing, ring, wall = joint.housing, joint.materials[number], joint.shapes[number].size
+    assert housing is not None
+    assert wall is not None
+    radius = tracks_of(joint, number)[0][0] + wall
+    cold, warm = (ring_fit(joint, number, working=working) for working in (False, True))
+    friction = 2.0 * math.pi * housing.friction_coefficient * radius * sum(track_lengths(joint, number))
+    rises = [
+        math.nan if expansion is None else 0.5 * housing.interference / (expansion * radius)
+        for expansion in (housing.material.thermal_expansion, ring.thermal_expansion)
+    ]
+    mises = [
+        mises_stress(
+            first=fit.housing_hoop,
+            second=-fit.pressure,
+            shear=0.0,
+            poisson_ratio=housing.material.poisson_ratio,
+            plane_state="plane_stress",
+        )
+        for fit in (cold, warm)
+    ]
+    return [
+        friction * cold.pressure,
+        *rises,
+        cold.bore_change,
+        friction * warm.pressure * radius / abs(torque),
+        warm.housing_hoop,
+        housing.material.yield_strength / jnp.maximum(*mises),
+    ]
