@@ -88,7 +88,7 @@ def test_a_ring_in_an_elastic_housing_needs_its_stiffness(joint_text):
     neither = {"drive.ring_support": "", "compliance.ring_housing_stiffness": ""}
     again = JointRequest("a.toml", both.file_text(), neither).case()
     assert again.drive.ring_support is None
-    assert again.compliance.ring_housing_stiffness is None
+    assert again.compliance is None  # it held nothing else
 
 
 def test_an_optional_key_can_be_left_out_and_a_needed_one_not(joint_text):
@@ -194,6 +194,23 @@ def test_an_optional_number_of_another_drive_can_be_left_out(planetary_text):
     assert wanted.case().drive.planet_bore_diameter.value == pytest.approx(20e-3)
     without = JointRequest("p.toml", wanted.file_text(), {"drive.planet_bore_diameter": ""})
     assert without.case().drive.planet_bore_diameter is None
+
+
+def test_a_section_whose_fields_are_emptied_is_left_out(planetary_text):
+    """Its needed numbers too; the material of a housing goes with it."""
+    entered = {"housing.outer_diameter": "150 mm", "housing.interference": "60 um"}
+    entered |= {"housing.friction_coefficient": 0.12, "bodies.housing": "6061-T6"}
+    support = {"drive.ring_support": "rigid_housing"}
+    wanted = JointRequest("p.toml", planetary_text, support | entered)
+    assert wanted.case().housing.outer_diameter.value == pytest.approx(0.15)
+    assert wanted.case().bodies["housing"] == "6061-T6"
+    emptied = dict.fromkeys(entered, "")
+    without = JointRequest("p.toml", wanted.file_text(), emptied)
+    assert without.case().housing is None
+    assert "[housing]" not in [line for line in without.file_text().splitlines() if not line.startswith("#")]
+    del emptied["housing.interference"], emptied["bodies.housing"]
+    with pytest.raises(InputError, match=r"housing\.outer_diameter: this key is missing"):
+        JointRequest("p.toml", wanted.file_text(), emptied).case()
 
 
 def test_a_finish_with_the_ra_of_the_drawing_takes_the_place_of_d_and_g(planetary_text):

@@ -80,6 +80,22 @@ def test_a_part_states_what_the_file_states_and_names_what_it_does_not(sheets):
     assert "interference 30 µm on the radius: all contacts    just touch at ⌀100" in ring
 
 
+def test_a_ring_is_made_as_it_is_before_it_is_pressed_into_its_housing(sheets):
+    """60 um on a diameter of 116 mm, in 150 mm of the same steel; what that takes from the bore by hand."""
+    changed = {
+        'ring_support = "free"': 'ring_support = "rigid_housing"',
+        "[load]": '[housing]\nouter_diameter = "150 mm"\ninterference = "60 um"\nfriction_coefficient = 0.12\n\n[load]',
+        'ring = "52100"': 'ring = "52100"\nhousing = "52100"',
+    }
+    ring = " ".join(sheets("planetary", changed)["ring"].texts)
+    a, b, c = 50.0, 58.0, 75.0
+    over_modulus = 30e-3 / b / ((b**2 + a**2) / (b**2 - a**2) + (c**2 + b**2) / (c**2 - b**2))  # p/E
+    narrower = 4.0 * over_modulus * a * b**2 / (b**2 - a**2)
+    assert f"⌀{99.94 + narrower:.4f}, made bore" in ring
+    assert f"narrows it by {1e3 * narrower:.4g} µm" in ring.replace("    ", " ")
+    assert "outer diameter 60 µm larger than the bore of the housing" in ring.replace("    ", " ")
+
+
 def test_tracks_of_a_stepped_roller_are_dimensioned_and_their_distance_is_not_known(sheets):
     sheet = sheets("stepped_planet")["planet"]
     assert {"⌀40", "⌀36"} <= set(sheet.texts)

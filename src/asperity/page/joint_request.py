@@ -164,6 +164,11 @@ def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
         if FINISH in words and _surface_paths(tables, FINISH):
             _set_finishes(tables, words.pop(FINISH))
         set_words(tables, words)
+        for section in {
+            path.split(".")[0] for path in (*empty, *(path for path in words if not words[path]))
+        }:
+            if not model.model_fields[section].is_required() and not tables.get(section, True):
+                del tables[section]  # all its fields were emptied
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
@@ -187,12 +192,14 @@ def _set_finishes(tables: Any, word: str) -> None:
 
 
 def _may_be_absent(path: str, model: type[Case], kind: str) -> bool:
-    """Whether a number of the joint file is optional, or given by a finish."""
+    """Whether a number of the joint file, or its section, is optional, or given by a finish."""
     if entered_key_at(path, kind) is None:
         key_at(path, kind)
     if path in _GIVEN_BY_FINISH or path.startswith("branch."):
         return True
     section, *_, name = path.split(".")
+    if not model.model_fields[section].is_required():
+        return True
     models = models_of(model.model_fields[section].annotation)
     return any(name in model.model_fields and not model.model_fields[name].is_required() for model in models)
 

@@ -72,7 +72,8 @@ def sizes(
         for ring in mine:
             wall = toleranced(ring.outer - ring.inner, 1e3 * part.wall)
             circle = around((0.0, 0.0), ring.inner, 0.0, _OF_WALL)
-            text = made_inside(joint, ring, interference, part)
+            held = ", in its housing" if seated(joint)[ring.body] else ""
+            text = f"{made_inside(joint, ring, interference, part)}{held}"
             listed.append(
                 Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner, below=True)
             )
