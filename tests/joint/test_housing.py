@@ -11,7 +11,7 @@ import pytest
 
 from asperity.drive.layout.expansion import ring_expansion
 from asperity.errors import InputError
-from asperity.joint.housing import ring_fit, seated, seats
+from asperity.joint.housing import heating, ring_fit, seated, seats
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.solve import refuse_impossible_joint
 from asperity.joint.temperature import contact_expansion
@@ -68,6 +68,7 @@ def test_a_planetary_ring_by_hand():
     assert float(ring_fit(joint, at).pressure) == pytest.approx(pressure, rel=1e-9)
     assert float(held.force[at]) == pytest.approx(force, rel=1e-9)
     assert float(held.torque_safety[at]) == pytest.approx(force * 0.058 / 8.0, rel=1e-9)
+    assert float(held.torque[at]) == pytest.approx(force * 0.058, rel=1e-9)
     assert float(held.heating[at]) == pytest.approx(30e-6 / (aluminium.thermal_expansion * 0.058), rel=1e-9)
     assert float(held.cooling[at]) == pytest.approx(30e-6 / (steel.thermal_expansion * 0.058), rel=1e-9)
     hoop = pressure * (0.1**2 + 0.058**2) / (0.1**2 - 0.058**2)
@@ -109,6 +110,21 @@ def test_the_seat_of_a_warm_drive():
     assert float(expansion) * 40.0 * 0.05 == pytest.approx(wider, rel=1e-9)
     lost = contact_expansion(joint, housing_expansion=housing)
     assert float(lost[1]) == pytest.approx(alpha * 0.05 - float(expansion) * 0.05, rel=1e-9)
+
+
+def test_heating_a_ring_with_its_housing_by_hand():
+    """Aluminium lets a ring go that 20 um hold; one that 400 um hold expands with it."""
+    for size, holds in (("20 um", False), ("400 um", True)):
+        joint = joint_from_case(_case(interference=size))
+        at = _ring(joint)
+        alpha, housing = joint.materials[at].thermal_expansion, joint.housing.material.thermal_expansion
+        rise, wanted = float(heating(joint, at, 50e-6)), float(size.split()[0]) * 1e-6
+        left = max(0.0, wanted - 2.0 * 0.058 * (housing - alpha) * rise)
+        assert (left > 0.0) == holds
+        narrower = (
+            2.0 * 0.05 * 0.058**2 / (203e9 * (0.058**2 - 0.05**2)) * 0.5 / sum(_compliances())
+        )  # a radius
+        assert alpha * rise * 0.05 + narrower * (wanted - left) == pytest.approx(50e-6, rel=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -24,15 +24,16 @@ class Seats(NamedTuple):
 
     ``force`` presses it in at the assembly [N]; ``heating`` of the housing, or ``cooling`` of the ring, takes the
     interference, without a gap [K], nan without thermal expansions; ``bore_change``, by how much the seat narrows the
-    bore at the assembly, on the diameter [m]. At the working temperature: ``torque_safety``, the torque that friction
-    holds over that of the ring [-], and ``housing_stress``, hoop stress at the bore of the housing [Pa]; its
-    ``yield_safety``, there and at the assembly [-].
+    bore at the assembly, on the diameter [m]. At the working temperature: ``torque`` that friction holds [N·m], and
+    ``torque_safety``, that over the one of the ring [-]; ``housing_stress``, hoop stress at the bore of the housing
+    [Pa], and its ``yield_safety``, there and at the assembly [-].
     """
 
     force: Array
     heating: Array
     cooling: Array
     bore_change: Array
+    torque: Array
     torque_safety: Array
     housing_stress: Array
     yield_safety: Array
@@ -101,6 +102,24 @@ def ring_fit(joint: Joint, number: int, *, working: bool = True) -> PressFit:
     )
 
 
+def heating(joint: Joint, number: int, gain: Real) -> Array:
+    """Rise of temperature at which the bore of a ring in its housing has gained a radius [m]; [K], pure.
+
+    As both expand until the housing lets the ring go, then as the ring does alone; nan without thermal expansions.
+    """
+    housing, ring, wall = joint.housing, joint.materials[number], joint.shapes[number].size
+    assert housing is not None
+    assert wall is not None
+    if ring.thermal_expansion is None or housing.material.thermal_expansion is None:
+        return jnp.full(jnp.shape(gain), math.nan)
+    bore = tracks_of(joint, number)[0][0]
+    held = 0.5 * ring_fit(joint, number, working=False).bore_change
+    apart = 2.0 * (bore + wall) * (housing.material.thermal_expansion - ring.thermal_expansion)  # m/K
+    together = gain / (bore * ring.thermal_expansion + held * apart / housing.interference)
+    alone = (gain - held) / (bore * ring.thermal_expansion)
+    return jnp.where(together * apart < housing.interference, together, alone)
+
+
 def seats(joint: Joint, loads: MemberLoads) -> Seats:
     r"""How the rings sit in their housing under the torque; equation (I5) of :doc:`/equations`; pure.
 
@@ -143,6 +162,7 @@ def _seat(joint: Joint, number: int, torque: Array) -> list[Real]:
         friction * cold.pressure,
         *rises,
         cold.bore_change,
+        friction * warm.pressure * radius,
         friction * warm.pressure * radius / abs(torque),
         warm.housing_hoop,
         housing.material.yield_strength / jnp.maximum(*mises),

@@ -13,6 +13,7 @@ from jax import Array
 from asperity.drive.layout.expansion import interference_of_strains, ring_interference
 from asperity.joint.description import Joint, contact_values, places
 from asperity.joint.evaluation import JointResult, assembled_joint
+from asperity.joint.housing import heating, seated
 from asperity.types import Real
 
 
@@ -35,7 +36,8 @@ def mounting(joint: Joint, result: JointResult, gap: Real) -> Mounting:
     .. math:: F = \sum_k \mu_k N_k, \qquad \Delta T = \frac{\delta + g}{\alpha R}
 
     All contacts of a ring slide along its axis at once, over the whole length of their lines. A ring is heated with
-    its housing, which expands alike. Coulomb's friction; equation (I2) of :doc:`/equations`, as in DIN 7190.
+    its housing, which expands alike, or as :func:`asperity.joint.housing.heating` has it where it is described.
+    Coulomb's friction; equation (I2) of :doc:`/equations`, as in DIN 7190.
     """
     drive, rest = joint.drive, result.rest
     first, second = map(np.array, places(drive))
@@ -52,7 +54,10 @@ def mounting(joint: Joint, result: JointResult, gap: Real) -> Mounting:
     pressing = jnp.sum(jnp.where(inside, rest.normal.reshape(sectors, -1), 0.0), axis=1)
     lifted = jnp.sum(jnp.where(inside, 0.0, work), axis=1) / pressing  # by contacts inside the rings
     clear = rest.interference + jnp.repeat(lifted, inside.shape[1]) + gap
-    rises = clear / (expansion[second] * drive.second_radius)
+    seat, rises = seated(joint), clear / (expansion[second] * drive.second_radius)
+    rises = jnp.stack(
+        [heating(joint, body, clear[k]) if seat[body] else rises[k] for k, body in enumerate(second)]
+    )
     strains = expansion[first], jnp.where(rings[second], 0.0, expansion[second])
     carrier = expansion[(drive.pinned or (0,))[0]]
     per_kelvin = interference_of_strains(drive=drive, strains=strains, carrier=carrier)

@@ -163,7 +163,7 @@ ROWS = (
         "torque that a seat in the housing holds over that on it",
         *_NO_UNIT,
         "seats.torque_safety",
-        note=f"of a ring, by friction under the pressure of the fit alone; {_HOUSED}",
+        note=f"of a ring under the torque of the file, by friction and the pressure of the fit alone; {_HOUSED}",
         limit=Limit(
             "function",
             "the seat holds the torque of the ring",

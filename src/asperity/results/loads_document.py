@@ -207,7 +207,7 @@ def _seat_rows(solved: SolvedJoint, cases: int) -> Iterator[Row]:
             ("smallest pressure, with the rollers", "Pa", solved.rims.seat_pressure[number]),
             ("hoop stress of its bore by the fit", "Pa", fit.ring_hoop[0]),
             ("hoop stress of the housing's bore", "Pa", seats.housing_stress[number]),
-            ("torque that the seat holds over its torque", "1", seats.torque_safety[number]),
+            ("torque that the seat holds", "N*m", seats.torque[number]),
         )
         name = solved.joint.drive.bodies[number].name.replace("_", " ")
         for quantity, unit, value in stated:
@@ -215,7 +215,7 @@ def _seat_rows(solved: SolvedJoint, cases: int) -> Iterator[Row]:
 
 
 #: Units of tables for those of the document.
-_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm", "K": "K", "m": "um", "1": "1"}
+_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm", "K": "K", "m": "um"}
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
 _ROUNDING = 1e-12
 Document = dict[str, Any]
