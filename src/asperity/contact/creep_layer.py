@@ -211,10 +211,9 @@ def _coefficients() -> np.ndarray:
     """
     series = np.einsum("ai,bj,ck,ijk->abc", *(_values_to_series(m) for m in _TABLE.shape), _TABLE)
     matters = np.logical_or.accumulate((np.abs(series) > _NEGLIGIBLE)[:, ::-1], axis=1)[:, ::-1]
-    powers: np.ndarray = np.einsum(
+    return np.einsum(
         "ai,bj,ck,ijk->acb", *(_series_to_powers(m) for m in _TABLE.shape), np.where(matters, series, 0.0)
     )
-    return powers
 
 
 _COEFFICIENTS = _coefficients()

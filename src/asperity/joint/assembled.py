@@ -53,8 +53,7 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
         return pressed.rest.normal[0], pressed
 
     _, passes = jax.lax.scan(again, _expected_preload(joint, contacts, forces), None, length=_ASSEMBLIES)
-    last: Pressed = jax.tree.map(lambda leaf: leaf[-1], passes)
-    return last
+    return jax.tree.map(lambda leaf: leaf[-1], passes)
 
 
 def pressed_around(joint: Joint, contacts: JointContacts, reference_force: Array, **given: Any) -> Pressed:

@@ -194,5 +194,4 @@ def _under_duty(joint: Joint, without_torque: Pressed, torques: Array, speeds: A
             jnp.where(speed > 0.0, known * state.speed * speed, 0.0),
         )
 
-    bearings: BearingState = jax.vmap(under)(torques, speeds)
-    return bearings
+    return jax.vmap(under)(torques, speeds)

@@ -97,8 +97,7 @@ def bore_stiffness(joint: Joint) -> Array:
     """Stiffness of each roller's bore under its pin, shape (pins,) [N/m]; infinite where no pin presses there."""
     bores = pins_in_bores(joint)
     if bores is None:
-        rigid: Array = namespace(joint).full(len(joint.drive.pinned), np.inf)
-        return rigid
+        return namespace(joint).full(len(joint.drive.pinned), np.inf)
     gives = bores.push_compliance > 0.0
     return jnp.where(gives, 1.0 / jnp.where(gives, bores.push_compliance, 1.0), jnp.inf)
 
@@ -142,8 +141,7 @@ def overhang(joint: Joint) -> Array:
     """Length of each roller on a pin over the free length of its pin, shape (pins,) [-]; 0 where it is not known."""
     xp = namespace(joint)
     if joint.pin is None or not joint.drive.pinned:
-        nothing: Array = xp.zeros(len(joint.drive.pinned))
-        return nothing
+        return xp.zeros(len(joint.drive.pinned))
     lengths: Array = xp.stack([xp.asarray(sum(track_lengths(joint, body))) for body in joint.drive.pinned])
     return lengths / joint.pin.free_length
 

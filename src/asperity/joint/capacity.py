@@ -167,8 +167,7 @@ def _first_guess(joint: Joint, rest: DriveState) -> Real:
     drive, xp = joint.drive, namespace(joint, rest)
     friction = contact_values(joint, joint.friction_coefficients)
     orbit = xp.max(abs(xp.asarray(drive.centres))) + xp.max(drive.second_radius)
-    guess: Real = xp.min(friction * rest.normal) * orbit * drive.sectors
-    return guess
+    return xp.min(friction * rest.normal) * orbit * drive.sectors
 
 
 def _named(joint: Joint, limit: FirstLimit) -> TorqueCapacity:

@@ -154,8 +154,7 @@ def centrifugal_forces(joint: Joint, masses: list[Real]) -> Array:
     carrier = speeds(drive)[drive.members.index(CARRIER)] * joint.input_speed
     forces = [masses[body] * carrier**2 * drive.centres[body] for body in drive.floating]
     xp = namespace(forces)
-    together: Array = xp.stack(forces) if forces else xp.zeros((0, 2))
-    return together
+    return xp.stack(forces) if forces else xp.zeros((0, 2))
 
 
 def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:

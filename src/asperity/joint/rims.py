@@ -86,5 +86,4 @@ def _in_order(rims: list[BodyRims], bending: tuple[bool, ...]) -> BodyRims:
     def placed(base: Array, *values: Array) -> Array:
         return base.at[..., jnp.array(at)].set(jnp.stack(values, axis=-1)) if values else base
 
-    placed_rims: BodyRims = jax.tree.map(placed, empty, *rims)
-    return placed_rims
+    return jax.tree.map(placed, empty, *rims)

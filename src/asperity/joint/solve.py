@@ -74,8 +74,7 @@ def joint_state(joint: Joint) -> JointResult:
     programs = _programs(joint)
     result_program = _result_program(joint, programs)
     without_torque, states = _states(joint, programs)
-    result: JointResult = jax.tree.map(np.asarray, result_program(joint, without_torque.laws, states))
-    return result
+    return jax.tree.map(np.asarray, result_program(joint, without_torque.laws, states))
 
 
 class DirectedLimits(NamedTuple):

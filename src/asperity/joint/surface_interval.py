@@ -26,17 +26,14 @@ def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple
     )
     samples = jax.tree.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
     if shape[0] > _FEW:
-        results: JointResult = compile_fast(_results_of_surfaces, numbers, samples)(numbers, samples)
-        return results
+        return compile_fast(_results_of_surfaces, numbers, samples)(numbers, samples)
     alone = (jax.tree.map(lambda leaf, k=k: np.asarray(leaf[k]), samples) for k in range(shape[0]))
     states = [joint_state(dataclasses.replace(numbers, surfaces=surface)) for surface in alone]
-    results = jax.tree.map(lambda *leaves: np.stack(leaves), *states)
-    return results
+    return jax.tree.map(lambda *leaves: np.stack(leaves), *states)
 
 
 def _results_of_surfaces(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
-    results: JointResult = jax.vmap(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
-    return results
+    return jax.vmap(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
 
 
 def result_ends(

@@ -71,8 +71,7 @@ def at_temperature(joint: Joint, temperature: float) -> Joint:
     """The same joint, of NumPy's numbers, at another working temperature."""
     assert joint.fit is not None
     heated = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), heated)
-    return numbers
+    return jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), heated)
 
 
 def assembly_document(joint: Joint, at_assembly: Solution | None) -> dict[str, Any] | None:

@@ -88,8 +88,7 @@ def member_speeds(joint: Joint, result: JointResult) -> Array:
     xp, speed = namespace(joint, result), joint.input_speed
     creepage = driving_sense(joint.drive) * xp.sign(speed) * result.rolling.creepage
     unit, _ = creeping_speeds(drive=joint.drive, creepage=creepage)
-    turning: Array = xp.where(speed != 0.0, unit * speed, 0.0)
-    return turning
+    return xp.where(speed != 0.0, unit * speed, 0.0)
 
 
 def pin_speeds(drive: Drive, speeds: Array) -> Array:

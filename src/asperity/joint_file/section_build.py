@@ -150,6 +150,5 @@ def material_of(entry: Values) -> Material:
 
 def _hardness(entry: Values) -> Real:
     if "hardness" in entry:
-        stated: Real = entry["hardness"]
-        return stated
+        return entry["hardness"]
     return hardness(hardness_factor=entry["hardness_factor"], yield_strength=entry["yield_strength"])

@@ -304,8 +304,7 @@ def _leaves(node: Any) -> Iterator[Any]:
 
 def with_numbers(values: Values, replaced: Iterable[Any]) -> Values:
     """The same tables in SI units with other numbers or arrays, in the order of :func:`numbers`."""
-    filled: Values = _filled(values, iter(replaced))
-    return filled
+    return _filled(values, iter(replaced))
 
 
 def _filled(node: Any, replaced: Iterator[Any]) -> Any:

@@ -217,8 +217,7 @@ def stiffness_budget(result: JointResult) -> Document:
 
 def plain_document(document: Document) -> Document:
     """A document of Python numbers, with None for numbers that are not finite."""
-    cleaned: Document = _plain(document)
-    return cleaned
+    return _plain(document)
 
 
 def _plain(node: Any) -> Any:

@@ -27,7 +27,7 @@ def position_rows(document: Document) -> list[PositionRow]:
     """Drift and stiffness, two numbers that do not replace each other, and the capacity in rolling, in order."""
     rolling = document["rolling"]
     capacity = _finite(rolling["torque_capacity_Nm"])
-    rows = [
+    return [
         PositionRow(
             "drift per output turn",
             rolling["drift_rad_per_output_turn"],
@@ -44,7 +44,6 @@ def position_rows(document: Document) -> list[PositionRow]:
         _comes_back(document),
         PositionRow("torque capacity, rolling", capacity, "N*m", _beyond(document)),
     ]
-    return rows
 
 
 def _comes_back(document: Document) -> PositionRow:

@@ -107,8 +107,7 @@ class SolvedJoint:
         if not any(self.has_bearings):
             nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
             return BearingLives(nothing, nothing, nothing, nothing, nothing)
-        lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result, self.laws)
-        return lives
+        return call_compiled(self._bearing_lives, self.joint, self.result, self.laws)
 
     @functools.cached_property
     def rims(self) -> Any:
@@ -201,14 +200,12 @@ class SolvedJoint:
     def row_names(self, axis: str) -> tuple[str, ...]:
         """Names of the contacts, bodies, bearings or clearances of this joint's drive."""
         if axis == "bearing":
-            names: tuple[str, ...] = self.joint.bearing_names
-            return names
+            return self.joint.bearing_names
         if axis == "pin":
             return pin_names(self.joint.drive)
         if axis == "clearance":
             return tuple("_to_".join(pair) for pair in neighbours(self.joint.drive))
-        names_of: tuple[str, ...] = self.result.contact_names if axis == "contact" else self.result.body_names
-        return names_of
+        return self.result.contact_names if axis == "contact" else self.result.body_names
 
     @functools.cached_property
     def clearances(self) -> list[Any]:
@@ -222,14 +219,12 @@ class SolvedJoint:
 
     def mounting(self, gap: Any = 0.0) -> Mounting:
         """Force and temperatures that mount its rings, with a radial gap around the rollers [m]."""
-        mounted: Mounting = call_compiled(mounting, in_motion(self.joint), self.result, gap)
-        return mounted
+        return call_compiled(mounting, in_motion(self.joint), self.result, gap)
 
     @functools.cached_property
     def seats(self) -> Seats:
         """How its rings sit in their housing under the joint's torque."""
-        held: Seats = call_compiled(seats, in_motion(self.joint), self.loads)
-        return held
+        return call_compiled(seats, in_motion(self.joint), self.loads)
 
     @functools.cached_property
     def size(self) -> Any:

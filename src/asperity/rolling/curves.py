@@ -106,8 +106,7 @@ def rolling_over_loads(
 ) -> RollingResult:
     """Steady rolling of a joint under torques at speeds."""
     contacts = joint_contacts(joint)
-    rolling: RollingResult = jax.vmap(rolling_at(joint, contacts, without_torque))(torque, input_speed)
-    return rolling
+    return jax.vmap(rolling_at(joint, contacts, without_torque))(torque, input_speed)
 
 
 _POINTS, _LARGEST_SHARE = 60, 0.98

@@ -235,8 +235,7 @@ def rolling_onset(
     numbers = jax.tree.map(
         lambda leaf: np.asarray(leaf, dtype=float), (joint.drive, result.rolling, width, windup, creep_share)
     )
-    onset: RollingOnset = jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
-    return onset
+    return jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
 
 
 def _onset(

@@ -318,8 +318,7 @@ def _flash(
 
 def _where(condition: Array, values: _Values) -> _Values:
     """The numbers where a condition holds, nan elsewhere."""
-    shown: _Values = jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
-    return shown
+    return jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
 
 
 def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:

@@ -27,8 +27,7 @@ def driving_sense(drive: Drive) -> Array:
     """
     first, _ = places(drive)
     speed = speeds(drive)
-    relative: Array = namespace(speed).sign(speed[np.array(first)] - speed[drive.members.index(CARRIER)])
-    return relative
+    return namespace(speed).sign(speed[np.array(first)] - speed[drive.members.index(CARRIER)])
 
 
 def with_driving_sense(state: DriveState, sense: Array) -> DriveState:

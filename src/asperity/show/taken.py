@@ -247,7 +247,7 @@ def _costs(places: Sequence[Place], side: Side, circles: Sequence[Circle], scale
     radii = np.array([circle.radius for circle in circles])
     from_tip = abs(np.hypot(*(tips - centres).transpose(2, 0, 1)) - radii)  # of each tip from each outline
     near = ((from_tip > 1e-6 * radii) & (from_tip < _NEAR / scale)).any(axis=1)
-    cost: np.ndarray = (
+    return (
         side.handicap
         + scale * (length + _PER_LEVEL * abs(along[..., 1]))
         + _PER_OUTLINE * crossings(tips + 0.5 / scale * along / length[..., None], ends, centres, radii)
@@ -255,7 +255,6 @@ def _costs(places: Sequence[Place], side: Side, circles: Sequence[Circle], scale
         + _PER_NEAR * near[:, None]
         + _ALONG_MARK * ((along * marks).sum(axis=-1) / length) ** 2
     )
-    return cost
 
 
 def _direction(mark: tuple[Line, ...]) -> Point:
@@ -276,5 +275,4 @@ def crossings(starts: np.ndarray, ends: np.ndarray, centres: np.ndarray, radii: 
     first = np.hypot(*np.moveaxis(from_one, -1, 0)) > radii
     last = np.hypot(*np.moveaxis(centres - other[..., None, :], -1, 0)) > radii
     counted = np.where(first & last, 2 * (closest < radii), first.astype(int) ^ last.astype(int))
-    counts: np.ndarray = counted.sum(axis=-1)
-    return counts
+    return counted.sum(axis=-1)

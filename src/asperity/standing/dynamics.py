@@ -104,8 +104,7 @@ def _over_torque(joint: Joint, inertias: Inertias, torques: np.ndarray) -> Joint
         joint_inertias(joint),
         inertias,
     )
-    numbers: JointDynamics = jax.tree.map(np.asarray, made)
-    return numbers
+    return jax.tree.map(np.asarray, made)
 
 
 class Dynamics(eqx.Module):

@@ -75,14 +75,12 @@ def over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -
 
     ``no_slip_friction``: under which no contact slips [-]. Results of states that do not balance have no meaning.
     """
-    results: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction)
-    return results
+    return _in_batches(over_torque_program, joint, torques, no_slip_friction)
 
 
 def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -> StandingOverTorque:
     """What a joint that stands does at torques, as NumPy arrays."""
-    results: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction)
-    return results
+    return _in_batches(standing_program, joint, torques, no_slip_friction)
 
 
 def lost_speed_slopes(joint: Joint, torques: np.ndarray) -> np.ndarray:
@@ -90,8 +88,7 @@ def lost_speed_slopes(joint: Joint, torques: np.ndarray) -> np.ndarray:
 
     nan where there is no steady rolling. The joint's own output torque does not count.
     """
-    slopes: np.ndarray = _in_batches(slope_program, joint, torques)
-    return slopes
+    return _in_batches(slope_program, joint, torques)
 
 
 def _in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:

@@ -193,8 +193,7 @@ class Drive(eqx.Module):
 def sectors_of_members(drive: Drive) -> Array:
     """In how many sectors the contacts of each member lie, shape (members,): all for those on the axis, else one."""
     xp, on_axis = namespace(drive.sectors), np.array([*(body.place == "axis" for body in drive.bodies), True])
-    numbers: Array = xp.where(on_axis, xp.asarray(drive.sectors, dtype=float), 1.0)
-    return numbers
+    return xp.where(on_axis, xp.asarray(drive.sectors, dtype=float), 1.0)
 
 
 def sector_rotation(drive: Drive, sector: ArrayLike) -> Array:
@@ -202,8 +201,7 @@ def sector_rotation(drive: Drive, sector: ArrayLike) -> Array:
     xp = namespace(sector, drive.sectors)
     angle = 2.0 * math.pi * xp.asarray(sector, dtype=float) / xp.asarray(drive.sectors, dtype=float)
     cosine, sine = xp.cos(angle), xp.sin(angle)
-    matrix: Array = xp.stack([xp.stack([cosine, -sine], axis=-1), xp.stack([sine, cosine], axis=-1)], axis=-2)
-    return matrix
+    return xp.stack([xp.stack([cosine, -sine], axis=-1), xp.stack([sine, cosine], axis=-1)], axis=-2)
 
 
 class _Sides(NamedTuple):
@@ -239,8 +237,7 @@ def _normals(drive: Drive) -> tuple[Array, Array]:
 
 
 def _length(vectors: Array) -> Array:
-    length: Array = namespace(vectors).sqrt((vectors**2).sum(axis=1))
-    return length
+    return namespace(vectors).sqrt((vectors**2).sum(axis=1))
 
 
 def contact_angles(drive: Drive) -> tuple[Array, Array]:
@@ -362,8 +359,7 @@ def speeds(drive: Drive) -> Array:
     scale = abs(turning).max()
     speed_ratio = least_squares(matrix / scale, right / scale)
     unit = np.eye(len(members))
-    speed: Array = drive.sense * unit[known[0]] + product(unit[free].T, speed_ratio)
-    return speed
+    return drive.sense * unit[known[0]] + product(unit[free].T, speed_ratio)
 
 
 def speed_ratio(drive: Drive) -> Real:

@@ -95,15 +95,13 @@ def has_room(drive: Drive) -> Array:
     """Whether the bodies of every contact touch, and no others overlap; for programs, where nothing can be raised."""
     xp = namespace(drive)
     touch = abs(gaps(drive)) <= TOUCH_TOLERANCE * xp.asarray(drive.second_radius)
-    fits: Array = xp.all(xp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
-    return fits
+    return xp.all(xp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
 
 
 def output_share(drive: Drive) -> Array:
     """Speed of the output over that of the fastest member [-]."""
     speed = abs(speeds(drive))
-    share: Array = speed[drive.members.index(drive.output)] / speed.max()
-    return share
+    return speed[drive.members.index(drive.output)] / speed.max()
 
 
 def pulling_contacts(drive: Drive) -> tuple[str, ...]:
@@ -176,8 +174,7 @@ def _polar(x: Array, y: Array) -> Array:
     """Polar angle; 0 for the axis itself."""
     xp = namespace(x, y)
     off_axis = (x != 0.0) | (y != 0.0)
-    angle: Array = xp.where(off_axis, xp.arctan2(y, xp.where(off_axis, x, 1.0)), 0.0)
-    return angle
+    return xp.where(off_axis, xp.arctan2(y, xp.where(off_axis, x, 1.0)), 0.0)
 
 
 def neighbours(drive: Drive) -> tuple[tuple[str, str], ...]:

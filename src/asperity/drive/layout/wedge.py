@@ -86,8 +86,7 @@ def _angle_between(one: Array, other: Array) -> Real:
     """Angle between two vectors, without sign [rad]."""
     xp = namespace(one)
     cross = one[0] * other[1] - one[1] * other[0]
-    angle: Real = xp.arctan2(abs(cross), (one * other).sum())
-    return angle
+    return xp.arctan2(abs(cross), (one * other).sum())
 
 
 def self_locking_ratio(drive: Drive, friction_coefficient: Array) -> Real:
@@ -97,5 +96,4 @@ def self_locking_ratio(drive: Drive, friction_coefficient: Array) -> Real:
     """
     xp = namespace(friction_coefficient)
     inner = np.array([pair[0] for pair in wedges(drive)])
-    ratio: Real = xp.tan(0.5 * wedge_angles(drive).wedge) / friction_coefficient[inner].min()
-    return ratio
+    return xp.tan(0.5 * wedge_angles(drive).wedge) / friction_coefficient[inner].min()

@@ -60,8 +60,7 @@ def _within(state: _Search) -> Array:
     near = xp.where(nudge < abs(half - chord), chord + side * nudge, half)
     reach = xp.maximum(state.slack - 0.5 * width, 0.0)
     trial = xp.where(abs(near - half) <= reach, near, half - side * reach)
-    value: Array = xp.where(xp.isfinite(trial), trial, half)
-    return value
+    return xp.where(xp.isfinite(trial), trial, half)
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -101,8 +100,7 @@ def _searched(excesses: Callable[[Array], Array], start: Array, loop: _Loop) -> 
             state.upper > SMALLEST_SHARE * start
         )
         searching = ~state.bracketed & (state.upper < 2.0**40 * start) | state.bracketed & wide
-        more: Array = xp.any(searching) & (state.steps < _MOST_STEPS)
-        return more
+        return xp.any(searching) & (state.steps < _MOST_STEPS)
 
     def narrow(state: _Search) -> _Search:
         """Double the upper bound until a limit is reached there, then narrow the interval."""

@@ -32,8 +32,7 @@ def signed_drag(drive: Drive, drag: Array, *, backwards: Array | float) -> Array
     first, _ = _bodies(drive)
     speed = speeds(drive)
     ahead = namespace(speed).sign(speed[first] - speed[drive.members.index(CARRIER)])
-    forces: Array = backwards * ahead * drag
-    return forces
+    return backwards * ahead * drag
 
 
 def drag_pairs(drive: Drive, drag: Array) -> Array:
@@ -61,8 +60,7 @@ def drag_pairs(drive: Drive, drag: Array) -> Array:
     outward = _outward(drive)
     # R/R_1 = R_2/(R_2 +- R_1)
     share = drive.second_radius / (drive.second_radius + outward * drive.first_radius)
-    pairs: Array = drag * (1.0 - 2.0 * share)
-    return pairs
+    return drag * (1.0 - 2.0 * share)
 
 
 def drag_levers(drive: Drive) -> Array:
@@ -86,8 +84,7 @@ def drag_levers(drive: Drive) -> Array:
     first, second = (unit[numbers] for numbers in _bodies(drive))
     levers = _outward(drive)[:, None] * drive.second_radius[:, None] * second
     levers = levers - drive.first_radius[:, None] * first
-    moments: Array = sectors_of_members(drive)[:, None] * levers.T
-    return moments
+    return sectors_of_members(drive)[:, None] * levers.T
 
 
 def _outward(drive: Drive) -> np.ndarray:

@@ -219,8 +219,7 @@ def _with_equal_coefficients(machine: Machine, task: Task, x: Unknowns, held: _H
 
 def _in_rows(where: Array, chosen: _HeldRows, held: _HeldRows) -> _HeldRows:
     """Rows of one kind at some contacts, of another at the others."""
-    rows: _HeldRows = jax.tree.map(lambda one, other: jnp.where(where[:, None], one, other), chosen, held)
-    return rows
+    return jax.tree.map(lambda one, other: jnp.where(where[:, None], one, other), chosen, held)
 
 
 def _moment_scale(machine: Machine) -> Array:
@@ -354,8 +353,7 @@ def _rolled_by_speeds(drive: Drive, speed: Array) -> tuple[Array, Array]:
 
 def _diagonal(values: Array) -> Array:
     """A diagonal matrix, shape (n, n)."""
-    matrix: Array = values[:, None] * np.eye(values.size)
-    return matrix
+    return values[:, None] * np.eye(values.size)
 
 
 def _triangular(matrix: Array, columns: Array) -> Array:

@@ -86,5 +86,4 @@ def pin_bending_stress(*, moment: Real, diameter: Real) -> Array:
     Statics of a beam; (L1) of :doc:`/equations`.
     """
     xp, solid = namespace(moment, diameter), diameter > 0.0
-    stress: Array = xp.where(solid, 32.0 * moment / (math.pi * xp.where(solid, diameter, 1.0) ** 3), xp.nan)
-    return stress
+    return xp.where(solid, 32.0 * moment / (math.pi * xp.where(solid, diameter, 1.0) ** 3), xp.nan)
