@@ -170,9 +170,8 @@ def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStr
 
     period = 2.0 * math.pi / sectors
     others = _others(loads)
-    turns = (
-        2.0 * math.pi * jnp.outer(jnp.asarray(steps), jnp.asarray(numbers))
-    )  # its table as numbers would be most of the program
+    # its table as numbers would be most of the program
+    turns = 2.0 * math.pi * jnp.outer(jnp.asarray(steps), jnp.asarray(numbers))
     table = jnp.cos(turns), jnp.sin(turns)
     phase = mode * others[:, None]
 

@@ -306,9 +306,8 @@ def _uniform(tracks: _Tracks) -> _Rims:
     for one, two, rest in loads:
         inner, outer = (b2 * one - b1 * two) / determinant, (a1 * two - a2 * one) / determinant
         radial.append((a2 * inner, half * outer * large - (rest - outer * large**2) / large))
-    twist = 2.0 / (
-        3.0 * total_length * (small**4 - bore**4)
-    )  # 2G times angle per torque between the middles, over pi / 2
+    # 2G times angle per torque between the middles, over pi / 2
+    twist = 2.0 / (3.0 * total_length * (small**4 - bore**4))
     torque = [
         twist * one * two * radius * other
         for (one, radius), (two, other) in (
@@ -356,9 +355,8 @@ def _first(tracks: _Tracks) -> _Rims:
         )
     matrix = jnp.stack([jnp.stack([jnp.asarray(entry) for entry in column]) for column in columns], axis=1)
     matrix = 0.5 * (matrix + matrix.T)
-    sheared = 1.0 / (
-        3.0 * total_length * (small**2 - bore**2)
-    )  # 2G times displacement per force, in the channel minus
+    # 2G times displacement per force, in the channel minus
+    sheared = 1.0 / (3.0 * total_length * (small**2 - bore**2))
     lever = jnp.stack(
         [jnp.asarray(0.0), jnp.asarray(large_length), jnp.asarray(0.0), -jnp.asarray(tracks.small_length)]
     )

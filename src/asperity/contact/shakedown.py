@@ -162,7 +162,6 @@ def tresca_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> 
         jnp.asarray(friction_coefficient, dtype=float), jnp.asarray(poisson_ratio, dtype=float)
     )
     axial = 0.5 * (friction + (1.0 - 2.0 * poisson) * jnp.sqrt(1.0 + friction**2))
-    in_plane = _peak_limit(
-        friction, jnp.full_like(friction, 0.5)
-    )  # without the axial stress J_2 is tau_1 squared
+    # without the axial stress J_2 is tau_1 squared
+    in_plane = _peak_limit(friction, jnp.full_like(friction, 0.5))
     return jnp.minimum(in_plane, _reciprocal(jnp.maximum(friction, axial)))  # (B6)

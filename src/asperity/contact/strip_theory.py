@@ -95,9 +95,8 @@ def strip_creepage(*, slip_ratio: Real, capacity: Real, gross_slip_creepage: Rea
     slope = jnp.sum(jnp.where(sticks, share / safe, 0.0), axis=0)
     bend = jnp.sum(jnp.where(sticks, share / safe**2, 0.0), axis=0)
     slipped = jnp.sum(jnp.where(sticks, 0.0, share), axis=0)
-    missing = (
-        jnp.where(carried, slip_ratio, 0.0) - jnp.sign(slip_ratio) * slipped
-    )  # = 2 slope xi - bend |xi| xi
+    # = 2 slope xi - bend |xi| xi
+    missing = jnp.where(carried, slip_ratio, 0.0) - jnp.sign(slip_ratio) * slipped
     root = slope**2 - bend * jnp.abs(missing)
     some = root > 0.0
     steady = missing / (slope + jnp.where(some, jnp.sqrt(jnp.where(some, root, 1.0)), 0.0))

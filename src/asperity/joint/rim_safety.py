@@ -113,9 +113,8 @@ def body_rims(
             )
         return rim_range(body=body, stresses=stresses)
 
-    ranges = jax.vmap(stress_range)(
-        tuple(map(jnp.stack, zip(*states, strict=True))), pin
-    )  # traced and compiled once
+    # traced and compiled once
+    ranges = jax.vmap(stress_range)(tuple(map(jnp.stack, zip(*states, strict=True))), pin)
     working, resting = (jax.tree.map(operator.itemgetter(i), ranges) for i in range(2))
     strength = material.yield_strength if material.tensile_strength is None else material.tensile_strength
     safety = jnp.full(batch, jnp.nan)

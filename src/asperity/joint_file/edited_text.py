@@ -77,9 +77,8 @@ def joint_file_text(
     if changes or comment:
         original = _EARLIER_VERDICTS.sub(r"\1", original)
     text = _edited(original, case, written, words or {})
-    if not words and not _says(
-        text, wanted
-    ):  # a layout that cannot be edited in place: the same content without comments
+    # a layout that cannot be edited in place: the same content without comments
+    if not words and not _says(text, wanted):
         text = _edited(tomlkit.dumps(plain), case, written, {})
     return _with_head(text, comment)
 
@@ -228,9 +227,8 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
             continue
         if step not in table:
             new = tomlkit.table()
-            if (
-                steps[index - 1] == "materials"
-            ):  # a body names a material of the library, which the file now changes
+            # a body names a material of the library, which the file now changes
+            if steps[index - 1] == "materials":
                 new["library"] = step
             table[step] = new
         table = table[step]

@@ -209,9 +209,8 @@ def _impossible_bore(roller: RollerEntry, contacts: tuple[ContactEntry, ...]) ->
     if len(tracks) > 2:
         yield (
             f"roller {roller.name}: bore_diameter = {quoted(roller.bore_diameter.text)} in a roller with tracks of "
-            f"{', '.join(tracks.values())}: what a bore adds depends on how more than two tracks lie along "
-            "the axis, which a file does not state; leave it out: the roller counts as solid, stiffer and heavier "
-            "than it is"
+            f"{', '.join(tracks.values())}: what a bore adds depends on how more than two tracks lie along the axis, "
+            "which a file does not state; leave it out: the roller counts as solid, stiffer and heavier than it is"
         )
 
 

@@ -47,7 +47,6 @@ def response_columns(dynamics: Dynamics) -> dict[str, np.ndarray]:
         angle = np.asarray(getattr(dynamics, name))
         columns[f"{name}_rad_per_Nm"] = np.abs(angle)
         phase = np.degrees(np.unwrap(np.angle(angle)))
-        columns[f"{name}_phase_deg"] = phase - 360.0 * np.round(
-            (phase[0] + 180.0) / 360.0
-        )  # two free masses: -180
+        # two free masses: -180
+        columns[f"{name}_phase_deg"] = phase - 360.0 * np.round((phase[0] + 180.0) / 360.0)
     return columns

@@ -299,8 +299,7 @@ ROWS = (
         "safety of a ring or hollow roller against yield",
         value="rims.yield_safety",
         note="yield strength over the largest Mises stress of both rims, without torque and under it, in plane strain "
-        "up to 12 % above that at the faces of a short body; nan for bodies "
-        "that do not bend",
+        "up to 12 % above that at the faces of a short body; nan for bodies that do not bend",
         present=lambda solved: bends(solved.joint),
         limit=Limit(
             "damage",

@@ -97,9 +97,8 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     ----------
     G. Lundberg and A. Palmgren, Acta Polytechnica 7 (1947); equation (B8) of :doc:`/equations`.
     """
-    driving, driven = (
-        _on_shared_tracks(bodies, jnp.asarray(tracks)) ** -WEIBULL_SLOPE
-    )  # (B8), once for each track
+    # (B8), once for each track
+    driving, driven = _on_shared_tracks(bodies, jnp.asarray(tracks)) ** -WEIBULL_SLOPE
     body = jnp.stack(
         [
             sum(

@@ -269,17 +269,12 @@ def _interference(joint: Joint, ring: str, less: float | None) -> str:
     if less == 0.0:
         return ""
     if less is None:
-        force = (
-            ""
-            if joint.preload is None
-            else f" by a preload of {format_quantity(float(np.asarray(joint.preload)), 'N')}"
-        )
-        return f", interference{force}"
+        if joint.preload is None:
+            return ", interference"
+        return f", interference by a preload of {format_quantity(float(np.asarray(joint.preload)), 'N')}"
     cold = "" if joint.fit is None else f" at {format_quantity(float(joint.fit.assembly_temperature), '°C')}"
-    return (
-        f", interference {format_quantity(less, 'µm')} on the radius{cold}, in the ⌀ of the "
-        f"{ring.replace('_', ' ')}"
-    )
+    ring = ring.replace("_", " ")
+    return f", interference {format_quantity(less, 'µm')} on the radius{cold}, in the ⌀ of the {ring}"
 
 
 def part_lines(joint: Joint, stated: StatedParts) -> list[str]:

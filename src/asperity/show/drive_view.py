@@ -123,9 +123,8 @@ def drive_view(joint: Joint, scale: float) -> list[Item]:
             if bore is not None:
                 items.append(Circle((x, y), 0.5e3 * float(bore)))
             pin = pin_diameter_of(joint, number)
-            if pin and (
-                bore is None or pin < 1e3 * float(bore)
-            ):  # a solid roller has a bore as wide as its pin
+            # a solid roller has a bore as wide as its pin
+            if pin and (bore is None or pin < 1e3 * float(bore)):
                 items.append(Circle((x, y), 0.5 * pin))
             if not body.on_axis:
                 items += cross((x, y), min(max(radii) + beyond, 1.25 * max(radii)), math.atan2(y, x))

@@ -180,9 +180,8 @@ def _centres(
                     x, y = towards[one, contact.name]
                     centres[other] = (centres[one][0] + far * x, centres[one][1] + far * y)
     row, level = list(centres), 0.0
-    for (
-        name
-    ) in names:  # bodies that touch only bodies on the axis: beside each other, as many as there is room for
+    # bodies that touch only bodies on the axis: beside each other, as many as there is room for
+    for name in names:
         if name in centres:
             continue
         left = min(x - radii[other] for other, (x, _) in centres.items())

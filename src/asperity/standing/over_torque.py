@@ -224,9 +224,8 @@ def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> C
         given["creep_of"] = creep_under(joint, contacts)
         standing, rolling = loaded_states(load=load, **given)
         backwards = rolling
-        if (
-            load.drag_of is not None or load.bearings is not None
-        ):  # what opposes the rotation changes the forces
+        # what opposes the rotation changes the forces
+        if load.drag_of is not None or load.bearings is not None:
             other = dataclasses.replace(load, rotation=-_sense(load.rotation))
             backwards = loaded_state(load=other, rolls=True, **given)
         return _Under(standing, rolling, backwards, turned_cam(joint, contacts, without_torque.rest, rest))

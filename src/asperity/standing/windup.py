@@ -211,9 +211,8 @@ class _Curves(NamedTuple):
         """Both curves, and the loop by Masing's rule."""
         panels, shown, largest = self.panels, self.shown, self.largest
         slip_angle, at_shown = self.angle(self.slip), panels.index_of(shown)
-        forward, reverse = (
-            self.angle(compliance)[at_shown] for compliance in self.real
-        )  # both counted as positive
+        # both counted as positive
+        forward, reverse = (self.angle(compliance)[at_shown] for compliance in self.real)
         signed = np.concatenate([-shown[:0:-1], shown])
         torque = signed * largest
 
@@ -233,9 +232,8 @@ class _Curves(NamedTuple):
         unloading = reversible + slip_angle[-1] - 2.0 * slip_at(0.5 * (1.0 - signed))
         reloading = reversible - slip_angle[-1] + 2.0 * slip_at(0.5 * (1.0 + signed))
         middle = 0.5 * (unloading + reloading)
-        slip_work = largest * np.sum(
-            panels.weight * self.slip[shown.size :] * panels.at
-        )  # T d gamma, over T_m
+        # T d gamma, over T_m
+        slip_work = largest * np.sum(panels.weight * self.slip[shown.size :] * panels.at)
         bounds = np.array([0.0, *stage_shares, 1.0])
         compliance = np.concatenate([self.real[1, shown.size - 1 : 0 : -1], self.real[0, : shown.size]])
         return Windup(

@@ -25,9 +25,8 @@ _AXES_BOX = (0.75, 0.85, 4.75, 2.90)  # left, bottom, width, height in inches
 _LEGEND_WIDTH = {"single": 0.0, "torques": 1.15, "contacts": 1.75}
 _LEGEND_TITLE = {"torques": "output torque", "contacts": "contact"}
 _FLAT = 0.1  # a single curve that varies by less than this share of its maximum is shown magnified as well
-_FAR_FROM_ZERO = (
-    0.25  # a family whose minimum is above this share of its maximum has an axis of its own range
-)
+# A family whose minimum is above this share of its maximum has an axis of its own range.
+_FAR_FROM_ZERO = 0.25
 _FEW_DECADES = 2.0  # a logarithmic axis of no more than these also has ticks at 2 and 5
 _NOTE_CHARACTERS = 14.0  # per inch of the figure's width
 

@@ -210,9 +210,8 @@ def solved(
 
     def improve(state: _Search) -> _Search:
         first_trial = state.steps == 0
-        longest = jnp.where(
-            known, 0.0, jnp.where(first_trial, jnp.inf, _LOST)
-        )  # a known state is only evaluated
+        # a known state is only evaluated
+        longest = jnp.where(known, 0.0, jnp.where(first_trial, jnp.inf, _LOST))
         misfits_at = partial(state_misfits, fixed_machine, fixed_task, pressed_sectors, state.trial)
 
         def step_at(x: Unknowns) -> Unknowns:

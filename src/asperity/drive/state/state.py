@@ -238,9 +238,8 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     equation (24) of Zou et al. 2025 or of (A10) of :doc:`/equations`.
     """
     limit = laws.creep.friction_coefficient * jnp.where(normal > 0.0, normal, 1.0)
-    sign = jnp.where(
-        tangential < 0.0, -1.0, 1.0
-    )  # without a force too, where the slope is that of both sides
+    # without a force too, where the slope is that of both sides
+    sign = jnp.where(tangential < 0.0, -1.0, 1.0)
     q = sign * tangential / limit
     held = jnp.minimum(q, _NEAR_SLIP)
     left = 1.0 - held

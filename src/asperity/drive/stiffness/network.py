@@ -211,9 +211,8 @@ def with_shafts(
     ----------
     Elementary: the angle of the input shaft divided by the ratio, under the torque divided by the ratio.
     """
-    at_input = (
-        1.0 / jnp.asarray(input_shaft_stiffness, dtype=float) / ratio**2
-    )  # derivatives of a rigid shaft: 0
+    # derivatives of a rigid shaft: 0
+    at_input = 1.0 / jnp.asarray(input_shaft_stiffness, dtype=float) / ratio**2
     at_output = 1.0 / jnp.asarray(output_shaft_stiffness, dtype=float)
     compliance = 1.0 / stiffness + at_input + at_output
     return 1.0 / compliance, at_input / compliance, at_output / compliance

@@ -117,9 +117,8 @@ def branch_forces(
         t_pwr, t_pwl = traction * n_pwr, traction * n_pwl
     else:
         t_pwr, t_pwl = right_force, sun_force - right_force  # (2) moment
-    n_sp = (
-        (t_pwr - t_pwl) * side.sin_direction + load_sum * side.cos_direction - branch.planet_centrifugal
-    )  # (2) y
+    # (2) y
+    n_sp = (t_pwr - t_pwl) * side.sin_direction + load_sum * side.cos_direction - branch.planet_centrifugal
     # (3) t and (4) t with the roller moments T_wo = T_pw − 2 T_B/R_w put in; a pin's friction grows with |F|
     push_l = n_pwl * side.sin_wedge + t_pwl * (1.0 + side.cos_wedge)
     push_r = n_pwr * side.sin_wedge - t_pwr * (1.0 + side.cos_wedge)
@@ -132,12 +131,9 @@ def branch_forces(
         push_r > -constant, 1.0 / (cos_r - pin_friction), 1.0 / (cos_r + pin_friction)
     )
     b_l, b_r = (bearing_torque(bearings=bearings, pin_force=force) for force in (f_cl, f_cr))
-    n_wro = (
-        f_cr * sin_r + n_pwr * side.cos_wedge + t_pwr * side.sin_wedge + branch.roller_centrifugal
-    )  # (4) r
-    n_wlo = (
-        f_cl * sin_l + n_pwl * side.cos_wedge - t_pwl * side.sin_wedge + branch.roller_centrifugal
-    )  # (3) r
+    # (4) r and (3) r
+    n_wro = f_cr * sin_r + n_pwr * side.cos_wedge + t_pwr * side.sin_wedge + branch.roller_centrifugal
+    n_wlo = f_cl * sin_l + n_pwl * side.cos_wedge - t_pwl * side.sin_wedge + branch.roller_centrifugal
     t_wro, t_wlo = t_pwr - b_r * (2.0 / radius), t_pwl - b_l * (2.0 / radius)  # (4) M, (3) M
     return BranchForces(
         normal=(n_sp, n_pwr, n_pwl, n_wro, n_wlo),

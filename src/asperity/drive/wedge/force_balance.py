@@ -366,12 +366,8 @@ def balance_equations(
     return (
         (input_torque - 2.0 * bearings.sun_torque) / (count * sun) - t_sp,  # (1)
         t_sp + t_pwr * cos_th - n_pwr * sin_th + n_pwl * sin_th + t_pwl * cos_th,  # (2) x
-        n_sp
-        - t_pwr * sin_th
-        - n_pwr * cos_th
-        - n_pwl * cos_th
-        + t_pwl * sin_th
-        + planet_centrifugal,  # (2) y
+        # (2) y
+        n_sp - t_pwr * sin_th - n_pwr * cos_th - n_pwl * cos_th + t_pwl * sin_th + planet_centrifugal,
         t_pwr + t_pwl - t_sp,  # (2) M
         pin_left * cos_l - n_pwl * sin_b - t_pwl * cos_b - t_wlo,  # (3) t
         pin_left * sin_l + n_pwl * cos_b - t_pwl * sin_b - n_wlo + roller_centrifugal,  # (3) r
