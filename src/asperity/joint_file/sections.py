@@ -88,31 +88,27 @@ class PlayEntry(Section):
     """Torque T_p over which the play is taken up, angle/2 tanh(T/T_p); 0 for all at once."""
 
 
-LoadRating = Annotated[Quantity, limits.LOAD_RATING]
-
-
-class PinBearing(Section):
-    """Rolling bearings between a roller and its carrier pin, for their life; none if the section is absent."""
+class _RatedBearing(Section):
+    """What the bearings of pins and of the axis have in common."""
 
     type: Literal["ball", "roller"]
     """Rolling elements; needle bearings are roller bearings."""
-    dynamic_rating: LoadRating
+    dynamic_rating: Annotated[Quantity, limits.LOAD_RATING]
     """Basic dynamic radial load rating C of one bearing, from its catalogue."""
-    static_rating: LoadRating
+    static_rating: Annotated[Quantity, limits.LOAD_RATING]
     """Basic static radial load rating C_0 of one bearing, from its catalogue."""
+
+
+class PinBearing(_RatedBearing):
+    """Rolling bearings between a roller and its carrier pin, for their life; none if the section is absent."""
+
     count: Annotated[Quantity, limits.BEARING_COUNT]
     """Bearings of one roller, which share its pin force equally."""
 
 
-class HeldBearing(Section):
+class HeldBearing(_RatedBearing):
     """A bearing on the axis of the drive, which equal branches do not load."""
 
-    type: Literal["ball", "roller"]
-    """Rolling elements; needle bearings are roller bearings."""
-    dynamic_rating: LoadRating
-    """Basic dynamic radial load rating C of one bearing, from its catalogue."""
-    static_rating: LoadRating
-    """Basic static radial load rating C_0 of one bearing, from its catalogue."""
     outside_force: Annotated[Quantity, limits.OUTSIDE_FORCE]
     """Radial force on the most loaded bearing from outside the drive: weights, belts, couplings, the arm."""
 
