@@ -14,7 +14,10 @@ from asperity.types import namespace
 from asperity.unit_table import Dimension
 
 _force = functools.partial(Result, group="forces")
+_newtons = functools.partial(_force, dimension=Dimension.FORCE, display_unit="N")
+_contact_force = functools.partial(_newtons, axis="contact")
 _contact = functools.partial(Result, group="contacts", axis="contact")
+_bulk = functools.partial(_contact, dimension=Dimension.STIFFNESS, display_unit="N/um")
 _spot = functools.partial(_contact, present=has_spots, note="nan for surfaces by their rms_height")
 
 _FORCE, _TORQUE, _STIFFNESS = Dimension.FORCE, Dimension.TORQUE, Dimension.STIFFNESS
@@ -48,12 +51,10 @@ def _crowned(name: str, label: str, path: str, note: str) -> Result:
 
 
 ROWS = (
-    _force(
+    _newtons(
         "preload",
         "normal force of the first contact in the assembled drive",
-        _FORCE,
-        "N",
-        "preload",
+        value="preload",
         needs="geometry",
         note="with a loading cam, that under the output torque",
     ),
@@ -87,24 +88,17 @@ ROWS = (
         positive=False,
         note="of a cam without friction; 0 without one",
     ),
-    _force(
-        "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"
-    ),
-    _force(
+    _contact_force("normal_force", "normal force of the contact", value="result.forces.normal"),
+    _contact_force(
         "tangential_force",
         "tangential force of the contact",
-        _FORCE,
-        "N",
-        "result.forces.tangential",
-        axis="contact",
+        value="result.forces.tangential",
         positive=False,
     ),
-    _force(
+    _newtons(
         "pin_force",
         "force of a roller on its pin along the push",
-        _FORCE,
-        "N",
-        "result.forces.pins",
+        value="result.forces.pins",
         axis="pin",
         positive=False,
     ),
@@ -131,19 +125,15 @@ ROWS = (
         _STIFFNESS,
         "N/um",
     ),
-    _contact(
+    _bulk(
         "bulk_tangential_stiffness",
         "tangential stiffness of the contact's bodies",
-        _STIFFNESS,
-        "N/um",
-        "result.interfaces.bulk_tangential",
+        value="result.interfaces.bulk_tangential",
     ),
-    _contact(
+    _bulk(
         "bulk_normal_stiffness",
         "normal stiffness of the contact's bodies",
-        _STIFFNESS,
-        "N/um",
-        "result.interfaces.bulk_normal",
+        value="result.interfaces.bulk_normal",
     ),
     _elastic(
         "contact_torsional_stiffness",

@@ -3,42 +3,33 @@
 from __future__ import annotations
 
 import functools
+from typing import Any
 
 from asperity.drive.layout.wedge import wedge_angles
 from asperity.joint.torque_limits import LIMIT_KINDS
 from asperity.results.result import Result
+from asperity.results.solved import SolvedJoint
 from asperity.unit_table import Dimension
 
 _geometry = functools.partial(Result, group="geometry", needs="geometry")
 _size = functools.partial(Result, group="size", needs="geometry")
 _capacity = functools.partial(Result, group="capacity", needs="geometry")
-_ANGLE, _LENGTH, _MASS = Dimension.ANGLE, Dimension.LENGTH, Dimension.MASS
+_LENGTH, _MASS = Dimension.LENGTH, Dimension.MASS
+
+
+def _angle(name: str, label: str) -> Result:
+    """An angle of the wedges, by its name among them."""
+
+    def value(solved: SolvedJoint) -> Any:
+        return getattr(wedge_angles(solved.joint.drive), name)
+
+    return _geometry(f"{name}_angle", label, Dimension.ANGLE, "deg", value, needs_wedges=True)
+
 
 ROWS = (
-    _geometry(
-        "polar_angle",
-        "angle alpha between planet and loading roller",
-        _ANGLE,
-        "deg",
-        lambda solved: wedge_angles(solved.joint.drive).polar,
-        needs_wedges=True,
-    ),
-    _geometry(
-        "direction_angle",
-        "direction theta from planet to loading roller",
-        _ANGLE,
-        "deg",
-        lambda solved: wedge_angles(solved.joint.drive).direction,
-        needs_wedges=True,
-    ),
-    _geometry(
-        "wedge_angle",
-        "wedge angle beta",
-        _ANGLE,
-        "deg",
-        lambda solved: wedge_angles(solved.joint.drive).wedge,
-        needs_wedges=True,
-    ),
+    _angle("polar", "angle alpha between planet and loading roller"),
+    _angle("direction", "direction theta from planet to loading roller"),
+    _angle("wedge", "wedge angle beta"),
     _geometry(
         "speed_ratio",
         "speed ratio, input over output",

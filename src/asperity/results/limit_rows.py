@@ -16,6 +16,8 @@ from asperity.results.solved import SolvedJoint, has_spots
 from asperity.unit_table import Dimension
 
 _ratio = functools.partial(Result, dimension=Dimension.DIMENSIONLESS, display_unit="1", group="diagnostics")
+_contact_ratio = functools.partial(_ratio, axis="contact")
+_spot_ratio = functools.partial(_contact_ratio, present=has_spots)
 _residual = functools.partial(
     Result,
     dimension=Dimension.DIMENSIONLESS,
@@ -43,11 +45,10 @@ def _fractal_dimensions(solved: SolvedJoint) -> list[object]:
 
 
 ROWS = (
-    _ratio(
+    _contact_ratio(
         "slip_ratio",
         "slip ratio T/(mu N)",
         value="result.diagnostics.slip_ratio",
-        axis="contact",
         needs="balance",
         highest_limit=1.0,
         limit=Limit(
@@ -77,11 +78,10 @@ ROWS = (
             state="held by the pins",
         ),
     ),
-    _ratio(
+    _contact_ratio(
         "normal_force_over_preload",
         "normal force over preload",
         value="result.diagnostics.normal_force_over_preload",
-        axis="contact",
         positive=False,
         lowest_limit=0.0,
         note="each contact's normal force over its value without torque",
@@ -93,11 +93,10 @@ ROWS = (
             lowest=0.0,
         ),
     ),
-    _ratio(
+    _contact_ratio(
         "pressure_over_first_yield",
         "Hertz pressure over first yield",
         value="result.diagnostics.pressure_over_first_yield",
-        axis="contact",
         limit=Limit(
             "damage",
             "the bodies stay elastic under the contact",
@@ -106,12 +105,10 @@ ROWS = (
             highest=1.0,
         ),
     ),
-    _ratio(
+    _spot_ratio(
         "critical_over_largest_spot",
         "critical over largest spot",
         value="result.diagnostics.critical_over_largest_spot",
-        axis="contact",
-        present=has_spots,
         limit=Limit(
             "accuracy",
             "some contact spots are elastic",
@@ -120,12 +117,10 @@ ROWS = (
             highest=1.0,
         ),
     ),
-    _ratio(
+    _spot_ratio(
         "fractal_dimension",
         "fractal dimension D",
         value=_fractal_dimensions,
-        axis="contact",
-        present=has_spots,
         needs="geometry",
         limit=Limit(
             "accuracy",
@@ -137,12 +132,10 @@ ROWS = (
             inclusive=True,
         ),
     ),
-    _ratio(
+    _spot_ratio(
         "real_area_over_hertz_area",
         "real area over Hertz area",
         value="result.diagnostics.real_area_over_hertz_area",
-        axis="contact",
-        present=has_spots,
         limit=Limit(
             "model",
             "the real area of contact is part of the Hertz area 2bB",
@@ -151,12 +144,10 @@ ROWS = (
             highest=1.0,
         ),
     ),
-    _ratio(
+    _spot_ratio(
         "largest_spot_over_hertz_area",
         "largest spot over Hertz area",
         value="result.diagnostics.largest_spot_over_hertz_area",
-        axis="contact",
-        present=has_spots,
         limit=Limit(
             "model",
             "the largest contact spot is part of the Hertz area 2bB",
@@ -165,11 +156,10 @@ ROWS = (
             highest=1.0,
         ),
     ),
-    _ratio(
+    _contact_ratio(
         "asperity_over_bulk_stiffness",
         "asperity over bulk stiffness",
         value="result.diagnostics.asperity_over_bulk_stiffness",
-        axis="contact",
         limit=Limit(
             "model",
             "the asperities are at least ten times softer than the bodies under them",
@@ -179,20 +169,18 @@ ROWS = (
             highest=0.1,
         ),
     ),
-    _ratio(
+    _contact_ratio(
         "slip_safety",
         "safety factor against slip",
         value=lambda solved: 1.0 / solved.result.diagnostics.slip_ratio,
-        axis="contact",
         needs="balance",
         lowest_limit=1.0,
         note="mu N/T",
     ),
-    _ratio(
+    _contact_ratio(
         "yield_safety",
         "safety factor against yield",
         value=lambda solved: 1.0 / solved.result.diagnostics.pressure_over_first_yield,
-        axis="contact",
         note="first yield, 1.67 times the yield strength, over Hertz pressure",
     ),
     _ratio(

@@ -17,12 +17,15 @@ from asperity.results.solved import SolvedJoint
 from asperity.unit_table import Dimension
 
 _load = functools.partial(Result, group="loads")
+_pin = functools.partial(_load, axis="pin")
 _STATE = "in rolling where the input turns, standing under the torque where it stands"
 _HOUSED = "nan without a section [housing]"
 _NEEDS = "nan without a section for its ratings, such as [pin_bearing]"
 _bearing = functools.partial(
     Result, group="bearings", axis="bearing", present=lambda solved: solved.has_bearings
 )
+_bearing_life = functools.partial(_bearing, dimension=Dimension.TIME, display_unit="h")
+_bearing_ratio = functools.partial(_bearing, dimension=Dimension.DIMENSIONLESS, display_unit="1")
 _stress = functools.partial(
     Result,
     group="stresses",
@@ -40,6 +43,7 @@ _mounting = functools.partial(
     present=lambda solved: tuple(shape.kind == "ring" for shape in solved.joint.shapes),
 )
 _seat = functools.partial(Result, group="seats", axis="body", present=lambda solved: seated(solved.joint))
+_seat_pressure = functools.partial(_seat, dimension=Dimension.PRESSURE, display_unit="MPa")
 _safety = functools.partial(
     Result, group="stresses", dimension=Dimension.DIMENSIONLESS, display_unit="1", axis="body"
 )
@@ -68,40 +72,36 @@ def _tires(solved: SolvedJoint) -> tuple[bool, ...]:
 
 
 ROWS = (
-    _load(
+    _pin(
         "pin_load",
         "force of a roller on its pin",
         Dimension.FORCE,
         "N",
         lambda solved: abs(solved.loads.pin),
-        axis="pin",
         note=_STATE,
     ),
-    _load(
+    _pin(
         "pin_bending_moment",
         "bending moment of a pin",
         Dimension.TORQUE,
         "N*m",
         lambda solved: pin_bending(solved.joint, solved.loads.pin)[0],
-        axis="pin",
         note="nan without bearings.pin_length",
     ),
-    _load(
+    _pin(
         "pin_bending_stress",
         "bending stress of a pin",
         Dimension.PRESSURE,
         "MPa",
         lambda solved: pin_bending(solved.joint, solved.loads.pin)[1],
-        axis="pin",
         note="nan without bearings.pin_length and pin_diameter",
     ),
-    _load(
+    _pin(
         "bore_stiffness",
         "stiffness of a roller's bore under its pin",
         Dimension.STIFFNESS,
         "N/um",
         lambda solved: bore_stiffness(solved.joint),
-        axis="pin",
         note="between the pin and forces spread over the rim, its own stiffness not counted; infinite without "
         "bearings.pin_diameter",
     ),
@@ -142,12 +142,10 @@ ROWS = (
         needs="geometry",
         note="of everything but the rings, below these; without a gap; nan without thermal_expansion",
     ),
-    _seat(
+    _seat_pressure(
         "seat_pressure",
         "smallest pressure on the housing",
-        Dimension.PRESSURE,
-        "MPa",
-        "rims.seat_pressure",
+        value="rims.seat_pressure",
         positive=False,
         note=f"between it and a ring, of fit and rollers together, without torque and under it; {_HOUSED}",
         limit=Limit(
@@ -202,12 +200,10 @@ ROWS = (
         "seats.bore_change",
         note=f"of a ring, on the diameter, at the assembly; {_HOUSED}",
     ),
-    _seat(
+    _seat_pressure(
         "housing_stress",
         "largest hoop stress of the housing",
-        Dimension.PRESSURE,
-        "MPa",
-        "seats.housing_stress",
+        value="seats.housing_stress",
         note=f"at its bore around a ring, by the fit alone; {_HOUSED}",
     ),
     _seat(
@@ -227,28 +223,22 @@ ROWS = (
     _bearing(
         "bearing_load", "radial load of one bearing", Dimension.FORCE, "N", "bearings.load", note=_NEEDS
     ),
-    _bearing(
+    _bearing_life(
         "bearing_life",
         "basic rating life L10 of a bearing",
-        Dimension.TIME,
-        "h",
-        "bearings.life",
+        value="bearings.life",
         note=f"ISO 281, nine in ten, without a_ISO, axial load and misalignment; nan where it stands; {_NEEDS}",
     ),
-    _bearing(
+    _bearing_life(
         "bearing_duty_life",
         "basic rating life L10 of a bearing under the duty",
-        Dimension.TIME,
-        "h",
-        "bearings.duty_life",
+        value="bearings.duty_life",
         note=f"by Miner's sum; nan without a duty; {_NEEDS}",
     ),
-    _bearing(
+    _bearing_ratio(
         "bearing_static_safety",
         "static safety of a bearing",
-        Dimension.DIMENSIONLESS,
-        "1",
-        "bearings.static_safety",
+        value="bearings.static_safety",
         lowest_limit=0.0,
         note=f"C_0 over the largest load without torque, under the torque and under the duty; {_NEEDS}",
         limit=Limit(
@@ -260,12 +250,10 @@ ROWS = (
             inclusive=True,
         ),
     ),
-    _bearing(
+    _bearing_ratio(
         "bearing_load_ratio",
         "load over dynamic rating of a bearing",
-        Dimension.DIMENSIONLESS,
-        "1",
-        "bearings.load_ratio",
+        value="bearings.load_ratio",
         note=f"largest P/C under the torque and under the duty; {_NEEDS}",
         limit=Limit(
             "accuracy",

@@ -13,9 +13,12 @@ from asperity.unit_table import Dimension
 
 _roll = functools.partial(Result, group="rolling")
 _per_contact = functools.partial(_roll, axis="contact")
+_ratio = functools.partial(_roll, dimension=Dimension.DIMENSIONLESS, display_unit="1")
+_contact_ratio = functools.partial(_ratio, axis="contact")
+_contact_force = functools.partial(_per_contact, dimension=Dimension.FORCE, display_unit="N")
 _loss = functools.partial(Result, group="losses", dimension=Dimension.POWER, display_unit="W")
+_hours = functools.partial(Result, group="life", dimension=Dimension.TIME, display_unit="h")
 _life = functools.partial(Result, group="life", dimension=Dimension.DIMENSIONLESS, display_unit="1")
-_NUMBER, _TIME = Dimension.DIMENSIONLESS, Dimension.TIME
 _STANDING = "nan where the input stands"
 
 
@@ -26,77 +29,57 @@ def _crown_factor(solved: SolvedJoint) -> Any:
 
 
 ROWS = (
-    _per_contact(
+    _contact_ratio(
         "creepage",
         "creepage",
-        _NUMBER,
-        "1",
-        "result.rolling.creepage",
+        value="result.rolling.creepage",
         positive=False,
         note="difference of the surface speeds over their mean, in steady rolling",
     ),
-    _per_contact(
+    _contact_ratio(
         "traction_coefficient",
         "traction coefficient T/N in rolling",
-        _NUMBER,
-        "1",
-        "result.rolling.traction_coefficient",
+        value="result.rolling.traction_coefficient",
         positive=False,
     ),
-    _per_contact(
+    _contact_ratio(
         "rolling_slip_ratio",
         "slip ratio T/(mu N) in rolling",
-        _NUMBER,
-        "1",
-        "result.rolling.slip_ratio",
+        value="result.rolling.slip_ratio",
         note="the share of the friction that skew takes is counted as not available",
     ),
-    _per_contact(
+    _contact_ratio(
         "stick_fraction",
         "share of the contact width that sticks in rolling",
-        _NUMBER,
-        "1",
-        "result.rolling.stick_fraction",
+        value="result.rolling.stick_fraction",
     ),
-    _per_contact(
-        "rolling_normal_force",
-        "normal force of the contact in rolling",
-        Dimension.FORCE,
-        "N",
-        "result.rolling.normal",
+    _contact_force(
+        "rolling_normal_force", "normal force of the contact in rolling", value="result.rolling.normal"
     ),
-    _per_contact(
+    _contact_force(
         "rolling_tangential_force",
         "tangential force of the contact in rolling",
-        Dimension.FORCE,
-        "N",
-        "result.rolling.tangential",
+        value="result.rolling.tangential",
         positive=False,
         note="the split that the creepages decide",
     ),
-    _per_contact(
+    _contact_force(
         "oil_drag",
         "drag of the oil on each surface of the contact in rolling",
-        Dimension.FORCE,
-        "N",
-        "result.rolling.drag",
+        value="result.rolling.drag",
         positive=False,
         note="besides the tangential force; 0 without lubrication.viscosity, and where the input stands",
     ),
-    _per_contact(
+    _contact_ratio(
         "layer_ratio",
         "yield of the asperities over that of the bodies",
-        _NUMBER,
-        "1",
-        "result.rolling.layer_ratio",
+        value="result.rolling.layer_ratio",
         note="u_0 R/a^2 with u_0 = N/K_n of the contact law; in the middle of crowned contacts",
     ),
-    _per_contact(
+    _contact_ratio(
         "layer_creepage_factor",
         "creepage with asperities over that of smooth bodies",
-        _NUMBER,
-        "1",
-        "result.rolling.layer_creepage_factor",
+        value="result.rolling.layer_creepage_factor",
     ),
     _per_contact(
         "rough_half_width",
@@ -122,36 +105,25 @@ ROWS = (
         "result.rolling.rough_peak_pressure",
         note="nominal; life and shakedown take the higher one of smooth bodies, as the standards do",
     ),
-    _per_contact(
+    _contact_ratio(
         "crown_creepage_factor",
         "creepage of smooth crowned rollers over that of cylinders",
-        _NUMBER,
-        "1",
-        _crown_factor,
+        value=_crown_factor,
         note="nan where no roller of the joint is crowned",
     ),
-    _per_contact(
+    _contact_ratio(
         "skew_creepage_factor",
         "creepage with skew over that without",
-        _NUMBER,
-        "1",
-        "result.rolling.skew_creepage_factor",
+        value="result.rolling.skew_creepage_factor",
     ),
-    _per_contact(
+    _contact_ratio(
         "capacity_loss",
         "share of the contact's tangential capacity that skew takes",
-        _NUMBER,
-        "1",
-        "result.rolling.capacity_loss",
+        value="result.rolling.capacity_loss",
         positive=False,
     ),
-    _per_contact(
-        "axial_force",
-        "axial force of the skewed contact",
-        Dimension.FORCE,
-        "N",
-        "result.rolling.axial_force",
-        positive=False,
+    _contact_force(
+        "axial_force", "axial force of the skewed contact", value="result.rolling.axial_force", positive=False
     ),
     _roll(
         "axial_thrust",
@@ -163,12 +135,10 @@ ROWS = (
         positive=False,
         note="on bodies on the axis from all branches",
     ),
-    _roll(
+    _ratio(
         "speed_loss",
         "share of the output speed that creep takes",
-        _NUMBER,
-        "1",
-        "result.rolling.speed_loss",
+        value="result.rolling.speed_loss",
         positive=False,
     ),
     _roll(
@@ -198,20 +168,16 @@ ROWS = (
         positive=False,
         note="without its sign",
     ),
-    _roll(
+    _ratio(
         "rolling_residual",
         "residual of the rolling state",
-        _NUMBER,
-        "1",
-        "result.rolling.residual",
+        value="result.rolling.residual",
         differentiable=False,
     ),
-    _per_contact(
+    _contact_ratio(
         "shakedown_ratio",
         "Hertz pressure over shakedown limit",
-        _NUMBER,
-        "1",
-        "result.rolling.shakedown_ratio",
+        value="result.rolling.shakedown_ratio",
         limit=Limit(
             "damage",
             "plastic flow stops after the first turns, if there is any",
@@ -237,21 +203,17 @@ ROWS = (
         "result.rolling.film_thickness",
         note=f"as if it carried the whole load; nan without lubrication.pressure_coefficient; {_STANDING}",
     ),
-    _per_contact(
+    _contact_ratio(
         "film_ratio",
         "oil film over roughness lambda",
-        _NUMBER,
-        "1",
-        "result.rolling.film_ratio",
+        value="result.rolling.film_ratio",
         note=f"below 1 boundary, to 3 mixed, above full lubrication; nan without lubrication.roughness or the "
         f"Ra of every surface; {_STANDING}",
     ),
-    _roll(
+    _ratio(
         "efficiency",
         "efficiency",
-        _NUMBER,
-        "1",
-        "result.rolling.power.efficiency",
+        value="result.rolling.power.efficiency",
         highest_limit=1.0,
         note=f"{_STANDING}; only the losses for which the file has the numbers",
     ),
@@ -281,13 +243,10 @@ ROWS = (
         value="result.rolling.power.bearings",
         positive=False,
     ),
-    Result(
+    _hours(
         "drive_life",
         "fatigue life of the drive",
-        _TIME,
-        "h",
-        lambda solved: 3600.0 * solved.result.rolling.life_hours.drive,
-        group="life",
+        value=lambda solved: 3600.0 * solved.result.rolling.life_hours.drive,
         note=f"rolling-contact fatigue at the file's load, speed and reliability; {_STANDING}",
     ),
     _life(
@@ -295,14 +254,11 @@ ROWS = (
         "fatigue life of the drive in turns of the output",
         value="result.rolling.life_turns.drive",
     ),
-    Result(
+    _hours(
         "contact_life",
         "fatigue life of both tracks of the contact, all branches",
-        _TIME,
-        "h",
-        lambda solved: 3600.0 * solved.result.rolling.life_hours.contact,
+        value=lambda solved: 3600.0 * solved.result.rolling.life_hours.contact,
         axis="contact",
-        group="life",
         note=_STANDING,
     ),
     _life(
@@ -317,23 +273,17 @@ ROWS = (
         value="result.rolling.life_turns.body",
         axis="body",
     ),
-    Result(
+    _hours(
         "body_life",
         "fatigue life of one body",
-        _TIME,
-        "h",
-        lambda solved: 3600.0 * solved.result.rolling.life_hours.body,
+        value=lambda solved: 3600.0 * solved.result.rolling.life_hours.body,
         axis="body",
-        group="life",
         note=_STANDING,
     ),
-    Result(
+    _hours(
         "duty_life",
         "fatigue life of the drive under its duty",
-        _TIME,
-        "h",
-        lambda solved: 3600.0 * solved.result.rolling.duty_life_hours,
-        group="life",
+        value=lambda solved: 3600.0 * solved.result.rolling.duty_life_hours,
         note="nan without a duty",
     ),
     _life(
