@@ -157,9 +157,8 @@ def log_area_ratio(*, log_load_ratio: Real, fractal_dimension: Real, elastic_loa
 
     Notes
     -----
-    Two Householder steps of third order on ln F: within 1e-14 of the root for 1.02 <= D <= 1.99 and loads up to
-    e^200 F_c; each costs one exponential and one logarithm.
-    Derivatives are implicit. At F_n = F_c the law has a kink.
+    Two Householder steps of third order on ln F: within 1e-14 of the root for 1.02 <= D <= 1.99 and loads up to e^200
+    F_c; each costs one exponential and one logarithm. Derivatives are implicit. At F_n = F_c the law has a kink.
 
     References
     ----------

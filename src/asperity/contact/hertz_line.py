@@ -217,8 +217,7 @@ def ring_secant_compliance(
 
     References
     ----------
-    C. Weber and K. Banaschek, Formänderung und Profilrücknahme bei gerad- und schrägverzahnten Rädern,
-    Vieweg 1953.
+    C. Weber and K. Banaschek, Formänderung und Profilrücknahme bei gerad- und schrägverzahnten Rädern, Vieweg 1953.
     """
     scale = logarithmic_compliance(
         contact_length=contact_length, youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio
@@ -287,12 +286,11 @@ def partial_slip_compliance(
 
     Notes
     -----
-    The incremental (tangent) compliance on first loading at constant N. The secant compliance
-    :math:`\delta_t/T`, its mean from 0 to T, adds the smaller :math:`1 + (1-x)\ln(1-x)/x` with
-    :math:`x = T/(\mu N)` in place of the logarithm. A further force is carried by the stick zone, like the
-    force on a rigid punch of the stick half-width c, whose compliance contains the logarithm of c:
-    :math:`2\ln(b/c) = \ln[1/(1-x)]` by :func:`stick_half_width`. The derivative by T is infinite at gross slip and
-    set to zero there and beyond. Half-plane, like materials.
+    The incremental (tangent) compliance on first loading at constant N. The secant compliance :math:`\delta_t/T`, its
+    mean from 0 to T, adds the smaller :math:`1 + (1-x)\ln(1-x)/x` with :math:`x = T/(\mu N)` in place of the logarithm.
+    A further force is carried by the stick zone, like the force on a rigid punch of the stick half-width c, whose
+    compliance contains the logarithm of c: :math:`2\ln(b/c) = \ln[1/(1-x)]` by :func:`stick_half_width`. The derivative
+    by T is infinite at gross slip and set to zero there and beyond. Half-plane, like materials.
 
     References
     ----------

@@ -94,8 +94,7 @@ def bulk_tangential_stiffness(
 
     References
     ----------
-    K. L. Johnson, Contact Mechanics, 1985, section 2.8;
-    :func:`asperity.contact.hertz_line.partial_slip_compliance`.
+    K. L. Johnson, Contact Mechanics, 1985, section 2.8; :func:`asperity.contact.hertz_line.partial_slip_compliance`.
     """
     added = partial_slip_compliance(
         logarithmic_compliance=logarithmic_compliance,

@@ -33,8 +33,7 @@ class MeasuredSurface(NamedTuple):
     ``assumed``: what was taken of the measurement, one sentence each. ``heights``: path of a surface → lower end,
     middle and upper end of the rms of its heights [m], 95 % of measurements; ``ratios``, the same of the decay length
     over these heights by the contact law [-]; both, what the ``contacts`` feel, and the decay length of their ``form``
-    by :func:`form_lengths` [m], are None where D and G went in.
-    ``files`` that the joint file names.
+    by :func:`form_lengths` [m], are None where D and G went in. ``files`` that the joint file names.
     """
 
     measured: MeasuredRoughness
