@@ -212,8 +212,7 @@ def _split(entry: Any, contacts: tuple[str, ...]) -> Any:
     plain = entry.unwrap() if hasattr(entry, "unwrap") else entry
     if plain == 0.0:  # only the skew may be absent
         plain = "0 mrad"
-    inline = not isinstance(plain, dict)
-    table = tomlkit.inline_table() if inline else tomlkit.table(is_super_table=True)
+    table = tomlkit.table(is_super_table=True) if isinstance(plain, dict) else tomlkit.inline_table()
     for name in contacts:
         table[name] = tomlkit.item(plain)
     return table

@@ -128,8 +128,7 @@ def _planetary(values: Values) -> Layout:
     )
     if drive.get("output") == "ring":
         made = dataclasses.replace(made, output="ring", grounded=CARRIER)
-    planet = _roller(drive, "planet")
-    return made, (SOLID, planet, _ring(values)), (0.0, 1.0)
+    return made, (SOLID, _roller(drive, "planet"), _ring(values)), (0.0, 1.0)
 
 
 def _multiroller(values: Values) -> Layout:

@@ -30,8 +30,7 @@ def solve_case(case: AnyCase) -> SolvedCase:
 
 def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
     """The document of a joint file that is solved already."""
-    inputs = without_measurement(si_values(case))
-    return joint_document(solved, inputs=inputs, assumptions=assumptions(case))
+    return joint_document(solved, inputs=without_measurement(si_values(case)), assumptions=assumptions(case))
 
 
 def solved_case(case: AnyCase) -> SolvedJoint:

@@ -39,8 +39,7 @@ _TRUST_THE_ASSEMBLY = "use the assembled stiffness; the published one, without t
 
 def _fractal_dimensions(solved: SolvedJoint) -> list[object]:
     surfaces = solved.joint.surfaces
-    count = len(solved.result.contact_names)
-    per_contact = surfaces if len(surfaces) > 1 else surfaces * count
+    per_contact = surfaces if len(surfaces) > 1 else surfaces * len(solved.result.contact_names)
     return [s.fractal_dimension if isinstance(s, Surface) else math.nan for s in per_contact]
 
 

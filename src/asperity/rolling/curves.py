@@ -129,11 +129,6 @@ def creep_curves(joint: Joint, result: JointResult) -> CreepCurves:
     return CreepCurves(*jax.tree.map(np.asarray, compile_fast(_curves, numbers, normal)(numbers, normal)))
 
 
-def _tractions() -> Array:
-    """Shares of the friction limit."""
-    return jnp.linspace(0.0, _LARGEST_SHARE, _POINTS)
-
-
 def _curves(joint: Joint, normal: Array) -> tuple[Array, Array]:
     contacts = joint_contacts(joint)
 
@@ -142,5 +137,4 @@ def _curves(joint: Joint, normal: Array) -> tuple[Array, Array]:
         law = creep_law(joint, contacts, normal, tangential).law
         return tangential / normal, creepages(law=law, normal=normal, tangential=tangential)
 
-    traction, creepage = jax.vmap(at, out_axes=-1)(_tractions())
-    return traction, creepage
+    return jax.vmap(at, out_axes=-1)(jnp.linspace(0.0, _LARGEST_SHARE, _POINTS))

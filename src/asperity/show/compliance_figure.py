@@ -202,7 +202,8 @@ def margins_height(margins: Sequence[Margin]) -> float:
 def draw_margins(axes: Axes, margins: Sequence[Margin]) -> None:
     """Bars of the share of each limit that is used; the line at 100 % is the limit, and no words lie on it."""
     shown = drawn_margins(margins)
-    names = [_name(margin) for margin in shown]
+    labels = [f"{margin.result.label}, {margin.place}".removesuffix(", ") for margin in shown]
+    names = [textwrap.fill(label, _LETTERS) for label in labels]
     used = [100.0 * margin.utilisation for margin in shown]
     bars = axes.barh(
         range(len(shown)),
@@ -231,7 +232,3 @@ def draw_margins(axes: Axes, margins: Sequence[Margin]) -> None:
     axes.set_xlim(0.0, right)
     axes.invert_yaxis()
     axes.set(xlabel="share of the limit that is used [%]")
-
-
-def _name(margin: Margin) -> str:
-    return textwrap.fill(f"{margin.result.label}, {margin.place}".removesuffix(", "), _LETTERS)

@@ -162,8 +162,7 @@ def drive_clearances(joint: Joint) -> list[Clearance]:
         size = nearest - sum(radii)
         open_ones = [ends for ends in between if size > 0.0 and not _blocked(ends, discs)]
         marks = tuple(Place(_middle(ends), None, (Line(ends, "break"),)) for ends in open_ones)
-        words = f"{_words(joint, i)} to {_words(joint, j)}"
-        gaps.append(Clearance(words, size, marks, i == j))
+        gaps.append(Clearance(f"{_words(joint, i)} to {_words(joint, j)}", size, marks, i == j))
     gaps.sort(key=lambda gap: gap.size)
     return [gap for rank, gap in enumerate(gaps) if rank < MOST_GAPS or gap.alike]
 

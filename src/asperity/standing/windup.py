@@ -102,13 +102,6 @@ def _distinct(shares: np.ndarray) -> np.ndarray:
     return ordered[np.diff(ordered, prepend=-1.0) > 1e-12]
 
 
-def _shown_shares(stage_shares: tuple[float, float], steps: int) -> np.ndarray:
-    """Shares of the largest torque at which the curves are given: even ones, the stage bounds, the lost motion's."""
-    return _distinct(
-        np.concatenate([np.linspace(0.0, 1.0, steps + 1), stage_shares, [LOST_MOTION_TORQUE_SHARE]])
-    )
-
-
 class _Panels(NamedTuple):
     """Points between shares of the largest torque: where, their weights, and each panel's first."""
 
@@ -184,14 +177,14 @@ def windup_of(
     largest = float(largest_torque)
     if not np.isfinite(largest) or largest <= 0.0:
         raise InputError(f"the largest torque is {largest:g} N·m; it must be positive and finite")
-    shown = _shown_shares(stage_shares, steps)
+    even = np.linspace(0.0, 1.0, steps + 1)
+    shown = _distinct(np.concatenate([even, stage_shares, [LOST_MOTION_TORQUE_SHARE]]))
     panels = _panels(shown, np.zeros(0) if divisions is None else np.asarray(divisions), steps)
     positive = np.concatenate([shown, panels.at])  # at the panels' other ends nobody asks
     sampled = np.stack([positive, -positive]) * largest
     real, without_slip = (np.asarray(law).reshape(sampled.shape) for law in compliances(sampled.ravel()))
     slip = np.mean(real - without_slip, axis=0)
-    curves = _Curves(panels, shown, largest, real, slip)
-    return curves.windup(stage_shares, play)
+    return _Curves(panels, shown, largest, real, slip).windup(stage_shares, play)
 
 
 class _Curves(NamedTuple):
