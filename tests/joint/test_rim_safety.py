@@ -9,8 +9,11 @@ import numpy as np
 import pytest
 from hoop_stress import hoop_stress
 
+from asperity.body.rim_range import RimLoads
+from asperity.body.shapes import Annulus
 from asperity.compilation import call_compiled
 from asperity.joint.bodies import exact_bodies
+from asperity.joint.rim_safety import _centring_pressure
 from asperity.joint.rims import joint_rims
 
 by_sum = jax.jit(hoop_stress, static_argnames="mode_count")
@@ -90,3 +93,19 @@ def test_safeties(found, joint):
 def test_a_solid_sun_has_no_rims(found):
     for value in vars(found).values():
         assert np.all(np.isnan(np.asarray(value)[..., 0]))
+
+
+def test_a_housing_centres_a_ring_that_is_pressed_to_one_side():
+    """300 N outwards and 500 N along the rim at one place, 100 N inwards a quarter turn on: 500 N, by a cosine."""
+    ring = Annulus(50e-3, 58e-3, 10e-3, 206e9, 0.3, math.inf, math.inf, "inner", "plane_strain")
+    loads = RimLoads(
+        angles=jnp.array([0.0, 0.5 * math.pi]),
+        radial=jnp.array([300.0, -100.0]),
+        tangential=jnp.array([500.0, 0.0]),
+        half_widths=jnp.full(2, 1e-4),
+        sectors=None,
+    )
+    found = float(_centring_pressure(ring, loads))
+    around = np.linspace(0.0, 2.0 * math.pi, 360, endpoint=False)
+    carried = np.mean(found * np.cos(around) ** 2) * 2.0 * math.pi * 58e-3 * 10e-3
+    assert carried == pytest.approx(500.0, rel=1e-9)
