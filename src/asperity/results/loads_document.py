@@ -215,7 +215,7 @@ def _seat_rows(solved: SolvedJoint, cases: int) -> Iterator[Row]:
 
 
 #: Units of tables for those of the document.
-_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm", "K": "K", "m": "um"}
+_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm", "K": "K", "m": "µm"}
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
 _ROUNDING = 1e-12
 Document = dict[str, Any]
