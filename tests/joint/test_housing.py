@@ -218,3 +218,6 @@ def test_a_housing_inside_its_ring():
         InputError, match=r"housing\.outer_diameter 110 mm: the outer diameter of the ring is 116 mm"
     ):
         refuse_impossible_joint(joint_from_case(_case(outer="110 mm")))
+    inside = joint_from_case(_case(outer="110 mm", support="elastic_housing"))  # a point of a study
+    assert np.isnan(inside.shapes[_ring(inside)].housing_stiffness)
+    assert np.isnan(_seats(inside).torque_safety[_ring(inside)])

@@ -107,5 +107,12 @@ def test_fatigue_is_judged_where_its_strength_is_known():
 
 def test_a_safety_below_one_is_a_warning():
     limits = {row.name: row.limit for row in STRESSES if row.limit is not None}
+    pressure = limits.pop("seat_pressure")  # of a ring on its housing, which a pull of the rollers lifts off
+    assert [pressure.is_kept(value) for value in (-1.0, 0.0, 1.0, float("nan"))] == [
+        False,
+        False,
+        True,
+        False,
+    ]
     assert set(limits) == {"rim_yield_safety", "rim_fatigue_safety"}
     assert all(limit.is_kept(1.01) and not limit.is_kept(0.99) for limit in limits.values())

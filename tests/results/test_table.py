@@ -53,6 +53,7 @@ def test_groups_and_names_are_chosen_once():
     assert chosen[-1] == "slip_ratio"
     assert len(set(chosen)) == len(chosen)
     assert set(GROUPS["all"]) == set(RESULTS) - set(GROUPS["stresses"])
+    assert not any(RESULTS[name].of_rims for name in GROUPS["all"])  # which need a program of their own
     assert len(GROUPS["stiffness"]) == 6
 
 

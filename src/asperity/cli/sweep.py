@@ -34,8 +34,8 @@ if TYPE_CHECKING:
     show_default=True,
     metavar="NAMES",
     help="Results or groups of them, separated by commas: stiffness, assembly, series, published, forces, contacts, "
-    "diagnostics, geometry, size, residuals, capacity, rolling, losses, life, loads, bearings, stresses, or all but "
-    "the stresses. Only these are computed.",
+    "diagnostics, geometry, size, residuals, capacity, rolling, losses, life, loads, bearings, seats, stresses, or all "
+    "but the stresses. Only these are computed.",
 )
 @click.option(
     "--out",

@@ -66,17 +66,19 @@ def refuse_housing(joint: Joint) -> None:
 
 
 def in_housing(shape: BodyShape, bore_radius: Real, housing: Housing) -> BodyShape:
-    """A ring whose elastic housing has the radial stiffness of its sizes."""
+    """A ring whose elastic housing has the radial stiffness of its sizes; nan where it lies inside the ring."""
     if shape.support != "elastic_housing":
         return shape
     assert shape.size is not None
+    seat = bore_radius + shape.size
     widening = rim_compliance(
-        rim=bore_radius + shape.size,
+        rim=seat,
         other=housing.outer_radius,
         youngs_modulus=housing.material.youngs_modulus,
         poisson_ratio=housing.material.poisson_ratio,
     )
-    return dataclasses.replace(shape, housing_stiffness=1.0 / widening)
+    stiffness = jnp.where(jnp.asarray(housing.outer_radius) > seat, 1.0 / widening, jnp.nan)
+    return dataclasses.replace(shape, housing_stiffness=stiffness)
 
 
 def ring_fit(joint: Joint, number: int, *, working: bool = True) -> PressFit:

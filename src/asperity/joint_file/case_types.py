@@ -71,7 +71,7 @@ class WedgeDrive(RollerDrive):
     """Radius of the ring's crown along its axis; a cylinder if absent."""
     ring_support: RingSupport | None = None
     """What holds the outer rim of the ring: a rigid housing into which it is shrunk, nothing, so that it bends, or a
-    housing with the ring_housing_stiffness of [compliance]. A rigid housing if absent."""
+    housing with the ring_housing_stiffness of [compliance] or the sizes in [housing]. A rigid housing if absent."""
 
 
 class WedgeBearings(Section):

@@ -95,7 +95,7 @@ class PlanetaryDrive(RollerDrive):
     """Which member is the output, the other one being grounded: the carrier if absent."""
     ring_support: RingSupport | None = None
     """What holds the outer rim of the ring: a rigid housing, nothing, so that it bends, or a housing with the
-    ring_housing_stiffness of [compliance]. A rigid housing if absent."""
+    ring_housing_stiffness of [compliance] or the sizes in [housing]. A rigid housing if absent."""
     planet_bore_diameter: Bore | None = None
     """Diameter of the bore of hollow planets; solid if absent."""
     planet_length: BodyLength | None = None
@@ -129,7 +129,7 @@ class MultirollerDrive(RollerDrive):
     """Length B of the contact lines: one for all, or a table with sf, fsl, fsr, sr."""
     ring_support: RingSupport | None = None
     """What holds the outer rim of the ring: a rigid housing, nothing, so that it bends, or a housing with the
-    ring_housing_stiffness of [compliance]. A rigid housing if absent."""
+    ring_housing_stiffness of [compliance] or the sizes in [housing]. A rigid housing if absent."""
     first_row_bore_diameter: Bore | None = None
     """Diameter of the bore of the first row's rollers, at most 0.65 of that of the smaller track; solid if absent."""
     second_row_bore_diameter: Bore | None = None
@@ -167,7 +167,7 @@ class SteppedPlanetDrive(RollerDrive):
     """Length B of the contact lines: one for all, or a table with sp, pr1, pr2."""
     ring_support: RingSupport | None = None
     """What holds the outer rim of the grounded ring: a rigid housing, nothing, or a housing with the
-    ring_housing_stiffness of [compliance]. A rigid housing if absent."""
+    ring_housing_stiffness of [compliance] or the sizes in [housing]. A rigid housing if absent."""
     planet_bore_diameter: Bore | None = None
     """Diameter of the bore of hollow planets, at most 0.65 of that of the smaller track; solid if absent."""
     sun_crown_radius: CrownRadius | None = None

@@ -56,7 +56,7 @@ class RollerEntry(Section):
     """Wall of a ring; every roller that is around another one needs it."""
     ring_support: RingSupport | None = None
     """What holds the outer rim of a ring: a rigid housing, nothing, or a housing with the ring_housing_stiffness of
-    [compliance]. A rigid housing if absent."""
+    [compliance] or the sizes in [housing]. A rigid housing if absent."""
     bore_diameter: Bore | None = None
     """Diameter of the bore of a hollow roller, at most 0.65 of that of the smaller track of a stepped one;
     solid if absent."""

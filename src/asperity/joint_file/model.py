@@ -118,7 +118,7 @@ class Compliance(Section):
     absent. ring_support = "free" computes the bending instead."""
     ring_housing_stiffness: Annotated[Quantity, limits.HOUSING] | None = None
     """Radial stiffness of the housing around rings, per area of their outer surface; needed for, and only for,
-    ring_support = "elastic_housing"."""
+    ring_support = "elastic_housing" without [housing]."""
     input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
     """Torsional stiffness of the shaft to the sun; rigid if absent."""
     output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None

@@ -146,6 +146,7 @@ ROWS = (
         "seat_pressure",
         "smallest pressure on the housing",
         value="rims.seat_pressure",
+        group="stresses",
         positive=False,
         note=f"between it and a ring, of fit and rollers together, without torque and under it; {_HOUSED}",
         limit=Limit(
