@@ -254,7 +254,8 @@ def test_circles_and_forces_of_another_drive(zou_file):
         normal=np.array([1000.0, 1100.0]), tangential=np.array([50.0, 60.0]), pins=np.array([-110.0])
     )
     found = drive_shapes(joint, SimpleNamespace(forces=forces))
-    assert found["rings"] == [{"body": "ring", "inner_radius_m": pytest.approx(50e-3), "wall_m": 8e-3}]
+    ring = {"body": "ring", "inner_radius_m": pytest.approx(50e-3), "wall_m": 8e-3, "bore_change_m": 0.0}
+    assert found["rings"] == [ring]
     rollers = [(each["body"], round(1e3 * each["radius_m"], 9)) for each in found["rollers"]]
     assert rollers == [("sun", 10.0)] + 3 * [("planet", 20.0)]
     for each in found["rollers"][1:]:

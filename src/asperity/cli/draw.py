@@ -30,7 +30,8 @@ def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
 
     The sheet is A3, that of a part A4; the scale is the largest standard one that fits; print it in full size. A wall
     of the ring that is thicker than half the inner radius is broken off, and the drawing says so. The bore of a ring
-    is the one to be made, smaller by the interference that makes the preload, which is stated. Diameters have the
+    is the one to be made, smaller by the interference that makes the preload, which is stated; in a housing of the
+    file it is that of the ring in its seat, and its own sheet has the one before it is pressed in. Diameters have the
     tolerances of the file, twice those of the radii, and the coarsest grade of ISO 286-1 within them. What the file
     does not state is a dash, or is said not to be stated. With --forces there is no section. A DXF file contains the
     true sizes in mm, with DIMENSION entities; it needs the optional package ezdxf.

@@ -14,6 +14,7 @@ from asperity.drive.layout.drive import sector_rotation
 from asperity.errors import AsperityError
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
+from asperity.joint.housing import ring_fit, seated
 from asperity.joint_file.choices import choices_of_case
 from asperity.joint_file.edited_text import entered_values
 from asperity.joint_file.model import Case
@@ -177,7 +178,11 @@ def drive_shapes(joint: Joint, result: JointResult) -> dict[str, Any]:
         radii = [float(radius) for radius, _ in tracks_of(joint, number)]
         if shape.kind == "ring":
             wall = 0.0 if shape.size is None else float(shape.size)
-            rings += [{"body": name, "inner_radius_m": radius, "wall_m": wall} for radius in radii]
+            seat = float(ring_fit(joint, number, working=False).bore_change) if seated(joint)[number] else 0.0
+            rings += [
+                {"body": name, "inner_radius_m": radius, "wall_m": wall, "bore_change_m": seat}
+                for radius in radii
+            ]
             continue
         for sector in range(1 if body.on_axis else int(drive.sectors)):
             x, y = sector_rotation(drive, sector) @ centres[number]

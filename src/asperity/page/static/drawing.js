@@ -9,8 +9,13 @@ const LONGEST_ARROW = 0.24; // of the inner radius
 function made(drawing, rings) {
   const less = drawing.made_interference_m;
   if (less === null) return "The interference with which the ring is made is not known.";
-  const bore = rings.length === 1 ? ` (made bore ⌀${number(2e3 * (rings[0].inner_radius_m - less), 7)} mm, all just touch in ⌀${number(2e3 * rings[0].inner_radius_m, 7)} mm)` : "";
-  return `Interference ${number(1e6 * less)} µm on the radius${bore}.`;
+  const said = `Interference ${number(1e6 * less)} µm on the radius`;
+  if (rings.length !== 1) return `${said}.`;
+  const [ring] = rings;
+  const held = 2e3 * (ring.inner_radius_m - less);
+  const free = held + 1e3 * ring.bore_change_m;
+  const seat = free > held ? `, ⌀${number(held, 7)} mm in its housing` : "";
+  return `${said} (made bore ⌀${number(free, 7)} mm${seat}, all just touch in ⌀${number(2e3 * ring.inner_radius_m, 7)} mm).`;
 }
 
 /** What the arrows mean, or that there are none. */
