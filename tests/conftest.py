@@ -21,6 +21,7 @@ if [int(part) for part in version("jaxlib").split(".")[:2]] <= [0, 10]:
 import jax
 import numpy as np
 import pytest
+from hypothesis import settings
 
 from asperity import compilation
 from asperity.precision import use_compilation_cache
@@ -38,6 +39,9 @@ jax.config.update("jax_disable_most_optimizations", True)
 use_compilation_cache()
 # tracing makes many objects and hardly any garbage
 gc.set_threshold(100_000)
+# neither a slow machine nor a seed decides a test
+settings.register_profile("asperity", deadline=None, derandomize=True, database=None)
+settings.load_profile("asperity")
 
 # of one worker [bytes]: two of them leave a third of the machine to others
 _LARGEST_MEMORY = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 3
