@@ -17,6 +17,7 @@ from asperity.joint.solve import refuse_impossible_joint
 from asperity.joint.temperature import contact_expansion
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
+from asperity.results import RESULTS
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HOUSED = """
@@ -110,6 +111,17 @@ def test_the_seat_of_a_warm_drive():
     assert float(expansion) * 40.0 * 0.05 == pytest.approx(wider, rel=1e-9)
     lost = contact_expansion(joint, housing_expansion=housing)
     assert float(lost[1]) == pytest.approx(alpha * 0.05 - float(expansion) * 0.05, rel=1e-9)
+
+
+def test_a_seat_without_a_torque_holds():
+    joint = joint_from_case(_case())
+    limit = RESULTS["seat_torque_safety"].limit
+    assert [
+        limit.is_kept(float(_seats(joint, torque).torque_safety[_ring(joint)])) for torque in (0.0, 1e9)
+    ] == [
+        True,
+        False,
+    ]
 
 
 def test_heating_a_ring_with_its_housing_by_hand():

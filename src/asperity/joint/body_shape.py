@@ -75,15 +75,15 @@ class Housing(eqx.Module):
         By how much the outer diameter of a ring exceeds the bore at the assembly [m].
     friction_coefficient : Real
         Of the seat [-].
-    temperature_rise : Real, optional
-        Working temperature above that of the assembly [K].
+    temperature_rise : Real or None, optional
+        Working temperature above that of the assembly [K]; None where the file states none.
     """
 
     material: Material
     outer_radius: Real
     interference: Real
     friction_coefficient: Real
-    temperature_rise: Real = 0.0
+    temperature_rise: Real | None = None
 
 
 #: Bore that stands for none, over the radius of the roller.

@@ -15,6 +15,7 @@ from asperity.drive.state.loads import MemberLoads
 from asperity.errors import InputError
 from asperity.joint.body_shape import BodyShape, Housing
 from asperity.joint.description import Joint, track_lengths, tracks_of
+from asperity.materials import Material
 from asperity.types import Real
 from asperity.units import format_quantity
 
@@ -47,16 +48,27 @@ def seated(joint: Joint) -> tuple[bool, ...]:
     )
 
 
+def _parts(joint: Joint, number: int) -> tuple[Housing, Material, Real, Real]:
+    """Housing and material of a ring, and radii of its bore and of its seat [m]."""
+    housing, wall = joint.housing, joint.shapes[number].size
+    assert housing is not None
+    assert wall is not None
+    bore = tracks_of(joint, number)[0][0]
+    return housing, joint.materials[number], bore, bore + wall
+
+
+def _loosening(housing: Housing, ring: Material, seat_radius: Real) -> Real:
+    """Interference on the diameter that a kelvin takes [m/K]; nan without thermal expansions."""
+    if ring.thermal_expansion is None or housing.material.thermal_expansion is None:
+        return math.nan
+    return 2.0 * seat_radius * (housing.material.thermal_expansion - ring.thermal_expansion)
+
+
 def refuse_housing(joint: Joint) -> None:
     """Refuse a housing that lies inside one of its rings."""
-    for number, holds in enumerate(seated(joint)):
-        wall = joint.shapes[number].size
-        if not holds or joint.housing is None or wall is None:
-            continue
-        seat, outer = (
-            2.0 * float(tracks_of(joint, number)[0][0] + wall),
-            2.0 * float(joint.housing.outer_radius),
-        )
+    for number in (number for number, holds in enumerate(seated(joint)) if holds):
+        housing, _, _, seat_radius = _parts(joint, number)
+        seat, outer = 2.0 * float(seat_radius), 2.0 * float(housing.outer_radius)
         if not outer > seat:
             name = joint.drive.bodies[number].name.replace("_", " ")
             raise InputError(
@@ -86,19 +98,15 @@ def ring_fit(joint: Joint, number: int, *, working: bool = True) -> PressFit:
 
     .. math:: \Delta d(T) = \Delta d + 2 b\,(\alpha_r - \alpha_h)\,\Delta T
     """
-    housing, ring, wall = joint.housing, joint.materials[number], joint.shapes[number].size
-    assert housing is not None
-    assert wall is not None
-    bore = tracks_of(joint, number)[0][0]
+    housing, ring, bore, seat = _parts(joint, number)
     interference: Real = housing.interference
-    if working and ring.thermal_expansion is not None and housing.material.thermal_expansion is not None:
-        widening = ring.thermal_expansion - housing.material.thermal_expansion
-        interference = interference + 2.0 * (bore + wall) * widening * housing.temperature_rise
+    if working and housing.temperature_rise is not None:
+        interference = interference - _loosening(housing, ring, seat) * housing.temperature_rise
     return press_fit(
         ring=ring,
         housing=housing.material,
         bore_radius=bore,
-        seat_radius=bore + wall,
+        seat_radius=seat,
         outer_radius=housing.outer_radius,
         interference=interference,
     )
@@ -109,16 +117,12 @@ def heating(joint: Joint, number: int, gain: Real) -> Array:
 
     As both expand until the housing lets the ring go, then as the ring does alone; nan without thermal expansions.
     """
-    housing, ring, wall = joint.housing, joint.materials[number], joint.shapes[number].size
-    assert housing is not None
-    assert wall is not None
-    if ring.thermal_expansion is None or housing.material.thermal_expansion is None:
-        return jnp.full(jnp.shape(gain), math.nan)
-    bore = tracks_of(joint, number)[0][0]
+    housing, ring, bore, seat = _parts(joint, number)
     held = 0.5 * ring_fit(joint, number, working=False).bore_change
-    apart = 2.0 * (bore + wall) * (housing.material.thermal_expansion - ring.thermal_expansion)  # m/K
-    together = gain / (bore * ring.thermal_expansion + held * apart / housing.interference)
-    alone = (gain - held) / (bore * ring.thermal_expansion)
+    apart = _loosening(housing, ring, seat)
+    widening = bore * (math.nan if ring.thermal_expansion is None else ring.thermal_expansion)  # m/K
+    together = gain / (widening + held * apart / housing.interference)
+    alone = jnp.where(jnp.isnan(jnp.asarray(apart)), jnp.nan, (gain - held) / widening)
     return jnp.where(together * apart < housing.interference, together, alone)
 
 
@@ -140,10 +144,7 @@ def seats(joint: Joint, loads: MemberLoads) -> Seats:
 
 def _seat(joint: Joint, number: int, torque: Array) -> list[Real]:
     """The numbers of :class:`Seats` for one ring."""
-    housing, ring, wall = joint.housing, joint.materials[number], joint.shapes[number].size
-    assert housing is not None
-    assert wall is not None
-    radius = tracks_of(joint, number)[0][0] + wall
+    housing, ring, _, radius = _parts(joint, number)
     cold, warm = (ring_fit(joint, number, working=working) for working in (False, True))
     friction = 2.0 * math.pi * housing.friction_coefficient * radius * sum(track_lengths(joint, number))
     rises = [

@@ -42,6 +42,7 @@ def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
                 youngs_modulus=material.youngs_modulus,
                 poisson_ratio=material.poisson_ratio,
                 housing_stiffness=shape.rim_stiffness[0],
+                # as the seat in a described housing, (I5)
                 plane_state=joint.plane_state if joint.housing is None else "plane_stress",
             )
         outer.append(expansion)

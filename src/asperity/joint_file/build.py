@@ -136,7 +136,7 @@ def _in_housing(joint: Joint, entry: Values, material: Material, temperature: Va
         outer_radius=0.5 * entry["outer_diameter"],
         interference=entry["interference"],
         friction_coefficient=entry["friction_coefficient"],
-        temperature_rise=0.0 if temperature is None else temperature["working"] - temperature["assembly"],
+        temperature_rise=None if temperature is None else temperature["working"] - temperature["assembly"],
     )
     shapes = tuple(
         in_housing(shape, tracks_of(joint, number)[0][0], housing)

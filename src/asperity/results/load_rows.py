@@ -169,6 +169,7 @@ ROWS = (
             "the ring turns in its housing under the torque",
             "choose more interference in the housing, a wider seat, or a key",
             lowest=1.0,
+            inclusive=True,  # without a torque it holds infinitely often
         ),
     ),
     _seat(
