@@ -13,7 +13,7 @@ from asperity.results import RESULTS
 from asperity.units import from_si
 
 xarray = pytest.importorskip("xarray")
-SLIPS = STATUS_NAMES.index("beyond_torque_capacity")
+SLIPS = STATUS_NAMES.index("beyond_standing_torque_capacity")
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ def test_status_in_words(found, capsys):
     found["status"][0, 0] = -1
     show_status(found)
     told = capsys.readouterr().out.splitlines()
-    slips = "  1 not solved: the output torque is beyond the torque capacity: a contact slips"
+    slips = "  1 not solved: the output torque is beyond the standing torque capacity: a contact slips"
     assert told == [
         "4 points, 3 solved",
         slips,
@@ -78,7 +78,7 @@ def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
         ["1000", "13.5", "5e6"],
         ["1000", "13.6", "4.5e6"],
         ["800", "13.5", "4e6"],
-        ["800", "13.6", "-", "beyond", "torque", "capacity"],
+        ["800", "13.6", "-", "beyond", "standing", "torque", "capacity"],
     ]
 
 

@@ -35,7 +35,7 @@ def test_small_sweep_is_printed_drawn_and_written(tmp_path):
     done = run("sweep", FILE, *TORQUE, "--results", "published", "--out", "s.csv", "--plot")
     assert done.exit_code == 0
     assert "3 points, 2 solved" in done.output
-    assert "beyond the torque capacity" in done.output
+    assert "beyond the standing torque capacity" in done.output
     rows = (tmp_path / "s.csv").read_text().splitlines()
     assert rows[0].startswith(
         "load.output_torque [N*m],status,status_meaning,published_stiffness_output [N*m/rad]"
@@ -47,7 +47,7 @@ def test_small_sweep_is_printed_drawn_and_written(tmp_path):
     with pytest.raises(InputError, match="exists already"):
         run("sweep", FILE, *TORQUE, "--out", "s.csv")
     shown = run("sweep", FILE, *TORQUE, "--results", "published")
-    assert re.search(r"beyond\s+torque\s+capacity\s*$", shown.output)
+    assert re.search(r"beyond\s+standing\s+torque\s+capacity\s*$", shown.output)
     assert "published" in shown.output
 
 

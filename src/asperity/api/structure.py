@@ -54,7 +54,7 @@ def loads(joint: DescribedJoint, *, mounting_gap: str | NamedQuantity = "0 um") 
     Raises
     ------
     InputError
-        If the rollers do not fit, or the output torque is beyond the torque capacity.
+        If the rollers do not fit, or the output torque is beyond the standing torque capacity.
     NoSolutionError
         If the force balance does not close.
     """

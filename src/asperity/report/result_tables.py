@@ -46,7 +46,15 @@ def summary(document: Document) -> Table:
         ),
         ("torque capacity", _capacity(document["torque_capacity"])),
         ("torque capacity, negative torques", _capacity(document["torque_capacity"]["reverse"])),
-        *(("first slip, standing", words) for words in first_slip_words(document["torque_capacity"])),
+        ("standing torque capacity", _capacity(document["standing_torque_capacity"])),
+        (
+            "standing torque capacity, negative torques",
+            _capacity(document["standing_torque_capacity"]["reverse"]),
+        ),
+        *(
+            ("first slip, standing", words)
+            for words in first_slip_words(document["standing_torque_capacity"])
+        ),
         ("efficiency", percent(document["efficiency"])),
         ("fatigue life in hours", number(document["life_hours"])),
         ("fatigue life in turns of the output", number(document["rolling"]["life_output_turns"])),

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray
 
 #: Results of the sections on sensitivities and tolerances.
-STUDIED = ("assembly_stiffness_output", "torque_capacity", "drift", "efficiency", "drive_life")
+STUDIED = ("assembly_stiffness_output", "standing_torque_capacity", "drift", "efficiency", "drive_life")
 #: Of them those with a picture.
 DRAWN = ("assembly_stiffness_output", "drift")
 _ROWS = 20
@@ -214,7 +214,7 @@ def _short(name: str) -> str:
     """Head of a narrow column."""
     heads = {
         "assembly_stiffness_output": "stiffness,\nassembled",
-        "torque_capacity": "torque\ncapacity",
+        "standing_torque_capacity": "standing\ntorque\ncapacity",
         "drive_life": "life",
     }
     return heads.get(name, name)

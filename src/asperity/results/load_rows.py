@@ -170,6 +170,7 @@ ROWS = (
             "choose more interference in the housing, a wider seat, or a key",
             lowest=1.0,
             inclusive=True,  # without a torque it holds infinitely often
+            beyond="turns in its housing",
         ),
     ),
     _seat(
@@ -220,6 +221,7 @@ ROWS = (
             "the housing yields at its bore and loses part of the fit",
             "choose less interference in the housing, a thicker or a stronger one",
             lowest=1.0,
+            beyond="makes its housing yield",
         ),
     ),
     _bearing(
@@ -250,6 +252,7 @@ ROWS = (
             "choose a larger bearing or more of them, or lower preload or torque",
             lowest=1.0,
             inclusive=True,
+            beyond="beyond its static rating",
         ),
     ),
     _bearing_ratio(
@@ -297,6 +300,7 @@ ROWS = (
             "a ring or hollow roller yields at a rim, away from the contacts",
             _REMEDY,
             lowest=1.0,
+            beyond="yields at a rim",
         ),
     ),
     _safety(
@@ -311,6 +315,7 @@ ROWS = (
             "a ring or hollow roller breaks by fatigue at a rim, away from the contacts",
             _REMEDY,
             lowest=1.0,
+            beyond="breaks by fatigue at a rim",
         ),
     ),
 )

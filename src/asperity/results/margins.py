@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from asperity.results.limit_check import LimitCheck, with_pins
 from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
+from asperity.results.torque_capacity import ends_in_damage
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
 _MUST_EXCEED = ("clearance", "torque_safety")
@@ -62,7 +64,9 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     """
     table = results_of_joint(solved).values()
     judged = [with_pins(row, solved) for row in table if row.limit or row.name in _MUST_EXCEED]
-    requirements = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
+    requirements = [
+        _as_its_limit(_worst(row, rows), solved) for row in judged if (rows := row.rows_of(solved))
+    ]
     requirements += map(_further, further_checks(solved))
     by_name: dict[str, list[Note]] = {}
     for note in solved.notes:
@@ -101,6 +105,13 @@ def _worst_note(notes: list[Note]) -> Margin:
     )
     row = Result(note.name, note.label, note.dimension, note.display_unit, note.name, limit=rule)
     return Margin(row, note.contact or "", note.value, lowest, highest, note.ok, note.severity)
+
+
+def _as_its_limit(margin: Margin, solved: SolvedJoint) -> Margin:
+    """A torque beyond the capacity is as serious as the limit that ends the capacity; every other margin as it is."""
+    if margin.result.name != "torque_safety" or margin.passes or not ends_in_damage(solved):
+        return margin
+    return dataclasses.replace(margin, severity="damage")
 
 
 def _worst(row: Result, rows: dict[str, float]) -> Margin:

@@ -159,7 +159,7 @@ def draw_temperatures(axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit)
     panels = (
         ("preload [N]", np.asarray(curves.preload)),
         ("assembled stiffness [N·m/arcmin]", np.asarray(curves.stiffness) * _PER_ARCMINUTE),
-        ("torque capacity [N·m]", np.asarray(curves.torque_capacity)),
+        ("standing torque capacity [N·m]", np.asarray(curves.standing_torque_capacity)),
     )
     loose = float(np.asarray(loose_temperature(fit)))
     marks = (
