@@ -135,7 +135,7 @@ def test_a_planet_thrown_off_the_sun_is_refused_with_a_remedy(call, joint_file):
     outcome = call("joint", fast, "--json")
     assert (outcome.code, outcome.out) == (2, "")
     assert "beyond the standing torque capacity 0 N·m, at which" in outcome.err
-    assert "raise the preload, or lower the speed" in outcome.err
+    assert "raise the preload (load.preload), or lower the speed" in outcome.err
 
 
 @pytest.mark.parametrize(

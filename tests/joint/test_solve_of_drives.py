@@ -166,7 +166,8 @@ def test_an_interference_without_a_balance_is_told(planar_case):
 def test_bodies_that_do_not_fit_are_refused(planar_case):
     fast = planar_case("planetary", replaced={'"1500 rpm"': '"60000 rpm"'})
     with pytest.raises(
-        InputError, match="at which contact sp lifts off; raise the preload, or lower the speed"
+        InputError,
+        match=r"at which contact sp lifts off; raise the interference \(load.interference\), or lower the speed",
     ):
         solve_case(fast)
     with pytest.raises(InputError, match=r"neighbours of planet overlap by 10 mm"):

@@ -190,6 +190,7 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
 def _show(result: DesignResult) -> None:
     from asperity.cli.terminal import console
     from asperity.results import RESULTS
+    from asperity.study.design.design_result import bounds_words, met_words
     from asperity.units import format_quantity
 
     target, problem = console(), result.problem
@@ -200,9 +201,13 @@ def _show(result: DesignResult) -> None:
         worst += f" and the {problem.worst_case.tolerances} of the tolerances"
     before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
     target.print(f"{problem.goal}{worst}:")
-    target.print(
-        f"  {before} in {problem.joint_file} -> {after} ({'all limits met' if result.feasible else 'limits missed'})"
-    )
+    target.print(f"  {before} in {problem.joint_file} -> {after}", markup=False)
+    target.print(f"  {met_words(feasible=result.feasible, allowed=result.allowed)}", markup=False)
+    if result.missed_before:
+        missed = "; ".join(limit.text for limit in result.missed_before)
+        target.print(f"  The joint of the file misses: {missed}", markup=False)
+    if words := bounds_words(result):
+        target.print(f"  The design is held by: {words}", markup=False)
     if result.objective_unrounded is not None:
         target.print(
             f"  {format_quantity(result.objective_unrounded, unit)} before rounding to the stated steps"
@@ -217,14 +222,14 @@ def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
     from asperity.cli.document_text import show_law_range, show_warnings
     from asperity.cli.terminal import console
-    from asperity.study.design.design_result import joint_diagnostics, not_limited
+    from asperity.study.design.design_result import not_limited
 
-    diagnostics = joint_diagnostics(result.joint_text)
+    diagnostics = result.diagnostics
     if diagnostics["diagnostics"] is None:
         because = diagnostics["no_result_because"]
         click.echo(f"Under the output torque of its file the designed joint has no result: {because}")
         return
-    if line := not_limited(result, diagnostics):
+    if line := not_limited(result):
         console().print(line, markup=False)
     show_warnings(console(), diagnostics)
     show_law_range(console(), diagnostics)

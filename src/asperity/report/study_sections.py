@@ -14,7 +14,7 @@ from asperity.report.content import Block, Heading, Listing, Paragraph, Picture,
 from asperity.report.figures import figure_svg
 from asperity.results import RESULTS
 from asperity.study.design.design_problem import SUMMARY
-from asperity.study.design.design_result import DesignResult, shortcoming
+from asperity.study.design.design_result import DesignResult, bounds_words, met_words, shortcoming
 from asperity.study.tolerances.documents import failures
 from asperity.units import from_si
 
@@ -149,9 +149,10 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
     over = f" over {torques} torques, each result at its worst" if torques > 1 else ""
     yield Heading("Design")
     yield Paragraph(f"{name} asks for the {problem.goal}{over}: {before} before, {after} as designed.")
-    yield Paragraph(
-        f"{_sentence(shortcoming(result))}." if shortcoming(result) else "All limits are met.", strong=True
-    )
+    met = _sentence(shortcoming(result)) or met_words(feasible=result.feasible, allowed=result.allowed)
+    yield Paragraph(f"{met}.", strong=True)
+    if words := bounds_words(result):
+        yield Paragraph(f"The design is held by: {words}.")
     stated = numeric_keys(result.problem.case)
     rows = []
     for free in result.problem.variables:
