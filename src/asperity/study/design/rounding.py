@@ -92,10 +92,11 @@ def shortened_design(
 ) -> tuple[dict[str, float], np.ndarray]:
     """The same design with as few digits as keep its limits, each number rounded up or down, shape (n,) [SI].
 
-    Four digits or more, so that the objective changes by no more than a thousandth, and no limit is missed by more than
-    before.
+    Four digits or more, so that the objective changes by no more than a thousandth; so may the violation of a design
+    that misses a limit.
     """
     exact = evaluator(scaled)
+    allowed = FEASIBLE if exact.violation <= FEASIBLE else exact.violation + _SAME
     objectives = np.array([np.max(goal) for goal in exact.objective])
     positive = np.array([RESULTS[goal.name].positive for goal in evaluator.problem.objectives])
     size = np.where(positive, 1.0, np.abs(objectives))  # of positive results it is the logarithm
@@ -104,7 +105,7 @@ def shortened_design(
         for place in sorted(places, key=lambda place: _rank(evaluator, place)):
             rounded = evaluator(place)
             changed = np.array([np.max(goal) for goal in rounded.objective]) - objectives
-            if rounded.violation <= max(FEASIBLE, exact.violation) and np.all(changed <= _SAME * size):
+            if rounded.violation <= allowed and np.all(changed <= _SAME * size):
                 return _stated(evaluator, place, fixed, digits), place
     return evaluator.point(scaled), scaled
 
