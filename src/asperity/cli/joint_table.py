@@ -197,7 +197,7 @@ def _drive_rows(document: Document) -> tuple[Rows, Rows]:
         before.append(
             ("angles", ", ".join(f"{name} {in_unit(geometry[key], 'deg', 6)}" for name, key in angles))
         )
-    after = [*((("pin force", pins),) if pins else ()), *_strength(document), ("mass", masses)]
+    after = [*((("pin force", f"standing, {pins}"),) if pins else ()), *_strength(document), ("mass", masses)]
     after += [
         ("roughness", _roughness(surface, of_all=len(document["surfaces"]) == 1))
         for surface in document["surfaces"]
