@@ -18,7 +18,9 @@ from asperity.results.torque_capacity import (
     FOUND_BY_SEARCH,
     JUDGED,
     JUDGED_ROWS,
+    JointCapacity,
     capacity_of_direction,
+    capacity_words,
     ends_in_damage,
     excesses_of_rows,
     place_names,
@@ -167,6 +169,23 @@ def test_places_have_names_of_their_own(with_cam):
     assert names[:2] == with_cam.result.contact_names
     assert names[-1] == "none"
     assert RESULTS["limiting_place"].categories[-1] == "none"
+
+
+@pytest.mark.parametrize(
+    ("limit", "torque", "said"),
+    [
+        ("none", math.inf, "no limit is reached at any torque"),
+        ("lift_off", 3.0, "contact pr lifts off, standing"),
+        ("rolling_lift_off", 3.0, "contact pr lifts off, in rolling"),
+        ("rolling_gross_slip", 0.0, "contact pr slips without torque"),
+        ("rolling_no_solution", 3.0, "no steady rolling is found"),
+        ("rolling_no_solution", 0.0, "no steady rolling is found without torque"),
+        ("shakedown_ratio", 3.0, "contact pr above its shakedown limit, in rolling"),
+    ],
+)
+def test_every_limit_has_words(with_cam, limit, torque, said):
+    capacity = JointCapacity(np.asarray(torque), np.asarray(CAPACITY_LIMITS.index(limit)), np.asarray(1))
+    assert capacity_words(with_cam, capacity) == said
 
 
 def test_by_how_much_rows_exceed_their_limits(with_cam):

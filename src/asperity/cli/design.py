@@ -188,6 +188,7 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
 
 
 def _show(result: DesignResult) -> None:
+    from asperity.cli.document_text import print_wrapped
     from asperity.cli.terminal import console
     from asperity.results import RESULTS
     from asperity.study.design.design_result import bounds_words, met_words
@@ -201,13 +202,15 @@ def _show(result: DesignResult) -> None:
         worst += f" and the {problem.worst_case.tolerances} of the tolerances"
     before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
     target.print(f"{problem.goal}{worst}:")
-    target.print(f"  {before} in {problem.joint_file} -> {after}", markup=False)
-    target.print(f"  {met_words(feasible=result.feasible, allowed=result.allowed)}", markup=False)
+    said = [f"{before} in {problem.joint_file} -> {after}"]
+    said.append(met_words(feasible=result.feasible, allowed=result.allowed))
     if result.missed_before:
         missed = "; ".join(limit.text for limit in result.missed_before)
-        target.print(f"  The joint of the file misses: {missed}", markup=False)
+        said.append(f"The joint of the file misses: {missed}")
     if words := bounds_words(result):
-        target.print(f"  The design is held by: {words}", markup=False)
+        said.append(f"The design is held by: {words}")
+    for text in said:
+        print_wrapped(target, f"  {text}", indent=4)
     if result.objective_unrounded is not None:
         target.print(
             f"  {format_quantity(result.objective_unrounded, unit)} before rounding to the stated steps"

@@ -315,6 +315,8 @@ def capacity_words(solved: SolvedJoint, capacity: JointCapacity) -> str:
     limit = CAPACITY_LIMITS[int(capacity.limit)]
     if limit == "none":
         return kind_words(limit, "none")
+    if limit == f"{_IN_ROLLING}no_solution":
+        return "no steady rolling is found" + " without torque" * (float(capacity.output_torque) == 0.0)
     state, place = _state(solved, limit), int(capacity.place)
     if limit in LIMIT_KINDS or limit.startswith(_IN_ROLLING):
         contact = (*solved.row_names("contact"), "none")[min(place, len(solved.row_names("contact")))]

@@ -109,3 +109,12 @@ def test_sizes_are_rounded_to_the_side_that_keeps_the_limits(evaluator, step, le
     assert make.point(rounded)[LENGTH] == pytest.approx(length, rel=1e-12)
     assert make(rounded).violation <= FEASIBLE
     assert told[-1] == (2, 2)
+
+
+def test_a_design_that_misses_a_limit_still_exists_when_it_is_rounded(evaluator):
+    """At 300.004 N rollers have a clearance of 4 nm; 300 N leave none, 299.9 N would overlap."""
+    limits = (Constraint("preload", True, 200.0, (0,)), Constraint("clearance", False, 0.2e-3, (0, 1)))
+    make = evaluator((Objective("mass", 1.0),), limits)
+    point, place = shortened_design(make, make.scaled({PRELOAD: 300.004, LENGTH: 5e-3}), FREE)
+    assert point[PRELOAD] > 300.0
+    assert make.nonexistence(make(place)) <= FEASIBLE

@@ -80,11 +80,7 @@ def rounded_design(
             tried.append(local_optimum(evaluator, design, fixed=fixed)[0])
             count.step()
 
-    def rank(design: np.ndarray) -> tuple[float, float, float]:
-        lack, violation = violation_rank(evaluator, design)
-        return lack, max(violation, FEASIBLE), float(evaluator(design).objective[0].max())
-
-    return min(tried, key=rank), fixed
+    return min(tried, key=lambda design: _rank(evaluator, design)), fixed
 
 
 def shortened_design(
@@ -93,7 +89,7 @@ def shortened_design(
     """The same design with as few digits as keep its limits, each number rounded up or down, shape (n,) [SI].
 
     Four digits or more, so that the objective changes by no more than a thousandth; so may the violation of a design
-    that misses a limit.
+    that misses a limit, which exists before and after.
     """
     exact = evaluator(scaled)
     allowed = FEASIBLE if exact.violation <= FEASIBLE else exact.violation + _SAME
@@ -105,7 +101,8 @@ def shortened_design(
         for place in sorted(places, key=lambda place: _rank(evaluator, place)):
             rounded = evaluator(place)
             changed = np.array([np.max(goal) for goal in rounded.objective]) - objectives
-            if rounded.violation <= allowed and np.all(changed <= _SAME * size):
+            lack = evaluator.nonexistence(rounded) - evaluator.nonexistence(exact)
+            if rounded.violation <= allowed and lack <= FEASIBLE and np.all(changed <= _SAME * size):
                 return _stated(evaluator, place, fixed, digits), place
     return evaluator.point(scaled), scaled
 
@@ -141,10 +138,10 @@ def _one_by_one(evaluator: DesignEvaluator, choices: list[list[float]]) -> np.nd
     return place
 
 
-def _rank(evaluator: DesignEvaluator, place: np.ndarray) -> tuple[float, float]:
-    """Violation, then objective, to be compared."""
-    design = evaluator(place)
-    return max(design.violation, FEASIBLE), float(design.objective[0].max())
+def _rank(evaluator: DesignEvaluator, place: np.ndarray) -> tuple[float, float, float]:
+    """Lack of existence, violation, objective, to be compared."""
+    lack, violation = violation_rank(evaluator, place)
+    return lack, max(violation, FEASIBLE), float(evaluator(place).objective[0].max())
 
 
 def _stated(
