@@ -47,7 +47,7 @@ def test_small_sweep_is_printed_drawn_and_written(tmp_path):
     with pytest.raises(InputError, match="exists already"):
         run("sweep", FILE, *TORQUE, "--out", "s.csv")
     shown = run("sweep", FILE, *TORQUE, "--results", "published")
-    assert re.search(r"beyond\s+standing\s+torque\s+capacity\s*$", shown.output)
+    assert re.search(r"beyond\s+standing\s+capacity\s*$", shown.output)
     assert "published" in shown.output
 
 

@@ -165,7 +165,7 @@ def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts
             "first_row_to_ring",
         )
         assert table["clearance"].row_names == pairs
-    assert table["limiting_contact"].categories == (*contacts, "none")
+    assert table["standing_limiting_contact"].categories == (*contacts, "none")
 
 
 @pytest.mark.slow

@@ -196,7 +196,7 @@ def test_beyond_the_capacity_it_is_not_known_what_the_contacts_feel(named):
     """Nor the capacity that follows from it, which had been that of heights at infinite widths."""
     torques = {"load.output_torque": np.array([2.0, 1e3])}
     status, results = evaluate_points(si_values(named), torques, ("standing_torque_capacity", "speed_ratio"))
-    assert STATUS_NAMES[status[1]] == "beyond_standing_torque_capacity"
+    assert STATUS_NAMES[status[1]] == "beyond_standing_capacity"
     assert np.isfinite(results["standing_torque_capacity"]).tolist() == [True, False]
     assert np.isfinite(results["speed_ratio"]).all()
 
