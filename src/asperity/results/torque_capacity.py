@@ -129,9 +129,8 @@ def capacity_of_direction(solved: SolvedJoint) -> JointCapacity:
 
 def torque_safety(solved: SolvedJoint) -> Any:
     """Torque capacity over the torque, both in the direction of the torque [-]; 0 where there is no capacity."""
-    capacity, torque = capacity_of_direction(solved).output_torque, solved.joint.output_torque
-    xp = namespace(capacity, torque)
-    return xp.where(capacity > 0.0, capacity / abs(xp.asarray(torque, dtype=float)), 0.0)
+    capacity = jnp.asarray(capacity_of_direction(solved).output_torque)
+    return jnp.where(capacity > 0.0, capacity / jnp.abs(jnp.asarray(solved.joint.output_torque)), 0.0)
 
 
 def excesses_of_rows(solved: SolvedJoint) -> Array:
