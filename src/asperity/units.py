@@ -274,3 +274,17 @@ def format_quantity(value_si: float, unit: str, digits: int = 4) -> str:
     shown = re.sub(r"(?:\^|\*\*)([+-]?\d+)", lambda match: match[1].translate(_TO_SUPERSCRIPTS), unit.strip())
     shown = shown.replace("*", "·")
     return number if shown in ("", "1") else f"{number} {shown}"
+
+
+def unit_exponents(unit: str) -> Exponents | None:
+    """Exponents of metre, kilogram, second, radian and kelvin of a product of units; None where it is none.
+
+    Examples
+    --------
+    >>> unit_exponents("N*m"), unit_exponents("furlong")
+    ((2, 1, -2, 0, 0), None)
+    """
+    try:
+        return _parse_unit(unit)[3]
+    except InputError:
+        return None

@@ -32,6 +32,8 @@ OPTIONS = {
     **dict.fromkeys(("spacing", "start", "stop", "form", "degree", "outlier_threshold", "short_cutoff")),
     **dict.fromkeys(("long_cutoff", "shortest_wavelength", "longest_wavelength")),
     "decimal": "auto",
+    "column": None,
+    "no_data": None,
     "any_size": False,
     "missing": "refuse",
     "direction": "x",

@@ -45,6 +45,7 @@ def profile(*, seed=1, points=4096):
         (b'  {"schema": "' + SCHEMA.encode() + b'"}', "m.json", "measurement"),
         (b"x [m],z [m]\n0,1\n", "p.csv", "surface"),
         (b"1.0 2.0\n", "p", "surface"),
+        (b"POINTS = 3\nDX=1.5 um\n" + b"-12,5\n" * 9, "p.txt", "surface"),
         (b"aISO-1.0\r\nManufID = NanoFocus\r\n", "p.sdf", "surface"),
         (b"[DataSet]\nVersion=1\n", "p.ezd", "surface"),
         (b"PK\x03\x04 a = 1\n", "p.x3p", "surface"),

@@ -73,6 +73,11 @@ _length, _stress = _quantity("LENGTH"), _quantity("PRESSURE")
     show_default=True,
     help="Decimal sign of text files.",
 )
+@click.option("--column", help="Column of the heights in a text file, by its heading or its number from 1.")
+@click.option(
+    "--no-data",
+    help="Number that marks missing points in the file, such as -9999, or 'none' if every number is a height.",
+)
 @click.option(
     "--any-size",
     is_flag=True,

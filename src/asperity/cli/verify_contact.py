@@ -22,8 +22,8 @@ _OF_KNOWN = (
 )
 #: Options of 'asperity surface measure' that say how a map is read.
 _OF_MAPS = (
-    *("position_unit", "height_unit", "spacing", "decimal", "any_size", "missing", "form", "degree"),
-    *("outliers", "direction"),
+    *("position_unit", "height_unit", "spacing", "decimal", "column", "no_data", "any_size"),
+    *("missing", "form", "degree", "outliers", "direction"),
 )
 _NOT_READ = ("files", "as_json", "plot", "hardness")
 _OPTIONS = {"dimensions": "dimension", "lowest": "from", "highest": "to"}

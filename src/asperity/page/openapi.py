@@ -202,7 +202,7 @@ def _work_paths() -> Schema:
 
     def upload(summary: str, fields: Schema) -> Schema:
         file = {"type": "string", "format": "binary", "maxLength": LARGEST_SURFACE}
-        units = ("position_unit", "height_unit", "spacing")
+        units = ("position_unit", "height_unit", "spacing", "decimal", "column", "no_data")
         parameters = [_parameter(name, "Where the file does not say it.") for name in units]
         parameters += [
             _parameter(

@@ -38,11 +38,17 @@ _TOML_LINE = re.compile(
     rb"^[ \t]*(\[\[?[^\]\n]+\]\]?[ \t]*(#.*)?|[A-Za-z_][\w.\"-]*[ \t]*=[^=].*)\r?$", re.MULTILINE
 )
 
+#: A row of a table of numbers.
+_ROW = re.compile(rb"^[ \t]*[-+.\d][-+.,;\deE \t]*\r?$", re.MULTILINE)
+
 
 def recognised(content: bytes, name: str) -> Kind:
     """What a file is, by its content; the ending ``.toml`` is taken at its word."""
     beginning = content[:4096].removeprefix(b"\xef\xbb\xbf")
     text = b"\0" not in beginning
+    lines = sum(1 for line in beginning.splitlines() if line.strip())
+    if text and not name.lower().endswith(".toml") and 2 * len(_ROW.findall(beginning)) > lines:
+        return "surface"  # also below lines such as DX = 1.5
     if name.lower().endswith(".toml") or (
         text and signed_format(beginning) is None and _TOML_LINE.search(beginning)
     ):

@@ -42,7 +42,7 @@ export class Uploads {
     if (ok) this.take.opened();
     if (!ok) {
       this.take.fail(found.error, file.name);
-      if (/unit|spacing|missing/i.test(found.error) && !file.name.endsWith(".toml")) this.show(file.name, [element("p", { class: "fail" }, found.error), this.units(file, units)]);
+      if (/unit|spacing|distance of the points|missing|column|decimal/i.test(found.error) && !file.name.endsWith(".toml")) this.show(file.name, [element("p", { class: "fail" }, found.error), this.units(file, units)]);
     } else if (found.kind === "joint") this.take.joint(found);
     else if (found.kind === "design") this.take.design(found);
     else this.measured(found, file, units);
@@ -58,12 +58,15 @@ export class Uploads {
     this.panel.scrollIntoView({ block: "nearest" });
   }
 
-  /** What the file does not say: units, the distance of the points, and what happens with those that are missing. */
+  /** What the file does not say: units, the distance of the points, the column, and what happens with missing points. */
   units(file, given) {
     const fields = [
       ["position_unit", "Unit of positions", "mm"],
       ["height_unit", "Unit of heights", "um"],
       ["spacing", "Distance of the points", "0.5 um"],
+      ["column", "Column of heights", "2"],
+      ["no_data", "Number for no data", "-9999"],
+      ["decimal", "Decimal sign", "point or comma"],
     ].map(([name, text, example]) => {
       const input = element("input", { type: "text", id: `units-${name}`, placeholder: `e.g. ${example}`, value: given[name] || "" });
       return [name, input, element("div", { class: "field" }, element("label", { for: `units-${name}` }, text), input)];
