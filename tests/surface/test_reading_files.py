@@ -216,9 +216,17 @@ def test_positions_are_held_against_the_stated_distance(tmp_path):
 
 
 def test_positions_without_a_unit_have_the_stated_distance(tmp_path):
-    got = read(tmp_path, ["x,z [um]", *rows(step=0.5)], spacing=1.5e-6)
+    got = read(tmp_path, ["x,z [um]", *rows(step=1.5)], spacing=1.5e-6)
     assert got.spacing == 1.5e-6
     assert any("positions without a unit" in note for note in got.notes)
+    with pytest.raises(
+        InputError, match=r"advance by 0\.5, which in no unit of length is the stated distance"
+    ) as refused:
+        read(tmp_path, ["x,z [um]", *rows(step=0.5)], spacing=1.5e-6)
+    assert refused.value.options == ("position-unit",)
+    assert (
+        read(tmp_path, ["x,z [um]", *rows(step=1.0)], spacing=1.5e-6).spacing == 1.5e-6
+    )  # numbers of points
 
 
 @pytest.mark.parametrize("above", ["POINTS=59", "Number of points: 61", "ncols 30", "x-pixels = 12"])

@@ -321,7 +321,15 @@ def _read(path: Path, beginning: bytes, stated: Stated) -> Topography:
     topography = instrument_topography(
         path=path, beginning=beginning, known=known, height_unit=stated.height_unit
     )
-    return with_its_sizes(topography, replace(stated, height_unit=None), path, known.name)
+    position, height = stated.position_unit, stated.height_unit
+    if known.stated and position is not None and stated.metres("position") != stated.metres("height"):
+        raise InputError(
+            f"{path.name} ({known.name}) has one unit of its lengths and heights: {height} is stated, and {position} "
+            "for the positions; leave that out",
+            options=["position-unit"],
+        )
+    as_stated = replace(stated, height_unit=None, position_unit=None if known.stated else position)
+    return with_its_sizes(topography, as_stated, path, known.name)
 
 
 def _check_plausibility(topography: Topography, any_size: bool) -> None:

@@ -126,6 +126,9 @@ _NO_DATA = (
 #: Units that keys have in their names.
 _UNIT_OF_KEY = {"bit2nm": "nm"}
 
+#: Units in which positions may be that state none [m].
+_METRES = (1.0, 1e-2, 1e-3, 1e-6, 1e-9, 1e-10, 2.54e-2, 2.54e-5, 2.54e-8, 0.3048)
+
 
 @dataclass(frozen=True)
 class Claim:
@@ -257,6 +260,7 @@ class Scales:
         spacing = self.stated.spacing
         if spacing is not None and not self._knows_positions(self.table.headings[j] for j in columns):
             found, words = self.step("x", points[0], None)
+            self._refuse_no_unit(measured[0])
             first = spacing if found is None else found
             said = words or "positions without a unit; the distance of the points is the stated one"
             return tuple(first * one / measured[0] for one in measured), said
@@ -268,6 +272,17 @@ class Scales:
             lengths.append(length)
             notes.append(words)
         return tuple(lengths), notes[0]
+
+    def _refuse_no_unit(self, step: float) -> None:
+        """Raise if positions that advance by a step, in no unit, advance by the stated spacing in none at all."""
+        spacing = self.stated.spacing
+        assert spacing is not None
+        if step != 1.0 and not any(_agree(step * unit, spacing) for unit in _METRES):
+            raise InputError(
+                f"{self.table.source}: its positions advance by {step:.6g}, which in no unit of length is the stated "
+                f"distance of the points, {_shown(spacing)}; state their unit in its place",
+                options=["position-unit"],
+            )
 
     def map_steps(
         self, x_step: float | None, y_step: float | None, shape: tuple[int, ...], corner: Heading
@@ -284,6 +299,8 @@ class Scales:
             claims += [self._unit_entry(entry) for entry in self._entries(_UNITS["position"])]
             metres, _ = self._decided("position", [claim for claim in claims if claim is not None])
         measured = [None if one is None or metres is None else one * metres for one in (x_step, y_step)]
+        if has_axes and metres is None and x_step is not None:
+            self._refuse_no_unit(x_step)
         along, words = self.step("x", shape[1], measured[0])
         across, more = self.step("y", shape[0], measured[1])
         along = self.stated.spacing if along is None else along

@@ -115,8 +115,9 @@ def table_layout(text: str, *, source: str, decimal: str, fewest_rows: int = _FI
     values, corner, numbers = _plain_numbers(rows, dialect, width), "", np.array(places, dtype=np.int64) + 1
     if values is None:
         values, corner = _numbers(rows, places, dialect, width, source)
-    gaps = np.flatnonzero(np.diff(places) > 1) if not inside and not _is_double_spaced(places) else []
-    first_gap = places[int(gaps[0])] + 2 if len(gaps) else 0
+    gaps = np.flatnonzero(np.diff(places) > 1)
+    has_gap = bool(gaps.size) and not inside and not _is_double_spaced(places)
+    first_gap = places[int(gaps[0])] + 2 if has_gap else 0
     return Layout(dialect, values, numbers, corner, above, below, inside, first_gap)
 
 
