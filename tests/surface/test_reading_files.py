@@ -66,6 +66,7 @@ def same(got, expected=1e-9 * COUNTS):
         ["position [mm]\theight [um]"],
         ["Lateral Millimeters,Raw Micrometers"],
         ["position [mm],Profile 1 [um]"],
+        ["position [mm] height [um]"],
         ["Meßlänge: 4 mm", "Cut-off (mm): 0.8", MM],
     ],
 )
@@ -402,6 +403,48 @@ def test_more_than_one_column_of_heights_asks_which(tmp_path):
     with pytest.raises(InputError, match="more than one column may hold the heights"):
         read(tmp_path, lines, **bare, spacing=1.5e-6)
     same(read(tmp_path, lines, **bare, column="2"))
+
+
+def test_pairs_side_by_side_have_their_own_positions(tmp_path):
+    lines = [
+        f"{row},{0.004 * i:.3f},{2.0 * z:.4f}"
+        for i, (row, z) in enumerate(zip(rows(), COUNTS / 1000, strict=True))
+    ]
+    lines = ["x1 [mm],z1 [um],x2 [mm],z2 [um]", *lines]
+    with pytest.raises(InputError, match=r"column 2 'z1 .*column 4 'z2"):
+        read(tmp_path, lines)
+    for column, spacing, scale in (("z1", 1.5e-6, 1.0), ("z2", 4e-6, 2.0)):
+        got = read(tmp_path, lines, column=column)
+        same(got, scale * 1e-9 * COUNTS)
+        assert got.spacing == pytest.approx(spacing)
+
+
+def test_what_is_stated_and_has_no_meaning_is_said(tmp_path):
+    got = read(tmp_path, heights(), height_unit="um", spacing=1e-6, position_unit="mm")
+    assert "the stated unit of the positions is not used: the file has none" in got.notes
+    np.save(tmp_path / "a.npy", COUNTS)
+    options = {"path": tmp_path / "a.npy", "height_unit": "nm", "spacing": 1e-6}
+    notes = read_surface(**options, position_unit="mm", decimal="comma").notes
+    assert [note.rsplit(":", 1)[0] for note in notes] == [
+        "the stated unit of the positions is not used",
+        "the stated decimal sign is not used",
+    ]
+    with pytest.raises(InputError, match="has no column '2'"):
+        read_surface(**options, column="2")
+
+
+def test_an_array_of_pairs_is_a_profile(tmp_path):
+    pairs = np.stack([1.5 * np.arange(60), COUNTS], axis=1)
+    for array in (pairs, pairs[:, ::-1], pairs.T):
+        np.save(tmp_path / "a.npy", array)
+        got = read_surface(path=tmp_path / "a.npy", position_unit="um", height_unit="nm")
+        same(got)
+        assert got.spacing == pytest.approx(1.5e-6)
+        same(read_surface(path=tmp_path / "a.npy", spacing=1.5e-6, height_unit="nm"))
+    with pytest.raises(InputError, match=r"distance of the points of 1\.5e-06 m, not 2e-06 m"):
+        read_surface(path=tmp_path / "a.npy", position_unit="um", height_unit="nm", spacing=2e-6)
+    with pytest.raises(InputError, match="give the units of both"):
+        read_surface(path=tmp_path / "a.npy", height_unit="nm")
 
 
 def test_a_single_column_of_lengths_beside_others_is_the_heights(tmp_path):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,17 @@ def numpy_topography(*, path: Path, stated: Stated) -> Topography:
         raise InputError(
             f"{path.name} holds an array {array.shape} of {array.dtype}; a line or grid of real numbers is needed"
         )
+    if stated.column is not None:
+        raise InputError(
+            f"{path.name} is an array, which has no column '{stated.column}'; do not state it",
+            options=["column"],
+        )
+    topography = _topography(array, stated, path)
+    return topography.with_heights(topography.heights, stated.unused_decimal())
+
+
+def _topography(array: NDArray[Any], stated: Stated, path: Path) -> Topography:
+    """The surface that an array of numbers holds."""
     if array.ndim == 2 and 2 in array.shape and max(array.shape) > 3:
         pairs = np.array(array if array.shape[1] == 2 else array.T, dtype=np.float64)
         ramps = [is_ramp(pairs[:, j]) for j in (0, 1)]
@@ -43,6 +55,8 @@ def numpy_topography(*, path: Path, stated: Stated) -> Topography:
     with np.errstate(over="ignore", invalid="ignore"):
         heights = heights * height
     across = stated.spacing if heights.ndim == 2 else None
+    if stated.position_unit is not None:
+        notes = (*notes, "the stated unit of the positions is not used: the array has none")
     return Topography(heights, stated.spacing, across, source=path.name, notes=notes)
 
 

@@ -155,7 +155,8 @@ def _map(table: TextTable, scales: Scales) -> Topography:
     heights, notes = _scaled(scales, 0, axes.heights)
     corner = heading_of(table.corner)
     spacings, words = scales.map_steps(axes.x_step, axes.y_step, axes.heights.shape, corner)
-    return _topography(heights, spacings, table, (*words, *axes.notes, *notes))
+    unused = scales.unused() if axes.x_step is None and axes.y_step is None else ()
+    return _topography(heights, spacings, table, (*words, *axes.notes, *notes, *unused))
 
 
 def _heights_alone(table: TextTable, column: int, scales: Scales) -> Topography:
@@ -186,6 +187,7 @@ def _heights_alone(table: TextTable, column: int, scales: Scales) -> Topography:
         return _topography(heights.reshape(shape), spacings, table, (*more, stated, first, *notes))
     scales.refuse_other_counts(len(heights), 1)
     step, words = scales.step("x", len(heights), None)
-    if step is None and spacing is None:
+    step = spacing if step is None else step
+    if step is None:
         raise scales.no_spacing()
-    return _topography(heights, (spacing if step is None else step,), table, (first, words, *notes))  # type: ignore[arg-type]
+    return _topography(heights, (step,), table, (first, words, *notes, *scales.unused()))

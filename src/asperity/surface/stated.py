@@ -56,6 +56,12 @@ class Stated:
             )
         return mark
 
+    def unused_decimal(self) -> str:
+        """A note that the decimal sign has no meaning for a file that is no text; empty where none is stated."""
+        return (
+            "" if self.decimal == "auto" else "the stated decimal sign is not used: it is that of text files"
+        )
+
     def metres(self, what: str) -> float | None:
         """The stated unit of what is measured, position or height [m]; None where none is stated."""
         unit = self.position_unit if what == "position" else self.height_unit
@@ -85,5 +91,4 @@ def with_its_sizes(topography: Topography, stated: Stated, path: Path, kind: str
             "not state it",
             options=["spacing"],
         )
-    unused = "the stated decimal sign is not used: it is that of text files"
-    return topography.with_heights(topography.heights, "" if stated.decimal == "auto" else unused)
+    return topography.with_heights(topography.heights, stated.unused_decimal())

@@ -110,7 +110,7 @@ def _heights(table: TextTable, kinds: Sequence[str], left: Sequence[int]) -> int
 def _kind(heading: Heading) -> str:
     """What the name of a column says: x, y, z, valid, invalid, index, or nothing that is known."""
     name = heading.name.lower()
-    words = set(re.split(r"[\W_]+", name)) - {""}
+    words = {word.rstrip("0123456789") for word in re.split(r"[\W_]+", name)} - {""}
     joined = re.sub(r"[\W_]", "", name)
     if "invalid" in name or "valid" in name:
         return "invalid" if "invalid" in name else "valid"
@@ -133,6 +133,10 @@ def _positions(
     """The columns of positions along x and y: by their names, or else the one that advances evenly."""
     left = [j for j in rest if j != chosen]
     x, y = (next((j for j in left if kinds[j] == kind), None) for kind in ("x", "y"))
+    if chosen is not None:
+        x = max(
+            (j for j in left if kinds[j] == "x" and j < chosen), default=x
+        )  # of pairs side by side, its own
     if len(rest) == 1:
         return None, None
     if x is not None and y is not None and len(rest) > 2:

@@ -312,6 +312,14 @@ class Scales:
             equal = "rows and columns taken as equally spaced" if y_step is None else ""
         return (along, across), (equal, words, more)
 
+    def unused(self) -> tuple[str, ...]:
+        """A note of the stated unit of the positions where a file has none."""
+        steps = (*_STEP["x"], *_STEP["y"], *_LENGTH["x"], *_LENGTH["y"])
+        used = any(entry.number is not None and not entry.unit for entry in self._entries(steps))
+        return ("the stated unit of the positions is not used: the file has none",) * (
+            self.stated.position_unit is not None and not used
+        )
+
     def no_spacing(self) -> InputError:
         """That the distance of the points is not known."""
         table = self.table

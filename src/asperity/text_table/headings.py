@@ -69,17 +69,19 @@ def heading_fields(text: str, dialect: Dialect, width: int) -> list[str] | None:
     for separator in dict.fromkeys((dialect.separator, *_SEPARATORS)):
         if separator == "," and dialect.comma and dialect.separator == ";":
             continue
-        fields = Dialect(separator, dialect.comma).fields(plain)
-        while len(fields) > width and not fields[-1]:
-            fields = fields[:-1]
-        if separator is None and dialect.separator is not None and not _is_row_of_units(fields):
-            continue  # words of a sentence
-        if len(fields) == width and any(_WORD.search(field) for field in fields):
-            return None if any(map(_has_number, fields)) and not _all_state_units(fields) else fields
+        divided = [Dialect(separator, dialect.comma).fields(plain)]
         if separator is None and width > 1:
-            fields = re.split(r"\s{2,}", plain.strip())  # names of several words, under each other
-            if len(fields) == width and not any(map(_has_number, fields)):
-                return fields
+            # names of several words, under each other, and units that follow a name after a blank
+            divided += [re.split(split, plain.strip()) for split in (r"\s{2,}", r"\s+(?![\[({<])")]
+        for fields in divided:
+            while len(fields) > width and not fields[-1]:
+                fields = fields[:-1]
+            if len(fields) != width or not any(_WORD.search(field) for field in fields):
+                continue
+            states_units = _is_row_of_units(fields) or _all_state_units(fields)
+            if separator is None and dialect.separator is not None and not states_units:
+                continue  # words of a sentence
+            return None if any(map(_has_number, fields)) and not _all_state_units(fields) else fields
     return None
 
 
