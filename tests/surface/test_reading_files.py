@@ -230,6 +230,15 @@ def test_positions_without_a_unit_have_the_stated_distance(tmp_path):
     )  # numbers of points
 
 
+@pytest.mark.parametrize("metres", [1.0, 1e-2, 1e-3, 1e-6, 1e-9, 1e-10, 0.0254, 2.54e-5, 2.54e-8, 0.3048])
+def test_the_stated_distance_fits_positions_in_any_unit(tmp_path, metres):
+    step = 1.5e-6 / metres
+    lines = ["x,z [um]", *(f"{step * i:.9e},{z:.4f}" for i, z in enumerate(COUNTS / 1000.0))]
+    assert read(tmp_path, lines, spacing=1.5e-6).spacing == 1.5e-6
+    with pytest.raises(InputError, match="in no unit of length"):
+        read(tmp_path, lines, spacing=1.035 * 1.5e-6)
+
+
 @pytest.mark.parametrize("above", ["POINTS=59", "Number of points: 61", "ncols 30", "x-pixels = 12"])
 def test_other_numbers_of_points_than_stated_are_refused(tmp_path, above):
     with pytest.raises(InputError, match=r"line 1, .* speaks of .* points"):
@@ -536,8 +545,11 @@ def test_two_tables_are_refused(tmp_path):
         read(tmp_path, [*twice, "", *twice], position_unit="mm", height_unit="um")
     y, x = np.mgrid[0:9, 0:12]
     table = [f"{a} {b} {z:g}" for a, b, z in zip(x.ravel(), y.ravel(), GRID.ravel(), strict=True)]
-    with pytest.raises(InputError, match=r"do not fill|two heights at one place"):
+    with pytest.raises(InputError, match=r"108 rows|216 rows"):
         read(tmp_path, [*table, *table], position_unit="um", height_unit="nm")
+    twice_at_a_place = [*table[:-12], *table[:3]]
+    with pytest.raises(InputError, match="two heights at one place"):
+        read(tmp_path, [*twice_at_a_place, table[-1]], position_unit="um", height_unit="nm")
 
 
 def test_blank_lines_of_doubled_line_ends_and_of_blocks_of_a_grid_are_nothing(tmp_path):

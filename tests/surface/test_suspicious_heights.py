@@ -62,3 +62,11 @@ def test_steps_and_pits_are_surfaces():
     assert note.startswith(
         f"{100.0 * np.mean(worn == 0.5):.3g} % of the points stand at the highest height, 0.05 um"
     )
+
+
+def test_heights_that_dwell_at_their_ends_were_not_cut_off():
+    """A sine dwells at its ends: an outermost level holds about as many points as the next one, and many."""
+    levels = np.round(25.0 * np.sin(np.linspace(0.0, 200.0, 20_000)))
+    assert 0.3 < np.sum(levels == 25.0) / np.sum(levels == 24.0) < 4.0
+    assert end_notes(Topography(1e-9 * levels, 1e-6)) == ()
+    assert len(end_notes(Topography(1e-9 * np.clip(levels, -15.0, 20.0), 1e-6))) == 2

@@ -263,7 +263,7 @@ class Scales:
             self._refuse_no_unit(measured[0])
             first = spacing if found is None else found
             said = words or "positions without a unit; the distance of the points is the stated one"
-            return tuple(first * one / measured[0] for one in measured), said
+            return tuple(first * (one / measured[0]) for one in measured), said
         lengths, notes = [], []
         for axis, column, one, count in zip(("x", "y"), columns, measured, points, strict=False):
             metres, words = self.unit("position", column)
