@@ -10,11 +10,13 @@ Pounds and ounces are masses. Beside a length they are forces where a mass makes
 ``lb*in`` is a torque, ``lb*in^2`` a moment of inertia.
 """
 
+import contextlib
 import functools
 import math
 import re
 
 from asperity.errors import InputError, quoted
+from asperity.hardness_scales import other_scale_words, vickers_of_rockwell
 from asperity.unit_table import TORQUE_UNITS, Dimension, Exponents, Unit, unit_table
 
 __all__ = ["Dimension", "format_quantity", "from_si", "parse_quantity", "parse_tolerance"]
@@ -30,6 +32,7 @@ _NUMBER = r"(?a:([+-]?)(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?(?![\d.]))"
 _TERM = r"\s*(\.?-|[*/.]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|°C|[%°℃])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
 _ARC = r"\barc\s*[-.]?\s*(?=min|sec)"
 _PLUS_MINUS = r"±|\+\s?/?\s?-"
+_HARDNESS = r"\s*(H[VK]|HR[A-K]|HBW?|HBS|HL[A-Z]*|HSD?)\s*[\d./]*\s*"  # scale, and the load of the test
 _PER_MINUTE = r"\s*(1?\s*/\s*min|min\s*((\^|\*\*)\s*-1|⁻¹))\s*"
 #: Dimension asked, exponents of what is often written instead → what to do.
 _REMEDIES: dict[tuple[Dimension, Exponents], str] = {
@@ -209,6 +212,15 @@ def _exact(number: str) -> tuple[int, int]:
     return mantissa * 10 ** max(power, 0), 10 ** max(-power, 0)
 
 
+def _vickers(number: str, scale: str) -> tuple[int, int]:
+    """The Vickers number of a hardness by a scale, as numerator and denominator."""
+    if scale == "HV":
+        return _exact(number)
+    if scale != "HRC":
+        raise InputError(other_scale_words(scale, float(number)))
+    return vickers_of_rockwell(rockwell_c=float(number)).as_integer_ratio()
+
+
 def parse_quantity(text: object, dimension: Dimension, *, example: str | None = None) -> float:
     """Value of a quantity in SI units (radians for angles) from a text such as ``"13.5 mm"``.
 
@@ -249,6 +261,14 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
             f"expected {dimension.label} with its unit ({example}), got the bare number '{text}'"
         )
     top, bottom = _exact(number)
+    scale = re.fullmatch(_HARDNESS, unit_text)
+    if scale is not None and dimension is Dimension.HARDNESS:
+        top, bottom = _vickers(number, scale[1])
+        unit_text = "HV"
+    elif scale is not None:
+        raise InputError(f"expected {dimension.label} ({example}), got a hardness in '{text}'")
+    elif re.search(r"\bHV\b", unit_text):
+        raise InputError(f"cannot read '{text}': HV stands alone, as in '700 HV'")
     numerator, denominator, pi_power, exponents = _parse_unit(unit_text)
     if dimension is Dimension.TEMPERATURE and re.search(r"\b(K|kelvins?)\b", unit_text):
         top, bottom = 100 * top - 27315 * bottom, 100 * bottom  # 0 degC is 273.15 K
@@ -288,10 +308,29 @@ def parse_tolerance(text: object, dimension: Dimension, *, example: str | None =
         raise InputError(f"expected {wanted}, got '{text[:LONGEST_TEXT]}', which has not exactly one '+-'")
     spread = Dimension.TEMPERATURE_RISE if dimension is Dimension.TEMPERATURE else dimension
     value = parse_quantity(parts[0], dimension, example=example)
+    if dimension is Dimension.HARDNESS:
+        _refuse_rockwell(*parts)
     tolerance = parse_quantity(parts[1], spread, example=example)
     if tolerance < 0.0:
         raise InputError(f"expected {wanted}, got the negative tolerance '{parts[1].strip()}'")
     return value, tolerance
+
+
+def _refuse_rockwell(value: str, tolerance: str) -> None:
+    """Raise if a tolerance is in HRC, whose steps are unlike pressures."""
+    number, unit = re.match(_NUMBER, tolerance.strip()), tolerance.strip()[-3:]
+    if unit != "HRC" or number is None:
+        return
+    ends = ""
+    if value.strip().endswith("HRC"):
+        middle, half = float(value.strip()[:-3]), abs(float(number.group()))
+        with contextlib.suppress(InputError):
+            low, high = (vickers_of_rockwell(rockwell_c=middle + side * half) for side in (-1.0, 1.0))
+            ends = f"{middle - half:g} HRC are {low:.0f} HV and {middle + half:g} HRC {high:.0f} HV: "
+    raise InputError(
+        f"'{value.strip()} +- {tolerance.strip()}': {ends}a tolerance in HRC is uneven in pressure; state the "
+        "tolerance in HV or as a pressure"
+    )
 
 
 def from_si(value_si: float, unit: str) -> float:

@@ -55,7 +55,7 @@ class MaterialEntry(Section):
     hardness_factor: Annotated[Quantity, limits.HARDNESS_FACTOR] | None = None
     """Hardness over yield strength, k_H; 2.8 for a blunt indenter in a ductile metal."""
     hardness: Annotated[Quantity, limits.HARDNESS] | None = None
-    """Indentation hardness as a pressure."""
+    """Indentation hardness as a pressure; in HV, 9.80665 MPa each, or in HRC of steel, by ASTM E140, as well."""
     thermal_conductivity: Annotated[Quantity, limits.THERMAL_CONDUCTIVITY] | None = None
     """Thermal conductivity, for the flash temperature of the contacts."""
     specific_heat_capacity: Annotated[Quantity, limits.SPECIFIC_HEAT_CAPACITY] | None = None
