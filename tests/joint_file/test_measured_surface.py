@@ -14,6 +14,7 @@ from asperity.errors import InputError
 from asperity.joint.description import contact_values
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.decay_ratios import _decay_ratio
 from asperity.joint_file.drawn_surface import with_measured_surface
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.felt_heights import Felt, assumed_heights
@@ -322,7 +323,11 @@ def pressed(spectrum, *, scale=1.0, hardness=0.05, pressure=(1e-4, 2e-2)):
 
 @pytest.mark.slow
 def test_the_measured_law_by_hand(example_case, isotropic_map):
-    """K_n of u, that of the table at N/(2 b L E) times the heights of the exponential law; both ends of its error."""
+    """K_n of u, that of the table times the heights of the exponential law; both ends of its error.
+
+    Both bodies are alike: heights and pressures scale together, so that the table of one has u/h at N/(2 b L E) over
+    the square root of 2.
+    """
     made = case_with_surface(stated(example_case, "measured"), roughness(pressed(isotropic_map)))
     assert made.contact_law() == "measured"
     by_heights = case_with_surface(example_case, roughness(isotropic_map)).surface
@@ -332,7 +337,7 @@ def test_the_measured_law_by_hand(example_case, isotropic_map):
     length = case_lengths(example_case)
     steel = joint.materials[0]
     modulus = float(steel.youngs_modulus) / (2.0 * (1.0 - float(steel.poisson_ratio) ** 2))
-    share = np.log(force / (width * length * modulus) / 1e-4) / np.log(200.0)
+    share = np.log(force / (width * length * modulus) / math.sqrt(2.0) / 1e-4) / np.log(200.0)
     ratio = np.exp(
         (1.0 - share) * np.log(0.5) + share * np.log(0.3)
     )  # of two loads monotone cubics are lines
@@ -382,11 +387,29 @@ def test_what_the_table_does_not_have_is_said(example_case, isotropic_map):
     far = pressed(isotropic_map, pressure=(1e-6, 1e-5), hardness=0.5)
     told = " ".join(case_with_surface(case, roughness(far)).measured.assumed)
     assert "the pressure of sp, pwr, pwl, wro, wlo is outside of what boundary elements have" in told
-    assert "of the measurement, while the softer body has: sp" in told
+    assert "has another hardness than the softer body" in told
     one, other = pressed(isotropic_map, scale=0.6), pressed(isotropic_map, scale=0.8)
     both = case_with_surface(case, roughness(one, other)).measured.ratios["surface.sp"][1]
     alone = case_with_surface(case, roughness(pressed(isotropic_map))).measured.ratios["surface.sp"][1]
     assert both / alone == pytest.approx(math.sqrt((0.36 + 0.64) / 2.0), rel=0.01)  # squares of bodies add
+
+
+def test_two_bodies_alike_are_a_rougher_one_under_less_pressure(isotropic_map):
+    """The decay ratio of the pair at p is that of the map at p/sqrt(2); beside a smooth body it is that at p."""
+    table = pressed(isotropic_map)
+    twin, smooth = dataclasses.replace(table, bodies=2), (1e-14, 1e-24)
+    for pressure in (5e-4, 2e-3, 9e-3):
+        at = 0.5 * (0.3 / 0.5) ** (math.log(pressure / math.sqrt(2.0) / 1e-4) / math.log(200.0))
+        for spectra, squares in (((twin,), (2e-14,)), ((table, table), (1e-14, 1e-14))):
+            ratio, error = _decay_ratio(spectra, squares, pressure, capped=False)
+            assert ratio == pytest.approx(math.sqrt(0.51 / 0.5) * at * math.sqrt(0.5 / 0.51), rel=1e-6)
+            # one table of both is known no better than one
+            alone = table.pressed.decay_ratio(pressure=pressure / math.sqrt(2.0), capped=False)[1]
+            assert error == pytest.approx(alone / math.sqrt(len(spectra)), rel=1e-6)
+        beside, _ = _decay_ratio((table, table), smooth, pressure, capped=False)
+        assert beside == pytest.approx(
+            table.pressed.decay_ratio(pressure=pressure, capped=False)[0], rel=1e-6
+        )
 
 
 @pytest.mark.slow
