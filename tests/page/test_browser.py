@@ -146,6 +146,10 @@ def test_a_unit_is_chosen_and_kept(page):
         ("293.15 K", "a temperature", "degC", None, "20 degC"),
         ("5 N·m", "a torque", "N*mm", None, "5000 N*mm"),
         ("5 N m", "a torque", "N*mm", None, "5000 N*mm"),
+        ("5 N-m", "a torque", "N*mm", None, "5000 N*mm"),
+        ("5 lbf.in", "a torque", "lbf*in", None, "5 lbf.in"),
+        ("3 arc-min", "an angle", "arcsec", None, "180 arcsec"),
+        ("8 N-m/arc-min", "a torsional stiffness", "N*m/arcmin", None, "8 N-m/arc-min"),
         ("2 inches", "a length", "mm", 0.0508, "50.8 mm"),
         ("2 inches", "a length", "mm", None, None),
         ("0.2 1/MPa", "a reciprocal pressure", "1/GPa", None, "200 1/GPa"),
@@ -397,6 +401,8 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
     assert page.locator("#use-surface").is_disabled()
     page.locator("#surface-lay").select_option("axis")
     page.wait_for_selector("#use-surface:enabled", timeout=300_000)
+    # it is of one body, unless it is said to be of both together
+    assert page.locator("#surface-measurement_of").input_value() == "body"
     before = card(page)
     do(page, page.locator("#use-surface").click)
     assert page.locator("#error").is_hidden()
@@ -405,7 +411,7 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
     assert "exponential\nused here" in levels
     assert "zou_2025" in levels
     assert "Interval of the contact law, and of the rms of the heights" in levels
-    assert "Measured: profile.csv." in page.locator("details[data-group=surface]").inner_text()
+    assert "Each body as measured: profile.csv." in page.locator("details[data-group=surface]").inner_text()
     assert field(page, "surface.fractal_dimension").count() == 0
     # the saved file makes the same joint of the saved measurement, the link too
     surfaces = page.locator("details[data-group=surface]")

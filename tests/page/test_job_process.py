@@ -130,4 +130,6 @@ def test_a_measurement_document_is_read_as_it_is(tmp_path):
     path.write_text(json.dumps(document), encoding="utf-8")
     found = run("measure", path, document=True)
     assert found["fractal_dimension"] == 1.4
-    assert found == json.loads(path.read_text(encoding="utf-8"))
+    assert found == json.loads(path.read_text(encoding="utf-8")) | {"measurement_of": "body"}
+    of_pair = run("measure", path, document=True, measurement_of="pair")
+    assert of_pair == found | {"measurement_of": "pair"}

@@ -49,7 +49,7 @@ def _quantity(dimension: str) -> Callable[..., float | None]:
     return read
 
 
-_length, _stress = _quantity("LENGTH"), _quantity("PRESSURE")
+_length, _hardness = _quantity("LENGTH"), _quantity("HARDNESS")
 
 
 @surface.command("measure")
@@ -143,7 +143,7 @@ _length, _stress = _quantity("LENGTH"), _quantity("PRESSURE")
 )
 @click.option(
     "--hardness",
-    callback=_stress,
+    callback=_hardness,
     help='Press a map by boundary elements, elastic and with no pressure above this hardness, such as "7 GPa", of the '
     'softer body on steel: what a joint with model.contact_law = "measured" takes.',
 )

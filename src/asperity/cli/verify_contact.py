@@ -133,7 +133,7 @@ def verify_contact(
         _verify_map(
             surface_file,
             moduli=(read_option("youngs-modulus", youngs_modulus, Dimension.PRESSURE), poisson_ratio),
-            hardness=read_option("hardness", hardness, Dimension.PRESSURE),
+            hardness=read_option("hardness", hardness, Dimension.HARDNESS),
             points=points,
             plot_file=plot_file,
             as_json=as_json,
@@ -144,8 +144,8 @@ def verify_contact(
         read_option(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
     ]
     stresses = [
-        read_option(name, text, Dimension.PRESSURE)
-        for name, text in (("youngs-modulus", youngs_modulus), ("hardness", hardness))
+        read_option("youngs-modulus", youngs_modulus, Dimension.PRESSURE),
+        read_option("hardness", hardness, Dimension.HARDNESS),
     ]
     if loads < 1 or not 0.0 < lowest <= highest < 1.0:
         raise InputError(

@@ -161,11 +161,11 @@ def design_words(result: DesignResult) -> dict[str, Any]:
 def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
     from asperity.surface.height_spectrum import with_lay
     from asperity.surface.measure_files import files_document, measured_files
-    from asperity.surface.measured_roughness import read_roughness, roughness_document
+    from asperity.surface.measured_roughness import measurement_of, read_roughness, roughness_document
 
-    lay = options.get("lay")
+    lay, of = options.get("lay"), options.get("measurement_of")
     if options.get("document"):
-        roughness = read_roughness(path=file)
+        roughness = measurement_of(read_roughness(path=file), of)
         spectra = (one if one.is_map or one.lay else with_lay(one, lay) for one in roughness.spectra)
         return roughness_document(replace(roughness, spectra=tuple(spectra)))
     with contextlib.suppress(ImportError, ValueError, OSError):
@@ -191,4 +191,4 @@ def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, An
         longest_wavelength=None,
         **dict.fromkeys(left_out),
     )
-    return files_document(measured)
+    return files_document(measured) | {"measurement_of": measurement_of(measured.roughness, of).of}

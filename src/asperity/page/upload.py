@@ -18,6 +18,7 @@ from asperity.surface.file_formats import signed_format
 from asperity.surface.height_spectrum import LAYS
 from asperity.surface.measured_roughness import roughness_document, roughness_from_document
 from asperity.surface.measurement import SCHEMA
+from asperity.surface.measurement_of import WORDS
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -29,7 +30,12 @@ LARGEST_SURFACE = 64 * 1024**2
 LONGEST_MEASUREMENT = 120.0
 
 #: Choices of a measurement → their words.
-_WORDS = {"lay": LAYS, "direction": ("x", "y"), "missing": ("refuse", "longest", "interpolate")}
+_WORDS = {
+    "lay": LAYS,
+    "direction": ("x", "y"),
+    "missing": ("refuse", "longest", "interpolate"),
+    "measurement_of": WORDS,
+}
 
 Kind = Literal["joint", "design", "measurement", "surface"]
 
@@ -145,8 +151,8 @@ def measured_upload(
 ) -> dict[str, Any]:
     """The measurement of the file of an instrument, or one made before, and the ``surface`` that a joint takes of it.
 
-    ``units``: also the ``lay`` of a profile, the ``direction`` in which a contact rolls over a map, and what happens
-    with ``missing`` points; empty if not stated.
+    ``units``: also the ``lay`` of a profile, the ``direction`` in which a contact rolls over a map, what happens with
+    ``missing`` points, and of what the measurement is, ``measurement_of``; empty if not stated.
     """
     refuse_downloads(content, name)
     options: dict[str, Any] = {key: value for key, value in units.items() if value}

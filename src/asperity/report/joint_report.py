@@ -219,6 +219,8 @@ def _appendix(source: ReportSource) -> Iterator[Block]:
     """The files from which the report can be made again."""
     files = [Path(name).name for name in (source.case.measured.files if source.case.measured else ())]
     surfaces = [] if files else ["--surface"] * len(source.measurement_texts)
+    if len(surfaces) == 1 and source.case.measured.measured.of == "pair":
+        surfaces.append("--measurement-of pair")
     option = "".join(f" {word}" for word in (*source.studies.options, *surfaces))
     yield Heading("Joint file")
     yield Paragraph(
