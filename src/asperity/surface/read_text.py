@@ -15,7 +15,7 @@ from asperity.surface.instrument_text import instrument_text_topography, is_inst
 from asperity.surface.map_axes import map_axes, refuse_wrapped
 from asperity.surface.stated import Stated, with_its_sizes
 from asperity.surface.text_columns import Columns, columns_of, equal_spacing
-from asperity.surface.text_scales import Scales
+from asperity.surface.text_scales import KNOWN_KEYS, Scales
 from asperity.surface.topography import Topography
 from asperity.text_table.decoding import decoded
 from asperity.text_table.headings import heading_of
@@ -23,8 +23,6 @@ from asperity.text_table.text_table import TextTable, text_table
 
 #: Largest text file that is read [bytes].
 LARGEST_TEXT = 512 * MEBIBYTE
-#: Lines around a table that are shown one by one.
-_SHOWN_LINES = 2
 
 
 def text_topography(*, path: Path, stated: Stated) -> Topography:
@@ -55,20 +53,9 @@ def text_topography(*, path: Path, stated: Stated) -> Topography:
         topography = _profile(table, columns, columns.x, scales)
     else:
         topography = _heights_alone(table, columns.heights, scales)
-    return dataclasses.replace(topography, notes=(*topography.notes, *columns.notes, *_left_out(table)))
-
-
-def _left_out(table: TextTable) -> tuple[str, ...]:
-    """Notes of the lines of a file that were not used."""
-    counts = [line for line in table.unused if line.text.strip() == str(len(table.values))]
-    notes = [f"{line} counts the points" for line in counts]
-    others = [line for line in table.unused if line not in counts]
-    for lines, where in ((others, "around the table"), (table.inside, "between the rows")):
-        if not lines:
-            continue
-        more = f" and {len(lines) - _SHOWN_LINES} more" if len(lines) > _SHOWN_LINES else ""
-        notes.append(f"not used {where}: {', '.join(map(str, lines[:_SHOWN_LINES]))}{more}")
-    return tuple(notes)
+    return dataclasses.replace(
+        topography, notes=(*topography.notes, *columns.notes, *table.left_out(KNOWN_KEYS))
+    )
 
 
 def _scaled(

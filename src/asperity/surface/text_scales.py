@@ -123,6 +123,13 @@ _NO_DATA = (
     ),
     *("fillvalue", "nanvalue"),
 )
+#: All keys that mean something.
+KNOWN_KEYS = frozenset(
+    (
+        *(*_COLUMNS, *_ROWS, *_POINTS, *_LENGTH["x"], *_LENGTH["y"], *_STEP["x"], *_STEP["y"]),
+        *(*_UNITS["position"], *_UNITS["height"], *_COUNT, *_RESOLUTION, *_NO_DATA),
+    )
+)
 #: Units that keys have in their names.
 _UNIT_OF_KEY = {"bit2nm": "nm"}
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,9 @@ from numpy.typing import NDArray
 from asperity.text_table.entries import Entry, entries
 from asperity.text_table.headings import Heading, column_headings
 from asperity.text_table.layout import Dialect, Line, finite_or_missing, table_layout
+
+#: Lines around a table that are shown one by one.
+_SHOWN_LINES = 2
 
 
 @dataclass(frozen=True)
@@ -43,6 +47,20 @@ class TextTable:
         """Its size in words."""
         rows, columns = self.values.shape
         return f"{rows} rows of {columns} column{'' if columns == 1 else 's'}"
+
+    def left_out(self, known: Collection[str]) -> tuple[str, ...]:
+        """Notes of the lines of a file that were not used; ``known`` are the keys of entries that are."""
+        counts = [line for line in self.unused if line.text.strip() == str(len(self.values))]
+        notes = [f"{line} counts the points" for line in counts]
+        others = {line for line in self.unused if line not in counts}
+        others |= {entry.line for entry in self.entries if entry.key not in known}
+        around = sorted(others, key=lambda line: line.number)
+        for lines, where in ((around, "around the table"), (self.inside, "between the rows")):
+            if not lines:
+                continue
+            more = f" and {len(lines) - _SHOWN_LINES} more" if len(lines) > _SHOWN_LINES else ""
+            notes.append(f"not used {where}: {', '.join(map(str, lines[:_SHOWN_LINES]))}{more}")
+        return tuple(notes)
 
 
 def text_table(text: str, *, source: str, decimal: str = "auto", fewest_rows: int = 3) -> TextTable:

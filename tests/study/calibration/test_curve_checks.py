@@ -85,7 +85,7 @@ def test_noise_without_a_slope_is_no_wrong_sign():
 @pytest.mark.parametrize(
     ("angle", "message"),
     [
-        ([359.9, 359.95, 0.0, 0.05], r"from row 2 of the numbers to row 3 the angle jumps by -359\.95 deg, a turn: .*"
+        ([359.9, 359.95, 0.0, 0.05], r"from row 2 to row 3 the angle jumps by -359\.95 deg, a turn: .*"
          "add 360 deg to the rows from there on"),
         ([0.05, 0.0, 359.95, 359.9], "by 359.95 deg, a turn: .*take 360 deg from the rows"),
         ([0.0, 719.9, 719.8, 719.7], "2 turns: .*take 720 deg from"),

@@ -179,3 +179,29 @@ def test_only_regular_files_of_a_bounded_size(tmp_path, monkeypatch):
     monkeypatch.setattr("asperity.study.calibration.measurement.LARGEST_FILE", 10)
     with pytest.raises(InputError, match="at most 10 bytes are read here"):
         read(tmp_path, "torque [N*m],angle [rad]\n1,2\n3,4\n")
+
+
+def test_lines_that_are_not_used_are_named(tmp_path):
+    found = read(tmp_path, "Joint 7\n# warm\ntorque [N*m],angle [rad]\n1,0.1\n# pause\n2,0.2\n3,0.3\n")
+    assert found.notes == (
+        "not used around the table: line 1, 'Joint 7', line 2, '# warm'",
+        "not used between the rows: line 5, '# pause'",
+    )
+    assert [found.place(row) for row in range(3)] == ["line 4", "line 6", "line 7"]
+
+
+@pytest.fixture(scope="session")
+def curves(shared_data):
+    folder = shared_data.parent / "reproducers" / "turn4"
+    if not folder.is_dir():
+        pytest.skip(f"the files are not here: {folder} does not exist (set ASPERITY_SHARED_DATA)")
+    return folder
+
+
+@pytest.mark.parametrize(
+    "name", ["torque_comma.csv", "torque_units_row.csv", "torque_N-m.csv", "torque_in-lb.csv"]
+)
+def test_the_same_curve_in_other_layouts_and_units(curves, name):
+    expected, found = (read_measurement(curves / each) for each in ("torque_ok.csv", name))
+    assert found.torque == pytest.approx(expected.torque, abs=1e-5)  # in-lb have four decimals
+    assert found.angle == pytest.approx(expected.angle, rel=1e-12)

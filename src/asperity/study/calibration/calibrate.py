@@ -373,7 +373,10 @@ def bound_words(calibration: Calibration) -> dict[str, str]:
 def count_words(calibration: Calibration) -> str:
     """How many unknowns were found from which data."""
     count = len(calibration.estimates)
-    sources = [f"{curve.residual.size} rows of {curve.measurement.source}" for curve in calibration.curves]
+    sources = [
+        f"{curve.residual.size} rows of {'; '.join((curve.measurement.source, *curve.measurement.notes))}"
+        for curve in calibration.curves
+    ]
     return f"{count} unknown{'s'[: count - 1]} from {' and '.join(sources)}"
 
 

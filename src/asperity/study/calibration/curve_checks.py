@@ -87,7 +87,7 @@ def refuse_turns(measurement: Measurement) -> None:
     near = turns > 0 and abs(abs(steps[row]) - 2.0 * math.pi * turns) < 0.1 * math.pi
     count = "a turn" if turns == 1 else f"{turns} turns"
     raise InputError(
-        f"{measurement.source}: from row {row + 1} of the numbers to row {row + 2} the angle jumps by "
+        f"{measurement.source}: from {measurement.place(row)} to {measurement.place(row + 1)} the angle jumps by "
         f"{format_quantity(float(steps[row]), 'deg', 5)}"
         + (
             f", {count}: the sensor counts anew there; {'add' if steps[row] < 0.0 else 'take'} "

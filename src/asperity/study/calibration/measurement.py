@@ -96,7 +96,8 @@ class Measurement:
     ``stiffness`` [N·m/rad] or ``drift``, the angle lost in one turn of the output while the joint rolls, with the sign
     of the torque [rad]: exactly one of them is there, the others are None. ``time`` [s] or None; ``repetition``: number
     of the repetition of each row, zeros if the file states none; ``source``: name of the file; ``unloaded_ratio``:
-    speed ratio without creep with which the drift was derived from measured speed ratios [-], None otherwise.
+    speed ratio without creep with which the drift was derived from measured speed ratios [-], None otherwise;
+    ``line_numbers`` of the rows in the file, None without one; ``notes``: which of its lines were not used.
     """
 
     torque: np.ndarray
@@ -107,6 +108,12 @@ class Measurement:
     source: str
     drift: np.ndarray | None = None
     unloaded_ratio: float | None = None
+    line_numbers: np.ndarray | None = None
+    notes: tuple[str, ...] = ()
+
+    def place(self, row: int) -> str:
+        """Where a row stands: its line in the file, or its number from 1."""
+        return f"row {row + 1}" if self.line_numbers is None else f"line {int(self.line_numbers[row])}"
 
     @property
     def measured(self) -> np.ndarray:
@@ -227,6 +234,8 @@ def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -
         source=str(path),
         drift=_drift(path, by_name, unloaded_ratio),
         unloaded_ratio=unloaded_ratio if "speed ratio" in by_name else None,
+        line_numbers=table.line_numbers,
+        notes=table.left_out(()),
     )
 
 
