@@ -194,5 +194,5 @@ def test_what_a_life_has_to_reach_is_compared_below_the_table(document):
     assert said == [
         "drive_life 20000 h, required 20000 h: met",
         "bearing_life, planet pin 1000 h, required 20000 h: NOT met",
-        "duty_life not known, required 20000 h: it lives",
+        "duty_life not known, required 20000 h; it lives",
     ]

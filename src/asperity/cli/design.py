@@ -196,9 +196,10 @@ def _show(result: DesignResult) -> None:
     target, problem = console(), result.problem
     goal, torques = problem.objectives[0], len(problem.worst_case.torques) or 1
     unit = RESULTS[goal.name].display_unit
-    worst = f", worst of {torques} torque{'s' * (torques != 1)}"
+    cases = [f"{torques} torques"] if torques > 1 else []
     if problem.worst_case.tolerances != "none":
-        worst += f" and the {problem.worst_case.tolerances} of the tolerances"
+        cases.append(f"the {problem.worst_case.tolerances} of the tolerances")
+    worst = f", worst case of {' and '.join(cases)}" if cases else ""
     before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
     target.print(f"{problem.goal}{worst}:")
     target.print(

@@ -217,11 +217,11 @@ def _show_duty(target: Console, document: Document, loads: Document) -> None:
 
 def _print_required(target: Console, entry: Document) -> None:
     """Whether the drive or a bearing lives as long as required."""
-    verdict = "met" if entry["ok"] else "NOT met" if entry["known"] else entry["meaning"]
+    verdict = ": met" if entry["ok"] else ": NOT met" if entry["known"] else f"; {entry['meaning']}"
     where = f", {_words(entry['contact'])}" if entry["contact"] else ""
     print_wrapped(
         target,
-        f"  {entry['label']}{where} {entry['shown']}, required {entry['limit_shown']}: {verdict}",
+        f"  {entry['label']}{where} {entry['shown']}, required {entry['limit_shown']}{verdict}",
         indent=4,
     )
 

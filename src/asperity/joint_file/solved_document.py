@@ -44,7 +44,7 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     joint = joint_from_case(case) if branches is None else branches.joint
     solved = solved_with_capacities(joint, solve_joint(joint), branches)
     solved.material_names = {
-        body: case.bodies[body_key(joint.type, body, case.bodies)] for body in solved.row_names("body")
+        body.name: case.bodies[body_key(joint.type, body.name, case.bodies)] for body in joint.drive.bodies
     }
     if case.rolling is not None and case.rolling.required_life is not None:
         solved.required_life = case.rolling.required_life.value

@@ -168,7 +168,7 @@ def _required(name: str, seconds: float, remedy: str, unknown: str, missing: str
     limit = Limit(
         "function",
         "the rating life reaches rolling.required_life",
-        "the rating life is shorter than rolling.required_life",
+        "the rating life is shorter than rolling.required_life" + (f" ({missing})" if missing else ""),
         remedy,
         lowest=seconds,
         inclusive=True,

@@ -220,7 +220,7 @@ def _film(contact: str, ratio: float) -> Note:
     remedy = {"boundary": smoother, "mixed": f"{measure}; {smoother}", "full": measure}[band]
     return Note(
         "film_ratio",
-        "film ratio λ, oil film over roughness",
+        "film ratio λ (oil film over roughness)",
         contact,
         ratio,
         FULL_FILM,

@@ -205,7 +205,7 @@ ROWS = (
     ),
     _contact_ratio(
         "film_ratio",
-        "film ratio λ, oil film over roughness",
+        "film ratio λ (oil film over roughness)",
         value="result.rolling.film_ratio",
         note=f"below 1 boundary, to 3 mixed, above full lubrication; nan without lubrication.roughness or the "
         f"Ra of every surface; {_STANDING}",

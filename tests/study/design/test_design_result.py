@@ -172,7 +172,7 @@ def test_what_no_limit_was_asked_for_is_said_in_a_line():
             design(1.0, limits=limits, summary_after={"hertz_pressure": 2.663e9}), told | changes
         )
 
-    life, pressure = "a life of 137 h", "a pressure of 2663 MPa, up to 1.25 times first yield"
+    life, pressure = "a rating life of 137 h", "a pressure of 2663 MPa, up to 1.25 times first yield"
     assert (
         line("slip_ratio")
         == f"The design file sets no limit for yield and life: the design has {pressure} and {life}."

@@ -206,7 +206,7 @@ def not_limited(result: DesignResult, diagnostics: Diagnostics) -> str:
     if diagnostics.get("life_hours") is not None and not any(
         RESULTS[name].group == "life" for name in limited
     ):
-        found["life"] = f"a life of {diagnostics['life_hours']:.4g} h"
+        found["life"] = f"a rating life of {format_quantity(3600.0 * diagnostics['life_hours'], 'h')}"
     if not found:
         return ""
     return f"The design file sets no limit for {' and '.join(found)}: the design has {' and '.join(found.values())}."
