@@ -293,9 +293,8 @@ ROWS = (
         "rim_yield_safety",
         "rim yield safety",
         value="rims.yield_safety",
-        note="of a ring or hollow roller: yield strength over the largest Mises stress of both rims, without torque "
-        "and under it, in plane strain up to 12 % above that at the faces of a short body; nan for bodies that do not "
-        "bend",
+        note="yield strength over the largest Mises stress of both rims of a ring or hollow roller, without torque and "
+        "under it, in plane strain up to 12 % above that at the faces of a short body; nan for bodies that do not bend",
         present=lambda solved: bends(solved.joint),
         limit=Limit(
             "damage",
