@@ -391,6 +391,7 @@ def _margin_schema() -> Schema:
             "inclusive": _said(_FLAG, "Whether the bounds 'lowest' and 'highest' themselves are allowed."),
             "used": _said(_NUMBER, "Share of the limit that is used."),
             "ok": _FLAG,
+            "known": _said(_FLAG, "Whether it is known that the requirement is met or not."),
             "severity": {"enum": list(SEVERITIES)},
             "state": _said(_TEXT, "State of the joint where that is no failure."),
         }

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 import equinox as eqx
@@ -31,7 +33,7 @@ from asperity.joint.solve import Solution, joint_state, solution_of
 from asperity.joint.temperature import at_temperature
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
-from asperity.results.notes import Note, loss_notes, plausibility, skew_notes
+from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes, skew_notes
 
 
 class JointSize(eqx.Module):
@@ -84,6 +86,8 @@ class SolvedJoint:
     result: JointResult
     #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
     required_life: float | None = None
+    #: Body → name of its material, where a file names them.
+    material_names: Mapping[str, str] = MappingProxyType({})
     #: Of one joint that was solved on its own: what came out.
     solution: Solution
 
@@ -237,8 +241,11 @@ def solved_with_capacities(
 ) -> SolvedJoint:
     """A joint whose capacities are known already, for the table of results."""
     joint, result = jax.tree.map(np.asarray, joint), solution.result
+    backwards = float(joint.output_torque) < 0.0
+    rolling = solution.reverse_rolling_capacity if backwards else solution.rolling_capacity
     notes = (
         *plausibility(joint, result),
+        *rolling_notes(joint, float(rolling.output_torque)),
         *loss_notes(result.rolling, result.contact_names),
         *skew_notes(result.rolling, result.contact_names),
     )

@@ -172,12 +172,12 @@ def test_what_no_limit_was_asked_for_is_said_in_a_line():
             design(1.0, limits=limits, summary_after={"hertz_pressure": 2.663e9}), told | changes
         )
 
-    life, pressure = "a life of 137 h", "a pressure of 2663 MPa, up to 1.25 times that of first yield"
+    life, pressure = "a rating life of 137 h", "a pressure of 2663 MPa, up to 1.25 times first yield"
     assert (
         line("slip_ratio")
-        == f"No limit of yield and life was asked for: the design has {pressure} and {life}."
+        == f"The design file sets no limit for yield and life: the design has {pressure} and {life}."
     )
-    assert line("hertz_pressure") == f"No limit of life was asked for: the design has {life}."
+    assert line("hertz_pressure") == f"The design file sets no limit for life: the design has {life}."
     assert line("drive_life", "hertz_pressure") == ""
     assert line("duty_life", diagnostics=[entry | {"ok": True}]) == ""
     assert line("slip_ratio", diagnostics=None, life_hours=None) == ""

@@ -69,7 +69,7 @@ class LimitReport:
     def state(self) -> str:
         """How the design stands to the limit, for a cell of a table; empty where the limit is far."""
         if math.isnan(self.missed_by):
-            return "no value: not met"
+            return "no value, not met"
         return f"{100.0 * self.missed_by:.3g} % off" if not self.met else "active" * self.active
 
     @property
@@ -82,11 +82,11 @@ class LimitReport:
         if math.isnan(self.missed_by):
             nearest = format_quantity(self.nearest, unit)
             reached = (
-                "none of any design"
+                "no design has one"
                 if math.isnan(self.nearest)
                 else f"the nearest of any design was {nearest}"
             )
-            reached = f"no value there, {reached}"
+            reached = f"no value there; {reached}"
         else:
             missed = "" if self.met else f", {100.0 * self.missed_by:.3g} % off"
             reached = f"reached {format_quantity(self.value, unit)}{missed}"
@@ -166,7 +166,7 @@ def conflict(result: DesignResult) -> str:
     missed = [limit.text for limit in result.limits if not limit.met and limit.text not in parts]
     bounds = [f"{path} is at its {side} bound" for path, side in result.at_bound.items()]
     conflicting = "These limits conflict: " if len(parts) > 1 else ""
-    by = "has no value of a limit" if unknown else f"misses a limit by {100.0 * result.violation:.3g} %"
+    by = "has no value for a limit" if unknown else f"misses a limit by {100.0 * result.violation:.3g} %"
     also = f"It also misses: {'; '.join(missed)}. " if missed else ""
     return (
         f"no design meets all limits; the best one {by}. "
@@ -202,14 +202,14 @@ def not_limited(result: DesignResult, diagnostics: Diagnostics) -> str:
     ]
     if over_yield and not limited & _OF_YIELD:
         pressure = format_quantity(result.summary_after["hertz_pressure"], "MPa")
-        found["yield"] = f"a pressure of {pressure}, up to {max(over_yield):.3g} times that of first yield"
+        found["yield"] = f"a pressure of {pressure}, up to {max(over_yield):.3g} times first yield"
     if diagnostics.get("life_hours") is not None and not any(
         RESULTS[name].group == "life" for name in limited
     ):
-        found["life"] = f"a life of {diagnostics['life_hours']:.4g} h"
+        found["life"] = f"a rating life of {format_quantity(3600.0 * diagnostics['life_hours'], 'h')}"
     if not found:
         return ""
-    return f"No limit of {' and '.join(found)} was asked for: the design has {' and '.join(found.values())}."
+    return f"The design file sets no limit for {' and '.join(found)}: the design has {' and '.join(found.values())}."
 
 
 def front_diagnostics(
