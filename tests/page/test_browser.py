@@ -198,11 +198,13 @@ def test_what_is_not_known_and_what_is_a_state_are_no_failures(page):
     limit = {
         "name": "x", "label": "x", "place": "", "unit": "", "lowest": 1.0, "highest": None, "inclusive": True,
         "severity": "function", "state": "", "used": None, "infinite": False, "actual": 2.0, "ok": True,
+        "known": True,
     }  # fmt: skip
     limits = [
         limit,
         limit | {"state": "held by the pins", "severity": "state", "ok": False},
-        limit | {"actual": None, "ok": False},
+        limit | {"actual": None, "ok": False, "known": False},
+        limit | {"ok": False, "known": False},  # a life without a factor for its film
         limit | {"actual": None, "infinite": True, "ok": False},
         limit | {"actual": 0.5, "ok": False},
     ]
@@ -211,7 +213,7 @@ def test_what_is_not_known_and_what_is_a_state_are_no_failures(page):
         "[...m.margins({ margins }).querySelectorAll('tbody tr')].map((row) => row.lastChild.textContent))"
     )
     told = page.evaluate(script, limits)
-    assert told == ["✗ fail", "✗ fail", "? unknown", "held by the pins", "✓ pass"]
+    assert told == ["✗ fail", "✗ fail", "? unknown", "? unknown", "held by the pins", "✓ pass"]
 
 
 def test_the_page_shows_what_the_command_says(page):
