@@ -35,6 +35,8 @@ OPTIONS: dict[str, Any] = {
     **dict.fromkeys(("outlier_threshold", "short_cutoff", "long_cutoff", "shortest_wavelength")),
     "longest_wavelength": None,
     "decimal": "auto",
+    "column": None,
+    "no_data": None,
     "any_size": False,
     "missing": "refuse",
     "direction": "x",

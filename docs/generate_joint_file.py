@@ -31,6 +31,10 @@ which an editor completes and checks keys. A quantity is text with its unit in a
 mm"`, and may have a tolerance and a distribution, `"13.5 mm +- 5 um"`. Numbers without a unit are plain. A key
 that is not listed here is an error.
 
+A hyphen or a point between two units makes one unit of them: `"5 N-m"`, `"50 in-lb"`, `"20 oz-in"`, `"3 kgf.cm"`,
+`"8 N-m/arc-min"`. Pounds and ounces are masses; in a torque they are forces. A negative power has its sign:
+`"m^-1"`.
+
 *Moves* names the results that change with the number, computed by exact derivatives for the joint of the paper
 with bearings, springs, skew and oil, and for the crown radii with crowns of 500 mm; results that change by less
 than one part in a million for one per cent are left out. *All seven* are published and assembled stiffness, torque

@@ -156,3 +156,17 @@ def test_filled_tables_are_a_valid_joint_file(tmp_path):
 
     case = case_from_tables(filled, source="test")
     assert case.materials["Si3N4"].youngs_modulus.value == pytest.approx(307e9)
+
+
+def test_a_fatigue_strength_is_a_measured_one_of_its_reference():
+    """52100 endured 588 MPa for 10^9 cycles in axial loading: Li et al. 2011; no other steel has a traced value."""
+    stated = {
+        name: each
+        for name, each in read_materials().items()
+        if each.numbers.get("fatigue_strength") is not None
+    }
+    assert {name: each.numbers["fatigue_strength"] for name, each in stated.items()} == {"52100": "588 MPa"}
+    for each in stated.values():
+        assert "fatigue strength: amplitude without failure in 10^9 cycles of axial loading" in each.reference
+        assert "doi 10.1016/j.msea.2011.03.020" in each.reference
+        assert "specimens under fully reversed" in each.note

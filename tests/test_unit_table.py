@@ -23,9 +23,9 @@ SPELLINGS = {
     Dimension.FREQUENCY: "Hz kHz 1/s s^-1 hertz",
     Dimension.SPEED: "m/s mm/s inch/min km/h m*s^-1",
     Dimension.ANGULAR_VELOCITY: "rpm rad/s deg/s turn/s revolution/minute rad*s^-1 krad/s",
-    Dimension.MASS: "kg g mg kilogram gram lb pound",
+    Dimension.MASS: "kg g mg kilogram gram lb pound lbs oz ounce ounces",
     Dimension.DENSITY: "kg/m^3 kg/m**3 g/cm^3 g/cm³ kg*m^-3 lb/inch^3 kg/m/m/m",
-    Dimension.FORCE: "N kN mN MN newton newtons lbf kgf kg*m/s^2 pound_force",
+    Dimension.FORCE: "N kN mN MN newton newtons lbf kgf kg*m/s^2 pound_force ounce_force",
     Dimension.FORCE_PER_TORQUE: "N/N/m kN/N/m 1/m",
     Dimension.TORQUE: "N*m N*mm mN*m kN*m lbf*inch lbf*ft newton*meter J",
     Dimension.PRESSURE: "Pa MPa GPa kPa psi ksi bar mbar N/mm^2 N/m^2 megapascal gigapascal kN/mm**2 atm",
@@ -53,7 +53,7 @@ def test_every_spelling_agrees_with_pint(dimension, unit):
 
 
 def test_every_unit_of_the_table_agrees_with_pint():
-    not_in_pint = {"°", "rev", "revolutions", "microns", "1", "dimensionless"}
+    not_in_pint = {"°", "rev", "revolutions", "microns", "1", "dimensionless", "ozf", "HV"}
     for name, (numerator, denominator, pi_power, exponents) in unit_table().items():
         if name in not_in_pint:
             continue
@@ -76,6 +76,7 @@ def test_units_that_pint_spells_otherwise():
     assert parse_quantity("180 °", Dimension.ANGLE) == math.pi
     assert parse_quantity("60 rev/min", Dimension.ANGULAR_VELOCITY) == 2 * math.pi
     assert parse_quantity("3 microns", Dimension.LENGTH) == 3e-6
+    assert parse_quantity("16 ozf", Dimension.FORCE) == parse_quantity("1 lbf", Dimension.FORCE)
 
 
 @pytest.mark.parametrize("written", ["25 degC", "25 °C", "25℃", "25 celsius", "298.15 K", "298.15 kelvin"])

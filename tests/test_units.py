@@ -342,3 +342,121 @@ def test_a_kinematic_viscosity_is_refused_with_what_to_do(text):
 
 def test_centipoise_is_a_viscosity():
     assert parse_quantity("30 cP", Dimension.VISCOSITY) == pytest.approx(by_pint("30 cP"), rel=1e-15)
+
+
+# spelling of drives and instruments → the product that pint reads
+TORQUE_SPELLINGS = {
+    "N-m": "newton * meter",
+    "N.m": "newton * meter",
+    "N·m": "newton * meter",
+    "N‑m": "newton * meter",  # with the hyphen that does not break, as copied from a data sheet
+    "N - m": "newton * meter",
+    "kN-mm": "kilonewton * millimeter",
+    "mN.m": "millinewton * meter",
+    "in-lb": "inch * force_pound",
+    "in-lbs": "inch * force_pound",
+    "in.-lb": "inch * force_pound",
+    "in-lbf": "inch * force_pound",
+    "lb-in": "force_pound * inch",
+    "lb*in": "force_pound * inch",
+    "lb in": "force_pound * inch",
+    "lbf-in": "force_pound * inch",
+    "lbf·in": "force_pound * inch",
+    "oz-in": "force_ounce * inch",
+    "in-oz": "force_ounce * inch",
+    "ozf-in": "force_ounce * inch",
+    "ft-lb": "foot * force_pound",
+    "ft.lb": "foot * force_pound",
+    "lb-ft": "force_pound * foot",
+    "ft-lbf": "foot * force_pound",
+    "kgf-cm": "kilogram_force * centimeter",
+    "kgf.cm": "kilogram_force * centimeter",
+    "kgf-m": "kilogram_force * meter",
+}
+ANGLE_SPELLINGS = {
+    "arc-min": "arcminute",
+    "arc min": "arcminute",
+    "arcmin": "arcminute",
+    "arc-minutes": "arcminute",
+    "arc-sec": "arcsecond",
+    "arc sec": "arcsecond",
+    "arcsec": "arcsecond",
+}
+
+
+@pytest.mark.parametrize(("spelling", "product"), TORQUE_SPELLINGS.items())
+def test_torques_as_drives_and_instruments_write_them(spelling, product):
+    expected = by_pint(f"5 {product}")
+    assert parse_quantity(f"5 {spelling}", Dimension.TORQUE) == pytest.approx(expected, rel=1e-14)
+    assert from_si(expected, spelling) == pytest.approx(5.0, rel=1e-14)
+
+
+@pytest.mark.parametrize(("spelling", "unit"), ANGLE_SPELLINGS.items())
+def test_parts_of_a_degree_with_a_hyphen(spelling, unit):
+    assert parse_quantity(f"3 {spelling}", Dimension.ANGLE) == pytest.approx(by_pint(f"3 {unit}"), rel=1e-14)
+
+
+@given(st.sampled_from(sorted(TORQUE_SPELLINGS)), st.sampled_from(sorted(ANGLE_SPELLINGS)))
+def test_torques_over_angles_in_any_spelling(torque, angle):
+    expected = by_pint(f"2 {TORQUE_SPELLINGS[torque]} / {ANGLE_SPELLINGS[angle]}")
+    assert parse_quantity(f"2 {torque}/{angle}", Dimension.TORSIONAL_STIFFNESS) == pytest.approx(
+        expected, rel=1e-13
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "by_hand"),
+    [
+        # a hyphen or a point makes one unit of its names, also below a fraction bar
+        ("475 J/kg-K", Dimension.SPECIFIC_HEAT_CAPACITY, "475 J/kg/K"),
+        ("21 W/m.K", Dimension.THERMAL_CONDUCTIVITY, "21 W/m/K"),
+        ("150 lbf/in-lb", Dimension.FORCE_PER_TORQUE, "150 / inch"),
+        ("2e-6 kg-m^2", Dimension.MOMENT_OF_INERTIA, "2e-6 kg * m**2"),
+        ("3 kg.m²", Dimension.MOMENT_OF_INERTIA, "3 kg * m**2"),
+        # the pound of a mass, and that of a force where a mass makes no sense
+        ("3 lb-in^2", Dimension.MOMENT_OF_INERTIA, "3 pound * inch**2"),
+        ("3 oz-in^2", Dimension.MOMENT_OF_INERTIA, "3 ounce * inch**2"),
+        ("3 oz-in-s^2", Dimension.MOMENT_OF_INERTIA, "3 force_ounce * inch * s**2"),
+        ("0.283 lb/in^3", Dimension.DENSITY, "0.283 pound / inch**3"),
+        ("3 lb*ft/s^2", Dimension.FORCE, "3 pound * foot / s**2"),
+        ("8 oz", Dimension.MASS, "8 ounce"),
+        ("8 lb", Dimension.MASS, "8 pound"),
+        ("8 ozf", Dimension.FORCE, "8 force_ounce"),
+        ("4 in-lb/rad/lb", Dimension.TORSIONAL_STIFFNESS_PER_MASS, "4 inch * force_pound / rad / pound"),
+    ],
+)
+def test_hyphens_pounds_and_ounces_against_pint(text, dimension, by_hand):
+    assert parse_quantity(text, dimension) == pytest.approx(by_pint(by_hand), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "message"),
+    [
+        ("100 lb", Dimension.FORCE, "expected a force .* got a mass 'lb'"),
+        ("5 lb-in", Dimension.MASS, "expected a mass .* got a torque 'lb-in'"),
+        ("20 kg-cm", Dimension.TORQUE, r"got a quantity of unit m\*kg.*a kilogram is a mass.*kgf\*cm"),
+        ("5 s-1", Dimension.FREQUENCY, r"cannot read the unit 's-1' from '-1' on; .*'\^', .*'s\^-1'"),
+        ("5 -m", Dimension.LENGTH, "cannot read the unit"),
+        ("5 .m", Dimension.LENGTH, "cannot read the unit"),
+        ("5 N-", Dimension.FORCE, "cannot read the unit"),
+        ("5 N--m", Dimension.TORQUE, "cannot read the unit"),
+        ("5 N-M", Dimension.TORQUE, "unknown unit 'M'; did you mean 'm'"),
+        ("5 ft-Ibf", Dimension.TORQUE, "unknown unit 'Ibf'; did you mean 'lbf'"),
+        ("5 mm - 3 mm", Dimension.LENGTH, "cannot read the unit"),
+        ("5 m-1", Dimension.CURVATURE, "cannot read the unit"),
+    ],
+)
+def test_what_hyphens_do_not_mean(text, dimension, message):
+    with pytest.raises(InputError, match=message):
+        parse_quantity(text, dimension)
+
+
+@pytest.mark.parametrize("text", ["3 m^-1", "3 m**-1", "3 m⁻¹", "3 1/m"])
+def test_a_minus_of_an_exponent_stays_one(text):
+    assert parse_quantity(text, Dimension.CURVATURE) == 3.0
+
+
+def test_a_tolerance_in_a_unit_with_a_hyphen():
+    value, tolerance = parse_tolerance("5 in-lb +- 1 oz-in", Dimension.TORQUE)
+    assert value == pytest.approx(by_pint("5 inch * force_pound"), rel=1e-14)
+    assert tolerance == pytest.approx(by_pint("1 inch * force_ounce"), rel=1e-14)

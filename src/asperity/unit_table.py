@@ -7,6 +7,8 @@ N·m/rad are different things. A temperature is counted in degrees Celsius, the 
 import functools
 from enum import Enum
 
+from asperity.hardness_scales import VICKERS_PRESSURE
+
 __all__ = ["TORQUE_UNITS", "Dimension", "Exponents", "Unit", "unit_table"]
 
 Exponents = tuple[int, int, int, int, int]  # of metre, kilogram, second, radian, kelvin
@@ -45,6 +47,7 @@ class Dimension(Enum):
     FORCE_PER_TORQUE = ("a force per torque", "N/Nm", "150 N/Nm", (-1, 0, 0, 0, 0), "kN/Nm")
     TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0, 0), "N*mm kN*m lbf*in lbf*ft")
     PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0, 0), "kPa GPa bar psi ksi")
+    HARDNESS = ("a hardness", "Pa", "1260 MPa", (-1, 1, -2, 0, 0), "GPa HV")
     VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0, 0), "cP")
     INVERSE_PRESSURE = ("a reciprocal pressure", "1/Pa", "20 1/GPa", (1, -1, 2, 0, 0), "1/MPa")
     POWER = ("a power", "W", "100 W", (2, 1, -3, 0, 0))
@@ -92,13 +95,16 @@ def unit_table() -> dict[str, Unit]:
         ("micron microns", (1, 10**6, 0, length)),
         ("angstrom angstroms Å \u212b", (1, 10**10, 0, length)),
         ("kg kilogram kilograms", (1, 1, 0, mass)),
-        ("pound pounds lb", (45359237, 10**8, 0, mass)),
+        ("pound pounds lb lbs", (45359237, 10**8, 0, mass)),
+        ("ounce ounces oz", (45359237, 16 * 10**8, 0, mass)),
         ("minute minutes min", (60, 1, 0, time)),
         ("hour hours h", (3600, 1, 0, time)),
         ("lbf pound_force", (pound_force, 10**13, 0, force)),
+        ("ozf ounce_force", (pound_force, 16 * 10**13, 0, force)),
         ("kgf", (980665, 10**5, 0, force)),
         ("psi", (pound_force * 10**8, 10**13 * 254**2, 0, pressure)),
         ("ksi", (pound_force * 10**11, 10**13 * 254**2, 0, pressure)),
+        ("HV", (*VICKERS_PRESSURE, 0, pressure)),
         ("atm", (101325, 1, 0, pressure)),
         ("degree degrees deg °", (1, 180, 1, angle)),
         ("arcminute arcminutes arcmin", (1, 180 * 60, 1, angle)),

@@ -2,15 +2,21 @@
 
 A quantity is a decimal number and a product of units: ``5 N*m``, ``5 N·m``, ``5 N m``, ``5 Nm``, ``7850 kg/m^3``,
 ``3e4 N*m/rad``. Products and quotients are evaluated from left to right (``N/mm/rad`` is N/(mm·rad)); there are no
-parentheses. Powers are whole numbers after ``^`` or ``**``, or superscripts. The arithmetic is exact except for
-one rounding, so that ``"13.5 mm"`` gives the same float as writing ``0.0135``.
+parentheses. A hyphen or a point between two names makes one unit of them, ``5 N-m``, ``5 in-lb``, also behind a
+stroke: ``475 J/kg-K`` is J/(kg·K). Powers are whole numbers after ``^`` or ``**``, or superscripts. The arithmetic is
+exact except for one rounding, so that ``"13.5 mm"`` gives the same float as writing ``0.0135``.
+
+Pounds and ounces are masses. Beside a length they are forces where a mass makes no quantity that is known:
+``lb*in`` is a torque, ``lb*in^2`` a moment of inertia.
 """
 
+import contextlib
 import functools
 import math
 import re
 
 from asperity.errors import InputError, quoted
+from asperity.hardness_scales import other_scale_words, vickers_of_rockwell
 from asperity.unit_table import TORQUE_UNITS, Dimension, Exponents, Unit, unit_table
 
 __all__ = ["Dimension", "format_quantity", "from_si", "parse_quantity", "parse_tolerance"]
@@ -21,14 +27,23 @@ LARGEST_POWER = 12
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _TO_SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _SAME = str.maketrans("−μ·⋅×∙\u00a0\u202f", "-µ****  ")
+_HYPHENS = str.maketrans("\u2010\u2011\u2013", "---")  # as data sheets write them between units
 _NUMBER = r"(?a:([+-]?)(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?(?![\d.]))"
-_TERM = r"\s*([*/]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|°C|[%°℃])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
+_TERM = r"\s*(\.?-|[*/.]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|°C|[%°℃])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
+_ARC = r"\barc\s*[-.]?\s*(?=min|sec)"
 _PLUS_MINUS = r"±|\+\s?/?\s?-"
+_HARDNESS = r"\s*(H[VK]|HR[A-K]|HBW?|HBS|HL[A-Z]*|HSD?)\s*[\d./]*\s*"  # scale, and the load of the test
 _PER_MINUTE = r"\s*(1?\s*/\s*min|min\s*((\^|\*\*)\s*-1|⁻¹))\s*"
 #: Dimension asked, exponents of what is often written instead → what to do.
 _REMEDIES: dict[tuple[Dimension, Exponents], str] = {
     (Dimension.VISCOSITY, (2, 0, -1, 0, 0)): "this is a kinematic viscosity; multiply it by the density: "
     "30 cSt of an oil of 870 kg/m^3 are 26.1 mPa*s",
+    (Dimension.TORQUE, (1, 1, 0, 0, 0)): "a kilogram is a mass; write kgf*cm for 9.80665 N times 1 cm",
+}
+#: Customary units of mass → those of the force that bears the same name beside a length.
+_FORCES = {
+    **dict.fromkeys(("pound", "pounds", "lb", "lbs"), "lbf"),
+    **dict.fromkeys(("ounce", "ounces", "oz"), "ozf"),
 }
 # The patterns are kept as text: re compiles each on first use and caches it, so that importing costs nothing.
 
@@ -59,20 +74,38 @@ def _nearest(name: str) -> str:
 
 @functools.lru_cache(maxsize=512)
 def _parse_unit(text: str) -> Unit:
-    """Exact SI factor and exponents of a product of units, read from left to right."""
+    """Exact SI factor and exponents of a product of units."""
+    terms = _terms(text)
+    unit = _product(terms)
+    if _is_known(unit[3]):
+        return unit
+    with_forces = _product(
+        [
+            (_FORCES[name], power) if _beside_length(terms, index) else (name, power)
+            for index, (name, power) in enumerate(terms)
+        ]
+    )
+    return with_forces if _is_known(with_forces[3]) else unit
+
+
+def _terms(text: str) -> list[tuple[str, int]]:
+    """Names of the table and their powers, below a stroke negative."""
     written = text.strip()
     plain = re.sub(
-        "[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+", lambda raised: "^" + raised[0].translate(_SUPERSCRIPTS), written.translate(_SAME)
+        "[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+",
+        lambda raised: "^" + raised[0].translate(_SUPERSCRIPTS),
+        written.translate(_SAME).translate(_HYPHENS),
     )
+    plain = re.sub(_ARC, "arc", plain)
     units = unit_table()
-    numerator, denominator, pi_power = 1, 1, 0
-    total = [0, 0, 0, 0, 0]
-    position = 0
+    terms: list[tuple[str, int]] = []
+    position, sign = 0, 1
     while position < len(plain):
         match = re.match(_TERM, plain[position:])
-        if match is None or (position == 0 and match[1] == "*"):
-            hint = "; parentheses are not supported, write for example 'N/m/rad'" if "(" in plain else ""
-            raise InputError(f"cannot read the unit '{written}' from '{plain[position:].strip()}' on{hint}")
+        tight = match is not None and match[1] in ("-", ".", ".-")
+        if match is None or (not terms and (tight or match[1] == "*")) or (tight and match[2] == "1"):
+            rest = plain[position:].strip()
+            raise InputError(f"cannot read the unit '{written}' from '{rest}' on{_hint(plain, rest)}")
         operator, name, power_text = match.groups()
         name = "µ" + name[1:] if name[0] == "u" and "µ" + name[1:] in units else name
         if name not in units:
@@ -85,14 +118,48 @@ def _parse_unit(text: str) -> Unit:
             )
         if abs(power) > LARGEST_POWER:
             raise InputError(f"the power {power_text} in '{written}' is beyond ±{LARGEST_POWER}")
-        top, bottom, unit_pi, exponents = units[name]
-        power = -power if operator == "/" else power
+        sign = sign if tight else -1 if operator == "/" else 1
+        terms.append((name, sign * power))
+        position += match.end()
+    return terms
+
+
+def _hint(plain: str, rest: str) -> str:
+    """What to write instead of a unit that cannot be read from ``rest`` on."""
+    if "(" in plain:
+        return "; parentheses are not supported, write for example 'N/m/rad'"
+    name = re.search(r"[^\W\d]+$", plain.removesuffix(rest))
+    if name and re.fullmatch(r"[+-]?\d+", rest):
+        return f"; write a power with '^', for example '{name[0]}^{rest}'"
+    return ""
+
+
+def _product(terms: list[tuple[str, int]]) -> Unit:
+    numerator, denominator, pi_power = 1, 1, 0
+    total = [0, 0, 0, 0, 0]
+    for name, power in terms:
+        top, bottom, unit_pi, exponents = unit_table()[name]
         numerator *= top**power if power >= 0 else bottom**-power
         denominator *= bottom**power if power >= 0 else top**-power
         pi_power += power * unit_pi
         total = [old + power * new for old, new in zip(total, exponents, strict=True)]
-        position += match.end()
     return numerator, denominator, pi_power, (total[0], total[1], total[2], total[3], total[4])
+
+
+def _beside_length(terms: list[tuple[str, int]], index: int) -> bool:
+    """Whether a term is a pound or an ounce that is multiplied with the length before or behind it."""
+    name, power = terms[index]
+    beside = [terms[k] for k in (index - 1, index + 1) if 0 <= k < len(terms)]
+    return (
+        name in _FORCES
+        and abs(power) == 1
+        and any(unit_table()[other][3] == Dimension.LENGTH.exponents and p == power for other, p in beside)
+    )
+
+
+@functools.cache
+def _is_known(exponents: Exponents) -> bool:
+    return any(dimension.exponents == exponents for dimension in Dimension)
 
 
 def _dimension_of(exponents: Exponents) -> str:
@@ -145,6 +212,15 @@ def _exact(number: str) -> tuple[int, int]:
     return mantissa * 10 ** max(power, 0), 10 ** max(-power, 0)
 
 
+def _vickers(number: str, scale: str) -> tuple[int, int]:
+    """The Vickers number of a hardness by a scale, as numerator and denominator."""
+    if scale == "HV":
+        return _exact(number)
+    if scale != "HRC":
+        raise InputError(other_scale_words(scale, float(number)))
+    return vickers_of_rockwell(rockwell_c=float(number)).as_integer_ratio()
+
+
 def parse_quantity(text: object, dimension: Dimension, *, example: str | None = None) -> float:
     """Value of a quantity in SI units (radians for angles) from a text such as ``"13.5 mm"``.
 
@@ -185,6 +261,14 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
             f"expected {dimension.label} with its unit ({example}), got the bare number '{text}'"
         )
     top, bottom = _exact(number)
+    scale = re.fullmatch(_HARDNESS, unit_text)
+    if scale is not None and dimension is Dimension.HARDNESS:
+        top, bottom = _vickers(number, scale[1])
+        unit_text = "HV"
+    elif scale is not None:
+        raise InputError(f"expected {dimension.label} ({example}), got a hardness in '{text}'")
+    elif re.search(r"\bHV\b", unit_text):
+        raise InputError(f"cannot read '{text}': HV stands alone, as in '700 HV'")
     numerator, denominator, pi_power, exponents = _parse_unit(unit_text)
     if dimension is Dimension.TEMPERATURE and re.search(r"\b(K|kelvins?)\b", unit_text):
         top, bottom = 100 * top - 27315 * bottom, 100 * bottom  # 0 degC is 273.15 K
@@ -224,10 +308,29 @@ def parse_tolerance(text: object, dimension: Dimension, *, example: str | None =
         raise InputError(f"expected {wanted}, got '{text[:LONGEST_TEXT]}', which has not exactly one '+-'")
     spread = Dimension.TEMPERATURE_RISE if dimension is Dimension.TEMPERATURE else dimension
     value = parse_quantity(parts[0], dimension, example=example)
+    if dimension is Dimension.HARDNESS:
+        _refuse_rockwell(*parts)
     tolerance = parse_quantity(parts[1], spread, example=example)
     if tolerance < 0.0:
         raise InputError(f"expected {wanted}, got the negative tolerance '{parts[1].strip()}'")
     return value, tolerance
+
+
+def _refuse_rockwell(value: str, tolerance: str) -> None:
+    """Raise if a tolerance is in HRC, whose steps are unlike pressures."""
+    number, unit = re.match(_NUMBER, tolerance.strip()), tolerance.strip()[-3:]
+    if unit != "HRC" or number is None:
+        return
+    ends = ""
+    if value.strip().endswith("HRC"):
+        middle, half = float(value.strip()[:-3]), abs(float(number.group()))
+        with contextlib.suppress(InputError):
+            low, high = (vickers_of_rockwell(rockwell_c=middle + side * half) for side in (-1.0, 1.0))
+            ends = f"{middle - half:g} HRC are {low:.0f} HV and {middle + half:g} HRC {high:.0f} HV: "
+    raise InputError(
+        f"'{value.strip()} +- {tolerance.strip()}': {ends}a tolerance in HRC is uneven in pressure; state the "
+        "tolerance in HV or as a pressure"
+    )
 
 
 def from_si(value_si: float, unit: str) -> float:
@@ -289,3 +392,17 @@ def format_apart(value_si: float, other_si: float, unit: str, digits: int = 4) -
         if shown[0] != shown[1] or value_si == other_si:
             return shown
     return shown
+
+
+def unit_exponents(unit: str) -> Exponents | None:
+    """Exponents of metre, kilogram, second, radian and kelvin of a product of units; None where it is none.
+
+    Examples
+    --------
+    >>> unit_exponents("N*m"), unit_exponents("furlong")
+    ((2, 1, -2, 0, 0), None)
+    """
+    try:
+        return _parse_unit(unit)[3]
+    except InputError:
+        return None

@@ -53,6 +53,20 @@ def test_text_and_figure(found):
     assert found.plot().axes
 
 
+@pytest.mark.slow
+def test_a_bound_is_no_value(joint, curve):
+    """The curve has 1250 N; bounds up to 1100 N leave that out."""
+    found = asperity.calibrate(joint, curve, ["load.preload=500 N:1100 N"], starts=1)
+    with pytest.raises(
+        InputError, match=r"load\.preload ended at its upper bound, 1100 N: this is no fitted value"
+    ):
+        found["load.preload"]
+    row = found.to_frame().loc["load.preload"]
+    assert np.isnan([row.value, row.lower, row.upper]).all()
+    assert (row.bound, row.determined) == (pytest.approx(1100.0), False)
+    assert "at its upper bound, 1100 N" in repr(found)
+
+
 @pytest.mark.parametrize(
     ("changes", "says"),
     [

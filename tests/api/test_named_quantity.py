@@ -24,6 +24,10 @@ def test_value_unit_and_conversion():
         "N*m/rad",
     )
     assert STIFFNESS.to("N*m/arcmin") == pytest.approx(3000.0 * math.pi / 180.0 / 60.0, rel=1e-15)
+    assert STIFFNESS.to("N-m/arc-min") == STIFFNESS.to("N*m/arcmin")
+    # 1 lbf is 4.4482216152605 N, 1 in is 0.0254 m
+    inch_pounds = 3000.0 / (4.4482216152605 * 0.0254)
+    assert STIFFNESS.to("in-lb/rad") == pytest.approx(inch_pounds, rel=1e-15)
     assert repr(STIFFNESS) == "torsional stiffness: 3000 N·m/rad"
 
 

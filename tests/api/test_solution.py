@@ -61,7 +61,9 @@ def test_drift_per_turn_is_printed_beside_the_stiffness(solution, printed, zou_f
     drift = printed("joint", zou_file)["drift_rad_per_output_turn"]
     assert solution["drift"].si == drift
     text = repr(solution)
-    assert text.index("asperities alone") < text.index("drift of the output") < text.index("torque capacity")
+    assert (
+        text.index("asperities alone") < text.index("drift per output turn") < text.index("torque capacity")
+    )
     assert f"{np.degrees(drift) * 60.0:.4g} arcmin" in text
 
 
@@ -69,12 +71,13 @@ def test_a_joint_without_crossed_limits_says_so(solution):
     kept = [limit | {"ok": True} for limit in solution.limits]
     other = type(solution)(solution._case, solution._solved, source="x", summary="x")
     other._of_joint = {"diagnostics": kept}
-    assert "Every limit of the model is kept." in repr(other)
+    assert "All limits are met." in repr(other)
 
 
 def test_a_warning_states_the_worst_of_its_values(solution, monkeypatch):
     """Safeties of 0.9 and 0.5 that should be above 1: the smaller one is the worse."""
     entry = {"name": "rim", "label": "wall", "limit": 1.0, "ok": False, "severity": "damage", "meaning": "m"}
+    entry["known"] = True
     entry["limit_shown"] = "1"
     values = {"held_ring": 0.9, "planet": 0.5}
     crossed = [
@@ -84,6 +87,19 @@ def test_a_warning_states_the_worst_of_its_values(solution, monkeypatch):
     (row,) = (line for line in repr(solution).splitlines() if line.startswith("wall "))
     assert row.split()[:3] == ["wall", "0.5", "1"]
     assert "held ring, planet" in row
+    unknown = entry | {
+        "contact": "sun",
+        "value": None,
+        "shown": "not known",
+        "known": False,
+        "infinite": False,
+    }
+    monkeypatch.setattr(type(solution), "limits", [unknown, *crossed])
+    (row,) = (line for line in repr(solution).splitlines() if line.startswith("wall "))
+    assert row.split()[1] == "0.5"  # what is not known does not hide what is crossed
+    monkeypatch.setattr(type(solution), "limits", [unknown])
+    (row,) = (line for line in repr(solution).splitlines() if line.startswith("wall "))
+    assert row.rstrip().endswith("not checked")
 
 
 def test_frame_and_series_carry_units(solution):

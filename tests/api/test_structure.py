@@ -57,7 +57,7 @@ def test_rolling_has_the_results_of_the_joint(joint, solution, printed, zou_file
     shown = repr(rolling)
     assert shown.index("drift per output turn") < shown.index("efficiency")
     assert "nan" not in shown
-    assert "adds up with every turn and does not come back" in shown
+    assert "accumulates with every turn and does not come back" in shown
     assert asperity.plot(rolling).axes
 
 

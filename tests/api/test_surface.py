@@ -53,7 +53,13 @@ def test_a_joint_takes_the_measured_surface(joint, measured):
         measured.measurement
     )
     assert rough["surface.fractal_dimension"].si == measured["fractal_dimension"].si
-    assert rough["surface.fractal_roughness"].si == pytest.approx(measured["fractal_roughness"].si, rel=1e-15)
+    # both bodies are alike: S ~ G^(2 (D - 1)) doubles
+    both = measured["fractal_roughness"].si * 2.0 ** (0.5 / (measured["fractal_dimension"].si - 1.0))
+    assert rough["surface.fractal_roughness"].si == pytest.approx(both, rel=1e-14)
+    pair = rough.with_surface(measured.measurement, measurement_of="pair")
+    assert pair["surface.fractal_roughness"].si == pytest.approx(measured["fractal_roughness"].si, rel=1e-15)
+    with pytest.raises(InputError, match='expected "body"'):
+        rough.with_surface(measured.measurement, measurement_of="two")
     again = rough.with_values({"load.preload": "900 N"})  # its file is written anew
     assert again["surface.fractal_dimension"].si == measured["fractal_dimension"].si
 
@@ -66,7 +72,11 @@ def test_by_default_a_joint_takes_the_measured_spectrum(joint, file, measured):
     rough = joint.with_surface(across)
     (spectrum,) = across.spectra
     square, _ = spectrum.felt(rolling=0.0, axial=1.0 / spectrum.cut_off())
-    assert rough["surface.sp.rms_height"].si == pytest.approx(square**0.5, rel=1e-12)
+    assert rough["surface.sp.rms_height"].si == pytest.approx((2.0 * square) ** 0.5, rel=1e-12)
+    pair = joint.with_surface(across, measurement_of="pair")
+    assert pair["surface.sp.rms_height"].si == pytest.approx(square**0.5, rel=1e-12)
+    again = pair.with_values({"load.preload": "900 N"})
+    assert again["surface.sp.rms_height"].si == pytest.approx(square**0.5, rel=1e-12)
 
 
 def test_text_and_figure(measured):

@@ -73,6 +73,26 @@ def test_ratios_do_not_depend_on_the_scale(pressed):
 
 
 @pytest.mark.slow
+def test_two_bodies_alike_are_pressed_as_one_under_less_pressure(monkeypatch):
+    """Elastic heights and pressures scale together: of two such bodies at p the ratio is that of one at p/sqrt(2)."""
+    one, other = (self_affine_map(points=128, seed=seed).heights for seed in (1, 2))
+    loads = np.array([600e6, 1200e6, 2000e6])
+    monkeypatch.setattr(module, "kept_numbers", lambda asked: None)
+    monkeypatch.setattr(module, "keep_numbers", lambda asked, numbers: None)
+
+    def ratios(heights, pressures):
+        monkeypatch.setattr(module, "PRESSURES_ON_STEEL", tuple(pressures))
+        made = pressed_map(Topography(heights, 1e-6, 1e-6, source="a map"), rolling="x", hardness=HARDNESS)
+        return made.decay_ratios[0]
+
+    alone = ratios(one, loads / np.sqrt(2.0))
+    np.testing.assert_allclose(ratios(np.sqrt(2.0) * one, loads), alone, rtol=1e-4)
+    both = ratios(one + other, loads).mean(axis=0)  # two maps of the same kind; four patches scatter
+    np.testing.assert_allclose(both, alone.mean(axis=0), rtol=0.1)
+    assert ratios(one, loads).mean(axis=0)[2] < 0.85 * both[2]  # at the same pressure it is another number
+
+
+@pytest.mark.slow
 def test_a_map_is_pressed_once(tmp_path, monkeypatch):
     """From the folder the same numbers, without boundary elements; a damaged file is computed again."""
     import jax

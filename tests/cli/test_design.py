@@ -102,7 +102,10 @@ def test_bad_files(folder):
     ("objectives", "said"),
     [
         ((), "0 of 2 starts converged. "),
-        ((1.0, 1.0), "2 of 2 starts converged, to 1 different value (4 digits). "),
+        ((1.0,), "The only start found an optimum. "),
+        ((1.0, 1.0), "Both starts found the same optimum. "),
+        ((1.0, 1.00001, 0.99999), "All 3 starts found the same optimum. "),
+        ((1.0, 1.0, 2.0), "3 of 3 starts converged, to 2 different optima. "),
     ],
 )
 def test_starts_that_reach_nothing_have_no_values(objectives, said):

@@ -37,6 +37,7 @@ def entry(name, value, severity, contact=None, ok=False):
         "value": value,
         "limit": 1.0,
         "ok": ok,
+        "known": True,
         "severity": severity,
         "meaning": f"meaning of {name}",
         "remedy": f"remedy of {name}",
@@ -61,7 +62,7 @@ def test_the_heading_states_the_load_in_its_units():
     }
     assert shown(show_heading, document, "joint.toml", width=200).splitlines()[:2] == [
         "joint.toml",
-        "3 planets, driving ring at 6000 rpm, preload 1000 N (1.25 um of interference), output torque 5 N·m",
+        "3 planets, driving ring at 6000 rpm, preload 1000 N (interference 1.25 um), output torque 5 N·m",
     ]
     document["preload"]["at_assembly"] = {
         "force_N": 1500.0,
@@ -83,22 +84,23 @@ def test_what_is_assumed_in_short_and_in_full(planar_case):
     document = {"assumptions": [*told, "model.closure_springs = 'bulk': as in the paper's closure"]}
     full = functools.partial(show_assumptions, in_full=True)
     lines = [line.strip() for line in shown(full, document, width=2000).splitlines() if line]
-    assert lines == ["Assumed", *document["assumptions"]]
+    assert lines == ["Assumptions", *document["assumptions"]]
     short = functools.partial(show_assumptions, in_full=False)
     heading, names, *others = [
         line.strip() for line in shown(short, document, width=2000).splitlines() if line
     ]
-    assert heading == "Assumed (in full with --all)"
+    assert heading == "Assumptions (all in full with --all)"
     assert names.startswith("not in the file: section [bearings], bearings.pin_diameter, section [play], ")
     assert "the bearings have no friction" not in names
-    law, closure = others
+    law, fatigue, closure = others
     assert law.startswith("contact law zou_2025, since the file does not state model.contact_law: ")
+    assert fatigue.startswith("fatigue_strength of material 52100: 588 MPa of specimens")
     assert closure == document["assumptions"][-1]
 
 
 def test_kept_limits_give_no_warning():
     text = shown(show_warnings, {"diagnostics": [entry("slip_ratio", 0.5, "function", "sp", ok=True)]})
-    assert text.strip() == "No warnings: every limit is kept"
+    assert text.strip() == "No warnings: all limits are met"
 
 
 def test_an_infinite_value_is_no_dash():
@@ -126,7 +128,7 @@ def test_contacts_of_one_limit_share_a_warning_and_the_range_of_the_law_has_a_li
     text = shown(show_warnings, {"diagnostics": diagnostics}, width=200)
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     assert lines == [
-        "Warnings, the most serious first",
+        "Warnings, most serious first",
         "Slip ratio 1.2 at sp, 1.1 at right pair (limit 1)",
         "meaning of slip_ratio",
         "What to do: remedy of slip_ratio",
@@ -136,7 +138,7 @@ def test_contacts_of_one_limit_share_a_warning_and_the_range_of_the_law_has_a_li
     ]
     text = shown(show_law_range, {"diagnostics": diagnostics}, width=200)
     assert text.strip() == (
-        "asperities alone: outside the range of that level, real area up to 6.54, largest spot up to 27.2; "
+        "asperities alone: outside the range of this law, real area up to 6.54, largest spot up to 27.2; "
         "remedy of real_area"
     )
     assert shown(show_law_range, {"diagnostics": diagnostics[:3]}) == ""
@@ -154,13 +156,13 @@ def test_the_table_says_shares_and_forces_on_the_axis(document_of_branches):
     cells = [line.split() for line in said.splitlines() if line[:2] in (" 1", " 3")]
     assert [row[:3] for row in cells] == [["1", "1", "14"], ["3", "-7", "-1"]]
     assert "0.5, -" in said
-    assert "5 um off centre, 250 N standing on its bearings" in said
-    assert "250 N standing on its bearings, which hold it" in text(document_of_branches(math.inf))
+    assert "5 um off centre, bearing force 250 N (standing)" in said
+    assert "bearing force 250 N (standing), held by its bearings" in text(document_of_branches(math.inf))
     assert "planet 1 is pressed 1.1 times as hard as equal ones." in " ".join(said.split())
 
 
 def test_without_a_state_under_the_torque_the_force_is_that_without_torque(document_of_branches):
-    assert "5 um off centre, 250 N without torque on its bearings" in text(
+    assert "5 um off centre, bearing force 250 N (without torque)" in text(
         document_of_branches(standing=None)
     )
 
@@ -168,9 +170,9 @@ def test_without_a_state_under_the_torque_the_force_is_that_without_torque(docum
 def test_a_force_of_rounding_is_none(document_of_branches):
     found = document_of_branches()
     found["standing"]["sun"]["force_N"] = [3e-12, -4e-12]
-    assert "0 N standing on its bearings" in text(found)
+    assert "bearing force 0 N (standing)" in text(found)
     found["standing"]["sun"]["force_N"] = [3e-6, -4e-6]
-    assert "5e-6 N standing on its bearings" in text(found)
+    assert "bearing force 5e-6 N (standing)" in text(found)
 
 
 @pytest.mark.parametrize(
@@ -185,7 +187,7 @@ def test_a_force_of_rounding_is_none(document_of_branches):
     ],
 )
 def test_the_verdict_stands_before_the_numbers_of_use(torque, limit, stands, said):
-    nearest = {"label": "slip", "place": "sp_3", "share_of_limit": 0.85}
+    nearest = {"label": "slip", "words": "slip at sp 3, 85 % of its limit"}
     document = {
         "verdict": {"title": "Works", "words": "All met.", "nearest": nearest},
         "torque_capacity": {"reverse": {"output_torque_Nm": torque, "meaning": "sp slips"}},
@@ -202,9 +204,9 @@ def test_the_verdict_stands_before_the_numbers_of_use(torque, limit, stands, sai
     target = Console(file=io.StringIO(), width=160)
     show_verdict(target, document)
     assert target.file.getvalue().splitlines() == [
-        "Works: All met. Nearest to its limit among those met: slip (sp_3), 85 % of it.",
+        "Works: All met. Tightest margin: slip at sp 3, 85 % of its limit.",
         "stiffness 1 N·m/arcmin, drift per output turn -, efficiency 90 %, life -",
         f"torque capacity {said}",
-        "ratio 6, rolling parts of 0.5 kg, outside diameter 116 mm",
+        "ratio 6, mass of the rolling parts 0.5 kg, outside diameter 116 mm",
         "",
     ]

@@ -43,11 +43,8 @@ def test_the_document_has_every_key_in_si(document):
         stiffness = document["torsional_stiffness"][level]
         assert set(stiffness) == {"input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin"}
     for entry in document["diagnostics"]:
-        words = {"label", "severity", "state", "meaning", "remedy"}
-        assert (
-            set(entry)
-            == {"name", "contact", "value", "limit", "ok", "infinite", "unit", "shown", "limit_shown"} | words
-        )
+        words = {"label", "severity", "state", "meaning", "remedy", "shown", "limit_shown"}
+        assert set(entry) == {"name", "contact", "value", "limit", "ok", "known", "infinite", "unit"} | words
         assert (entry["remedy"] is None) == entry["ok"]
     assert document["input"]["load"]["preload"] == 1000.0
     assert any("[bearings]" in sentence for sentence in document["assumptions"])
@@ -109,7 +106,7 @@ def test_the_tables_name_their_units_and_warn(call, joint_file):
     outcome = call("joint", joint_file())
     assert (outcome.code, outcome.err) == (0, "")
     for text in (
-        "3 planets, sun at 6000 rpm, preload 1000 N (12.72 um of interference), output torque 5 N·m",
+        "3 planets, sun at 6000 rpm, preload 1000 N (interference 12.72 um), output torque 5 N·m",
         "N·m/rad",
         "N·m/arcmin",
         "46.3",
@@ -117,8 +114,8 @@ def test_the_tables_name_their_units_and_warn(call, joint_file):
         "alpha 13.9248 deg, theta 27.0831 deg, wedge beta 13.1582 deg",
         "ratio -9",
         "Hertz pressure over first yield 2.035 at sp",
-        "asperities alone: outside the range of that level, real area over Hertz area",
-        "Assumed (in full with --all)",
+        "asperities alone: outside the range of this law, real area over Hertz area",
+        "Assumptions (all in full with --all)",
         "not in the file: section [bearings], ",
     ):
         assert text in outcome.out, text

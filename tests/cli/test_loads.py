@@ -27,7 +27,7 @@ def test_table_and_json_agree_with_the_joint(call, zou_file):
         "normal_without_torque_N"
     ]
     force = 3 * 0.12 * (solved["wro"] + solved["wlo"])
-    assert mounted["axial force that presses it on"] == [pytest.approx(force), None]
+    assert mounted["axial mounting force"] == [pytest.approx(force), None]
     assert mounted["heating of the ring, for a gap of 0 um"] == [None, None]
 
 

@@ -61,9 +61,19 @@ def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_repo
     outcome = call("report", joint_file(), "--surface", file, "--out", tmp_path / "r.html")
     assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'r.html'}")
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
-    assert "95 % interval from the measured surface, D = 1.450, G = 1e-8 mm" in text
+    # of both bodies, which are alike: 1e-8 mm times 2^(1/0.9)
+    assert "95 % interval from the measured surface, D = 1.450, G = 2.16e-8 mm" in text
+    assert "each body as measured: made &lt;up&gt;" in text
     assert html.escape(file.read_text()) in text
     assert "asperity report --surface&#x27; on it" in text
+    outcome = call(
+        "report", joint_file(), "--surface", file, "--measurement-of", "pair", "--out", tmp_path / "p.html"
+    )
+    assert outcome.code == 0
+    text = (tmp_path / "p.html").read_text(encoding="utf-8")
+    assert "95 % interval from the measured surface, D = 1.450, G = 1e-8 mm" in text
+    assert "the pair as measured: made &lt;up&gt;" in text
+    assert "asperity report --surface --measurement-of pair&#x27; on it" in text
 
 
 @pytest.mark.long

@@ -23,7 +23,7 @@ def test_wrong_lengths_name_their_option(tmp_path):
     scale = ("measure", tmp_path / "map.npy", "--height-unit", "nm", "--spacing", "1 um")
     for option, text, said in (
         ("--short-cut-off", "three", "^--short-cut-off: expected a length"),
-        ("--hardness", "7 mm", "^--hardness: expected a pressure"),
+        ("--hardness", "7 mm", "^--hardness: expected a hardness"),
         (
             "--cut-off",
             "1 mm",

@@ -117,7 +117,10 @@ def test_the_command_runs_a_joint_from_two_measured_files(zou_file, write):
 
 @pytest.mark.long
 def test_the_command_runs_a_joint_from_a_measured_spectrum(zou_file, tmp_path):
-    """White noise of 0.1 µm has no power law; its waves, all but a few, are shorter than any contact is wide."""
+    """White noise of 0.1 µm has no power law; its waves, all but a few, are shorter than any contact is wide.
+
+    Both bodies have it.
+    """
     heights = 1e-7 * np.random.default_rng(0).standard_normal(4000)
     rows = np.stack([1e-6 * np.arange(4000), heights], 1)
     np.savetxt(tmp_path / "roller.csv", rows, delimiter=",", header="x [m],z [m]")
@@ -133,7 +136,7 @@ def test_the_command_runs_a_joint_from_a_measured_spectrum(zou_file, tmp_path):
     document = json.loads(joint.stdout)
     for name, contact in document["standing"]["contacts"].items():
         height = document["input"]["surface"][name]["rms_height"]
-        assert height == pytest.approx(1e-7, rel=0.02)
+        assert height == pytest.approx(np.sqrt(2.0) * 1e-7, rel=0.02)
         force = document["standing"]["forces"]["normal_N"][name]
         rigid = force / (0.48 * height)
         ratio = np.pi / 4.0 * 206e9 / 1.82 * 5e-3 / rigid  # u_0 R/a^2
@@ -141,6 +144,7 @@ def test_the_command_runs_a_joint_from_a_measured_spectrum(zou_file, tmp_path):
         assert contact["asperity_normal_stiffness_N_per_m"] == pytest.approx(elastic, rel=1e-6)
     assert document["measured_surface"]["spectra"][0]["lay"] == "axis"
     assert "no power law" in document["measured_surface"]["no_power_law"]
+    assert document["measured_surface"]["measurement_of"] == "body"
     assert set(document["stiffness_interval"]["parts"]) == {"contact_law", "rms_height"}
     exponential, persson = document["contact_laws"]
     assert (exponential["law"], exponential["used"]) == ("exponential", True)
@@ -152,6 +156,25 @@ def test_the_command_runs_a_joint_from_a_measured_spectrum(zou_file, tmp_path):
     assert "Interval of the contact law, and of the rms of the heights" in text
     assert "by the error of the law alone" in text
     assert "roller.csv: a profile across its lay, which is stated as axis" in text
+    assert "measured surface: each body as measured: roller.csv" in text
+    pair = CliRunner().invoke(command, [*asked, "--json", "--measurement-of", "pair"], catch_exceptions=False)
+    of_pair = json.loads(pair.stdout)
+    assert of_pair["measured_surface"]["measurement_of"] == "pair"
+    assert "measured surface: the pair as measured: roller.csv" in of_pair["assumptions"]
+    heights = [made["input"]["surface"]["sp"]["rms_height"] for made in (document, of_pair)]
+    assert heights[0] / heights[1] == pytest.approx(np.sqrt(2.0), rel=1e-3)
+
+
+def test_of_what_a_measurement_is_belongs_to_a_measurement(zou_file, write):
+    asked = ["joint", str(zou_file), "--measurement-of", "pair"]
+    said = str(CliRunner().invoke(command, asked).exception)
+    assert said == "--measurement-of belongs to --surface; in the joint file it is surface.measurement_of"
+    twice = [part for name in ("a.json", "b.json") for part in ("--surface", str(write(name, measurement())))]
+    said = str(CliRunner().invoke(command, [*asked, *twice]).exception)
+    assert "two measured surfaces are of one body each" in said
+    path = write("a.json", measurement())
+    assert measured_surface((path,)).of == "body"
+    assert measured_surface((path,), "pair").of == "pair"
 
 
 def test_more_than_two_bodies_are_refused(write):

@@ -113,11 +113,26 @@ def test_how_pins_load_their_rollers(planar_case):
     ],
 )
 def test_bodies_that_bend_without_a_fatigue_strength_are_named(planar_case, name, bent):
-    told = [each for each in assumptions(planar_case(name)) if "fatigue_strength" in each]
+    case = planar_case(name, ('"52100"', '"440C"'))
+    told = [each for each in assumptions(case) if "fatigue_strength" in each]
     assert told == [
-        f"no fatigue_strength of material 52100: the safety against fatigue of the {body}, which bends, is not computed"
+        f"no fatigue_strength of material 440C: the fatigue safety of the {body}, which bends, is not computed"
         for body in bent
     ]
+
+
+@pytest.mark.parametrize(("name", "said"), [("planetary", 1), ("stepped_planet", 1), ("planar", 0)])
+def test_a_fatigue_strength_of_the_library_is_that_of_specimens(planar_case, name, said):
+    """Once for both rings of one material; not where nothing bends."""
+    told = [each for each in assumptions(planar_case(name)) if "fatigue_strength" in each]
+    assert (
+        told
+        == [
+            "fatigue_strength of material 52100: 588 MPa of specimens, from the library; the surface and the size of "
+            "the finished part may lower it"
+        ]
+        * said
+    )
 
 
 def test_a_body_with_a_fatigue_strength_is_not_named(planar_case):

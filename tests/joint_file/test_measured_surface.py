@@ -14,6 +14,7 @@ from asperity.errors import InputError
 from asperity.joint.description import contact_values
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.decay_ratios import _decay_ratio
 from asperity.joint_file.drawn_surface import with_measured_surface
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.felt_heights import Felt, assumed_heights
@@ -32,6 +33,8 @@ OPTIONS = {
     **dict.fromkeys(("spacing", "start", "stop", "form", "degree", "outlier_threshold", "short_cutoff")),
     **dict.fromkeys(("long_cutoff", "shortest_wavelength", "longest_wavelength")),
     "decimal": "auto",
+    "column": None,
+    "no_data": None,
     "any_size": False,
     "missing": "refuse",
     "direction": "x",
@@ -85,7 +88,8 @@ def test_it_takes_the_place_of_those_of_other_drives(planar_case):
 
 
 def roughness(*spectra, fractal=None):
-    return MeasuredRoughness(fractal, "no power law" if fractal is None else "", spectra, "a surface")
+    of = "pair" if len(spectra) == 2 else "body"
+    return MeasuredRoughness(fractal, "no power law" if fractal is None else "", spectra, "a surface", of)
 
 
 def profile_spectrum(lay, factor=1.0):
@@ -132,7 +136,10 @@ def test_a_surface_smaller_than_the_contact_is_said(lay, width, axial, said):
 
 @pytest.mark.slow
 def test_heights_and_stiffness_of_a_joint_by_hand(example_case, isotropic_map):
-    """h of the waves at the printed width of each contact; K_n of 0.48 h; nothing depends on the file's surface."""
+    """h of the waves of both bodies, which are alike, at the printed width of each contact; K_n of 0.48 h.
+
+    Nothing depends on the file's surface.
+    """
     made = case_with_surface(example_case, roughness(isotropic_map))
     assert made.contact_law() == "exponential"
     joint = joint_from_case(made)
@@ -142,14 +149,14 @@ def test_heights_and_stiffness_of_a_joint_by_hand(example_case, isotropic_map):
     for name, width, n, k in zip(("sp", "pwr", "pwl", "wro", "wlo"), widths, force, stiffness, strict=True):
         square, deviation = isotropic_map.felt(rolling=1.0 / width, axial=0.0)  # lines longer than the map
         height = made.surface[name].rms_height.value
-        assert height == pytest.approx(math.sqrt(square), rel=1e-3)
+        assert height == pytest.approx(math.sqrt(2.0 * square), rel=1e-3)
         assert k == pytest.approx(line_stiffness(n, 0.48 * height, joint), rel=1e-9)
         low, middle, high = made.measured.heights[f"surface.{name}"]
         assert (
             high / middle
             == pytest.approx(middle / low)
             == pytest.approx(math.exp(0.98 * deviation / square), rel=1e-3)
-        )
+        )  # one measurement of both bodies: their scatter does not average out
     told = " ".join(made.measured.assumed)
     assert "the joint uses the measured spectrum; no power law" in told
     assert "nothing is known of waves longer than 0.341 mm along the axis, two thirds of its size" in told
@@ -225,13 +232,15 @@ def test_form_that_the_line_load_does_not_close_is_in_the_soft_end(example_case)
     "kind", ["planar", *(pytest.param(kind, marks=pytest.mark.long) for kind in ("planetary", "multiroller"))]
 )
 def test_two_bodies_in_every_drive(planar_case, kind):
-    """The mean squares of two bodies add: of heights in the ratio 3 to 4 the pair has 5."""
+    """The mean squares of two bodies add: of heights in the ratio 3 to 4 the pair has 5, of 3 and 3 sqrt(18)."""
     one, other = (profile_spectrum("rolling", factor) for factor in (0.3, 0.4))
     case = planar_case(kind)
     pair = case_with_surface(case, roughness(one, other)).surface
     alone = case_with_surface(case, roughness(one)).surface
     for name, entry in pair.items():
-        assert entry.rms_height.value / alone[name].rms_height.value == pytest.approx(5.0 / 3.0, rel=1e-6)
+        assert entry.rms_height.value / alone[name].rms_height.value == pytest.approx(
+            5.0 / math.sqrt(18.0), rel=1e-6
+        )
 
 
 def test_a_profile_needs_a_stated_lay(example_case):
@@ -249,12 +258,16 @@ def test_the_published_law_takes_d_and_g(example_case):
 
     made = case_with_surface(stated("zou_2025"), roughness(profile_spectrum(None), fractal=measured()))
     assert made.surface.fractal_dimension.value == pytest.approx(1.25)
-    assert (made.measured.heights, made.measured.assumed) == (None, ())
+    # G of both bodies, which are alike: G^(2 (D - 1)) doubles
+    assert made.surface.fractal_roughness.value == pytest.approx(3e-13 * 2.0 ** (0.5 / 0.25), rel=1e-12)
+    assert made.measured.heights is None
+    (told,) = made.measured.assumed
+    assert told.startswith("measured surface: each body as measured: a surface; both are alike")
     with pytest.raises(InputError, match=r"needs D and G, which a surface does not have \(no power law\)"):
         case_with_surface(stated("zou_2025"), roughness(profile_spectrum("rolling")))
     earlier = case_with_surface(example_case, roughness(fractal=measured()))
     assert earlier.contact_law() == "zou_2025"
-    assert "a document of an earlier release" in earlier.measured.assumed[0]
+    assert "a document of an earlier release" in earlier.measured.assumed[1]
     with pytest.raises(InputError, match="measure the surface again with this release"):
         case_with_surface(stated("exponential"), roughness(fractal=measured()))
     with pytest.raises(InputError, match="neither a power law nor a spectrum"):
@@ -279,7 +292,7 @@ def test_heights_beyond_those_of_a_joint_file_are_one_message(example_case, size
 
 @pytest.mark.slow
 def test_a_roller_that_has_no_power_law_makes_a_joint(shared_data, example_case):
-    """NU206-RE-1: Rq 0.127 µm on its middle 40 % after a parabola, by another program; until now a refusal."""
+    """NU206-RE-1: Rq 0.127 µm on its middle 40 % after a parabola, by another program; both bodies are alike."""
     found = measured_files(
         [shared_data / "bearing_roller_profiles" / "NU206-RE-1.txt"],
         **OPTIONS | {"position_unit": "mm", "height_unit": "um", "lay": "rolling"},
@@ -287,8 +300,8 @@ def test_a_roller_that_has_no_power_law_makes_a_joint(shared_data, example_case)
     assert isinstance(found.fit, str)
     made = case_with_surface(example_case, found.roughness)
     for entry in made.surface.values():
-        assert entry.rms_height.value == pytest.approx(0.127e-6, rel=0.05)
-    assert "no power law over at least 1 decade" in made.measured.assumed[0]
+        assert entry.rms_height.value == pytest.approx(math.sqrt(2.0) * 0.127e-6, rel=0.05)
+    assert "no power law over at least 1 decade" in made.measured.assumed[1]
 
 
 def stated(case, law):
@@ -312,7 +325,11 @@ def pressed(spectrum, *, scale=1.0, hardness=0.05, pressure=(1e-4, 2e-2)):
 
 @pytest.mark.slow
 def test_the_measured_law_by_hand(example_case, isotropic_map):
-    """K_n of u, that of the table at N/(2 b L E) times the heights of the exponential law; both ends of its error."""
+    """K_n of u, that of the table times the heights of the exponential law; both ends of its error.
+
+    Both bodies are alike: heights and pressures scale together, so that the table of one has u/h at N/(2 b L E) over
+    the square root of 2.
+    """
     made = case_with_surface(stated(example_case, "measured"), roughness(pressed(isotropic_map)))
     assert made.contact_law() == "measured"
     by_heights = case_with_surface(example_case, roughness(isotropic_map)).surface
@@ -322,7 +339,7 @@ def test_the_measured_law_by_hand(example_case, isotropic_map):
     length = case_lengths(example_case)
     steel = joint.materials[0]
     modulus = float(steel.youngs_modulus) / (2.0 * (1.0 - float(steel.poisson_ratio) ** 2))
-    share = np.log(force / (width * length * modulus) / 1e-4) / np.log(200.0)
+    share = np.log(force / (width * length * modulus) / math.sqrt(2.0) / 1e-4) / np.log(200.0)
     ratio = np.exp(
         (1.0 - share) * np.log(0.5) + share * np.log(0.3)
     )  # of two loads monotone cubics are lines
@@ -372,11 +389,29 @@ def test_what_the_table_does_not_have_is_said(example_case, isotropic_map):
     far = pressed(isotropic_map, pressure=(1e-6, 1e-5), hardness=0.5)
     told = " ".join(case_with_surface(case, roughness(far)).measured.assumed)
     assert "the pressure of sp, pwr, pwl, wro, wlo is outside of what boundary elements have" in told
-    assert "of the measurement, while the softer body has: sp" in told
+    assert "has another hardness than the softer body" in told
     one, other = pressed(isotropic_map, scale=0.6), pressed(isotropic_map, scale=0.8)
     both = case_with_surface(case, roughness(one, other)).measured.ratios["surface.sp"][1]
     alone = case_with_surface(case, roughness(pressed(isotropic_map))).measured.ratios["surface.sp"][1]
     assert both / alone == pytest.approx(math.sqrt((0.36 + 0.64) / 2.0), rel=0.01)  # squares of bodies add
+
+
+def test_two_bodies_alike_are_a_rougher_one_under_less_pressure(isotropic_map):
+    """The decay ratio of the pair at p is that of the map at p/sqrt(2); beside a smooth body it is that at p."""
+    table = pressed(isotropic_map)
+    twin, smooth = dataclasses.replace(table, bodies=2), (1e-14, 1e-24)
+    for pressure in (5e-4, 2e-3, 9e-3):
+        at = 0.5 * (0.3 / 0.5) ** (math.log(pressure / math.sqrt(2.0) / 1e-4) / math.log(200.0))
+        for spectra, squares in (((twin,), (2e-14,)), ((table, table), (1e-14, 1e-14))):
+            ratio, error = _decay_ratio(spectra, squares, pressure, capped=False)
+            assert ratio == pytest.approx(math.sqrt(0.51 / 0.5) * at * math.sqrt(0.5 / 0.51), rel=1e-6)
+            # one table of both is known no better than one
+            alone = table.pressed.decay_ratio(pressure=pressure / math.sqrt(2.0), capped=False)[1]
+            assert error == pytest.approx(alone / math.sqrt(len(spectra)), rel=1e-6)
+        beside, _ = _decay_ratio((table, table), smooth, pressure, capped=False)
+        assert beside == pytest.approx(
+            table.pressed.decay_ratio(pressure=pressure, capped=False)[0], rel=1e-6
+        )
 
 
 @pytest.mark.slow
@@ -412,7 +447,7 @@ def decay_length_by_hand(waves, pressure):
     ],
 )
 def test_perssons_theory_in_every_drive(planar_case, isotropic_map, kind, replaced):
-    """K_n of u, by hand of the waves that each contact feels, at its mean pressure where it is widest."""
+    """K_n of u, by hand of the waves of both bodies that a contact feels, at its mean pressure where it is widest."""
     case = stated(planar_case(kind, *replaced), "persson_2007")
     made = case_with_surface(case, roughness(isotropic_map))
     assert made.contact_law() == "persson_2007"
@@ -423,7 +458,9 @@ def test_perssons_theory_in_every_drive(planar_case, isotropic_map, kind, replac
     steel = joint.materials[0]
     modulus = float(steel.youngs_modulus) / (2.0 * (1.0 - float(steel.poisson_ratio) ** 2))
     lengths = [
-        decay_length_by_hand(isotropic_map.waves(rolling=1.0 / width, axial=0.0), p / modulus)
+        decay_length_by_hand(
+            isotropic_map.waves(rolling=1.0 / width, axial=0.0) * [[1.0], [2.0]], p / modulus
+        )
         for width, p in zip(widths, pressure, strict=True)
     ]
     expected = line_stiffness(np.asarray(result.forces.normal), np.array(lengths), joint)

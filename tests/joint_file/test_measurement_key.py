@@ -12,6 +12,7 @@ from asperity.errors import InputError
 from asperity.joint.measured_surface import measured_surface
 from asperity.joint.solve import solve_joint
 from asperity.joint.status import STATUS_NAMES
+from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.felt_heights import felt_at
@@ -20,7 +21,8 @@ from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import si_values, varied_keys
 from asperity.joint_file.solved_document import full_document, solve_with_surface
 from asperity.study.batch import derivatives_at, evaluate_points
-from asperity.study.measured_points import heights_moved, refuse_derivatives
+from asperity.study.measured_points import STATE, heights_moved, refuse_derivatives, with_felt_surfaces
+from asperity.surface.measured_roughness import roughness_document
 
 #: Edges of the bins along the rolling direction [1/m]: contacts are 0.12 to 0.18 mm wide, in the second bin.
 EDGES = (1_000.0, 4_000.0, 9_000.0, 54_000.0)
@@ -49,10 +51,10 @@ def document(**changes):
 
 
 def height_by_hand(width):
-    """All waves but those below 1/width, and those below 1.5 periods of the profile, by bins."""
+    """Of both bodies, which are alike: all waves but those below 1/width and 1.5 periods of the profile, by bins."""
     limit, square = max(1.0 / width, 3.0 * EDGES[0]), 0.0
     for low, high, height in zip(EDGES[:-1], EDGES[1:], SQUARES, strict=True):
-        square += height * min(max((high - limit) / (high - low), 0.0), 1.0)
+        square += 2.0 * height * min(max((high - limit) / (high - low), 0.0), 1.0)
     return math.sqrt(square)
 
 
@@ -86,9 +88,11 @@ def test_each_contact_feels_the_bands_below_its_width(named):
 @pytest.mark.slow
 def test_the_heights_of_many_widths_are_those_of_the_bands(named):
     widths = np.geomspace(2.5e-5, 1e-3, 60).reshape(3, 20)
-    heights = felt_at(named.measured.measured.spectra, widths, np.full(widths.shape, 1e-2))
+    heights = felt_at(named.measured.pair.spectra, widths, np.full(widths.shape, 1e-2))
     by_hand = [[height_by_hand(width) for width in row] for row in widths]
     np.testing.assert_allclose(heights, by_hand, rtol=1e-12)
+    one_body = felt_at(named.measured.measured.spectra, widths, np.full(widths.shape, 1e-2))
+    np.testing.assert_allclose(one_body, np.divide(by_hand, math.sqrt(2.0)), rtol=1e-12)
 
 
 @pytest.mark.slow
@@ -102,13 +106,69 @@ def test_the_file_makes_the_document_of_the_option(folder, named, joint_text):
     assert full_document(named, made.solved) == made.document
 
 
-def test_two_bodies_add_their_squares(folder, named, named_text):
-    text = named_text.replace('"roller.json"', '["roller.json", "roller.json"]')
-    both = parse_case(text, source="joint.toml", folder=folder)
+def test_one_measurement_is_that_of_both_bodies_unless_it_is_of_the_pair(folder, named, named_text):
+    """As an Ra of one body counts for both; the mean squares of two measurements add in any case."""
+
+    def with_surface(section):
+        text = named_text.replace('measurement = "roller.json"', section)
+        return parse_case(text, source="joint.toml", folder=folder)
+
+    twice = with_surface('measurement = ["roller.json", "roller.json"]')
+    pair = with_surface('measurement = "roller.json"\nmeasurement_of = "pair"')
+    body = with_surface('measurement = "roller.json"\nmeasurement_of = "body"')
     for name, entry in named.surface.items():
-        assert both.surface[name].rms_height.value == pytest.approx(
-            math.sqrt(2.0) * entry.rms_height.value, rel=1e-3
-        )
+        height = entry.rms_height.value
+        assert twice.surface[name].rms_height.value == pytest.approx(height, rel=1e-12)
+        assert body.surface[name].rms_height.value == height
+        # of half of the squares; the contacts are narrower, and feel a little less
+        assert pair.surface[name].rms_height.value == pytest.approx(height / math.sqrt(2.0), rel=1e-3)
+    for case, words in (
+        (named, "each body as measured: roller.csv"),
+        (twice, "the pair as measured: roller.csv + roller.csv"),
+        (pair, "the pair as measured: roller.csv"),
+    ):
+        assert case.measured.assumed[0].startswith(f"measured surface: {words}")
+    assert [case.measured.measured.of for case in (named, twice, pair)] == ["body", "pair", "pair"]
+    (told,) = [told for told in assumptions(named) if "each body as measured" in told]
+    assert 'state measurement_of = "pair"' in told
+
+
+def test_a_document_says_that_it_is_of_a_pair(folder, named, named_text):
+    """What 'asperity surface combine' writes is no body; a file that is written for another folder says so, too."""
+    roughness = measured_surface((folder / "roller.json", folder / "roller.json"))
+    made = roughness_document(roughness)
+    assert made["measurement_of"] == "pair"
+    (folder / "roller.json").write_text(json.dumps(made))
+    pair = parse_case(named_text, source="joint.toml", folder=folder)
+    for name, entry in named.surface.items():
+        assert pair.surface[name].rms_height.value == pytest.approx(entry.rms_height.value, rel=1e-12)
+    text = joint_file_text(pair, {"load.preload": 1200.0}, comment="")
+    assert tomllib.loads(text)["surface"] == {
+        "measurement": str(folder / "roller.json"),
+        "measurement_of": "pair",
+    }
+    again = parse_case(text, source="elsewhere.toml")
+    assert again.measured.measured.of == "pair"
+    bare = joint_file_text(pair.with_text(""), {}, comment="")
+    assert tomllib.loads(bare)["surface"]["measurement_of"] == "pair"
+    said = named_text.replace('"roller.json"', '"roller.json"\nmeasurement_of = "body"')
+    with pytest.raises(InputError, match=r"surface\.measurement: roller\.csv .*document is that of a pair"):
+        parse_case(said, source="joint.toml", folder=folder)
+
+
+def test_every_point_of_a_study_has_both_bodies(named, named_text, folder):
+    """The heights at a point, of the document that the tables hold, are those of the joint itself."""
+    tables, points, settled = with_felt_surfaces(si_values(named), {}, lambda values, columns: states(named))
+    assert settled.all()
+    assert tables["surface"].keys() == named.surface.keys()
+    for name, entry in named.surface.items():
+        assert points[f"surface.{name}.rms_height"][0] == pytest.approx(entry.rms_height.value, rel=1e-6)
+
+
+def states(case):
+    """Widths and pressures of the contacts of a joint, shape (contacts, 1)."""
+    diagnostics = solve_joint(joint_from_case(case)).result.diagnostics
+    return {name: np.asarray(getattr(diagnostics, name))[:, None] for name in STATE}
 
 
 @pytest.mark.long
@@ -241,6 +301,16 @@ def test_a_changed_file_names_the_measurement_wherever_it_is_written(folder, nam
         ('measurement = "absent.json"', "surface.measurement: .*absent.json"),
         ('measurement = "joint.toml"', "surface.measurement: .*joint.toml.*'asperity surface measure'"),
         ('measurement = "."', "surface.measurement: "),
+        (
+            'measurement = "roller.json"\nmeasurement_of = "both"',
+            'surface.measurement_of: expected "body", .* or "pair", .*got \'both\'',
+        ),
+        ('measurement_of = "pair"\nrms_height = "0.2 um"', "leave measurement_of out"),
+        ('measurement_of = "pair"\nroughness_average = "0.2 um"', "measurement_of: only with measurement"),
+        (
+            'measurement = ["roller.json", "roller.json"]\nmeasurement_of = "pair"',
+            "surface.measurement: two measured surfaces are of one body each; leave out of what they are",
+        ),
         ("measurement = 3", "surface.measurement: expected the name of the JSON file"),
         ('measurement = ["a", "b", "c"]', "or a list of two"),
         ('sp.measurement = "roller.json"', "sp.measurement: a measured surface is that of all contacts"),

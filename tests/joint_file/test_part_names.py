@@ -1,8 +1,10 @@
 """Names of bodies, contacts and tracks from the tables of a joint file, as it states them and in SI units."""
 
+import pytest
 import tomlkit
 
 from asperity.joint_file.part_names import (
+    body_key,
     contacts_of,
     paths_of_track,
     track_of,
@@ -38,3 +40,17 @@ def test_one_track_is_one_number(planar_case):
     assert changed["contact"]["1"]["first_radius"] == 0.004
     assert values["contact"]["1"]["second_radius"] == 0.0135
     assert with_tracks({"drive": {}}) == {"drive": {}}
+
+
+@pytest.mark.parametrize(
+    ("kind", "body", "key"),
+    [
+        ("zou2025", "left_loading_roller", "loading_roller"),
+        ("zou2025", "right_loading_roller_2", "loading_roller"),  # of the second branch
+        ("planetary", "planet_3", "planet"),
+        ("planetary", "ring", "ring"),
+        ("planar", "wheel_2", "wheel_2"),  # so called in the file
+    ],
+)
+def test_the_material_of_a_body_of_a_branch_is_that_of_all_branches(kind, body, key):
+    assert body_key(kind, body, ("loading_roller", "planet", "ring", "wheel", "wheel_2")) == key

@@ -146,6 +146,10 @@ def test_a_unit_is_chosen_and_kept(page):
         ("293.15 K", "a temperature", "degC", None, "20 degC"),
         ("5 N·m", "a torque", "N*mm", None, "5000 N*mm"),
         ("5 N m", "a torque", "N*mm", None, "5000 N*mm"),
+        ("5 N-m", "a torque", "N*mm", None, "5000 N*mm"),
+        ("5 lbf.in", "a torque", "lbf*in", None, "5 lbf.in"),
+        ("3 arc-min", "an angle", "arcsec", None, "180 arcsec"),
+        ("8 N-m/arc-min", "a torsional stiffness", "N*m/arcmin", None, "8 N-m/arc-min"),
         ("2 inches", "a length", "mm", 0.0508, "50.8 mm"),
         ("2 inches", "a length", "mm", None, None),
         ("0.2 1/MPa", "a reciprocal pressure", "1/GPa", None, "200 1/GPa"),
@@ -194,11 +198,13 @@ def test_what_is_not_known_and_what_is_a_state_are_no_failures(page):
     limit = {
         "name": "x", "label": "x", "place": "", "unit": "", "lowest": 1.0, "highest": None, "inclusive": True,
         "severity": "function", "state": "", "used": None, "infinite": False, "actual": 2.0, "ok": True,
+        "known": True,
     }  # fmt: skip
     limits = [
         limit,
         limit | {"state": "held by the pins", "severity": "state", "ok": False},
-        limit | {"actual": None, "ok": False},
+        limit | {"actual": None, "ok": False, "known": False},
+        limit | {"ok": False, "known": False},  # a life without a factor for its film
         limit | {"actual": None, "infinite": True, "ok": False},
         limit | {"actual": 0.5, "ok": False},
     ]
@@ -207,7 +213,7 @@ def test_what_is_not_known_and_what_is_a_state_are_no_failures(page):
         "[...m.margins({ margins }).querySelectorAll('tbody tr')].map((row) => row.lastChild.textContent))"
     )
     told = page.evaluate(script, limits)
-    assert told == ["✗ fail", "✗ fail", "? unknown", "held by the pins", "✓ pass"]
+    assert told == ["✗ fail", "✗ fail", "? unknown", "? unknown", "held by the pins", "✓ pass"]
 
 
 def test_the_page_shows_what_the_command_says(page):
@@ -397,6 +403,8 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
     assert page.locator("#use-surface").is_disabled()
     page.locator("#surface-lay").select_option("axis")
     page.wait_for_selector("#use-surface:enabled", timeout=300_000)
+    # it is of one body, unless it is said to be of both together
+    assert page.locator("#surface-measurement_of").input_value() == "body"
     before = card(page)
     do(page, page.locator("#use-surface").click)
     assert page.locator("#error").is_hidden()
@@ -405,7 +413,7 @@ def test_a_surface_is_measured_and_put_into_the_joint(page, chromium, tmp_path):
     assert "exponential\nused here" in levels
     assert "zou_2025" in levels
     assert "Interval of the contact law, and of the rms of the heights" in levels
-    assert "Measured: profile.csv." in page.locator("details[data-group=surface]").inner_text()
+    assert "Each body as measured: profile.csv." in page.locator("details[data-group=surface]").inner_text()
     assert field(page, "surface.fractal_dimension").count() == 0
     # the saved file makes the same joint of the saved measurement, the link too
     surfaces = page.locator("details[data-group=surface]")

@@ -104,7 +104,7 @@ def test_results_of_another_drive_are_its_own(zou_file):
     rows = {each["name"]: each for each in chart_results(JointRequest("s.toml", text))}
     assert {"slip_ratio_sp", "slip_ratio_pr1", "slip_ratio_pr2"} <= set(rows)
     assert not any("pwr" in name or "loading_roller" in name for name in rows)
-    assert rows["body_life_held_ring"]["label"] == "fatigue life of one body, held ring"
+    assert rows["body_life_held_ring"]["label"] == "rating life of one body, held ring"
     assert rows["published_stiffness_input"]["label"] == "torsional stiffness at the input, asperities alone"
 
 

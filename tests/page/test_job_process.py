@@ -85,8 +85,7 @@ def test_numbers_of_a_design_have_the_units_of_the_file_and_the_words_of_the_dri
     result = SimpleNamespace(
         problem=problem,
         point={"drive.ring_wall_thickness": 10.49e-3, "drive.planet_bore_diameter": 12e-3},
-        feasible=True,
-        allowed=(),
+        met_words="All limits are met",
         objective_before=844.4,
         objective_after=800.0,
         limits=(limit,),
@@ -123,4 +122,6 @@ def test_a_measurement_document_is_read_as_it_is(tmp_path):
     path.write_text(json.dumps(document), encoding="utf-8")
     found = run("measure", path, document=True)
     assert found["fractal_dimension"] == 1.4
-    assert found == json.loads(path.read_text(encoding="utf-8"))
+    assert found == json.loads(path.read_text(encoding="utf-8")) | {"measurement_of": "body"}
+    of_pair = run("measure", path, document=True, measurement_of="pair")
+    assert of_pair == found | {"measurement_of": "pair"}

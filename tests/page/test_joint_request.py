@@ -1,5 +1,6 @@
 """Requests become checked joint files."""
 
+import json
 import tomllib
 
 import pytest
@@ -315,6 +316,18 @@ def test_a_file_that_names_its_measurement_needs_it_on_the_page(joint_text):
     both = joint_request({"toml": named, "surfaces": [DOCUMENT]})
     assert both.solved_case().surface.fractal_dimension.value == 1.45
     assert both.file_text() == named
+    # G of both bodies, which are alike: 1e-11 m times 2^(1/0.9); of a pair that measured
+    assert both.solved_case().surface.fractal_roughness.value == pytest.approx(
+        1e-11 * 2 ** (1 / 0.9), rel=1e-9
+    )
+    said = named.replace('"measured_surface.json"', '"measured_surface.json"\nmeasurement_of = "pair"')
+    for of_pair in (
+        joint_request({"toml": said, "surfaces": [DOCUMENT]}),
+        joint_request({"toml": named, "surfaces": [DOCUMENT | {"measurement_of": "pair"}]}),
+    ):
+        assert of_pair.solved_case().surface.fractal_roughness.value == pytest.approx(1e-11, rel=1e-9)
+        (content,) = of_pair.measurement_file().values()
+        assert json.loads(content)["measurement_of"] == "pair"
 
 
 def test_a_surface_that_is_no_measurement_is_refused(joint_text):

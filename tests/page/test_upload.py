@@ -45,6 +45,7 @@ def profile(*, seed=1, points=4096):
         (b'  {"schema": "' + SCHEMA.encode() + b'"}', "m.json", "measurement"),
         (b"x [m],z [m]\n0,1\n", "p.csv", "surface"),
         (b"1.0 2.0\n", "p", "surface"),
+        (b"POINTS = 3\nDX=1.5 um\n" + b"-12,5\n" * 9, "p.txt", "surface"),
         (b"aISO-1.0\r\nManufID = NanoFocus\r\n", "p.sdf", "surface"),
         (b"[DataSet]\nVersion=1\n", "p.ezd", "surface"),
         (b"PK\x03\x04 a = 1\n", "p.x3p", "surface"),
@@ -136,6 +137,9 @@ def test_a_profile_of_a_known_dimension_is_measured(tmp_path, monkeypatch):
     (spectrum,), (turned,) = found["surface"]["spectra"], axis["spectra"]
     assert (spectrum["lay"], turned["lay"]) == (None, "axis")
     assert turned["rolling_frequency_edges_per_m"] == spectrum["axial_frequency_edges_per_m"]
+    # and that it is of both bodies together
+    pair = measured_upload(json.dumps(found["document"]).encode(), "m.json", {"measurement_of": "pair"})
+    assert (found["surface"]["measurement_of"], pair["surface"]["measurement_of"]) == ("body", "pair")
     # a smooth surface has no power law; a joint takes its spectrum
     x = np.arange(2000) * 1e-6
     smooth = np.stack([x, 1e-7 * np.sin(2 * np.pi * x / 1e-3)], 1)
@@ -147,7 +151,7 @@ def test_a_profile_of_a_known_dimension_is_measured(tmp_path, monkeypatch):
     # too few points for a spectrum leave nothing
     short = measured_upload(profile(points=10), "short.csv", {})
     assert short["surface"] is None
-    assert started == ["measure"] * 5
+    assert started == ["measure"] * 6
 
 
 @pytest.mark.slow
@@ -192,7 +196,9 @@ def test_the_end_of_the_server_ends_a_measurement(monkeypatch):
         asyncio.run(measure())
 
 
-@pytest.mark.parametrize(("key", "word"), [("lay", "across"), ("direction", "z"), ("missing", "keep")])
+@pytest.mark.parametrize(
+    ("key", "word"), [("lay", "across"), ("direction", "z"), ("missing", "keep"), ("measurement_of", "both")]
+)
 def test_a_lay_and_a_direction_are_words(key, word):
     with pytest.raises(InputError, match=f"{key}: '{word}' is not one of"):
         measured_upload(b"1\n2\n", "p.csv", {key: word})

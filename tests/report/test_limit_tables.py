@@ -55,7 +55,7 @@ def test_what_is_not_met_stands_first_and_then_the_fullest():
 def entry(name, contact, value, ok, meaning):
     return {
         "name": name, "label": f"label of {name}", "contact": contact, "value": value, "limit": 1.0, "ok": ok,
-        "severity": "damage", "meaning": meaning, "remedy": "less load",
+        "known": True, "severity": "damage", "meaning": meaning, "remedy": "less load",
         "shown": "infinite" if value is None else f"{value:g}", "limit_shown": "1",
     }  # fmt: skip
 
@@ -86,4 +86,21 @@ def test_an_infinite_value_is_no_dash():
 def test_no_warning_is_a_sentence():
     law = entry("largest_spot", "sp", 2.0, False, "it is large") | {"severity": "model"}
     (said,) = warnings({"diagnostics": [entry("pressure", "sp", 0.5, True, ""), law]})
-    assert said.text == "No warnings: every limit is kept."
+    assert said.text == "No warnings: all limits are met."
+
+
+def test_a_life_without_a_film_factor_never_passes():
+    """Longer than required it is not judged; shorter it fails."""
+    lacks = Limit("function", "kept", "crossed", "less load", lowest=1.0, missing="no film factor, λ 0.18")
+    row = Result("required_drive_life", "rating life", Dimension.DIMENSIONLESS, "1", "a", limit=lacks)
+    found = [Margin(row, "", life, 1.0, math.inf, False, "function") for life in (2.0, 0.5)]
+    _, table = margins_table(found)
+    assert [(row[0], row[-1]) for row in table.rows] == [
+        ("rating life (no film factor, λ 0.18)", "FAIL"),
+        ("rating life (no film factor, λ 0.18)", "unknown"),
+    ]
+    open_ = entry("life", None, 2.0, False, "not judged: no film factor") | {"known": False, "remedy": None}
+    (bullets,) = warnings({"diagnostics": [open_]})
+    assert list(bullets.items) == [
+        "label of life: 2 (limit 1; not checked). Meaning: not judged: no film factor."
+    ]

@@ -72,14 +72,12 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     found = rows_of(blocks)
     assert found["Torsional stiffness"][0][1:] == ("10", "810", "0.25")
     held = found["Torsional stiffness"][3]
-    assert held[0] == "assembled, the loading cam held by its friction"
+    assert held[0] == "assembled, loading cam held by its friction"
     assert held[1:] == ("108", "8748", "2.545")  # over 9²; times pi/10 800
     unknown, law, whole = (b.text for b in blocks if isinstance(b, Paragraph))
     assert unknown == "No value: it slips."
-    assert (
-        law == "Asperities alone: outside the range of that level, largest spot up to 2; choose another law."
-    )
-    assert whole.endswith("a free ring's bending, for example.")
+    assert law == "Asperities alone: outside the range of this law, largest spot up to 2; choose another law."
+    assert whole.endswith("such as the bending of a free ring.")
     assert found["Stiffness budget: shares of the compliance of the assembled joint"] == [
         ("sp asperity", "50"), ("bodies", "25"), ("pins", "12.5"),
     ]  # fmt: skip
@@ -124,7 +122,7 @@ def test_contacts_are_in_the_units_of_their_heads():
         ],
     }
     found = rows_of(contacts(document))
-    assert found["Contact forces, standing under the torque"] == [
+    assert found["Contact forces at standstill, under the torque"] == [
         ("sp", "1000", "46.3", "0.386", "0.05", "750", "0.2")
     ]
     assert found["Contact stiffness, N/µm"] == [("sp", "123", "456", "–", "321")]

@@ -43,7 +43,7 @@ def test_drift_stands_beside_the_stiffness():
     assert [row[:2] for row in rows] == [
         ("drift per output turn", "40 arcmin"),
         ("speed loss", "0.185 %"),
-        ("stiffness, standing", "2 N·m/arcmin"),
+        ("stiffness at standstill", "2 N·m/arcmin"),
         ("torque over stiffness", "2.5 arcmin"),
         ("torque capacity, rolling", "12.5 N·m"),
     ]
@@ -74,15 +74,15 @@ def test_losses_by_contact_and_in_all():
 
 def test_lives_of_drive_and_bodies_and_under_a_duty():
     found = document()
-    title = "Fatigue life that 90 % of the drives reach"
+    title = "Rating life L10"
     rows = tables(rolling(found))[title]
     assert [row[0] for row in rows] == ["the drive", "loading roller"]
     found["input"]["duty"] = [{}]
-    assert tables(rolling(found))[title][-1][0] == "the drive under its duty"
-    assert not any(isinstance(block, Paragraph) and "fatigue life" in block.text for block in rolling(found))
-    found["rolling"]["no_life_because"] = "no fatigue life: at sp it flows"
-    (said,) = (b.text for b in rolling(found) if isinstance(b, Paragraph) and "fatigue life" in b.text)
-    assert said == "No fatigue life: at sp it flows."
+    assert tables(rolling(found))[title][-1][0] == "the drive under the duty"
+    assert not any(isinstance(block, Paragraph) and "rating life" in block.text for block in rolling(found))
+    found["rolling"]["no_life_because"] = "no rating life: at sp it flows"
+    (said,) = (b.text for b in rolling(found) if isinstance(b, Paragraph) and "rating life" in b.text)
+    assert said == "No rating life: at sp it flows."
 
 
 def test_thrust_only_where_axes_are_skewed_and_reasons_first():

@@ -101,6 +101,7 @@ def designed(case, monkeypatch):
         feasible=True,
         crossed=(),
         allowed=(),
+        unknown=(),
         point={"load.preload": 2000.0},
         optimum={"load.preload": 2000.0},
         at_bound={"load.preload": "upper"},

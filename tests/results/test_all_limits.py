@@ -50,7 +50,7 @@ def test_a_joint_that_rolls_under_its_duty():
     assert (count.value, count.ok, count.meaning) == (
         0.0,
         True,
-        "the joint carries every load of its duty without gross slip",
+        "every load of the duty is carried without gross slip",
     )
     assert (pressure.value, pressure.contact, pressure.ok) == (0.8, "load 2", True)
     assert further_checks(solved([], duty=())) == ()
@@ -96,7 +96,5 @@ def test_the_worst_load_for_a_rim_is_named():
     of_yield, of_fatigue = found["duty_rim_yield_safety"], found["duty_rim_fatigue_safety"]
     assert (of_yield.value, of_yield.contact, of_yield.ok) == (2.0, "ring, load 3", True)
     assert (of_fatigue.value, of_fatigue.contact, of_fatigue.ok) == (0.9, "ring, load 1", False)
-    assert (
-        of_fatigue.result.label == "safety of a ring or hollow roller against fatigue, worst load of the duty"
-    )
+    assert of_fatigue.result.label == "rim fatigue safety, worst load of the duty"
     assert joint.rims.yield_safety[1] == 9.0  # that of its own torque stays

@@ -70,7 +70,8 @@ def test_what_is_infinite_is_told_from_what_is_not_known():
         (None, True),
     ]
     assert {(each["unit"], each["limit_shown"]) for each in found} == {("1", "1")}
-    assert [each["shown"] for each in found] == ["0.5", "-", "infinite"]
+    assert [each["shown"] for each in found] == ["0.5", "not known", "infinite"]
+    assert [each["known"] for each in found] == [True, False, True]
 
 
 def test_it_says_why_there_is_no_stiffness(joint_text):
@@ -108,7 +109,7 @@ def test_rolling_is_in_the_document(document):
     assert found["drift_rad_per_output_turn"] == rolling["drift_rad_per_output_turn"] > 0.0103
     assert found["life_hours"] is rolling["contacts"]["sp"]["life_hours"] is None
     assert rolling["contacts"]["wro"]["life_hours"] > 0.0
-    assert rolling["no_life_because"].startswith("no fatigue life: at sp, pwr the Hertz pressure is above")
+    assert rolling["no_life_because"].startswith("no rating life: at sp, pwr the Hertz pressure exceeds")
     causes = ("creep", "skew", "bearings")
     assert found["losses_W"]["total"] == pytest.approx(sum(found["losses_W"][cause] for cause in causes))
     assert found["losses_W"]["oil"] is None

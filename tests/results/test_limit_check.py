@@ -85,7 +85,7 @@ def test_an_undefined_value_is_not_ok(solved):
     undefined = by_name(entries, "asperity_over_bulk_stiffness")["sp"]
     assert math.isnan(undefined.value)
     assert not undefined.ok
-    assert undefined.meaning.startswith("no value here: the contact slips, has lifted off")
+    assert undefined.meaning.startswith("no value: the contact slips, has lifted off")
 
 
 def judged(zou_file, *, friction, static=None):

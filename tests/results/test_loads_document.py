@@ -53,9 +53,9 @@ def test_what_mounts_the_ring_by_hand(planetary, values):
     _, solution, _ = planetary
     place = ("ring", "mounted over its rollers")
     force = 3 * 0.08 * float(solution.result.rest.normal[1])
-    assert values[*place, "axial force that presses it on"] == ([pytest.approx(force), None], "N")
+    assert values[*place, "axial mounting force"] == ([pytest.approx(force), None], "N")
     rise = 30e-6 / (12.6e-6 * (0.05 - 30e-6))
-    for what in ("heating of the ring", "or cooling of all inside it"):
+    for what in ("heating of the ring", "or cooling of everything inside it"):
         assert values[*place, f"{what}, for a gap of 0 um"] == ([pytest.approx(rise, rel=1e-3), None], "K")
     stress, unit = values[*place, "largest hoop stress, mounted"]
     assert unit == "Pa"
@@ -63,7 +63,7 @@ def test_what_mounts_the_ring_by_hand(planetary, values):
     n, wall, width = float(solution.result.rest.normal[1]), 8e-3, 10e-3
     bending = 0.189 * n * 54e-3 * 6.0 / (width * wall**2)
     assert stress[0] == pytest.approx(bending + 0.289 * n / (width * wall), rel=0.25)
-    assert values[*place, "its yield strength"][0][0] == pytest.approx(2034e6, rel=0.01)
+    assert values[*place, "yield strength"][0][0] == pytest.approx(2034e6, rel=0.01)
 
 
 def test_speeds_are_those_of_a_drive_that_creeps(planetary, values):
@@ -148,7 +148,7 @@ def test_lives_are_in_hours():
 @pytest.mark.parametrize(
     ("numbers", "said"),
     [
-        ({"life": math.nan, "duty_life": 1.0}, ["it stands"]),
+        ({"life": math.nan, "duty_life": 1.0}, ["at standstill"]),
         ({"life": math.inf, "duty_life": math.inf}, ["no load"]),
         ({"life": 1.0, "duty_life": math.nan}, ["under the duty"]),
         ({"life": 1.0, "duty_life": math.inf}, ["turns it"]),

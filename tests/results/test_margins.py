@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.wedge.geometry import CONTACT_NAMES
-from asperity.results import Limit, Result
+from asperity.results import SEVERITIES, Limit, Result
 from asperity.results import margins as module
 from asperity.results.margins import margins
 from asperity.results.notes import Note, contact_notes
@@ -75,19 +75,26 @@ def test_share_of_the_limit_that_is_used(found):
     assert math.isnan(found["clearance"].utilisation)
 
 
-def test_what_is_not_known_does_not_pass(monkeypatch):
+@pytest.mark.parametrize(
+    ("values", "place", "outcome"),
+    [
+        ([0.5, np.nan, 0.2, 1.0, 0.4], "pwr", "unknown"),
+        ([0.5, np.nan, 0.2, 5.0, 0.4], "wro", "FAIL"),  # what is not known does not hide what fails
+        ([0.5, np.nan, 0.2, np.inf, 0.4], "wro", "FAIL"),
+    ],
+)
+def test_what_is_not_known_does_not_pass(monkeypatch, values, place, outcome):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"slip": ROWS[1]})
-    values = np.array([0.5, np.nan, 0.2, 5.0, 0.4])
     (found,) = margins(
         SimpleNamespace(
             joint=STANDS,
             required_life=None,
             notes=(),
-            a=values,
+            a=np.array(values),
             row_names=lambda axis: CONTACT_NAMES,
         )
     )
-    assert (found.place, found.passes) == ("pwr", False)
+    assert (found.place, found.passes, found.outcome) == (place, False, outcome)
 
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
@@ -110,6 +117,24 @@ def test_of_notes_of_one_name_the_farthest_beyond_its_limit_or_the_nearest_to_it
     assert worst(("a", 0.5, 1.0, True), ("b", 0.1, 0.4, False))[0] == "b"
 
 
+def test_a_thicker_film_is_never_ranked_the_worse(monkeypatch):
+    """By severity and by the share of its limit, over all bands of Tallian."""
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: {})
+    sizes = {"contact_length": 0.01, "smaller_radius": 0.01, "effective_radius": 0.2}
+    given = {"friction_coefficient": 0.12, "contact_factor_model": "unity", **sizes}
+    ranks = []
+    for film in (0.05, 0.18, 0.99, 1.01, 2.9, 3.1, 10.0):
+        notes = tuple(contact_notes("sp", film_ratio=film, **given))
+        (found,) = (
+            each
+            for each in margins(SimpleNamespace(joint=STANDS, required_life=None, notes=notes))
+            if each.result.name == "film_ratio"
+        )
+        ranks.append((SEVERITIES.index(found.severity), -found.utilisation))
+    assert ranks == sorted(ranks)
+    assert len({severity for severity, _ in ranks}) == 1
+
+
 def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypatch):
     """Oil films of half and twice the roughness; a friction of 0.12 where 0.3 is usual; a roller of 200 mm radius."""
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {})
@@ -126,8 +151,8 @@ def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypa
         for each in margins(SimpleNamespace(joint=STANDS, required_life=None, notes=tuple(notes)))
     }
     film = found["film_ratio"]
-    assert (film.place, film.actual, film.highest, film.passes) == ("pr", 2.0, 1.0, False)
-    assert (film.severity, film.utilisation) == ("accuracy", 2.0)
+    assert (film.place, film.actual, film.lowest, film.passes) == ("sp", 0.5, 3.0, False)  # the thinner one
+    assert (film.severity, film.state, film.outcome) == ("state", *["boundary lubrication"] * 2)
     assert found["friction_coefficient"].utilisation == pytest.approx(0.4)
     size = found["contact_factor_size"]
     assert (size.severity, size.passes, size.result.display_unit, size.actual) == ("model", False, "mm", 0.2)

@@ -1,11 +1,19 @@
 """Notes on a joint: its contacts from both sides of their limits, its sizes, and the main cause of its losses."""
 
+import re
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from asperity.results.notes import contact_notes, crown_notes, loss_notes, plausibility, skew_notes
+from asperity.results.notes import (
+    contact_notes,
+    crown_notes,
+    loss_notes,
+    plausibility,
+    rolling_notes,
+    skew_notes,
+)
 
 NAN = float("nan")
 
@@ -82,9 +90,21 @@ def test_limits_from_both_sides(name, changes, value, limit, ok):
 def test_a_film_that_carries_load_is_named_where_its_ratio_is_known():
     found = {ratio: roller(film_ratio=ratio).get("film_ratio") for ratio in (0.9, 1.3)}
     assert not any(note.ok for note in found.values())
-    assert "boundary lubrication" in found[0.9].meaning
-    assert "the oil film carries a part of the load" in found[1.3].meaning
+    assert "the asperities carry the load" in found[0.9].meaning
+    assert "the oil film carries part of the load" in found[1.3].meaning
     assert "film_ratio" not in roller()
+
+
+def test_one_screen_has_one_advice_on_the_film():
+    """Films of every band beside a drive that loses half of its power to the oil: none asks for a thicker one."""
+    films = [roller(film_ratio=ratio)["film_ratio"].remedy for ratio in (0.18, 1.5, 5.0)]
+    (loss,) = loss_notes(rolled(oil=(30.0, 60.0), creep=(1.0, 1.0)), NAMES)
+    asked = [re.findall(r"(thinner|thicker) oil", said) for said in (*films, loss.remedy)]
+    assert asked == [[], [], [], ["thinner"]]
+    smoother = (
+        "make the surfaces smoother for a longer life; a thicker film also lowers the friction coefficient"
+    )
+    assert [said.endswith(smoother) for said in films] == [True, True, False]
 
 
 def test_each_contact_has_its_own_numbers(planar_joint):
@@ -135,6 +155,24 @@ def test_the_printed_factor_has_a_range_of_sizes(planar_joint):
     assert len(plausibility(printed, result)) == len(plausibility(planar_joint("planetary"), result)) + 2
 
 
+@pytest.mark.parametrize(
+    ("torque", "capacity", "value", "ok"),
+    [
+        (10.0, 12.5, 0.8, True),
+        (-10.0, 8.0, 1.25, False),
+        (10.0, 0.0, np.inf, False),
+        (10.0, np.inf, 0.0, True),
+    ],
+)
+def test_a_joint_that_turns_must_roll_under_its_torque(torque, capacity, value, ok):
+    """Standing it may carry more: a torque between both capacities is no joint that works."""
+    joint = SimpleNamespace(output_torque=torque, sun_speed=1.0)
+    (note,) = rolling_notes(joint, capacity)
+    assert (note.value, note.ok, note.severity, note.remedy is None) == (value, ok, "function", ok)
+    assert rolling_notes(SimpleNamespace(output_torque=torque, sun_speed=0.0), capacity) == ()
+    assert rolling_notes(SimpleNamespace(output_torque=0.0, sun_speed=1.0), capacity) == ()
+
+
 NAMES = ("sp", "pr")
 
 
@@ -161,7 +199,7 @@ def test_the_main_cause_is_named(losses, said, remedy):
     (note,) = loss_notes(rolled(**losses), NAMES)
     assert (note.ok, note.severity) == (False, "function")
     assert note.value == pytest.approx(0.4)
-    assert note.meaning == f"of 100 W that enter, 40 W are lost, {said}"
+    assert note.meaning == f"40 W of the 100 W input power are lost, {said}"
     assert remedy in note.remedy
 
 

@@ -48,45 +48,50 @@ def test_nothing_is_judged_where_nothing_is_required():
 @pytest.mark.parametrize(("hours", "ok"), [(499.0, False), (500.0, True), (501.0, True)])
 def test_a_life_is_compared_with_what_is_required(hours, ok):
     (check,) = life_checks(solved(life=hours, under_duty=7.0))
-    assert (check.ok, check.limit, check.contact) == (ok, 1.8e6, None)
+    assert (check.ok, check.known, check.limit, check.contact) == (ok, True, 1.8e6, None)
     assert check.value == pytest.approx(3600.0 * hours, rel=1e-15)
-    assert check.result.label == "fatigue life of the drive"
-    assert ("before" in check.meaning) is not ok
+    assert check.result.label == "rating life"
+    assert ("shorter" in check.meaning) is not ok
+    assert check.rule.severity == "function"
     (check,) = life_checks(solved(life=1.0, under_duty=hours, duty=DUTY))
     assert check.ok is ok
-    assert check.result.label == "fatigue life of the drive under its duty"
+    assert check.result.label == "rating life under the duty"
 
 
 @pytest.mark.usefixtures("rows")
 @pytest.mark.parametrize(
-    ("films", "beside"),
+    ("films", "missing"),
     [
-        ((math.nan, 0.16, 4.0), ", without a factor for the film (boundary lubrication, lambda 0.16)"),
-        ((1.2, 4.0), ", without a factor for the film (mixed lubrication, lambda 1.2)"),
+        ((math.nan, 0.16, 4.0), "no film factor, λ 0.16"),  # boundary lubrication
+        ((1.2, 4.0), "no film factor, λ 1.2"),  # mixed
         ((3.5, 4.0), ""),
         ((math.nan,), ""),
     ],
 )
-def test_a_life_says_beside_its_verdict_what_the_film_leaves_of_it(films, beside):
-    (check,) = life_checks(solved(life=600.0, films=films))
-    assert check.ok
-    assert check.result.label == f"fatigue life of the drive{beside}"
+def test_a_life_in_a_thin_film_may_be_too_short_but_is_never_met(films, missing):
+    (long,), (short,) = (life_checks(solved(life=life, films=films)) for life in (600.0, 400.0))
+    assert (long.ok, long.known) == (not missing, not missing)
+    assert (short.ok, short.known) == (False, True)
+    assert long.rule.missing == short.rule.missing == missing
+    assert ("a_ISO" in long.rule.remedy) is bool(missing)
+    assert long.meaning == (f"not judged: {missing}" if missing else long.rule.kept)
+    assert short.meaning == short.rule.crossed
 
 
 @pytest.mark.usefixtures("rows")
 def test_a_joint_that_stands_or_slips_has_no_life_to_compare():
     (check,) = life_checks(solved())
     assert not check.ok
-    assert "no life to compare" in check.meaning
-    assert "slips, is loaded above shakedown, or stands" in check.meaning
-    assert check.rule.severity == "damage"
+    assert not check.known
+    assert "no rating life to compare" in check.meaning
+    assert "slips, exceeds the shakedown limit, or stands" in check.meaning
 
 
 @pytest.mark.usefixtures("rows")
 def test_a_duty_that_the_joint_does_not_carry_is_the_reason_why_its_life_is_unknown():
     (check,) = life_checks(solved(life=600.0, duty=DUTY))
     assert not check.ok
-    assert check.meaning.endswith("the joint does not carry every load of its [[duty]]")
+    assert check.meaning.endswith("a load of the [[duty]] is not carried")
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +122,7 @@ def test_margins_of_drive_and_bearings_are_in_the_list(text):
     assert (drive.lowest, drive.highest, drive.severity, drive.result.display_unit) == (
         3.6e6,
         math.inf,
-        "damage",
+        "function",
         "h",
     )
     assert drive.utilisation == pytest.approx(3.6e6 / drive.actual)

@@ -9,7 +9,8 @@ from asperity.surface.measure_files import MeasuredFiles, files_document, measur
 from asperity.surface.measurement import measurement_from_document
 
 DEFAULTS = {
-    "position_unit": None, "height_unit": None, "spacing": None, "decimal": "auto", "any_size": False,
+    "position_unit": None, "height_unit": None, "spacing": None, "decimal": "auto", "column": None,
+    "no_data": None, "any_size": False,
     "start": None, "stop": None, "form": None, "degree": None, "missing": "refuse", "outlier_threshold": None,
     "short_cutoff": None, "long_cutoff": None, "direction": "x", "estimator": "likelihood", "frequency_ratio": 1.5,
     "shortest_wavelength": None, "longest_wavelength": None, "lay": None,
@@ -133,7 +134,7 @@ def profile_text(path, unit_x="mm", unit_z="um", rows=40, step=0.001):
 def test_a_unit_that_contradicts_the_heading_is_refused(tmp_path):
     file = profile_text(tmp_path / "p.csv")
     assert read_surface(path=file, height_unit="micron").spacing == pytest.approx(1e-6)
-    with pytest.raises(InputError, match="unit of its heights as um, not nm"):
+    with pytest.raises(InputError, match=r"unit of its heights is um by the heading .*, not nm"):
         read_surface(path=file, height_unit="nm")
 
 

@@ -12,6 +12,7 @@ from asperity.surface.height_spectrum import spectrum_of_profiles
 from asperity.surface.measured_roughness import (
     MeasuredRoughness,
     equivalent_surface,
+    measurement_of,
     read_roughness,
     roughness_document,
     roughness_from_document,
@@ -56,9 +57,89 @@ def test_the_document_keeps_what_a_joint_takes(measured, tmp_path):
     assert (again.source, again.no_power_law) == (measured.source, measured.no_power_law)
     assert (again.fractal is None) == (measured.fractal is None)
     assert [each.source for each in again.spectra] == [each.source for each in measured.spectra]
+    assert again.of == "body"
+    file.write_text(json.dumps(roughness_document(dataclasses.replace(measured, of="pair"))))
+    assert read_roughness(path=file).of == "pair"
+
+
+@pytest.mark.parametrize("D", [1.2, 1.5, 1.8])
+def test_one_measurement_makes_two_bodies_alike(D):
+    """D and G as of two measurements that agree; their error is that of one, which moves both."""
+    one = MeasuredRoughness(body(D, 1e-12), "", (), "roller")
+    both, apart = one.pair.fractal, equivalent_surface(first=one.fractal, second=one.fractal)
+    assert float(both.fractal_dimension) == D
+    assert float(both.fractal_roughness) == pytest.approx(float(apart.fractal_roughness), rel=1e-8)
+
+    def moved(dimension, factor):
+        same = body(D + dimension, 1e-12 * factor)
+        pair = equivalent_surface(first=same, second=same)
+        return np.array([float(pair.fractal_dimension), np.log(float(pair.fractal_roughness))])
+
+    steps = [(moved(1e-5, 1.0) - moved(-1e-5, 1.0)) / 2e-5]
+    steps.append((moved(0.0, np.exp(1e-5)) - moved(0.0, np.exp(-1e-5))) / 2e-5)
+    jacobian = np.array(steps).T
+    expected = jacobian @ np.asarray(one.fractal.covariance) @ jacobian.T
+    np.testing.assert_allclose(both.covariance, expected, rtol=1e-5)
+    assert float(both.covariance[0, 0]) == pytest.approx(2.0 * float(apart.covariance[0, 0]), rel=1e-3)
+
+
+def test_waves_of_two_bodies_alike():
+    """Mean squares double, and so does their deviation; cut-off and steepness of a wave are those of one body."""
+    one = spectrum("roller")
+    (both,) = RING.pair.spectra
+    (alone,) = RING.spectra
+    at = {"rolling": 0.0, "axial": 2e3}
+    assert both.felt(**at) == pytest.approx(np.multiply(2.0, alone.felt(**at)), rel=1e-14)
+    many = {name: np.array([value, 3e3]) for name, value in at.items()}
+    np.testing.assert_allclose(both.squares(**many), 2.0 * alone.squares(**many), rtol=1e-14)
+    for waves in ("waves", "form"):
+        numbers, squares = getattr(both, waves)(**at)
+        np.testing.assert_array_equal(numbers, getattr(alone, waves)(**at)[0])
+        np.testing.assert_allclose(squares, 2.0 * getattr(alone, waves)(**at)[1], rtol=1e-14)
+    # an Ra of 0.075 um, of the class of 0.25 mm up to 0.1 um; the pair's is 0.11 um, of that of 0.8 mm
+    heights = 0.075e-6 * np.sqrt(np.pi / 2.0) * np.random.default_rng(1).standard_normal((1, 4000))
+    fine = spectrum_of_profiles(profiles=heights, spacing=1e-6, lay="rolling", source="fine")
+    assert dataclasses.replace(fine, bodies=2).cut_off() == fine.cut_off() == 0.25e-3
+    rougher = spectrum_of_profiles(
+        profiles=np.sqrt(2.0) * heights, spacing=1e-6, lay="rolling", source="pair"
+    )
+    assert rougher.cut_off() == 0.8e-3
+    assert one.bodies == 1
+
+
+def test_a_pair_is_a_pair():
+    pair = two_bodies(ROLLER, RING)
+    assert (pair.of, pair.pair is pair) == ("pair", True)
+    assert pair.words == "measured surface: the pair as measured: roller + ring"
+    assert ROLLER.words.startswith("measured surface: each body as measured: roller; both are alike")
+    with pytest.raises(InputError, match=r"roller \+ ring: a measurement of both bodies together"):
+        two_bodies(pair, ROLLER)
+    assert measurement_of(ROLLER, "pair").pair.spectra == ROLLER.spectra
+    assert measurement_of(ROLLER, None) is ROLLER
+    assert measurement_of(pair, "pair") == pair
+    with pytest.raises(InputError, match="the document is that of a pair"):
+        measurement_of(pair, "body")
+    with pytest.raises(InputError, match="got 'half'"):
+        measurement_of(ROLLER, "half")
+
+
+def test_two_alike_whose_power_law_leaves_its_range():
+    """At D = 1.001 a factor of 2 in the structure function is one of 2^500 in G."""
+    flat = dataclasses.replace(ROLLER, fractal=power_law("flat", dimension=1.001))
+    assert flat.pair.fractal is None
+    assert "too near to 1" in flat.pair.no_power_law
+    assert len(flat.pair.spectra) == 1
+    with pytest.raises(NoSolutionError, match="too near to 1"):
+        _ = dataclasses.replace(flat, spectra=()).pair
 
 
 def test_documents_of_earlier_releases():
+    for pair in (two_bodies(ROLLER, ROLLER), two_bodies(ROLLER, RING), two_bodies(EARLIER, EARLIER)):
+        document = roughness_document(pair)
+        assert document.pop("measurement_of") == "pair"
+        assert roughness_from_document(document).of == "pair"
+        with pytest.raises(InputError, match="of two surfaces must be 'pair'"):
+            roughness_from_document(document | {"measurement_of": "body"})
     assert roughness_from_document(measurement_document(measurement=power_law("old"))).spectra == ()
     common = {"schema": "asperity-surface-measurement", "schema_version": 1, "source": "old"}
     with pytest.raises(InputError, match="refused by an earlier release: measure again"):
@@ -79,6 +160,8 @@ def test_d_and_g_are_asked_of_a_surface_that_has_none():
         ({"spectra": [1]}, "damaged"),
         ({"no_power_law": 3}, "must be texts"),
         ({"source": 3}, "must be texts"),
+        ({"measurement_of": "both"}, r"key 'measurement_of' .* got 'both'"),
+        ({"measurement_of": ["pair"]}, r"got \['pair'\]"),
         ({"schema": "other"}, "not a surface measurement"),
     ],
 )

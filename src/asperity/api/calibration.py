@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,16 +16,18 @@ from asperity.standing.windup import StiffnessLevel
 from asperity.study.calibration.calibrate import (
     MODEL_ERROR,
     Calibration,
+    bound_words,
     calibrate_files,
     calibrated_text,
     count_words,
+    estimate_note,
     identifiability_words,
     model_error_words,
 )
-from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
+from asperity.study.calibration.calibration_plot import calibration_figure
 from asperity.study.calibration.fitted_curve import residual_sentences
 from asperity.study.calibration.torque_history import History
-from asperity.study.calibration.unknowns import dimension_of
+from asperity.study.calibration.unknowns import dimension_of, unit_of
 from asperity.units import format_quantity, from_si
 
 if TYPE_CHECKING:
@@ -111,8 +114,11 @@ class CalibratedJoint(Shown):
         return self.start.edited(calibrated_text(self.calibration, self.start.case, comment=""))
 
     def __getitem__(self, name: str) -> NamedQuantity:
-        """One estimate."""
-        return self._quantities()[known_result(name, among=tuple(self._estimates), what="unknown")]
+        """One estimate; an ``InputError`` where the search ended at a bound, which is no fitted value."""
+        path = known_result(name, among=tuple(self._estimates), what="unknown")
+        if path in (ended := bound_words(self.calibration)):
+            raise InputError(ended[path])
+        return self._quantities()[path]
 
     def keys(self) -> list[str]:
         """Names of the unknowns."""
@@ -125,12 +131,18 @@ class CalibratedJoint(Shown):
         return quantities
 
     def to_frame(self) -> Any:
-        """The estimates as a pandas data frame: value, ends of the 95 % interval and unit, and whether determined."""
+        """The estimates as a pandas data frame: value, ends of the 95 % interval and unit, and whether determined.
+
+        Where the search ended at a bound, ``bound`` has it and ``value`` is nan.
+        """
         estimates, units = list(self._estimates.values()), [unit_of(path) for path in self._estimates]
         columns: dict[str, Any] = {
             title: [from_si(getattr(e, title), unit) for e, unit in zip(estimates, units, strict=True)]
             for title in ("value", "lower", "upper")
         }
+        ended = [bool(estimate.at_bound) for estimate in estimates]
+        columns["bound"] = [v if end else math.nan for v, end in zip(columns["value"], ended, strict=True)]
+        columns["value"] = [math.nan if end else v for v, end in zip(columns["value"], ended, strict=True)]
         columns |= {"unit": units, "determined": [estimate.determined for estimate in estimates]}
         return frame(columns, index=list(self._estimates), index_name="unknown")
 
@@ -161,13 +173,13 @@ class CalibratedJoint(Shown):
                 format_quantity(end, unit, 6) if estimate.determined else "-"
                 for end in (estimate.lower, estimate.upper)
             ]
-            note = "" if estimate.determined else "NOT determined"
-            note += f" at its {estimate.at_bound} bound" if estimate.at_bound else ""
-            rows.append((path, format_quantity(estimate.value, unit, 6), *ends, note.strip()))
+            value = format_quantity(estimate.value, unit, 6)
+            rows.append((path, "-" if estimate.at_bound else value, *ends, estimate_note(estimate)))
         words = identifiability_words(self.calibration)
         return [
             count_words(self.calibration),
             Table(("unknown", "estimate", "95 % from", "to", ""), rows),
+            *bound_words(self.calibration).values(),
             *residual_sentences(self.calibration.curves),
             model_error_words(self.calibration.model_error),
             *("\n".join([heading, *sentences]) for heading, sentences in words.items()),

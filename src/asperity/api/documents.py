@@ -151,6 +151,7 @@ def write_report(
     path: str | Path,
     *,
     surfaces: Sequence[str | Path] = (),
+    measurement_of: str | None = None,
     sensitivity: bool = False,
     tolerances: bool = False,
     distribution: str | None = None,
@@ -167,7 +168,10 @@ def write_report(
     path : str or Path
         The file, .html or .pdf; an existing one is replaced.
     surfaces : sequence of str or Path, optional
-        JSON documents of ``asperity surface measure``: the joint with these surfaces.
+        JSON documents of ``asperity surface measure``: the joint with this surface on both bodies of every contact, or
+        with two of them, one for each body.
+    measurement_of : {"body", "pair"}, optional
+        What one of them is of, where its document does not say it: one body, or both together.
     sensitivity, tolerances : bool, optional
         Add how much every number of the file moves the results, and the intervals from its tolerances.
     distribution : str, optional
@@ -211,7 +215,7 @@ def write_report(
         from asperity.joint.measured_surface import measured_surface
         from asperity.joint_file.measured_surface import case_with_surface
 
-        case = case_with_surface(case, measured_surface(tuple(map(str, surfaces))))
+        case = case_with_surface(case, measured_surface(tuple(map(str, surfaces)), measurement_of))
     elif case.measured is not None:
         surfaces = case.measured.files
     source = ReportSource(

@@ -148,13 +148,18 @@ class DescribedJoint(Shown):
                 )
         return changed
 
-    def with_surface(self, measurement: MeasuredRoughness) -> DescribedJoint:
+    def with_surface(
+        self, measurement: MeasuredRoughness, *, measurement_of: str | None = None
+    ) -> DescribedJoint:
         """The same joint with a measured surface at every contact, in terms of its contact law.
 
         Parameters
         ----------
         measurement : MeasuredRoughness
             The ``measurement`` of what :func:`asperity.api.surface.measure_surface` returns.
+        measurement_of : {"body", "pair"}, optional
+            What it is of: one body, as both bodies of a contact then are, or both together. What the measurement says
+            if not given; a file is of one body.
 
         Returns
         -------
@@ -167,8 +172,10 @@ class DescribedJoint(Shown):
             If the measurement lacks what the law needs, a profile its lay, or the joint cannot be solved.
         """
         from asperity.joint_file.measured_surface import case_with_surface
+        from asperity.surface.measured_roughness import measurement_of as stated_to_be
 
-        return DescribedJoint(case_with_surface(self.case, measurement), self.source)
+        measured = stated_to_be(measurement, measurement_of)
+        return DescribedJoint(case_with_surface(self.case, measured), self.source)
 
     def edited(self, text: str) -> DescribedJoint:
         """The joint of another text, TOML, of its file."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -200,24 +201,29 @@ class JointSolution(Shown):
             if not check["ok"]:
                 by_limit.setdefault(check["name"], []).append(check)
         if not by_limit:
-            return [*parts, "Every limit of the model is kept."]
+            return [*parts, "All limits are met."]
         rows = [_warning(checks) for checks in by_limit.values()]
         meanings = {f"{row['label']}: {row['meaning']}.": None for row in self.limits if not row["ok"]}
         head = ("limit crossed", "worst value", "limit", "contacts", "about")
-        return [*parts, Table(head, rows, "Warnings, the most serious first"), "\n".join(meanings)]
+        return [*parts, Table(head, rows, "Warnings, most serious first"), "\n".join(meanings)]
 
 
 def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
-    """One limit, by the contact that is farthest beyond it; a value that is infinite or not known is the farthest."""
-    unknown = sorted((row for row in checks if row["value"] is None), key=lambda row: not row.get("infinite"))
-    worst = unknown[0] if unknown else max(checks, key=lambda row: abs(row["value"] - row["limit"]))
+    """One limit, by the contact that is farthest beyond it, where one is; otherwise by one whose value is not known."""
+
+    def excess(row: dict[str, Any]) -> tuple[bool, float]:
+        if row["value"] is None:
+            return row["infinite"], math.inf
+        return row["known"], abs(row["value"] - row["limit"])
+
+    worst = max(checks, key=excess)
     contacts = ", ".join(row["contact"].replace("_", " ") for row in checks if row["contact"])
     return (
         worst["label"],
         worst["shown"],
         worst.get("state") or worst["limit_shown"],
         contacts,
-        worst["severity"],
+        worst["severity"] if worst["known"] else "not checked",
     )
 
 

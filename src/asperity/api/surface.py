@@ -39,6 +39,8 @@ def measure_surface(
     height_unit: str | None = None,
     spacing: str | None = None,
     decimal: str = "auto",
+    column: str | None = None,
+    no_data: str | None = None,
     any_size: bool = False,
     start: str | None = None,
     stop: str | None = None,
@@ -67,6 +69,10 @@ def measure_surface(
         Distance of the points with its unit, for files that hold heights only.
     decimal : {"auto", "point", "comma"}, optional
         Decimal sign of text files.
+    column : str, optional
+        Column of the heights in a text file with several, by its heading or its number from 1.
+    no_data : str, optional
+        Number that marks missing points, such as ``"-9999"``, or ``"none"`` if every number is a height.
     any_size : bool, optional
         Accept sizes that are unlikely for a rough surface.
     start, stop : str, optional

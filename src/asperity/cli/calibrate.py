@@ -67,6 +67,9 @@ def calibrate(
     'angle [arcmin]', 'drift [arcmin/turn]', 'speed loss [%]'. Rows in the order of time: the hysteresis of a
     torque-angle curve follows the history. A curve of the joint at rest and a drift curve can be fitted together:
     give both files; 'offset of drift' is then the offset of the drift curve.
+
+    A misfit beyond the curve's own scatter, and an unknown that ends at a bound, are said; a fit that leaves a quarter
+    of the curve unexplained ends with exit code 3.
     """
     from asperity.cli.terminal import about, progress_bar, read_case_of_branches
     from asperity.errors import InputError
@@ -122,7 +125,12 @@ def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, An
         "estimates": [
             {
                 k: (None if isinstance(v, float) and not math.isfinite(v) else v)
-                for k, v in {**asdict(estimate), "unit": si_unit_of(estimate.path)}.items()
+                for k, v in {
+                    **asdict(estimate),
+                    "value": math.nan if estimate.at_bound else estimate.value,
+                    "bound": estimate.value if estimate.at_bound else math.nan,
+                    "unit": si_unit_of(estimate.path),
+                }.items()
             }
             for estimate in calibration.estimates
         ],
@@ -143,6 +151,18 @@ def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, An
                     "unit": curve.measurement.quantity.si_unit,
                 },
                 "durbin_watson": curve.durbin_watson,
+                "own_scatter": None
+                if curve.scatter is None
+                else {
+                    "value": curve.scatter.deviation,
+                    "degrees_of_freedom": curve.scatter.freedom,
+                    "unit": curve.measurement.quantity.si_unit,
+                },
+                "misfit_beyond_scatter": {
+                    "value": curve.misfit,
+                    "of_curve": curve.misfit / curve.size if curve.misfit else 0.0,
+                    "unit": curve.measurement.quantity.si_unit,
+                },
             }
             for curve in calibration.curves
         ],
@@ -189,9 +209,15 @@ def interval_digits(lower: float, upper: float) -> int:
 
 def _show(calibration: Calibration, drawn: Posterior | None) -> None:
     from asperity.cli.terminal import console, table
-    from asperity.study.calibration.calibrate import count_words, identifiability_words, model_error_words
-    from asperity.study.calibration.calibration_plot import unit_of
+    from asperity.study.calibration.calibrate import (
+        bound_words,
+        count_words,
+        estimate_note,
+        identifiability_words,
+        model_error_words,
+    )
     from asperity.study.calibration.fitted_curve import residual_sentences
+    from asperity.study.calibration.unknowns import unit_of
     from asperity.units import format_quantity
 
     target = console()
@@ -205,17 +231,11 @@ def _show(calibration: Calibration, drawn: Posterior | None) -> None:
             format_quantity(v, unit, digits) if estimate.determined else "-"
             for v in (estimate.lower, estimate.upper, estimate.scatter_lower, estimate.scatter_upper)
         ]
-        notes = [
-            "" if estimate.determined else "NOT determined",
-            estimate.at_bound and f"at its {estimate.at_bound} bound",
-        ]
-        rows.add_row(
-            estimate.path,
-            format_quantity(estimate.value, unit, max(digits, 5)),
-            *ends,
-            ", ".join(note for note in notes if note),
-        )
+        value = format_quantity(estimate.value, unit, max(digits, 5))
+        rows.add_row(estimate.path, "-" if estimate.at_bound else value, *ends, estimate_note(estimate))
     target.print(rows)
+    for sentence in bound_words(calibration).values():
+        target.print(sentence, markup=False)
     for sentence in residual_sentences(calibration.curves):
         target.print(sentence)
     target.print(model_error_words(calibration.model_error))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from asperity.study.design.design_problem import DesignProblem
-    from asperity.study.design.design_result import DesignResult
+    from asperity.study.design.design_result import DesignResult, StartReport
 
 
 @click.command()
@@ -191,19 +192,20 @@ def _show(result: DesignResult) -> None:
     from asperity.cli.document_text import print_wrapped
     from asperity.cli.terminal import console
     from asperity.results import RESULTS
-    from asperity.study.design.design_result import bounds_words, met_words
+    from asperity.study.design.design_result import bounds_words
     from asperity.units import format_quantity
 
     target, problem = console(), result.problem
     goal, torques = problem.objectives[0], len(problem.worst_case.torques) or 1
     unit = RESULTS[goal.name].display_unit
-    worst = f", worst of {torques} torque{'s' * (torques != 1)}"
+    cases = [f"{torques} torques"] if torques > 1 else []
     if problem.worst_case.tolerances != "none":
-        worst += f" and the {problem.worst_case.tolerances} of the tolerances"
+        cases.append(f"the {problem.worst_case.tolerances} of the tolerances")
+    worst = f", worst case of {' and '.join(cases)}" if cases else ""
     before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
     target.print(f"{problem.goal}{worst}:")
     said = [f"{before} in {problem.joint_file} -> {after}"]
-    said.append(met_words(feasible=result.feasible, allowed=result.allowed))
+    said.append(result.met_words)
     if result.missed_before:
         missed = "; ".join(limit.text for limit in result.missed_before)
         said.append(f"The joint of the file misses: {missed}")
@@ -230,7 +232,7 @@ def _show_warnings(result: DesignResult) -> None:
     diagnostics = result.diagnostics
     if diagnostics["diagnostics"] is None:
         because = diagnostics["no_result_because"]
-        click.echo(f"Under the output torque of its file the designed joint has no result: {because}")
+        click.echo(f"The designed joint has no result under the output torque of its file: {because}")
         return
     if line := not_limited(result):
         console().print(line, markup=False)
@@ -246,12 +248,12 @@ def _show_front_warnings(target: Console, diagnostics: dict[str, Any]) -> None:
     crossed = Counter(label for entries in designs for label in {entry["label"] for entry in entries})
     if len(designs) < len(diagnostics["diagnostics"]):
         target.print(
-            f"{len(diagnostics['diagnostics']) - len(designs)} designs have no result under the file's torque"
+            f"{len(diagnostics['diagnostics']) - len(designs)} designs have no result under the torque of the file"
         )
     if not crossed:
-        target.print("No warnings: every limit of the model is kept")
+        target.print("No warnings: all limits of the model are met")
         return
-    target.print("Warnings of the designs; 'asperity joint' says of each what to do", style="bold")
+    target.print("Warnings of the designs; 'asperity joint' gives the remedies", style="bold")
     for label, count in crossed.most_common():
         target.print(f"  {label}: {count} of {len(designs)}", markup=False)
 
@@ -313,15 +315,23 @@ def _show_limits(target: Console, result: DesignResult) -> None:
             )
         )
     head = ("result", "value", "limit", "at torque", "", "shadow price")
-    show_table(target, "Limits, each where it is closest", head, rows)
+    show_table(target, "Limits, each at its tightest", head, rows)
 
 
 def _show_search(target: Console, result: DesignResult) -> None:
-    ends = {f"{start.objective:.4g}" for start in result.starts if start.converged and start.violation < 1e-6}
-    converged = sum(start.converged for start in result.starts)
-    values = f", to {len(ends)} different value{'s' * (len(ends) != 1)} (4 digits)" if ends else ""
     target.print(
-        f"{converged} of {len(result.starts)} starts converged{values}. Optimality residual "
-        f"{result.optimality_residual:.2g} (0 at a local optimum). Shadow price: relative gain of the objective per "
-        "relative relaxation of the limit."
+        f"{_found(result.starts)} Optimality residual {result.optimality_residual:.2g} (0 at a local optimum). Shadow "
+        "price: relative gain of the objective per relative relaxation of the limit."
     )
+
+
+def _found(starts: Sequence[StartReport]) -> str:
+    """How many starts of a search converged, and to how many optima that differ in four digits, as a sentence."""
+    converged = [start for start in starts if start.converged]
+    optima = [f"{start.objective:.4g}" for start in converged if start.violation < 1e-6]
+    different = len(set(optima))
+    if different == 1 and len(optima) == len(starts):
+        every = {1: "The only start", 2: "Both starts"}.get(len(starts), f"All {len(starts)} starts")
+        return f"{every} found the same optimum." if len(starts) > 1 else f"{every} found an optimum."
+    to = {0: "", 1: ", to one optimum"}.get(different, f", to {different} different optima")
+    return f"{len(converged)} of {len(starts)} starts converged{to}."

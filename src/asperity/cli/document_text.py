@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from asperity.cli.terminal import console, show_table, table
 from asperity.joint.torque_limits import standing_words
 from asperity.results.branch_document import deviations, force_size
-from asperity.results.document import crossed_limits, input_member, law_range_words
+from asperity.results.document import crossed_limits, input_member, law_range_words, verdict_words
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def show_heading(target: Console, document: Document, source: str) -> None:
     title = source if kind is None else f"{source}: {kind.replace('_', ' ')} drive"
     target.print(
         f"{title}\n{size}, {entry} at {in_unit(document['input_speed_rad_per_s'], 'rpm')}, preload "
-        f"{in_unit(preload['force_N'], 'N')} ({in_unit(preload['interference_m'], 'um')} of interference), "
+        f"{in_unit(preload['force_N'], 'N')} (interference {in_unit(preload['interference_m'], 'um')}), "
         f"output torque {in_unit(load['output_torque'], 'N*m')}{temperatures(document)}{loading_cam(document)}\n",
         style="bold",
         markup=False,
@@ -87,13 +87,7 @@ def show_heading(target: Console, document: Document, source: str) -> None:
 
 def show_verdict(target: Console, document: Document) -> None:
     """Whether the joint works and what limits it, its numbers of use, its size."""
-    verdict, nearest = document["verdict"], document["verdict"]["nearest"]
-    text = f"{verdict['title']}: {verdict['words']}"
-    if nearest is not None:
-        place = "" if nearest["place"] is None else f" ({nearest['place']})"
-        share = number(100.0 * nearest["share_of_limit"], 3)
-        text += f" Nearest to its limit among those met: {nearest['label']}{place}, {share} % of it."
-    print_wrapped(target, text, indent=2, style="bold")
+    print_wrapped(target, verdict_words(document["verdict"]), indent=2, style="bold")
     numbers = (
         ("stiffness", document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"], "N*m/arcmin"),
         ("drift per output turn", document["drift_rad_per_output_turn"], "arcmin"),
@@ -106,7 +100,9 @@ def show_verdict(target: Console, document: Document) -> None:
     print_wrapped(target, f"torque capacity {_capacity(document)}", indent=2)
     ratio = number(abs(document["geometry"]["speed_ratio"]))
     mass, diameter = in_unit(document["mass_kg"], "kg"), in_unit(document["envelope_diameter_m"], "mm")
-    print_wrapped(target, f"ratio {ratio}, rolling parts of {mass}, outside diameter {diameter}", indent=2)
+    print_wrapped(
+        target, f"ratio {ratio}, mass of the rolling parts {mass}, outside diameter {diameter}", indent=2
+    )
     target.print()
 
 
@@ -142,8 +138,8 @@ def loading_cam(document: Document) -> str:
     if cam is None:
         return ""
     return (
-        f"\nloading cam: {in_unit(cam['least_preload_N'], 'N')} and "
-        f"{in_unit(cam['force_per_torque_N_per_Nm'], 'N/Nm')}, turned by {in_unit(cam['angle_rad'], 'arcmin')} at the "
+        f"\nloading cam: {in_unit(cam['least_preload_N'], 'N')} plus "
+        f"{in_unit(cam['force_per_torque_N_per_Nm'], 'N/Nm')}, angle {in_unit(cam['angle_rad'], 'arcmin')} at the "
         "output"
     )
 
@@ -155,7 +151,7 @@ OF_EVERY_JOINT = ("standing: ", "torque capacity, standing: ", "every track ", "
 def show_assumptions(target: Console, document: Document, *, in_full: bool) -> None:
     """What is assumed: in full, or by name what the file leaves out and in full what is not so in every joint."""
     told = document["assumptions"]
-    target.print(f"\nAssumed{'' if in_full else ' (in full with --all)'}", style="bold")
+    target.print(f"\nAssumptions{'' if in_full else ' (all in full with --all)'}", style="bold")
     left_out = [] if in_full else [sentence for sentence in told if sentence.startswith("no ")]
     if left_out:
         names = ", ".join(sentence.partition(":")[0].removeprefix("no ") for sentence in left_out)
@@ -170,9 +166,9 @@ def show_warnings(target: Console, document: Document) -> None:
     crossed = crossed_limits(document, model=False)
     contacts = max(Counter(e["name"] for e in document["diagnostics"] if e["contact"]).values(), default=0)
     if not crossed:
-        target.print("\nNo warnings: every limit is kept", style="bold")
+        target.print("\nNo warnings: all limits are met", style="bold")
         return
-    target.print("\nWarnings, the most serious first", style="bold")
+    target.print("\nWarnings, most serious first", style="bold")
     for entries in crossed:
         first = entries[0]
         beside = first.get("state") or f"limit {first['limit_shown']}"
@@ -195,7 +191,8 @@ def _print_warning(target: Console, heading: str, entries: list[Document]) -> No
     )
     for text in dict.fromkeys(entry["meaning"] for entry in entries):
         print_wrapped(target, f"    {text}", indent=4)
-    print_wrapped(target, f"    What to do: {entries[0]['remedy']}", indent=4)
+    for remedy in [entry["remedy"] for entry in entries if entry["remedy"]][:1]:
+        print_wrapped(target, f"    What to do: {remedy}", indent=4)
 
 
 def _values(entries: list[Document], contacts: int) -> str:
@@ -250,10 +247,10 @@ def _of(state: Document | None, name: str, index: int, factor: float) -> str:
 def _sun(unlike: Document, standing: Document | None) -> str:
     sun = (standing or unlike["without_torque"])["sun"]
     state = "standing" if standing else "without torque"
-    force = f"{in_unit(force_size(unlike, sun['force_N']), 'N')} {state}"
+    force = f"bearing force {in_unit(force_size(unlike, sun['force_N']), 'N')} ({state})"
     if unlike["sun_support_stiffness_N_per_m"] is None:
-        return f"{force} on its bearings, which hold it"
-    return f"{in_unit(math.hypot(*sun['displacement_m']), 'um')} off centre, {force} on its bearings"
+        return f"{force}, held by its bearings"
+    return f"{in_unit(math.hypot(*sun['displacement_m']), 'um')} off centre, {force}"
 
 
 def _others(unlike: Document, state: Document) -> list[str]:

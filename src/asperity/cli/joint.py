@@ -12,6 +12,7 @@ from asperity.cli.terminal import (
     plot_option,
     prepare_computation,
     print_json,
+    refuse_lonely_measurement_of,
     save_image,
     surface_option,
 )
@@ -28,11 +29,19 @@ if TYPE_CHECKING:
 @click.option("--all", "in_full", is_flag=True, help="Print everything that is assumed, in full.")
 @surface_option
 @plot_option("Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.")
-def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
+def joint(
+    file: str,
+    as_json: bool,
+    in_full: bool,
+    surfaces: tuple[str, ...],
+    measurement_of: str | None,
+    plot_file: str | None,
+) -> None:
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface a measured surface takes the
-    place of the file's, as surface.measurement in the file does: the rms of the heights that each contact feels, or
+    place of the file's, as surface.measurement in the file does: both bodies of a contact have it, unless it is that of
+    the pair. It gives the rms of the heights that each contact feels, or
     with model.contact_law = "zou_2025" D and G. What is not certain about it, and the error of the contact law, come
     out as an interval of stiffness and drift. So does what Ra leaves open where the file states surfaces by their Ra.
     If the surface serves several contact laws, stiffness and drift by each of them stand side by side.
@@ -40,6 +49,7 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     from asperity.joint_file.reader import read_case
 
     check_image(plot_file)
+    refuse_lonely_measurement_of(surfaces, measurement_of)
     case = read_case(file, measured=not surfaces)
     prepare_computation()
     from asperity.joint.measured_surface import measured_surface
@@ -47,7 +57,7 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     from asperity.joint_file.solved_document import solve_with_surface
 
     with about(file):
-        case = case_with_surface(case, measured_surface(surfaces)) if surfaces else case
+        case = case_with_surface(case, measured_surface(surfaces, measurement_of)) if surfaces else case
         solved, document = solve_with_surface(case)
     if plot_file:
         from asperity.show.compliance_figure import joint_figure

@@ -91,14 +91,14 @@ def _show_stiffness(target: Console, document: Document) -> None:
 
 
 def _show_drift(target: Console, document: Document) -> None:
-    """The other number of a joint that turns: it falls behind, turn by turn, which no stiffness says."""
+    """The other number of a joint that turns: its output lags turn by turn, which no stiffness says."""
     drift, loss = document["drift_rad_per_output_turn"], document["speed_loss"]
     if drift is None:
         text = "; ".join(document["rolling"]["unknown_because"])
     else:
         text = f"{in_unit(drift, 'arcmin')} per output turn ({scaled(loss, 100.0)} % of the speed): "
-        text += "creep adds up with every turn, the stiffness above is for a joint that stands"
-    target.print("Drift when it turns", style="bold")
+        text += "creep accumulates with every turn; the stiffness above holds at standstill"
+    target.print("Drift in rolling", style="bold")
     print_wrapped(target, f"  {text}", indent=2)
     target.print()
 
@@ -117,7 +117,7 @@ def _show_contacts(target: Console, document: Document) -> None:
         "Hertz pressure\nMPa": [scaled(contact["hertz_pressure_Pa"], 1e-6) for contact in contacts.values()],
         "real area\nmm²": [scaled(contact["real_contact_area_m2"], 1e6) for contact in contacts.values()],
     }
-    title = "Contact forces, standing under the torque"
+    title = "Contact forces at standstill, under the torque"
     show_table(target, title, columns, zip(*columns.values(), strict=True))
     if any(contact.get("loaded_length_share") is not None for contact in contacts.values()):
         _show_crowns(target, contacts)
@@ -162,7 +162,7 @@ def _show_drive(target: Console, document: Document) -> None:
             document["rolling"]["input_torque_Nm"],
         )
     )
-    torque = "out {}; in {} without losses in rolling, {} with all losses".format(*ends)
+    torque = "output {}; input {} without rolling losses, {} with all losses".format(*ends)
     common = (
         ("torque", torque),
         ("capacity", capacity_text(document["torque_capacity"])),
@@ -206,7 +206,7 @@ def _drive_rows(document: Document) -> tuple[Rows, Rows]:
     if gaps:
         gap = min(gaps, key=lambda entry: entry["gap_m"])
         after.append(
-            ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}, {gap['name'].replace('_', ' ')}")
+            ("clearance", f"smallest {in_unit(gap['gap_m'], 'mm')}, {gap['name'].replace('_', ' ')}")
         )
     return tuple(before), tuple(after)
 
@@ -219,15 +219,15 @@ def _strength(document: Document) -> list[tuple[str, str]]:
         if (hours := bearing["life_hours"]) is not None
     ]
     safeties = [
-        f"{name.replace('_', ' ')} {number(rim['yield_safety'])} against yield"
-        + ("" if rim["fatigue_safety"] is None else f", {number(rim['fatigue_safety'])} against fatigue")
+        f"{name.replace('_', ' ')}: yield safety {number(rim['yield_safety'])}"
+        + ("" if rim["fatigue_safety"] is None else f", fatigue safety {number(rim['fatigue_safety'])}")
         for name, rim in document["rims"].items()
     ]
     rows = []
     if document["bearings"]:
-        rows.append(("bearings", f"life L10: {', '.join(lives) or 'none'} ('asperity loads' says more)"))
+        rows.append(("bearings", f"life L10: {', '.join(lives) or 'none'}; details: 'asperity loads'"))
     if safeties:
-        rows.append(("bending", f"safety of {'; '.join(safeties)}"))
+        rows.append(("rims", "; ".join(safeties)))
     return rows
 
 
@@ -237,8 +237,8 @@ def _roughness(surface: Document, *, of_all: bool) -> str:
     low, high = (in_unit(surface[f"roughness_average_{end}_m"], "um", 2) for end in ("low", "high"))
     return (
         f"{where}D {number(surface['fractal_dimension'])}, G {in_unit(surface['fractal_roughness_m'], 'mm', 3)} "
-        f"correspond to Ra {in_unit(surface['roughness_average_m'], 'um', 2)} on each of two like bodies (measured "
-        f"over 5 cut-offs of {in_unit(surface['cut_off_m'], 'mm')}: {low} to {high})"
+        f"correspond to Ra {in_unit(surface['roughness_average_m'], 'um', 2)} on each of two like bodies ({low} to "
+        f"{high} when measured over 5 cut-offs of {in_unit(surface['cut_off_m'], 'mm')})"
     )
 
 
@@ -285,7 +285,7 @@ def _show_budget(target: Console, document: Document) -> None:
         )
         print_wrapped(target, f"  {name} {100.0 * total:.1f} %{by_contact}", indent=4)
     if not shares:
-        why = document["stiffness_unknown_because"] or "the joint passes no torque"
+        why = document["stiffness_unknown_because"] or "the joint transmits no torque"
         print_wrapped(target, f"  none: {why}", indent=2)
         return
     every = [part for total, _, where in shares for part in (where.values() or [total])]

@@ -8,6 +8,7 @@ from asperity.cli.terminal import (
     about,
     check_title,
     prepare_computation,
+    refuse_lonely_measurement_of,
     say_written,
     surface_option,
     title_options,
@@ -48,6 +49,7 @@ def report(
     file: str,
     out: str,
     surfaces: tuple[str, ...],
+    measurement_of: str | None,
     sensitivity: bool,
     tolerances: bool,
     distribution: str | None,
@@ -65,6 +67,7 @@ def report(
 
     check_report(out, file, *surfaces, *([design_file] if design_file else []))
     check_title(stated)
+    refuse_lonely_measurement_of(surfaces, measurement_of)
     if distribution is not None and not tolerances:
         raise InputError("--distribution belongs to --tolerances")
     case = read_case(file, measured=not surfaces)
@@ -78,6 +81,7 @@ def report(
             DescribedJoint(case, file),
             out,
             surfaces=surfaces,
+            measurement_of=measurement_of,
             sensitivity=sensitivity,
             tolerances=tolerances,
             distribution=distribution,

@@ -17,8 +17,8 @@ def roll(file: str, plot_file: str | None, as_json: bool, in_full: bool) -> None
     """Drift, losses, axial thrust and life of the joint described in FILE when it turns.
 
     Rollers that pass torque creep: the output falls behind with every turn, however stiff the joint is. The sections
-    [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
-    document is that of 'asperity joint'.
+    [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumptions'.
+    The JSON document is that of 'asperity joint'.
     With [[branch]] the last table says what each branch carries.
     """
     from asperity.joint_file.reader import read_case

@@ -19,6 +19,7 @@ from asperity.cli.terminal import show_table, table
 from asperity.results.document import input_member
 from asperity.results.notes import surface_rows
 from asperity.results.position_rows import position_rows
+from asperity.rolling.document import rating_life_name
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -117,8 +118,8 @@ def _show_contacts(target: Console, document: Document) -> None:
         )
     target.print(shown)
     if sliding:
-        text = f"  {', '.join(sliding)}: slips as a whole, because skew takes a part of the friction; the rest of the "
-        print_wrapped(target, text + "traction needs the large creepage above\n", indent=2)
+        text = f"  {', '.join(sliding)}: slips as a whole, because skew uses part of the friction; the rest of the "
+        print_wrapped(target, text + "traction takes the large creepage above\n", indent=2)
 
 
 def _show_surfaces(target: Console, rolling: Document) -> None:
@@ -130,7 +131,7 @@ def _show_surfaces(target: Console, rolling: Document) -> None:
         "contact",
         "flash temperature\nK",
         "smallest oil film\nµm",
-        "film over roughness\nlambda",
+        "film ratio λ\n-",
         "lubrication",
     )
     cells = ((name, *(number(value, 3) for value in numbers), band or "-") for name, *numbers, band in rows)
@@ -160,7 +161,7 @@ def _show_life(target: Console, document: Document) -> None:
     rolling, loads = document["rolling"], document["input"].get("duty", {})
     shown = table(
         target,
-        f"Fatigue life that {scaled(rolling['reliability'], 100.0)} % reach",
+        rating_life_name(rolling["reliability"]),
         "life of",
         "hours",
         "output turns",
@@ -174,7 +175,7 @@ def _show_life(target: Console, document: Document) -> None:
         shown.add_row(one + _words(name), _life(hours), _life(rolling["body_life_output_turns"][name]))
     if loads:
         shown.add_row(
-            "the drive under its duty",
+            "the drive under the duty",
             _life(rolling["duty_life_hours"]),
             _life(rolling["duty_life_output_turns"]),
             style="bold",
@@ -194,9 +195,9 @@ def _show_duty(target: Console, document: Document, loads: Document) -> None:
         "load",
         "output torque",
         input_member(document),
-        "share\nof the time",
-        "share\nof the damage",
-        "life under it\nalone, hours",
+        "share\nof time",
+        "share\nof damage",
+        "life under this\nload alone, hours",
     )
     rows = []
     for name, load in loads.items():
@@ -211,17 +212,16 @@ def _show_duty(target: Console, document: Document, loads: Document) -> None:
                 _life(of_load["life_hours"]),
             )
         )
-    show_table(target, "Duty (damage adds up by Miner's rule)", head, rows)
+    show_table(target, "Duty, damage summed by Miner's rule", head, rows)
 
 
 def _print_required(target: Console, entry: Document) -> None:
     """Whether the drive or a bearing lives as long as required."""
-    known = entry["value"] is not None or entry["infinite"]
-    verdict = "met" if entry["ok"] else "NOT met" if known else "not known"
+    verdict = ": met" if entry["ok"] else ": NOT met" if entry["known"] else f"; {entry['meaning']}"
     where = f", {_words(entry['contact'])}" if entry["contact"] else ""
     print_wrapped(
         target,
-        f"  required {entry['limit_shown']}, {verdict}: {entry['label']}{where} {entry['shown']}",
+        f"  {entry['label']}{where} {entry['shown']}, required {entry['limit_shown']}{verdict}",
         indent=4,
     )
 

@@ -49,7 +49,7 @@ def _quantity(dimension: str) -> Callable[..., float | None]:
     return read
 
 
-_length, _stress = _quantity("LENGTH"), _quantity("PRESSURE")
+_length, _hardness = _quantity("LENGTH"), _quantity("HARDNESS")
 
 
 @surface.command("measure")
@@ -72,6 +72,11 @@ _length, _stress = _quantity("LENGTH"), _quantity("PRESSURE")
     default="auto",
     show_default=True,
     help="Decimal sign of text files.",
+)
+@click.option("--column", help="Column of the heights in a text file, by its heading or its number from 1.")
+@click.option(
+    "--no-data",
+    help="Number that marks missing points in the file, such as -9999, or 'none' if every number is a height.",
 )
 @click.option(
     "--any-size",
@@ -138,7 +143,7 @@ _length, _stress = _quantity("LENGTH"), _quantity("PRESSURE")
 )
 @click.option(
     "--hardness",
-    callback=_stress,
+    callback=_hardness,
     help='Press a map by boundary elements, elastic and with no pressure above this hardness, such as "7 GPa", of the '
     'softer body on steel: what a joint with model.contact_law = "measured" takes.',
 )

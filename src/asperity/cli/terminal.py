@@ -340,14 +340,33 @@ def plot_option_of(image: str, text: str) -> Callable[..., Any]:
 
 
 def surface_option(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Give a command the option ``--surface``, as the keyword argument ``surfaces``."""
+    """Give a command the options ``--surface``, as the argument ``surfaces``, and ``--measurement-of``."""
+    from asperity.surface.measurement_of import WORDS
+
     text = (
-        "Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body."
+        "Measured surface of all contacts, from 'asperity surface measure --json', that both bodies of a contact have; "
+        "twice: one for each body."
     )
     option = click.option(
         "--surface", "surfaces", multiple=True, type=click.Path(), metavar="MEASUREMENT", help=text
     )
-    return option(command)
+    of = click.option(
+        "--measurement-of",
+        type=click.Choice(WORDS),
+        help="What one --surface is of: one body, as both then are, or the pair of both together.  [default: what its "
+        "document says: a pair where 'asperity surface combine' made it]",
+    )
+    return option(of(command))
+
+
+def refuse_lonely_measurement_of(surfaces: tuple[str, ...], measurement_of: str | None) -> None:
+    """Raise an ``InputError`` if it is said of what a measurement is where none is given."""
+    from asperity.errors import InputError
+
+    if measurement_of is not None and not surfaces:
+        raise InputError(
+            "--measurement-of belongs to --surface; in the joint file it is surface.measurement_of"
+        )
 
 
 def title_options(command: Callable[..., Any]) -> Callable[..., Any]:

@@ -22,8 +22,8 @@ _OF_KNOWN = (
 )
 #: Options of 'asperity surface measure' that say how a map is read.
 _OF_MAPS = (
-    *("position_unit", "height_unit", "spacing", "decimal", "any_size", "missing", "form", "degree"),
-    *("outliers", "direction"),
+    *("position_unit", "height_unit", "spacing", "decimal", "column", "no_data", "any_size"),
+    *("missing", "form", "degree", "outliers", "direction"),
 )
 _NOT_READ = ("files", "as_json", "plot", "hardness")
 _OPTIONS = {"dimensions": "dimension", "lowest": "from", "highest": "to"}
@@ -133,7 +133,7 @@ def verify_contact(
         _verify_map(
             surface_file,
             moduli=(read_option("youngs-modulus", youngs_modulus, Dimension.PRESSURE), poisson_ratio),
-            hardness=read_option("hardness", hardness, Dimension.PRESSURE),
+            hardness=read_option("hardness", hardness, Dimension.HARDNESS),
             points=points,
             plot_file=plot_file,
             as_json=as_json,
@@ -144,8 +144,8 @@ def verify_contact(
         read_option(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
     ]
     stresses = [
-        read_option(name, text, Dimension.PRESSURE)
-        for name, text in (("youngs-modulus", youngs_modulus), ("hardness", hardness))
+        read_option("youngs-modulus", youngs_modulus, Dimension.PRESSURE),
+        read_option("hardness", hardness, Dimension.HARDNESS),
     ]
     if loads < 1 or not 0.0 < lowest <= highest < 1.0:
         raise InputError(

@@ -13,7 +13,12 @@ from asperity.contact.fractal import Surface
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.surface_interval import over_surfaces, result_ends
-from asperity.surface.measured_roughness import MeasuredRoughness, read_roughness, two_bodies
+from asperity.surface.measured_roughness import (
+    MeasuredRoughness,
+    measurement_of,
+    read_roughness,
+    two_bodies,
+)
 from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement
 from asperity.units import format_quantity
 
@@ -22,12 +27,13 @@ DRAWS = 2000
 _SEED = 20250617
 
 
-def measured_surface(paths: tuple[str | Path, ...]) -> MeasuredRoughness:
-    """The surface of the contacts from one measurement of it, or from measurements of both bodies.
+def measured_surface(paths: tuple[str | Path, ...], of: str | None = None) -> MeasuredRoughness:
+    """The surface of the contacts from one measurement, or from measurements of both bodies.
 
-    ``paths``: one document of ``asperity surface measure --json`` for the equivalent surface, or two for the two
-    bodies, of which spectra and structure functions add. Spectra come out, and D and G with their covariance where
-    there is a power law. An ``InputError`` is raised if there are more than two files or one is no measurement, a
+    ``paths``: one document of ``asperity surface measure --json``, or two for the two bodies, of which spectra and
+    structure functions add. ``of``: whether the one is of a "body", as both then are, or of the "pair"; what the
+    document says if None. Spectra come out, and D and G with their covariance where there is a power law. An
+    ``InputError`` is raised if there are more than two files, one is no measurement, or ``of`` contradicts them, a
     ``NoSolutionError`` if two surfaces without spectra cannot be combined into one power law.
     """
     if len(paths) > 2:
@@ -35,7 +41,14 @@ def measured_surface(paths: tuple[str | Path, ...]) -> MeasuredRoughness:
             f"{len(paths)} measured surfaces were given; allowed are one, or one for each of two bodies"
         )
     measured = [read_roughness(path=path) for path in paths]
-    return measured[0] if len(measured) == 1 else two_bodies(*measured)
+    if len(measured) == 1:
+        return measurement_of(measured[0], of)
+    if of is not None:
+        raise InputError(
+            "two measured surfaces are of one body each; leave out of what they are",
+            options=["measurement-of"],
+        )
+    return two_bodies(*measured)
 
 
 def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[str, Any]:

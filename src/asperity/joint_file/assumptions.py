@@ -20,12 +20,14 @@ from asperity.joint_file.section import leaves
 from asperity.joint_file.section_build import film_roughness
 from asperity.joint_file.sections import Lubrication, without_expansion
 from asperity.joint_file.si_tables import si_values
-from asperity.library import read_finishes
-from asperity.units import format_quantity
+from asperity.library import read_finishes, read_materials
+from asperity.materials import Material
+from asperity.unit_table import Dimension
+from asperity.units import format_quantity, parse_quantity
 
 _EQUAL_COEFFICIENTS = (
-    "while the drive stands; the first contact that slips then ends it. With springs the forces follow from the slip "
-    "of the contacts, and one of them may slip earlier, as windup and hysteresis show"
+    "at standstill; the first contact that slips is the limit. With springs the forces follow from the slip of the "
+    "contacts, and one of them may slip earlier, as the wind-up shows"
 )
 _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
 _LAWS = {
@@ -35,22 +37,22 @@ _LAWS = {
     "persson_2007": "that of randomly rough elastic surfaces, from their spectrum",
 }
 RANDOM_ROUGHNESS = (
-    "contact law exponential: of randomly rough elastic surfaces, K_n = f N/(0.48 h), f 1 to 2 because rollers "
-    "widen under load, and K_t in proportion to 1 - T/(mu N), h the rms of the heights of both bodies together; of "
-    "waves shorter than the contact is wide, along the axes up to the roll-off: longer ones make the joint look softer"
+    "contact law exponential: randomly rough elastic surfaces, K_n = f N/(0.48 h), f from 1 to 2 because contacts "
+    "widen under load, K_t proportional to 1 - T/(mu N), h the rms height of both bodies together; h counts waves "
+    "shorter than the contact is wide, and along the axes up to the roll-off: longer ones make the joint look softer"
 )
 DECAY_LENGTH = (
-    "contact law {}: K_n = f N/u with the decay_length u of each contact, whatever its force, f 1 to 2 because rollers "
-    "widen under load, and K_t in proportion to 1 - T/(mu N)"
+    "contact law {}: K_n = f N/u with the decay_length u of each contact at every force, f from 1 to 2 because "
+    "contacts widen under load, K_t proportional to 1 - T/(mu N)"
 )
 #: What the rms of the heights is where a file states Ra.
 HEIGHTS_OF_AVERAGE = (
     "contact law exponential with roughness_average: normally distributed heights, h = 1.2533 Ra of both bodies "
-    "together; D does not count, and waves longer than the cut-off of Ra are not in it"
+    "together; D has no influence, and waves longer than the cut-off of Ra are not included"
 )
 LOADING_CAM = (
     "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far as the "
-    "work on the contacts demands; a cam that sticks is stiffer, and adds hysteresis of its own"
+    "work on the contacts demands; a cam that sticks is stiffer and adds hysteresis"
 )
 #: What is taken of the bores of stepped rollers.
 HOLLOW_STEPPED = (
@@ -101,9 +103,9 @@ def assumptions(case: Case) -> tuple[str, ...]:
             told.append(f"[compliance] without {', '.join(absent)}: ideal, as their descriptions say")
     if isinstance(case, GeneralCase):
         told.append(
-            "the rollers lie where all contacts just touch, as near as possible to the places of the file"
+            "the rollers are placed where all contacts just touch, as near as possible to the positions in the file"
         )
-        told.append("the tracks of a stepped roller lie in one plane, and are one spring for each contact")
+        told.append("the tracks of a stepped roller lie in one plane; each contact is one spring")
         told += [
             f"contact {contact.name}: same_coefficient_as = '{contact.same_coefficient_as}': equal traction "
             f"coefficients in place of the slip of springs, {_EQUAL_COEFFICIENTS}"
@@ -124,22 +126,22 @@ def assumptions(case: Case) -> tuple[str, ...]:
         )
     if joint.closure_springs is not None:
         told.append(
-            f"model.closure_springs = '{joint.closure_springs}': forces under load are those of one spring for each "
-            "contact between rigid pins, as in the paper's closure; rings that bend and pins that give way do not move "
-            "them, and without the key they do"
+            f"model.closure_springs = '{joint.closure_springs}': the forces under load are those of one spring for "
+            "each contact between rigid pins, as in the paper's closure; bending rings and compliant pins change "
+            "them only without this key"
         )
     if kind in _STEPPED:
         told.append(
             f"the tracks of {_STEPPED[kind]} lie in one plane: arrange them symmetrically, or their bearings carry the "
-            "tilting moment; for their compression stepped rollers are one spring for each contact"
+            "tilting moment; in compression a stepped roller is one spring for each contact"
         )
     if kind == "stepped_planet":
-        told.append("both rings have the interference; the driven ring carries itself")
+        told.append("both rings have the interference; the driven ring has no support")
     if case.model.bodies is None:
-        told.append("no model.bodies: the bodies by plane elasticity, exact")
+        told.append("no model.bodies: bodies by exact plane elasticity")
     if case.model.bodies != "springs" and case.model.plane_state is None:
         told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
-    told.append("standing: forces from the slip of the contacts on one loading from rest")
+    told.append("standing: forces from the slip of the contacts, loaded once from rest")
     told.append(
         "torque capacity, standing: a contact that slips keeps the force of its friction while others carry the rest; "
         "it is the torque beyond which they cannot, or at which a contact lifts off. In rolling: the first gross slip"
@@ -213,11 +215,12 @@ def assumptions(case: Case) -> tuple[str, ...]:
         },
         by_average=film_roughness(si_values(case)) is not None,
     )
-    told += [
-        fatigue_unknown(body.name, case.bodies[material_key(joint.type, body.name)])
-        for body, bent, material in zip(joint.drive.bodies, bends(joint), joint.materials, strict=True)
-        if bent and material.fatigue_strength is None
+    bent = [
+        (body.name, case.bodies[material_key(joint.type, body.name)], material)
+        for body, acts, material in zip(joint.drive.bodies, bends(joint), joint.materials, strict=True)
+        if acts
     ]
+    told += dict.fromkeys(filter(None, (fatigue_assumption(*each) for each in bent)))
     return (*told, *(case.measured.assumed if case.measured else ()))
 
 
@@ -299,11 +302,20 @@ def _thermal_interference(case: Case) -> float:
     return thermal_change_of(si_values(case))
 
 
-def fatigue_unknown(body: str, material: str) -> str:
-    """Says that the safety of a body against fatigue is not computed."""
+def fatigue_assumption(body: str, name: str, material: Material) -> str:
+    """What is taken for the fatigue of a body that bends; empty where the file states the strength of its material."""
+    if material.fatigue_strength is None:
+        return (
+            f"no fatigue_strength of material {name}: the fatigue safety of the {body.replace('_', ' ')}, which bends, "
+            "is not computed"
+        )
+    strength = float(material.fatigue_strength)
+    measured = [entry.numbers.get("fatigue_strength") for entry in read_materials().values()]
+    if not any(text and parse_quantity(text, Dimension.PRESSURE) == strength for text in measured):
+        return ""
     return (
-        f"no fatigue_strength of material {material}: the safety against fatigue of the {body.replace('_', ' ')}, "
-        "which bends, is not computed"
+        f"fatigue_strength of material {name}: {format_quantity(strength, 'MPa')} of specimens, from the library; the "
+        "surface and the size of the finished part may lower it"
     )
 
 
@@ -311,17 +323,17 @@ def rolling_assumptions(rolling: Rolling | None, *, fractal: bool) -> list[str]:
     """What the model of rolling takes for every joint, and what a file leaves out of it."""
     local = ": the local form of the contact law is not published" if fractal else ""
     told = [
-        f"rolling: steady, the asperities yield in both directions, by u_0 = N/K_n for e times the pressure{local}; "
-        "the churning of the oil is not counted",
-        "life: rolling-contact fatigue of through-hardened bearing steel, no factors for film, cleanliness or "
-        "traction; as for shakedown, under the pressure of smooth bodies, which is higher than that of rough ones",
+        f"rolling: steady; the asperities are compliant in both directions, by u_0 = N/K_n for e times the "
+        f"pressure{local}; churning of the oil is not included",
+        "life: rolling-contact fatigue of through-hardened bearing steel, without factors for film, cleanliness or "
+        "traction; life and shakedown take the pressure of smooth bodies, which is higher than that of rough ones",
     ]
     if rolling is None or rolling.skew is None:
-        told.append("no rolling.skew: the axes of the rollers are parallel, there is no axial force")
+        told.append("no rolling.skew: the axes of the rollers are parallel, without axial forces")
     if rolling is None or rolling.hysteresis_factor is None:
-        told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")
+        told.append("no rolling.hysteresis_factor: no hysteresis loss of the bodies in rolling")
     if rolling is None or rolling.reliability is None:
-        told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
+        told.append("no rolling.reliability: 0.9, so that lives are L10")
     return told
 
 
@@ -331,15 +343,15 @@ def lubrication_assumptions(
     """What is left out of oil and heat."""
     told = []
     if lubrication is None:
-        told.append("no section [lubrication]: no oil, no loss at the inlet of the contacts")
+        told.append("no section [lubrication]: no oil and no oil loss at the inlet of the contacts")
     elif lubrication.pressure_coefficient is None:
-        told.append("no lubrication.pressure_coefficient: no thickness of the oil film")
+        told.append("no lubrication.pressure_coefficient: no film thickness")
     elif lubrication.roughness is None:
         told.append(
             "no lubrication.roughness: that of normally distributed heights, Rq = sqrt(pi/2) Ra = 1.2533 Ra of both "
             "surfaces together"
             if by_average
-            else "no lubrication.roughness, and no Ra of every surface: no ratio lambda of the oil film to it"
+            else "no lubrication.roughness, and no Ra of every surface: no film ratio λ"
         )
     for name, material in materials.items():
         keys = ("thermal_conductivity", "specific_heat_capacity")

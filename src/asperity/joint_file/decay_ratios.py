@@ -113,7 +113,7 @@ def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[E
     refuse_without_elements(measured)
     tables = [spectrum.pressed for spectrum in measured.spectra if spectrum.pressed]
     ratios: Ends = {}
-    parts, outside, other, taken = [], [], [], 0.0
+    parts, outside, other = [], [], []
     for (name, one), pressure, moduli in zip(
         contacts.felt.items(), contacts.pressures, contacts.moduli, strict=True
     ):
@@ -125,6 +125,7 @@ def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[E
                     'measure a larger map, or leave model.contact_law = "measured" out'
                 )
         modulus, hardness = float(moduli.contact_modulus), float(moduli.hardness)
+        smoother = _shares_of_bodies(measured.spectra, one.squares)
         (elastic, wide), (capped, deep) = (
             _decay_ratio(measured.spectra, one.squares, pressure / modulus, capped=limited)
             for limited in (False, True)
@@ -136,13 +137,18 @@ def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[E
             f"{name} {format_quantity(elastic * one.rms_height, 'um', 3)} ({elastic:.3f} of the heights, at "
             f"{format_quantity(pressure, 'MPa', 3)})"
         )
-        ends = [table.range(capped=limited) for table in tables for limited in (False, True)]
-        if not all(low <= pressure / modulus <= high for low, high in ends):
+        ends = [
+            (share * pressure / modulus, *table.range(capped=limited))
+            for table, share in zip(tables, smoother, strict=True)
+            for limited in (False, True)
+        ]
+        if not all(low <= at <= high for at, low, high in ends):
             outside.append(name)
-        least = modulus * min(table.hardness for table in tables)
+        least = modulus * min(table.hardness / share for table, share in zip(tables, smoother, strict=True))
         if abs(least - hardness) > 0.1 * hardness:
-            taken = taken or least
-            other.append(f"{name} {format_quantity(hardness, 'GPa', 3)}")
+            other.append(
+                f"{name} {format_quantity(least, 'GPa', 3)} in place of {format_quantity(hardness, 'GPa', 3)}"
+            )
     told = [
         "contact law measured: the decay length over the rms of the heights is that of elastic boundary elements on "
         "patches of the map under the mean pressure of each contact, at the torque of the file; it stays at other "
@@ -155,8 +161,9 @@ def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[E
         )
     if other:
         told.append(
-            "contact law measured: the stiff end of the interval is that of boundary elements with the hardness "
-            f"{format_quantity(taken, 'GPa', 3)} of the measurement, while the softer body has: {'; '.join(other)}"
+            "contact law measured: the stiff end of the interval has another hardness than the softer body, that of "
+            "the measurement over the share of a body in the heights of both, 0.71 of two alike: "
+            f"{'; '.join(other)}; for that of the body, measure the map with that hardness times the share"
         )
     return ratios, told
 
@@ -164,14 +171,26 @@ def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[E
 def _decay_ratio(
     spectra: tuple[HeightSpectrum, ...], squares: tuple[float, ...], pressure: float, *, capped: bool
 ) -> tuple[float, float]:
-    """Decay length over the rms of the heights, and the half-width of its logarithm; squares of bodies add."""
-    parts, errors = [], []
-    for spectrum, square in zip(spectra, squares, strict=True):
+    """Decay length over the rms of the heights, and the half-width of its logarithm; squares of bodies add.
+
+    Elastic heights and pressures scale together: the pair is rougher than a body, which tells of it at a pressure that
+    is as much lower. Exact of two bodies alike, and of one beside a smooth one.
+    """
+    parts, errors, shares = [], [], _shares_of_bodies(spectra, squares)
+    for spectrum, square, share in zip(spectra, squares, shares, strict=True):
         assert spectrum.pressed is not None
-        ratio, error = spectrum.pressed.decay_ratio(pressure=pressure, capped=capped)
+        ratio, error = spectrum.pressed.decay_ratio(pressure=share * pressure, capped=capped)
         parts.append(ratio**2 * square)
         errors.append(parts[-1] * error)
     return math.sqrt(sum(parts) / sum(squares)), math.hypot(*errors) / sum(parts)
+
+
+def _shares_of_bodies(spectra: tuple[HeightSpectrum, ...], squares: tuple[float, ...]) -> list[float]:
+    """The rms of the heights of one body of each spectrum over that of both bodies together [-]."""
+    total = sum(squares)
+    return [
+        math.sqrt(square / spectrum.bodies / total) for spectrum, square in zip(spectra, squares, strict=True)
+    ]
 
 
 #: Law → function of a measurement and of what its contacts feel: path of a surface → decay length over the rms of the

@@ -47,7 +47,7 @@ _ROUNDING = 1e-12
 #: What earlier designs said at the head of the file: it holds for their numbers only.
 _EARLIER_VERDICTS = re.compile(
     r"\A((?:#:schema.*\n)?)"
-    r"(?:# Designed by asperity from .*\n# (?:All|NOT all) limits (?:of the design file )?are met.*\n)+"
+    r"(?:# Designed by asperity from .*\n# (?:(?:All|NOT all) limits .*are met|No limit ).*\n)+"
 )
 
 
@@ -153,7 +153,13 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str], words:
 def _surface_of(case: Case) -> dict[str, Any]:
     """The section of a surface that files have measured, with their complete names: any folder can have the text."""
     files = case.measured.files if case.measured else ()
-    return {"surface": {"measurement": files[0] if len(files) == 1 else list(files)}} if files else {}
+    if not files:
+        return {}
+    if len(files) > 1:
+        return {"surface": {"measurement": list(files)}}
+    # of one body is what a document is that does not say otherwise
+    pair = {"measurement_of": "pair"} if case.measured.measured.of == "pair" else {}
+    return {"surface": {"measurement": files[0], **pair}}
 
 
 def with_measurement(text: str, name: str, *, comment: str = "") -> str:

@@ -174,9 +174,10 @@ def assumed_heights(measured: MeasuredRoughness, felt: dict[str, Felt]) -> list[
         height, width = format_quantity(contact.rms_height, "um", 3), format_quantity(contact.width, "mm", 3)
         parts.append(f"{name} {height} (2b {width}, along the axis {limits})")
     told.append(
-        "measured surface: the rms of the heights of all waves but those that are longer than the Hertzian width 2b of "
-        "the contact, under the torque of the file, in the rolling direction and, along the axis, longer than its "
-        f"contact line or than the cut-off of ISO 4288 for the Ra of the surface: {'; '.join(parts)}"
+        "measured surface: the rms of the heights of both bodies together, of all waves but those that are longer than "
+        "the Hertzian width 2b of the contact, under the torque of the file, in the rolling direction and, along the "
+        "axis, longer than its contact line or than the cut-off of ISO 4288 for the Ra of a body: "
+        f"{'; '.join(parts)}"
     )
     for number, spectrum in enumerate(measured.spectra):
         if spectrum.lay is not None:

@@ -56,7 +56,7 @@ YIELD_STRENGTH = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa")
 FATIGUE_STRENGTH = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="300 MPa")
 TENSILE_STRENGTH = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="1000 MPa")
 HARDNESS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.1, 100.0, example="2.8")
-HARDNESS = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="1260 MPa")
+HARDNESS = Key(Dimension.HARDNESS, 1e-3, 1e6, "MPa", example="1260 MPa")
 
 THERMAL_CONDUCTIVITY = Key(Dimension.THERMAL_CONDUCTIVITY, 1e-3, 1e4, "W/m/K", example="21 W/m/K")
 SPECIFIC_HEAT_CAPACITY = Key(Dimension.SPECIFIC_HEAT_CAPACITY, 1.0, 1e5, "J/kg/K", example="475 J/kg/K")

@@ -11,6 +11,7 @@ from asperity.errors import MOST_ERRORS, InputError, nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import Section
+from asperity.surface.measurement_of import WORDS, known_measurement_of
 
 DepthText = Annotated[str, StringConstraints(max_length=100), Entered(limits.MEAN_ROUGHNESS_DEPTH)]
 
@@ -34,7 +35,8 @@ Measurements = Annotated[
         {"anyOf": [_PATH_SCHEMA, {"type": "array", "items": _PATH_SCHEMA, "minItems": 1, "maxItems": 2}]}
     ),
 ]
-#: Keys of a surface beside which no other may stand.
+OfMeasurement = Annotated[str, BeforeValidator(known_measurement_of), WithJsonSchema({"enum": list(WORDS)})]
+#: Keys of a surface beside which no other may stand, but that of what a measurement is.
 ALONE = ("measurement", "rms_height", "decay_length")
 #: Bodies that a sentence names.
 _MOST_NAMES = 8
@@ -55,7 +57,7 @@ class MaterialEntry(Section):
     hardness_factor: Annotated[Quantity, limits.HARDNESS_FACTOR] | None = None
     """Hardness over yield strength, k_H; 2.8 for a blunt indenter in a ductile metal."""
     hardness: Annotated[Quantity, limits.HARDNESS] | None = None
-    """Indentation hardness as a pressure."""
+    """Indentation hardness as a pressure; in HV, 9.80665 MPa each, or in HRC of steel, by ASTM E140, as well."""
     thermal_conductivity: Annotated[Quantity, limits.THERMAL_CONDUCTIVITY] | None = None
     """Thermal conductivity, for the flash temperature of the contacts."""
     specific_heat_capacity: Annotated[Quantity, limits.SPECIFIC_HEAT_CAPACITY] | None = None
@@ -85,6 +87,9 @@ class SurfaceEntry(Section):
     measurement: Measurements | None = None
     """Measured surface of all contacts in place of all other keys of this section: name of the JSON file of `asperity
     surface measure --json`, from the folder of the joint file, or a list of two, one for each body."""
+    measurement_of: OfMeasurement | None = None
+    """What one measurement is of: "body", as both bodies of a contact then are, or "pair", of both together; if absent,
+    what its document says: a pair where `asperity surface combine` made it, otherwise one body."""
     rms_height: Annotated[Quantity, limits.RMS_HEIGHT] | None = None
     """Root mean square of the heights of both bodies together, of the waves shorter than the contact is wide; in place
     of all other keys of this section, for the contact law of randomly rough surfaces."""
@@ -120,7 +125,7 @@ class SurfaceEntry(Section):
             stated = getattr(self, alone)
             if stated is None:
                 continue
-            beside = [name for name in self.model_fields_set if name != alone]
+            beside = self.model_fields_set - {alone, *(["measurement_of"] if alone == "measurement" else [])}
             if beside:
                 raise InputError(
                     f"{alone} stands alone, it is all that a contact law takes of the surface; leave "
@@ -131,6 +136,8 @@ class SurfaceEntry(Section):
                     f"{alone}: {quoted(stated.text)} reaches down to zero; its tolerance has to be smaller"
                 )
             return self
+        if self.measurement_of is not None:
+            raise InputError("measurement_of: only with measurement; leave it out")
         for name in ("fractal_dimension", "frequency_ratio"):
             if getattr(self, name) is None:
                 raise InputError(f".{name}: this key is missing")

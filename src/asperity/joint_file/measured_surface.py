@@ -30,10 +30,11 @@ _NORMAL_95 = 1.959963984540054
 class MeasuredSurface(NamedTuple):
     """The measurement from which the surfaces of a joint file are, in terms of its contact law.
 
-    ``assumed``: what was taken of the measurement, one sentence each. ``heights``: path of a surface → lower end,
-    middle and upper end of the rms of its heights [m], 95 % of measurements; ``ratios``, the same of the decay length
-    over these heights by the contact law [-]; both, what the ``contacts`` feel, and the decay length of their ``form``
-    by :func:`form_lengths` [m], are None where D and G went in. ``files`` that the joint file names.
+    ``measured``: as it was measured, of one body or of the pair; everything else is of the pair. ``assumed``: what was
+    taken of it, one sentence each. ``heights``: path of a surface → lower end, middle and upper end of the rms of its
+    heights [m], 95 % of measurements; ``ratios``, the same of the decay length over these heights by the contact law
+    [-]; both, what the ``contacts`` feel, and the decay length of their ``form`` by :func:`form_lengths` [m], are None
+    where D and G went in. ``files`` that the joint file names.
     """
 
     measured: MeasuredRoughness
@@ -43,6 +44,11 @@ class MeasuredSurface(NamedTuple):
     contacts: FeltContacts | None = None
     form: dict[str, float] | None = None
     files: tuple[str, ...] = ()
+
+    @property
+    def pair(self) -> MeasuredRoughness:
+        """The surface of both bodies together."""
+        return self.measured.pair
 
     @property
     def text(self) -> str:
@@ -64,13 +70,13 @@ class MeasuredSurface(NamedTuple):
             with suppress(AsperityError):  # the profile may have no lay
                 measured = case_with_surface(with_law(case, "exponential"), self.measured).measured
                 contacts = measured.contacts if measured else None
-        elif self.measured.fractal is not None:
-            fractal = with_law(with_measured_surface(case, self.measured.fractal), "zou_2025")
+        elif self.pair.fractal is not None:
+            fractal = with_law(with_measured_surface(case, self.pair.fractal), "zou_2025")
             surfaces["zou_2025"] = joint_from_case(fractal).surfaces
         for law, ratios_of in RATIOS_OF.items():
             if contacts is not None and law != used:
                 with suppress(InputError):  # a law that the measurement does not serve
-                    ratios, _ = ratios_of(self.measured, contacts)
+                    ratios, _ = ratios_of(self.pair, contacts)
                     surfaces[law] = tuple(
                         RandomRoughness(jnp.asarray(ratio * one.rms_height))
                         for (_, ratio, _), one in zip(ratios.values(), contacts.felt.values(), strict=True)
@@ -81,8 +87,8 @@ class MeasuredSurface(NamedTuple):
         """Intervals of stiffness and drift: from the law and the heights, or from the scatter of D and G."""
         if self.heights is not None and self.ratios is not None:
             return interval_of_heights(case, self.heights, self.ratios, self.form)
-        assert self.measured.fractal is not None
-        return stiffness_interval(joint, self.measured.fractal)
+        assert self.pair.fractal is not None
+        return stiffness_interval(joint, self.pair.fractal)
 
 
 def case_with_surface(case: Case, measured: MeasuredRoughness, files: tuple[str, ...] = ()) -> Case:
@@ -92,35 +98,34 @@ def case_with_surface(case: Case, measured: MeasuredRoughness, files: tuple[str,
     rms of the heights that each contact feels: of all waves but those longer than its Hertzian width in the rolling
     direction and, along the rollers' axis, longer than its contact line or the cut-off of ISO 4288. With ``"measured"``
     or ``"persson_2007"`` the decay length, which is not 0.48 of these heights but what boundary elements on the map, or
-    Persson's theory of these waves, have at the mean pressure of the contact. ``measured`` is the roughness of both
-    bodies together, ``files`` those that the joint file is to name.
+    Persson's theory of these waves, have at the mean pressure of the contact. ``measured`` is the surface of one body,
+    which both then have, or of the pair; ``files`` are those that the joint file is to name.
 
     An ``InputError`` is raised if the measurement does not have what the law needs, a profile states no lay, or the
     joint cannot be solved.
     """
-    law = case.model.contact_law
+    law, pair = case.model.contact_law, measured.pair
     if law == "measured":  # before any joint is solved
-        refuse_without_elements(measured)
-    if law == "zou_2025" or not measured.spectra:
-        if measured.fractal is None or law in ("exponential", "persson_2007"):
-            raise InputError(_lacks(measured, law))
+        refuse_without_elements(pair)
+    if law == "zou_2025" or not pair.spectra:
+        if pair.fractal is None or law in ("exponential", "persson_2007"):
+            raise InputError(_lacks(pair, law))
         old = "measured surface: a document of an earlier release, without a spectrum; its D and G go in"
-        surface = MeasuredSurface(measured, () if measured.spectra else (old,), files=files)
-        return with_measured_surface(case, measured.fractal).with_measured(surface)
-    for spectrum in measured.spectra:
+        surface = MeasuredSurface(measured, (measured.words, *(() if pair.spectra else (old,))), files=files)
+        return with_measured_surface(case, pair.fractal).with_measured(surface)
+    for spectrum in pair.spectra:
         if not spectrum.is_map and spectrum.lay is None:
-            raise InputError(_without_lay(spectrum, measured))
-    contacts = felt_contacts(
-        with_law(case, "exponential") if law in BY_DECAY_LENGTH else case, measured.spectra
-    )
+            raise InputError(_without_lay(spectrum, pair))
+    contacts = felt_contacts(with_law(case, "exponential") if law in BY_DECAY_LENGTH else case, pair.spectra)
     ends = {
         name: (contact.rms_height, math.exp(_NORMAL_95 * contact.deviation))
         for name, contact in contacts.felt.items()
     }
     heights = {f"surface.{name}": (rms / factor, rms, rms * factor) for name, (rms, factor) in ends.items()}
-    ratios, assumed = RATIOS_OF[law or "exponential"](measured, contacts)
-    form = form_lengths(measured, contacts)
-    told = (*assumed_heights(measured, contacts.felt), *assumed, *_form_assumed(contacts, ratios, form))
+    ratios, assumed = RATIOS_OF[law or "exponential"](pair, contacts)
+    form = form_lengths(pair, contacts)
+    heights_told = assumed_heights(pair, contacts.felt)
+    told = (measured.words, *heights_told, *assumed, *_form_assumed(contacts, ratios, form))
     surface = MeasuredSurface(measured, told, heights, ratios, contacts, form, files)
     by_length = law in BY_DECAY_LENGTH
     lengths = {

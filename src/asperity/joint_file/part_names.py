@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Container, Iterable, Mapping
 from typing import Any
 
 #: Type of the drive of Zou et al. 2025, that of a file without a type.
@@ -71,6 +72,12 @@ def material_keys(kind: str) -> tuple[str, ...]:
 def material_key(kind: str, body: str) -> str:
     """Key of a body of a type in [bodies]: both loading rollers of a planet are made of one material."""
     return "loading_roller" if kind == WEDGE_TYPE and body.endswith("_loading_roller") else body
+
+
+def body_key(kind: str, body: str, keys: Container[str]) -> str:
+    """Key in [bodies] of a body of a solved joint, behind whose name the number of its branch may stand."""
+    key = material_key(kind, body)
+    return key if key in keys else material_key(kind, re.sub(r"_\d+$", "", body))
 
 
 def bodies_of_type(kind: str) -> tuple[str, ...]:

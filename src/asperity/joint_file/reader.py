@@ -36,20 +36,22 @@ def parse_case(text: str, *, source: str, folder: Path | None = None, measured: 
     the joint has no balance.
     """
     case = case_from_tables(parse_toml(text, source=source), source=source, folder=folder).with_text(text)
-    named = measured and isinstance(case.surface, SurfaceEntry) and case.surface.measurement
-    return _measured(case, named, source, folder or Path()) if named else case
+    if measured and isinstance(case.surface, SurfaceEntry) and case.surface.measurement:
+        return _measured(case, case.surface, source, folder or Path())
+    return case
 
 
-def _measured(case: Case, names: tuple[str, ...], source: str, folder: Path) -> Case:
+def _measured(case: Case, surface: SurfaceEntry, source: str, folder: Path) -> Case:
     """The joint file with what each contact feels of the measured surface that it names."""
     from asperity.joint.measured_surface import measured_surface
     from asperity.joint_file.measured_surface import case_with_surface
 
     use_double_precision()
     use_compilation_cache()
-    files = tuple(str((folder / name).absolute()) for name in names)
+    paths = [folder / name for name in surface.measurement or ()]
+    files = tuple(str(path.absolute()) for path in paths)
     try:
-        roughness = measured_surface(tuple(folder / name for name in names))
+        roughness = measured_surface(tuple(paths), surface.measurement_of)
     except (InputError, NoSolutionError) as error:
         raise type(error)(f"{source}: surface.measurement: {error}", options=error.options) from None
     try:

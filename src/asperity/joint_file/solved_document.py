@@ -10,6 +10,7 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.contact_laws import laws_of_file
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.own_branches import branches_of
+from asperity.joint_file.part_names import body_key
 from asperity.joint_file.si_tables import AnyCase, si_values, without_measurement
 from asperity.results.document import joint_document
 from asperity.results.solved import SolvedJoint, solved_with_capacities
@@ -42,6 +43,9 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     branches = branches_of(case)
     joint = joint_from_case(case) if branches is None else branches.joint
     solved = solved_with_capacities(joint, solve_joint(joint), branches)
+    solved.material_names = {
+        body.name: case.bodies[body_key(joint.type, body.name, case.bodies)] for body in joint.drive.bodies
+    }
     if case.rolling is not None and case.rolling.required_life is not None:
         solved.required_life = case.rolling.required_life.value
     return solved

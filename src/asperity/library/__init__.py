@@ -37,7 +37,7 @@ _MATERIAL_NUMBERS = {
     "poisson_ratio": Dimension.DIMENSIONLESS,
     "density": Dimension.DENSITY,
     "yield_strength": Dimension.PRESSURE,
-    "hardness": Dimension.PRESSURE,
+    "hardness": Dimension.HARDNESS,
     "hardness_factor": Dimension.DIMENSIONLESS,
     "thermal_conductivity": Dimension.THERMAL_CONDUCTIVITY,
     "specific_heat_capacity": Dimension.SPECIFIC_HEAT_CAPACITY,

@@ -71,7 +71,7 @@ def _margin(margin: Margin) -> Answer:
     used = margin.utilisation
     return {
         "name": margin.result.name,
-        "label": margin.result.label,
+        "label": margin.label,
         "place": margin.place.replace("_", " "),
         "unit": unit,
         "actual": shown(margin.actual),
@@ -81,6 +81,7 @@ def _margin(margin: Margin) -> Answer:
         "inclusive": margin.result.limit is not None and margin.result.limit.inclusive,
         "used": used if math.isfinite(used) else None,
         "ok": margin.passes,
+        "known": margin.known,
         "severity": margin.severity,
         "state": margin.state,
     }

@@ -126,7 +126,6 @@ def design_words(result: DesignResult) -> dict[str, Any]:
     """Numbers of a design as people read them, with their units, and whether it meets its limits."""
     from asperity.joint_file.part_names import type_of
     from asperity.joint_file.si_tables import key_at, numeric_keys, si_values
-    from asperity.study.design.design_result import met_words
     from asperity.units import format_quantity
 
     problem = result.problem
@@ -138,7 +137,7 @@ def design_words(result: DesignResult) -> dict[str, Any]:
 
     return {
         "goal": problem.goal,
-        "met": met_words(feasible=result.feasible, allowed=result.allowed),
+        "met": result.met_words,
         "before": format_quantity(result.objective_before, unit),
         "after": format_quantity(result.objective_after, unit),
         "variables": {
@@ -163,11 +162,11 @@ def design_words(result: DesignResult) -> dict[str, Any]:
 def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
     from asperity.surface.height_spectrum import with_lay
     from asperity.surface.measure_files import files_document, measured_files
-    from asperity.surface.measured_roughness import read_roughness, roughness_document
+    from asperity.surface.measured_roughness import measurement_of, read_roughness, roughness_document
 
-    lay = options.get("lay")
+    lay, of = options.get("lay"), options.get("measurement_of")
     if options.get("document"):
-        roughness = read_roughness(path=file)
+        roughness = measurement_of(read_roughness(path=file), of)
         spectra = (one if one.is_map or one.lay else with_lay(one, lay) for one in roughness.spectra)
         return roughness_document(replace(roughness, spectra=tuple(spectra)))
     with contextlib.suppress(ImportError, ValueError, OSError):
@@ -180,7 +179,9 @@ def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, An
         position_unit=options.get("position_unit"),
         height_unit=options.get("height_unit"),
         spacing=options.get("spacing"),
-        decimal="auto",
+        decimal=options.get("decimal") or "auto",
+        column=options.get("column"),
+        no_data=options.get("no_data"),
         any_size=False,
         missing=options.get("missing", "refuse"),
         direction=options.get("direction", "x"),
@@ -191,4 +192,4 @@ def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, An
         longest_wavelength=None,
         **dict.fromkeys(left_out),
     )
-    return files_document(measured)
+    return files_document(measured) | {"measurement_of": measurement_of(measured.roughness, of).of}

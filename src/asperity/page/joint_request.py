@@ -15,6 +15,7 @@ from asperity.errors import InputError, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.choices import FINISH, choices_of
 from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words, with_measurement
+from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.measured_surface import case_with_surface
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import type_of
@@ -23,7 +24,7 @@ from asperity.joint_file.section import models_of
 from asperity.joint_file.si_tables import key_at
 from asperity.page.list_changes import MOST_LOADS, arrange, places_of_lists, rearranged_text, without_lists
 from asperity.reading import check_depth, parse_toml
-from asperity.surface.measured_roughness import roughness_from_document, two_bodies
+from asperity.surface.measured_roughness import measurement_of, roughness_from_document, two_bodies
 
 #: What a file need not state beside the finish of all surfaces.
 _GIVEN_BY_FINISH = ("surface.fractal_dimension", "surface.frequency_ratio")
@@ -73,10 +74,12 @@ class JointRequest:
 
     def _with_surfaces(self) -> Case:
         try:
+            case = self.case()
             measured = [roughness_from_document(document) for document in self.surfaces]
-            return case_with_surface(
-                self.case(), measured[0] if len(measured) == 1 else two_bodies(*measured)
-            )
+            if len(measured) == 2:
+                return case_with_surface(case, two_bodies(*measured))
+            stated = case.surface.measurement_of if isinstance(case.surface, SurfaceEntry) else None
+            return case_with_surface(case, measurement_of(measured[0], stated))
         except InputError as error:
             raise InputError(f"{self.name}: {error}") from None
 

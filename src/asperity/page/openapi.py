@@ -202,7 +202,7 @@ def _work_paths() -> Schema:
 
     def upload(summary: str, fields: Schema) -> Schema:
         file = {"type": "string", "format": "binary", "maxLength": LARGEST_SURFACE}
-        units = ("position_unit", "height_unit", "spacing")
+        units = ("position_unit", "height_unit", "spacing", "decimal", "column", "no_data")
         parameters = [_parameter(name, "Where the file does not say it.") for name in units]
         parameters += [
             _parameter(
@@ -210,6 +210,10 @@ def _work_paths() -> Schema:
             ),
             _parameter("direction", "In which the contact rolls over a map: x or y; x if absent."),
             _parameter("missing", "What happens with missing points: refuse, longest or interpolate."),
+            _parameter(
+                "measurement_of",
+                "Of what it is: body, as both bodies of a contact then are, or pair, of both together.",
+            ),
         ]
         return _post(
             summary,
@@ -367,7 +371,7 @@ def _request_schema(**asked: Schema) -> Schema:
                 _OBJECT,
                 maxItems=2,
                 description="Documents of 'asperity surface measure --json' in place of the surfaces of the file: "
-                "one of both bodies together, or one of each.",
+                "one, that of both bodies alike or, by its measurement_of, of the pair; or one of each.",
             ),
             "name": _said(_TEXT, "What messages and downloads call the joint."),
             **asked,
@@ -387,6 +391,7 @@ def _margin_schema() -> Schema:
             "inclusive": _said(_FLAG, "Whether the bounds 'lowest' and 'highest' themselves are allowed."),
             "used": _said(_NUMBER, "Share of the limit that is used."),
             "ok": _FLAG,
+            "known": _said(_FLAG, "Whether it is known that the requirement is met or not."),
             "severity": {"enum": list(SEVERITIES)},
             "state": _said(_TEXT, "State of the joint where that is no failure."),
         }

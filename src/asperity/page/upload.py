@@ -18,6 +18,7 @@ from asperity.surface.file_formats import signed_format
 from asperity.surface.height_spectrum import LAYS
 from asperity.surface.measured_roughness import roughness_document, roughness_from_document
 from asperity.surface.measurement import SCHEMA
+from asperity.surface.measurement_of import WORDS
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -29,7 +30,12 @@ LARGEST_SURFACE = 64 * 1024**2
 LONGEST_MEASUREMENT = 120.0
 
 #: Choices of a measurement → their words.
-_WORDS = {"lay": LAYS, "direction": ("x", "y"), "missing": ("refuse", "longest", "interpolate")}
+_WORDS = {
+    "lay": LAYS,
+    "direction": ("x", "y"),
+    "missing": ("refuse", "longest", "interpolate"),
+    "measurement_of": WORDS,
+}
 
 Kind = Literal["joint", "design", "measurement", "surface"]
 
@@ -38,11 +44,17 @@ _TOML_LINE = re.compile(
     rb"^[ \t]*(\[\[?[^\]\n]+\]\]?[ \t]*(#.*)?|[A-Za-z_][\w.\"-]*[ \t]*=[^=].*)\r?$", re.MULTILINE
 )
 
+#: A row of a table of numbers.
+_ROW = re.compile(rb"^[ \t]*[-+.\d][-+.,;\deE \t]*\r?$", re.MULTILINE)
+
 
 def recognised(content: bytes, name: str) -> Kind:
     """What a file is, by its content; the ending ``.toml`` is taken at its word."""
     beginning = content[:4096].removeprefix(b"\xef\xbb\xbf")
     text = b"\0" not in beginning
+    lines = sum(1 for line in beginning.splitlines() if line.strip())
+    if text and not name.lower().endswith(".toml") and 2 * len(_ROW.findall(beginning)) > lines:
+        return "surface"  # also below lines such as DX = 1.5
     if name.lower().endswith(".toml") or (
         text and signed_format(beginning) is None and _TOML_LINE.search(beginning)
     ):
@@ -139,8 +151,8 @@ def measured_upload(
 ) -> dict[str, Any]:
     """The measurement of the file of an instrument, or one made before, and the ``surface`` that a joint takes of it.
 
-    ``units``: also the ``lay`` of a profile, the ``direction`` in which a contact rolls over a map, and what happens
-    with ``missing`` points; empty if not stated.
+    ``units``: also the ``lay`` of a profile, the ``direction`` in which a contact rolls over a map, what happens with
+    ``missing`` points, and of what the measurement is, ``measurement_of``; empty if not stated.
     """
     refuse_downloads(content, name)
     options: dict[str, Any] = {key: value for key, value in units.items() if value}

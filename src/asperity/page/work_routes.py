@@ -27,7 +27,10 @@ def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -
     """The addresses."""
 
     async def measured(request: Request, content: bytes, name: str) -> Response:
-        stated = ("position_unit", "height_unit", "spacing", "lay", "direction", "missing")
+        stated = (
+            *("position_unit", "height_unit", "spacing", "decimal", "column", "no_data"),
+            *("lay", "direction", "missing", "measurement_of"),
+        )
         units = {key: request.query_params.get(key, "")[:40] for key in stated}
         measurement = await measurements.run(content, name, units)
         return JSONResponse({"kind": "measurement", **measurement})

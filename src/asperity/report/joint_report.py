@@ -34,6 +34,7 @@ from asperity.report.content import (
 from asperity.report.figures import report_pictures
 from asperity.report.load_tables import branch_tables
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
+from asperity.results.document import verdict_words
 from asperity.results.loads_document import loads_document
 from asperity.results.margins import margins
 from asperity.results.solved import SolvedJoint
@@ -115,7 +116,7 @@ def joint_report(source: ReportSource) -> Report:
         *load_tables.loads(parts.loads),
         Heading("Safety margins"),
         *limit_tables.margins_table(margins(solved)),
-        Picture("Shares of the limits that are used", pictures["margins"]),
+        Picture("Used share of each limit", pictures["margins"]),
         Heading("Warnings"),
         *limit_tables.warnings(document),
         Heading("Wind-up"),
@@ -196,8 +197,7 @@ def _title_block(source: ReportSource) -> Iterator[Block]:
 def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield Heading("Summary")
     yield result_tables.summary(document)
-    verdict = document["verdict"]
-    yield Paragraph(f"{verdict['title']}: {verdict['words']}", strong=True)
+    yield Paragraph(verdict_words(document["verdict"]), strong=True)
 
 
 def _windup(document: dict[str, Any], examined: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
@@ -219,6 +219,8 @@ def _appendix(source: ReportSource) -> Iterator[Block]:
     """The files from which the report can be made again."""
     files = [Path(name).name for name in (source.case.measured.files if source.case.measured else ())]
     surfaces = [] if files else ["--surface"] * len(source.measurement_texts)
+    if len(surfaces) == 1 and source.case.measured.measured.of == "pair":
+        surfaces.append("--measurement-of pair")
     option = "".join(f" {word}" for word in (*source.studies.options, *surfaces))
     yield Heading("Joint file")
     yield Paragraph(

@@ -13,9 +13,9 @@ from asperity.results.margins import Margin
 Document = dict[str, Any]
 
 _WARNINGS_ABOUT = {
-    "function": "the joint does not work as it should",
+    "function": "the joint fails",
     "damage": "the joint is damaged",
-    "accuracy": "the numbers cannot be trusted",
+    "accuracy": "outside the range of the model",
     "state": "a state of the joint, with a consequence",
 }
 
@@ -23,10 +23,10 @@ _WARNINGS_ABOUT = {
 def margins_table(margins: Sequence[Margin]) -> Iterator[Block]:
     """Required and actual values."""
     yield Paragraph(
-        "Each requirement at the contact or clearance where it is met worst. First stand those that are not met, the "
-        "most serious first, then those that are not known, then states of the joint that have a consequence, then all "
-        "others, those that use most of their limit first. A requirement of the model that is not met says that the "
-        "published contact law is outside its range, not that the joint fails."
+        "Each requirement at its worst contact or clearance: first those that fail, most serious first, then those "
+        "that are not known, then states of the joint with a consequence, then all others, tightest first. A "
+        "requirement of the model that fails means that the published contact law is outside its range, not that the "
+        "joint fails."
     )
     rows = []
     for margin in sorted(margins, key=_rank):
@@ -37,13 +37,12 @@ def margins_table(margins: Sequence[Margin]) -> Iterator[Block]:
             bounds = [bound.replace("<", "≤").replace(">", "≥") for bound in bounds]
         rows.append(
             (
-                margin.result.label,
+                margin.label,
                 margin.severity,
                 margin.place.replace("_", " "),
                 "–" if margin.state else " and ".join(bounds),
                 quantity(margin.actual, unit),
-                margin.state
-                or ("pass" if margin.passes else "unknown" if math.isnan(margin.actual) else "FAIL"),
+                margin.outcome,
             )
         )
     head = ("requirement", "concerns", "where", "required", "actual", "result")
@@ -55,7 +54,7 @@ def _rank(margin: Margin) -> tuple[int, float]:
     if margin.state:
         return 2, 0.0
     if not margin.passes:
-        return int(math.isnan(margin.actual)), 0.0
+        return int(not margin.known), 0.0
     return 3, math.inf if math.isnan(margin.utilisation) else -margin.utilisation
 
 
@@ -63,7 +62,7 @@ def warnings(document: Document) -> Iterator[Block]:
     """Every limit that is crossed, with its meaning and what to do; the range of the published law is none."""
     crossed = crossed_limits(document, model=False)
     if not crossed:
-        yield Paragraph("No warnings: every limit is kept.")
+        yield Paragraph("No warnings: all limits are met.")
         return
     items = []
     for entries in crossed:
@@ -71,10 +70,12 @@ def warnings(document: Document) -> Iterator[Block]:
         values = ", ".join(
             f"{entry['shown']} {(entry['contact'] or '').replace('_', ' ')}".strip() for entry in entries
         )
+        remedies = [entry["remedy"] for entry in entries if entry["remedy"]]
+        remedy = f" What to do: {remedies[0]}." if remedies else ""
         meanings = "; ".join(dict.fromkeys(entry["meaning"] for entry in entries))
         items.append(
             f"{first['label']}: {values} ({first.get('state') or 'limit ' + first['limit_shown']}; "
-            f"{_WARNINGS_ABOUT[first['severity']]}). "
-            f"Meaning: {meanings}. What to do: {first['remedy']}."
+            f"{_WARNINGS_ABOUT[first['severity']] if first['known'] else 'not checked'}). "
+            f"Meaning: {meanings}.{remedy}"
         )
     yield Bullets(items)

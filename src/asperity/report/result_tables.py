@@ -36,12 +36,12 @@ def summary(document: Document) -> Table:
             f"preload, contact {next(iter(document['standing']['contacts']))}",
             quantity(document["preload"]["force_N"], "N"),
         ),
-        ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
+        ("interference giving this preload", quantity(document["preload"]["interference_m"], "um")),
         *_at_assembly(document),
         *_loading_cam(document),
         ("torsional stiffness at the output, assembled", quantity(stiffness, "N*m/arcmin")),
         (
-            "drift of the output in one turn of its own",
+            "drift per output turn",
             quantity(document["drift_rad_per_output_turn"], "arcmin"),
         ),
         ("torque capacity", _capacity(document["torque_capacity"])),
@@ -56,8 +56,8 @@ def summary(document: Document) -> Table:
             for words in first_slip_words(document["standing_torque_capacity"])
         ),
         ("efficiency", percent(document["efficiency"])),
-        ("fatigue life in hours", number(document["life_hours"])),
-        ("fatigue life in turns of the output", number(document["rolling"]["life_output_turns"])),
+        ("rating life in hours", number(document["life_hours"])),
+        ("rating life in turns of the output", number(document["rolling"]["life_output_turns"])),
     ]
     return Table("Summary", ("quantity", "value"), rows, words=(0, 1))
 
@@ -144,7 +144,7 @@ def contacts(document: Document) -> Iterator[Block]:
     forces = document["standing"]["forces"]
     slip = {row["contact"]: row["value"] for row in document["diagnostics"] if row["name"] == "slip_ratio"}
     yield Table(
-        "Contact forces, standing under the torque",
+        "Contact forces at standstill, under the torque",
         (
             "contact",
             "normal\nN",

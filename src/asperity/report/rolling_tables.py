@@ -8,6 +8,7 @@ from typing import Any
 from asperity.report.content import Block, Bullets, Paragraph, Table, number, percent, quantity
 from asperity.results.notes import surface_rows
 from asperity.results.position_rows import position_rows
+from asperity.rolling.document import rating_life_name
 
 Document = dict[str, Any]
 _CAUSES = ("creep", "skew", "hysteresis", "oil")
@@ -34,7 +35,7 @@ def rolling(document: Document) -> Iterator[Block]:
                 "contact",
                 "flash temperature\nK",
                 "smallest oil film\nµm",
-                "film over roughness\nlambda",
+                "film ratio λ\n-",
                 "lubrication",
             ),
             [(name, *(number(value) for value in numbers), band or "–") for name, *numbers, band in surfaces],
@@ -103,15 +104,13 @@ def _life(document: Document) -> Iterator[Block]:
     if document["input"].get("duty"):
         rows.append(
             (
-                "the drive under its duty",
+                "the drive under the duty",
                 number(in_rolling["duty_life_hours"]),
                 number(in_rolling["duty_life_output_turns"]),
             )
         )
-    share = number(float(in_rolling["reliability"]), 100.0)
-    yield Table(
-        f"Fatigue life that {share} % of the drives reach", ("life of", "hours", "output turns"), rows
-    )
+    name = rating_life_name(float(in_rolling["reliability"]))
+    yield Table(name, ("life of", "hours", "output turns"), rows)
     if in_rolling["no_life_because"]:
         reason = in_rolling["no_life_because"]
         yield Paragraph(f"{reason[0].upper()}{reason[1:]}.")

@@ -14,7 +14,7 @@ from asperity.report.content import Block, Heading, Listing, Paragraph, Picture,
 from asperity.report.figures import figure_svg
 from asperity.results import RESULTS
 from asperity.study.design.design_problem import SUMMARY
-from asperity.study.design.design_result import DesignResult, bounds_words, met_words, shortcoming
+from asperity.study.design.design_result import DesignResult, bounds_words, shortcoming
 from asperity.study.tolerances.documents import failures
 from asperity.units import from_si
 
@@ -149,7 +149,7 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
     over = f" over {torques} torques, each result at its worst" if torques > 1 else ""
     yield Heading("Design")
     yield Paragraph(f"{name} asks for the {problem.goal}{over}: {before} before, {after} as designed.")
-    met = _sentence(shortcoming(result)) or met_words(feasible=result.feasible, allowed=result.allowed)
+    met = _sentence(shortcoming(result)) or result.met_words
     yield Paragraph(f"{met}.", strong=True)
     if words := bounds_words(result):
         yield Paragraph(f"The design is held by: {words}.")

@@ -91,17 +91,16 @@ def _not_carried(loads: list[str]) -> Result:
     """Result with its limit for the number of loads of a duty that the joint does not carry."""
     return Result(
         "duty_loads_not_carried",
-        "loads of the duty that the joint does not carry",
+        "duty loads not carried",
         Dimension.DIMENSIONLESS,
         "1",
         "duty_loads_not_carried",
         limit=Limit(
             "function",
-            "the joint carries every load of its duty without gross slip",
+            "every load of the duty is carried without gross slip",
             f"not carried: {'; '.join(loads)}; a contact slips as a whole or lifts off, or the load is beyond what is "
-            "computed, and the life under the duty does not hold",
-            "lower these loads below the torque capacity, in rolling where the joint turns, or raise the capacity by "
-            "what its limit asks for",
+            "computed; there is no life under the duty",
+            "lower these loads below the torque capacity (in rolling where the input turns), or raise the capacity",
             highest=0.0,
             inclusive=True,
         ),
@@ -111,7 +110,8 @@ def _not_carried(loads: list[str]) -> Result:
 def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     """The lives of the drive and of its rolling bearings, compared with the life that is required; empty without one.
 
-    Under a duty the lives are those under the duty.
+    Under a duty the lives are those under the duty. The life of the drive has no factor for the oil film: where the
+    film is not full at every contact, it may be too short, but it is never long enough.
 
     References
     ----------
@@ -121,18 +121,21 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
         return ()
     duty = bool(solved.joint.rolling.duty)
     required, less = solved.required_life, "lower the preload, the torque or the speed, or"
-    unknown = "no life to compare with the required one: " + (
-        "the joint does not carry every load of its [[duty]]"
+    unknown = "no rating life to compare with the required life: " + (
+        "a load of the [[duty]] is not carried"
         if duty
-        else "the joint slips, is loaded above shakedown, or stands (the speed is 0) and has no [[duty]]"
+        else "the joint slips, exceeds the shakedown limit, or stands (speed 0) without a [[duty]]"
     )
-    of_drive = _required(
-        "duty_life" if duty else "drive_life",
-        required,
-        f"{less} make rollers larger or contacts longer",
-        unknown,
-    )
-    of_drive = dataclasses.replace(of_drive, label=f"{of_drive.label}{_without_film_factor(solved)}")
+    missing, life = _no_film_factor(solved), _life_of_drive(solved)
+    remedy = f"{less} make rollers larger or contacts longer"
+    if missing and life >= required:
+        remedy = (
+            "multiply the life by the a_ISO of ISO 281 for this film and compare the product with the required life; "
+            "smoother surfaces raise λ"
+        )
+    of_drive = _required("duty_life" if duty else "drive_life", required, remedy, unknown, missing)
+    words = "rating life under the duty" if duty else "rating life"
+    of_drive = dataclasses.replace(of_drive, label=words)
     of_bearings = results_of_joint(solved)["bearing_duty_life" if duty else "bearing_life"]
     limit = _required(of_bearings.name, required, f"{less} choose larger bearings or more of them", unknown)
     bearings = (
@@ -140,17 +143,17 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
         for name, value in of_bearings.rows_of(solved).items()
         if not math.isnan(value)
     )
-    return LimitCheck(of_drive, None, _life_of_drive(solved)), *bearings
+    return LimitCheck(of_drive, None, life), *bearings
 
 
-def _without_film_factor(solved: SolvedJoint) -> str:
-    """Words beside the verdict where the life has no factor for the film; empty where the film is full or unknown."""
+def _no_film_factor(solved: SolvedJoint) -> str:
+    """What the life of the drive lacks where its oil film is not full; empty where it is full or not known."""
     ratios = np.asarray(solved.result.rolling.film_ratio, dtype=float)
     known = ratios[np.isfinite(ratios)]
     if not known.size or film_band(float(known.min())) == "full":
         return ""
     least = float(known.min())
-    return f", without a factor for the film ({film_band(least)} lubrication, lambda {least:.2g})"
+    return f"no film factor, λ {format_quantity(least, '1', 2)}"
 
 
 def _life_of_drive(solved: SolvedJoint) -> float:
@@ -160,15 +163,16 @@ def _life_of_drive(solved: SolvedJoint) -> float:
     return float(np.asarray(hours)) * _HOUR
 
 
-def _required(name: str, seconds: float, remedy: str, unknown: str) -> Result:
+def _required(name: str, seconds: float, remedy: str, unknown: str, missing: str = "") -> Result:
     """A row of the table of results with the life that is required as its limit."""
     limit = Limit(
-        "damage",
-        "it lives as long as required",
-        "it fails before the life that is required, rolling.required_life",
+        "function",
+        "the rating life reaches rolling.required_life",
+        "the rating life is shorter than rolling.required_life" + (f" ({missing})" if missing else ""),
         remedy,
         lowest=seconds,
         inclusive=True,
         unknown=unknown,
+        missing=missing,
     )
     return dataclasses.replace(RESULTS[name], name=f"required_{name}", limit=limit)

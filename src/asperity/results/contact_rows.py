@@ -60,7 +60,7 @@ ROWS = (
     ),
     _force(
         "interference",
-        "interference that makes the preload",
+        "interference giving the preload",
         Dimension.LENGTH,
         "um",
         "result.interference",
@@ -80,7 +80,7 @@ ROWS = (
     ),
     _force(
         "cam_angle",
-        "angle at the output by which the loading cam has turned",
+        "angle of the loading cam, at the output",
         Dimension.ANGLE,
         "arcmin",
         "result.cam_angle",

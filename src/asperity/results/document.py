@@ -45,17 +45,17 @@ NO_SHARE = 1e-12
 #: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
 LEVEL_WORDS = (
     ("assembly", "assembled: asperities, bodies, rollers free to move, structure"),
-    ("series_with_bulk", "asperities and bodies in series, roller centres held"),
+    ("series_with_bulk", "asperities and bodies in series, roller centres fixed"),
     ("published", "asperities alone, the level of Zou et al. 2025: an upper bound"),
 )
 
 
 _ELASTIC_BODIES = (
-    "the springs of a contact include how its bodies deform as a whole: a free ring's bending, for example"
+    "the springs of a contact include the deformation of its whole bodies, such as the bending of a free ring"
 )
 _BELOW_ZERO = (
-    "a share below 0 belongs to a spring that the other forces on its bodies move against its own force; all shares "
-    "together are 100 %"
+    "a negative share: the other forces on its bodies deflect this spring against its own force; the shares add up to "
+    "100 %"
 )
 
 
@@ -63,6 +63,13 @@ def budget_words(shares: Iterable[float | None], *, elastic_bodies: bool) -> str
     """What the shares of the compliance [-] do not show, without a full stop; empty where they show it all."""
     below = any(share is not None and share < -NO_SHARE for share in shares)
     return "; ".join([_ELASTIC_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
+
+
+def verdict_words(verdict: Document) -> str:
+    """The verdict of a document in sentences, and of the requirements that are met the one with the tightest margin."""
+    nearest = verdict["nearest"]
+    tightest = "" if nearest is None else f" Tightest margin: {nearest['words']}."
+    return f"{verdict['title']}: {verdict['words']}{tightest}"
 
 
 def crossed_limits(document: Document, *, model: bool) -> list[list[Document]]:
@@ -80,7 +87,8 @@ def law_range_words(document: Document) -> str:
     if not crossed:
         return ""
     parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
-    return f"asperities alone: outside the range of that level, {parts}; {crossed[0][0]['remedy']}"
+    remedies = [entry["remedy"] for entries in crossed for entry in entries if entry["remedy"]]
+    return "; ".join([f"asperities alone: outside the range of this law, {parts}", *remedies[:1]])
 
 
 def _largest(entries: list[Document]) -> str:
@@ -102,7 +110,11 @@ def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]
         value, unit = entry["value"], entry.pop("display_unit")
         entry["infinite"] = math.isinf(value)
         entry["shown"] = (
-            "infinite" if entry["infinite"] else "-" if math.isnan(value) else format_quantity(value, unit)
+            "infinite"
+            if entry["infinite"]
+            else "not known"
+            if math.isnan(value)
+            else format_quantity(value, unit)
         )
         entry["limit_shown"] = format_quantity(entry["limit"], unit)
     return sorted(entries, key=lambda entry: SEVERITIES.index(entry["severity"]))
@@ -117,10 +129,11 @@ def _limit_document(entry: LimitCheck) -> Document:
         "value": entry.value,
         "limit": entry.limit,
         "ok": entry.ok,
+        "known": entry.known,
         "severity": entry.rule.severity,
         "state": "" if entry.ok else entry.rule.state,
         "meaning": entry.meaning,
-        "remedy": None if entry.ok else entry.rule.remedy,
+        "remedy": None if entry.ok or math.isnan(entry.value) else entry.rule.remedy,
         "unit": entry.result.si_unit,
         "display_unit": entry.result.display_unit,
     }
@@ -128,7 +141,8 @@ def _limit_document(entry: LimitCheck) -> Document:
 
 def _note_document(note: Note) -> Document:
     words = dataclasses.asdict(note)
-    return words | {"unit": words.pop("dimension").si_unit}
+    del words["used"]
+    return words | {"known": not math.isnan(note.value), "unit": words.pop("dimension").si_unit}
 
 
 def contact_documents(solved: SolvedJoint) -> Document:
@@ -179,7 +193,7 @@ def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
             "output_Nm_per_rad": output,
             "output_Nm_per_arcmin": None if output is None else output * math.pi / 10800.0,
         }
-        rows.append(("assembled, the loading cam held by its friction", held))
+        rows.append(("assembled, loading cam held by its friction", held))
     return rows
 
 
@@ -192,9 +206,9 @@ def stiffness_unknown_because(result: JointResult) -> str | None:
         name for name, force, k in zip(result.contact_names, normal, elastic, strict=True) if force > 0.0 >= k
     ]
     return (
-        f"every spot of {', '.join(plastic)} is plastic, where the contact law has no stiffness; real surfaces keep "
-        "one, so that no level of the model has a value: raise fractal_dimension or hardness, or lower "
-        "fractal_roughness, or use boundary elements"
+        f"every spot of {', '.join(plastic)} is plastic, and the contact law then has no stiffness; real surfaces do, "
+        "so no level of the model has a value: raise fractal_dimension or hardness, or lower fractal_roughness, or use "
+        "boundary elements"
     )
 
 
@@ -296,7 +310,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
         {
             "asperity_version": asperity.__version__,
             "of_own_branches": joint.unlike is not None,
-            "verdict": verdict_document(margins(solved), rims),
+            "verdict": verdict_document(margins(solved), rims, solved.material_names),
             "mass_kg": solved.size.mass,
             "envelope_diameter_m": solved.size.envelope_diameter,
             "input": inputs,

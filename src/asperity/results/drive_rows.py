@@ -160,6 +160,7 @@ ROWS = (
         group="diagnostics",
         needs="geometry",
         lowest_limit=1.0,
+        used=("torque", "capacity"),
         note="torque capacity in the direction of the output torque, over that torque; at least this where the limit "
         "is contact_too_wide or wall_too_thin, standing or in rolling, at which only what is computed ends",
     ),

@@ -35,14 +35,21 @@ class LimitCheck:
 
     @property
     def ok(self) -> bool:
-        """Whether the limit is kept; never where the value is nan."""
+        """Whether the limit is kept; never where the value is nan, or lacks something."""
         return self.rule.is_kept(self.value)
 
     @property
+    def known(self) -> bool:
+        """Whether the value shows that the limit is kept or crossed."""
+        return self.rule.is_known(self.value)
+
+    @property
     def meaning(self) -> str:
-        """What it means that the limit is kept or crossed."""
+        """What it means that the limit is kept or crossed, or why neither is known."""
         if math.isnan(self.value):
             return self.rule.unknown
+        if not self.known:
+            return f"not judged: {self.rule.missing}"
         return self.rule.kept if self.ok else self.rule.crossed
 
 
@@ -72,7 +79,7 @@ def with_pins(row: Result, solved: SolvedJoint) -> Result:
     )
     said += f": {carried}"
     if solved.joint.pin_bearing is None:
-        said += "; whether they can is not judged without [pin_bearing]"
+        said += "; whether they can carry it is not judged without [pin_bearing]"
     else:
         rows = table["bearing_static_safety"].rows_of(solved)
         safety = float(np.nanmin([math.inf, *(x for name, x in rows.items() if name.endswith("_pin"))]))

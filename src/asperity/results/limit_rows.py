@@ -32,7 +32,9 @@ _UNSOLVED = functools.partial(
     "do not use these numbers; check radii, preload and torque",
     highest=BALANCE_TOLERANCE,
 )
-_TRUST_THE_ASSEMBLY = "use the assembled stiffness; the published one, without the bodies, is an upper bound"
+_TRUST_THE_ASSEMBLY = (
+    "use the assembled stiffness; the published stiffness leaves out the bodies and is an upper bound"
+)
 
 
 def _fractal_dimensions(solved: SolvedJoint) -> list[object]:
@@ -50,7 +52,7 @@ ROWS = (
         highest_limit=1.0,
         limit=Limit(
             "function",
-            "the tangential force is below what friction holds",
+            "the tangential force is below the friction limit",
             "the contact slips: it has no tangential stiffness",
             "raise the preload or the friction coefficient, or lower the torque",
             highest=1.0,
@@ -66,10 +68,10 @@ ROWS = (
         needs_wedges=True,
         limit=Limit(
             "state",
-            "the wedge holds itself by friction",
-            "the friction coefficient is below tan(beta/2): the wedge does not hold itself by friction, and the "
-            "carrier pins keep the loading rollers in it",
-            "make sure that the pins can (see the pin forces), or raise the friction coefficient, or make the wedge "
+            "the wedge is self-locking",
+            "the friction coefficient is below tan(beta/2): the wedge is not self-locking, and the carrier pins hold "
+            "the loading rollers in it",
+            "check that the pins can carry this force, or raise the friction coefficient, or make the wedge "
             "angle beta smaller: smaller loading rollers or planets, or a larger ring",
             highest=1.0,
             state="held by the pins",
@@ -161,8 +163,8 @@ ROWS = (
         limit=Limit(
             "model",
             "the asperities are at least ten times softer than the bodies under them",
-            "the bodies are not much stiffer than the asperities: the published stiffness, without the bodies, is only "
-            "an upper bound",
+            "the bodies are not much stiffer than the asperities: the published stiffness leaves out the bodies and is "
+            "only an upper bound",
             _TRUST_THE_ASSEMBLY,
             highest=0.1,
         ),

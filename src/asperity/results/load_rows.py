@@ -48,6 +48,7 @@ _safety = functools.partial(
     Result, group="stresses", dimension=Dimension.DIMENSIONLESS, display_unit="1", axis="body"
 )
 _NO_UNIT, _KELVIN = (Dimension.DIMENSIONLESS, "1"), (Dimension.TEMPERATURE_RISE, "K")
+_NO_BEARING_LOAD = "no value: the joint slips or does not roll under the torque or under a load of the duty"
 _REMEDY = "choose a thicker wall, a stronger material or less preload"
 
 
@@ -127,20 +128,22 @@ ROWS = (
     ),
     _mounting(
         "mounting_heating",
-        "heating that takes the interference, for mounting",
+        "heating for mounting",
         Dimension.TEMPERATURE_RISE,
         "K",
         lambda solved: solved.mounting().heating,
-        note="of a ring, with its housing, above the rest of the drive; without a gap; nan without thermal_expansion",
+        note="of a ring with its housing above the rest of the drive, which removes the interference without a gap; "
+        "nan without thermal_expansion",
     ),
     _load(
         "mounting_cooling",
-        "cooling of the rollers that takes the interference, for mounting",
+        "cooling of the rollers for mounting",
         Dimension.TEMPERATURE_RISE,
         "K",
         lambda solved: solved.mounting().cooling,
         needs="geometry",
-        note="of everything but the rings, below these; without a gap; nan without thermal_expansion",
+        note="of everything but the rings below the rings, which removes the interference without a gap; nan without "
+        "thermal_expansion",
     ),
     _seat_pressure(
         "seat_pressure",
@@ -151,21 +154,21 @@ ROWS = (
         note=f"between it and a ring, of fit and rollers together, without torque and under it; {_HOUSED}",
         limit=Limit(
             "accuracy",
-            "the ring touches its housing all round",
-            "the ring lifts off its housing between its rollers, so that it is softer than computed, and creeps",
+            "the ring is in contact with its housing all round",
+            "the ring lifts off its housing between the rollers: it is softer than computed, and creeps in its seat",
             "choose more interference in the housing, a stiffer housing or a thicker wall of the ring",
             lowest=0.0,
         ),
     ),
     _seat(
         "seat_torque_safety",
-        "torque that a seat in the housing holds over that on it",
+        "ring seat: holding torque / applied torque",
         *_NO_UNIT,
         "seats.torque_safety",
         note=f"of a ring under the torque of the file, by friction and the pressure of the fit alone; {_HOUSED}",
         limit=Limit(
             "function",
-            "the seat holds the torque of the ring",
+            "the seat holds the torque on the ring",
             "the ring turns in its housing under the torque",
             "choose more interference in the housing, a wider seat, or a key",
             lowest=1.0,
@@ -175,7 +178,7 @@ ROWS = (
     ),
     _seat(
         "seat_force",
-        "axial force that presses into the housing",
+        "axial force for pressing into the housing",
         Dimension.FORCE,
         "N",
         "seats.force",
@@ -183,21 +186,21 @@ ROWS = (
     ),
     _seat(
         "seat_heating",
-        "heating of the housing that takes its interference",
+        "heating of the housing for mounting",
         *_KELVIN,
         "seats.heating",
-        note=f"with a ring, without a gap; nan without thermal_expansion; {_HOUSED}",
+        note=f"above a ring, which removes the interference without a gap; nan without thermal_expansion; {_HOUSED}",
     ),
     _seat(
         "seat_cooling",
-        "cooling that takes the interference in the housing",
+        "cooling for mounting in the housing",
         *_KELVIN,
         "seats.cooling",
-        note=f"of a ring, without a gap; nan without thermal_expansion; {_HOUSED}",
+        note=f"of a ring, which removes the interference without a gap; nan without thermal_expansion; {_HOUSED}",
     ),
     _seat(
         "seat_bore_change",
-        "by how much the seat in the housing narrows the bore",
+        "narrowing of the bore by the seat in the housing",
         Dimension.LENGTH,
         "um",
         "seats.bore_change",
@@ -211,7 +214,7 @@ ROWS = (
     ),
     _seat(
         "housing_yield_safety",
-        "safety of the housing against yield",
+        "yield safety of the housing",
         *_NO_UNIT,
         "seats.yield_safety",
         note=f"around a ring, by the fit alone, at the assembly and at the working temperature; {_HOUSED}",
@@ -219,7 +222,7 @@ ROWS = (
             "damage",
             "the housing stays elastic",
             "the housing yields at its bore and loses part of the fit",
-            "choose less interference in the housing, a thicker or a stronger one",
+            "choose less interference in the housing, or a thicker or stronger housing",
             lowest=1.0,
             beyond="makes its housing yield",
         ),
@@ -229,35 +232,36 @@ ROWS = (
     ),
     _bearing_life(
         "bearing_life",
-        "basic rating life L10 of a bearing",
+        "bearing basic rating life L10",
         value="bearings.life",
-        note=f"ISO 281, nine in ten, without a_ISO, axial load and misalignment; nan where it stands; {_NEEDS}",
+        note=f"ISO 281, without a_ISO, axial load and misalignment; nan where it stands; {_NEEDS}",
     ),
     _bearing_life(
         "bearing_duty_life",
-        "basic rating life L10 of a bearing under the duty",
+        "bearing basic rating life L10 under the duty",
         value="bearings.duty_life",
         note=f"by Miner's sum; nan without a duty; {_NEEDS}",
     ),
     _bearing_ratio(
         "bearing_static_safety",
-        "static safety of a bearing",
+        "bearing static safety",
         value="bearings.static_safety",
         lowest_limit=0.0,
         note=f"C_0 over the largest load without torque, under the torque and under the duty; {_NEEDS}",
         limit=Limit(
             "damage",
-            "the raceways of the bearing keep their shape",
-            "the largest load exceeds the static rating C_0 of the bearing: its raceways keep dents",
+            "the load is within the static rating C_0 of the bearing",
+            "the largest load exceeds the static rating C_0 of the bearing: permanent dents in its raceways",
             "choose a larger bearing or more of them, or lower preload or torque",
             lowest=1.0,
             inclusive=True,
             beyond="beyond its static rating",
+            unknown=_NO_BEARING_LOAD,
         ),
     ),
     _bearing_ratio(
         "bearing_load_ratio",
-        "load over dynamic rating of a bearing",
+        "bearing load over dynamic rating",
         value="bearings.load_ratio",
         note=f"largest P/C under the torque and under the duty; {_NEEDS}",
         limit=Limit(
@@ -267,6 +271,7 @@ ROWS = (
             "choose a larger bearing or more of them, or lower preload or torque",
             highest=LARGEST_LOAD_RATIO,
             inclusive=True,
+            unknown=_NO_BEARING_LOAD,
         ),
     ),
     _stress("rim_stress", "largest hoop stress of a ring or hollow roller", value=_larger("stress")),
@@ -277,7 +282,7 @@ ROWS = (
     ),
     _stress(
         "rim_stress_amplitude",
-        "largest amplitude of the hoop stress that a point of a ring or hollow roller goes through",
+        "largest amplitude of the hoop stress at a point of a ring or hollow roller",
         value=_larger("amplitude"),
     ),
     _stress(
@@ -289,10 +294,10 @@ ROWS = (
     ),
     _safety(
         "rim_yield_safety",
-        "safety of a ring or hollow roller against yield",
+        "rim yield safety",
         value="rims.yield_safety",
-        note="yield strength over the largest Mises stress of both rims, without torque and under it, in plane strain "
-        "up to 12 % above that at the faces of a short body; nan for bodies that do not bend",
+        note="yield strength over the largest Mises stress of both rims of a ring or hollow roller, without torque and "
+        "under it, in plane strain up to 12 % above that at the faces of a short body; nan for bodies that do not bend",
         present=lambda solved: bends(solved.joint),
         limit=Limit(
             "damage",
@@ -305,14 +310,15 @@ ROWS = (
     ),
     _safety(
         "rim_fatigue_safety",
-        "safety of a ring or hollow roller against fatigue",
+        "rim fatigue safety",
         value="rims.fatigue_safety",
-        note="nan for bodies that do not bend, and without fatigue_strength of the material",
+        note="of a ring or hollow roller; nan for bodies that do not bend, and without fatigue_strength of the "
+        "material",
         present=_tires,
         limit=Limit(
             "damage",
-            "the rims of rings and hollow rollers endure the passing contacts",
-            "a ring or hollow roller breaks by fatigue at a rim, away from the contacts",
+            "the rims of rings and hollow rollers survive the stress cycles of the passing contacts",
+            "a ring or hollow roller fails by fatigue at a rim, away from the contacts",
             _REMEDY,
             lowest=1.0,
             beyond="breaks by fatigue at a rim",

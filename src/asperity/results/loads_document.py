@@ -33,44 +33,38 @@ from asperity.rolling.document import unknown_because
 from asperity.units import format_quantity, from_si
 
 _DIRECTIONS = (
-    "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
-    "turns; torques count in the same sense. Forces act on the part that is named: loads of pins and rollers are those "
-    "of each, loads of the members on the axis those of all sectors together."
+    "Radial: away from the drive's axis. Tangential and torques: positive in the sense of rotation of the input. "
+    "Forces act on the named part: on each pin and roller, and on members on the axis from all sectors together."
 )
 _EQUAL = (
-    "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and a "
-    "torque remains, so that their bearings carry no force. Weights, unequal sectors and forces from outside are not "
-    "counted; only the loads of rated bearings contain the outside_force of their section."
+    "All sectors are equal: the roller forces on the carrier and on each body on the axis balance and leave a torque, "
+    "so that their bearings carry no force. Weights, unequal sectors and external forces are not included; only the "
+    "loads of rated bearings include the outside_force of their section."
 )
-_STATES = (
-    "Where the input turns the forces are those of steady rolling, otherwise those of the joint standing under the "
-    "torque."
-)
+_STATES = "The forces are those of steady rolling where the input turns, otherwise those at standstill."
 _FREE = "Rollers without a pin are held by their contacts alone."
 _IN_ONE_PLANE = (
-    "The tracks of stepped rollers are taken in one plane: where they are not arranged symmetrically, their bearings "
-    "also carry a tilting moment."
+    "The tracks of stepped rollers are taken in one plane: unless they are arranged symmetrically, their bearings also "
+    "carry a tilting moment."
 )
 
 _MOUNTING = (
-    "Mounting, at the temperature of the assembly: the force slides a ring along its axis over all its rollers, with "
-    "the friction coefficients mu of the file; a chamfer of angle a needs up to (mu + tan a)/(mu - mu^2 tan a) times "
-    "that. Heated or cooled by these temperatures, a ring has this radial gap around its rollers; its housing is "
-    "heated with it; they need the thermal_expansion of the materials. No state on the way strains a ring more than "
-    "its seat does."
+    "Mounting, at the assembly temperature: the force slides a ring along its axis over all its rollers, with the "
+    "friction coefficients mu of the file; a chamfer of angle a multiplies it by up to (mu + tan a)/(mu - mu^2 tan a). "
+    "Heating the ring (with its housing) or cooling everything inside it by these temperatures gives the stated radial "
+    "gap; both need the thermal_expansion of the materials. Mounting never strains a ring more than its seat does."
 )
 _SEATED = (
-    "Seated in its housing: Lamé's thick cylinders in plane stress, as DIN 7190 has them, elastic and of the length of "
-    "the ring; force, temperatures and bore at the assembly, the rest at the working temperature. The interference in "
-    "the housing is that after pressing, which smooths the seats; load.interference is that of the ring in its seat."
+    "Seat in the housing: Lamé's thick cylinders in plane stress as in DIN 7190, elastic and as long as the ring; "
+    "force, temperatures and bore at the assembly temperature, all else at the working temperature. The interference "
+    "in the housing is the effective one, after the seats have been smoothed by pressing; load.interference is that "
+    "of the seated ring."
 )
 _AXIAL = (
-    "Axial forces are those of skewed contacts in rolling; those of rollers on pins act on the carrier as well. "
-    "Rollers without a pin need flanges or a cage, which are not described."
+    "Axial forces come from skewed contacts in rolling; those of rollers on pins also act on the carrier. Rollers "
+    "without a pin need flanges or a cage, which the file does not describe."
 )
-_BEARINGS = (
-    "Torques are those of the rollers and pins; the friction torques of the bearings are not among them."
-)
+_BEARINGS = "Torques are those of rollers and pins, without the friction torques of the bearings."
 
 
 def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: float = 0.0) -> Document:
@@ -177,14 +171,14 @@ def _mounting_rows(solved: SolvedJoint, gap: float, cases: int) -> Iterator[Row]
         if shape.kind != "ring":
             continue
         stated: list[tuple[str, str, Any]] = [
-            ("axial force that presses it on", "N", mounted.force[number]),
+            ("axial mounting force", "N", mounted.force[number]),
             (f"heating of the ring{with_gap}", "K", mounted.heating[number]),
-            (f"or cooling of all inside it{with_gap}", "K", mounted.cooling),
+            (f"or cooling of everything inside it{with_gap}", "K", mounted.cooling),
         ]
         if bent[number]:
             stated += [
                 ("largest hoop stress, mounted", "Pa", np.max(solved.rims.stress_at_rest[:, number])),
-                ("its yield strength", "Pa", joint.materials[number].yield_strength),
+                ("yield strength", "Pa", joint.materials[number].yield_strength),
             ]
         for quantity, unit, value in stated:
             name = joint.drive.bodies[number].name.replace("_", " ")
@@ -199,15 +193,15 @@ def _seat_rows(solved: SolvedJoint, cases: int) -> Iterator[Row]:
             continue
         fit = ring_fit(solved.joint, number)
         stated: tuple[tuple[str, str, Any], ...] = (
-            ("axial force that presses it in", "N", seats.force[number]),
+            ("axial press-in force", "N", seats.force[number]),
             ("or heating of the housing, without a gap", "K", seats.heating[number]),
             ("or cooling of the ring, without a gap", "K", seats.cooling[number]),
-            ("its bore narrows by, on the diameter", "m", seats.bore_change[number]),
-            ("pressure of the fit", "Pa", fit.pressure),
-            ("smallest pressure, with the rollers", "Pa", solved.rims.seat_pressure[number]),
-            ("hoop stress of its bore by the fit", "Pa", fit.ring_hoop[0]),
+            ("narrowing of its bore, on the diameter", "m", seats.bore_change[number]),
+            ("fit pressure", "Pa", fit.pressure),
+            ("smallest seat pressure, with the rollers", "Pa", solved.rims.seat_pressure[number]),
+            ("hoop stress of its bore from the fit", "Pa", fit.ring_hoop[0]),
             ("hoop stress of the housing's bore", "Pa", seats.housing_stress[number]),
-            ("torque that the seat holds", "N*m", seats.torque[number]),
+            ("holding torque of the seat", "N*m", seats.torque[number]),
         )
         name = solved.joint.drive.bodies[number].name.replace("_", " ")
         for quantity, unit, value in stated:
@@ -223,15 +217,15 @@ Row = tuple[str, str, str, str, Any]
 
 #: What the lives of rolling bearings are.
 RATED = (
-    "Bearings: ISO 281 basic rating life, which nine in ten reach, by radial load and relative speed. Lubrication and "
-    "cleanliness (a_ISO), axial loads and misalignment are yours to judge; the life holds for loads up to C/2."
+    "Bearings: basic rating life L10 of ISO 281, from radial load and relative speed, without a_ISO (lubrication and "
+    "cleanliness), axial load and misalignment; valid up to C/2."
 )
 
 #: What a table of loads says of branches that differ.
 UNEQUAL = (
-    "Branches of unequal sizes, [[branch]]: the bearings of the members on the axis carry what the branches leave "
-    "unbalanced, rated ones the whole of it and the outside_force of their section as if both acted in one direction. "
-    "Weights and forces from outside are not counted."
+    "Branches of unequal sizes, [[branch]]: the bearings of the members on the axis carry the unbalance of the "
+    "branches; rated ones carry all of it plus the outside_force of their section, as if both acted in one direction. "
+    "Weights and external forces are not included."
 )
 
 
@@ -337,14 +331,14 @@ def _absent_because(joint: Joint, bearing: dict[str, float]) -> list[str]:
     why = []
     duty = bearing["duty_life"] if joint.rolling.duty else 1.0
     if math.isnan(bearing["load"]):
-        why.append("its load is not known: the joint slips or does not roll")
+        why.append("load not known: the joint slips or does not roll")
     elif math.isnan(bearing["life"]):
-        why.append("it stands: no life in hours at this speed, only its static safety counts")
+        why.append("at standstill: no life in hours, only the static safety applies")
     elif math.isinf(bearing["life"]):
-        why.append("it carries no load: its life is not limited by fatigue")
+        why.append("no load: the life is not limited by fatigue")
     if math.isnan(duty):
         why.append(
-            "no life, largest P/C and static safety under the duty: the joint slips or does not roll under one of its "
+            "no life, largest P/C or static safety under the duty: the joint slips or does not roll under one of the "
             "loads"
         )
     if math.isinf(duty) and not math.isinf(bearing["life"]):

@@ -1,14 +1,14 @@
-"""Safety margins of one solved joint: what is required, what there is, and whether that is enough."""
+"""Safety margins of one solved joint, and its verdict: what is required, what there is, and whether that is enough."""
 
 from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
-
-import numpy as np
 
 from asperity.results import SEVERITIES, Limit, Result, Severity
 from asperity.results.all_limits import further_checks
@@ -17,11 +17,15 @@ from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
 from asperity.results.torque_capacity import ends_in_damage
+from asperity.units import format_quantity
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
 _MUST_EXCEED = ("clearance", "torque_safety")
 #: Severities of what a verdict is about.
 _JUDGED: tuple[Severity, ...] = ("function", "damage")
+#: Requirements of the user, not of the joint: their bounds are called required.
+_ASKED = "required_"
+_OUTSIDE = "Outside the model's range until these are resolved"
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +34,7 @@ class Margin:
 
     ``result``: the row of the table of results; ``place``: which contact or clearance, empty for the whole drive. Its
     value ``actual`` must lie between ``lowest`` and ``highest`` [SI]; ``passes``: whether it does, never where the
-    value is nan; ``severity``: how serious it is if it does not.
+    value is nan or still lacks something; ``severity``: how serious it is if it does not.
     """
 
     result: Result
@@ -45,6 +49,67 @@ class Margin:
     def state(self) -> str:
         """The state of the joint where it is no failure that the limit is crossed; otherwise empty."""
         return "" if self.passes or self.result.limit is None else self.result.limit.state
+
+    @property
+    def known(self) -> bool:
+        """Whether it is known that it is met or not."""
+        if self.passes or self.result.limit is None:
+            return self.passes or not math.isnan(self.actual)
+        return self.result.limit.is_known(self.actual)
+
+    @property
+    def failed(self) -> bool:
+        """Whether it is known that it is not met."""
+        return self.known and not self.passes
+
+    @property
+    def outcome(self) -> str:
+        """The state of the joint, or ``pass``, ``FAIL`` or ``unknown``."""
+        return self.state or ("pass" if self.passes else "FAIL" if self.failed else "unknown")
+
+    @property
+    def label(self) -> str:
+        """What is required, with what its value lacks."""
+        return f"{self.result.label}{self._lacks}"
+
+    @property
+    def where(self) -> str:
+        """Its place after its value, with a blank before it; empty for the whole drive."""
+        return f" at {self.place.replace('_', ' ')}" if self.place else ""
+
+    @property
+    def words(self) -> str:
+        """What it is, its value, its place, and its bound, such as "slip ratio 1.2 at sp, at most 1"."""
+        ends = [_shown(bound, self.result) for bound in (self.lowest, self.highest) if math.isfinite(bound)]
+        if len(ends) == 2:
+            bound = " to ".join(ends)
+        elif self.result.name.startswith(_ASKED):
+            bound = f"required {ends[0]}"
+        else:
+            bound = f"{'at least' if math.isfinite(self.lowest) else 'at most'} {ends[0]}"
+        return f"{self.result.label} {_shown(self.actual, self.result)}{self.where}, {bound}{self._lacks}"
+
+    @property
+    def tightness(self) -> str:
+        """How near it is to its bound: the share of the limit that is used, or value and bound if that is a least."""
+        subject, limit = self.result.used or ("", "")
+        if not subject and math.isfinite(self.lowest):
+            return self.words
+        share = 100.0 * self.utilisation
+        part = format_quantity(share, "1", 2 if share < 99.0 else 4)
+        return f"{subject or self.result.label}{self.where}, {part} % of {limit or 'its limit'}"
+
+    @property
+    def check(self) -> str:
+        """What is to be checked where nothing is known, and what that lacks."""
+        return f"{self.result.label}{self.where}{self._lacks}"
+
+    @property
+    def _lacks(self) -> str:
+        """What a value lacks, in brackets after a blank; empty where there is no value or it lacks nothing."""
+        if self.result.limit is None or math.isnan(self.actual) or not self.result.limit.missing:
+            return ""
+        return f" ({self.result.limit.missing})"
 
     @property
     def utilisation(self) -> float:
@@ -82,16 +147,15 @@ def _further(check: LimitCheck) -> Margin:
 
 
 def _worst_note(notes: list[Note]) -> Margin:
-    """The note that is farthest beyond its limit, or else nearest to it."""
-    note = max(
-        notes,
-        key=lambda note: (
-            not note.ok,
-            -SEVERITIES.index(note.severity),
-            note.value - note.limit if note.ok else abs(note.value - note.limit),
-        ),
-    )
-    below = note.value < note.limit and not note.ok
+    """The note that is farthest beyond its limit, or else nearest to it; of states the smallest value."""
+
+    def excess(note: Note) -> float:
+        if note.state:
+            return note.limit - note.value
+        return note.value - note.limit if note.ok else abs(note.value - note.limit)
+
+    note = max(notes, key=lambda note: (not note.ok, -SEVERITIES.index(note.severity), excess(note)))
+    below = bool(note.state) or (note.value < note.limit and not note.ok)
     lowest, highest = (note.limit, math.inf) if below else (-math.inf, note.limit)
     rule = Limit(
         note.severity,
@@ -103,7 +167,9 @@ def _worst_note(notes: list[Note]) -> Margin:
         inclusive=True,
         state=note.state,
     )
-    row = Result(note.name, note.label, note.dimension, note.display_unit, note.name, limit=rule)
+    row = Result(
+        note.name, note.label, note.dimension, note.display_unit, note.name, limit=rule, used=note.used
+    )
     return Margin(row, note.contact or "", note.value, lowest, highest, note.ok, note.severity)
 
 
@@ -115,72 +181,86 @@ def _as_its_limit(margin: Margin, solved: SolvedJoint) -> Margin:
 
 
 def _worst(row: Result, rows: dict[str, float]) -> Margin:
-    values = np.array(list(rows.values()))
+    """The place where a bound is crossed farthest; or else one that has no value, or else the nearest to its bound."""
     if row.limit is None:
         lowest, highest, severity = row.lowest_limit, math.inf, SEVERITIES[0]
     else:
         lowest, highest, severity = row.limit.lowest, row.limit.highest, row.limit.severity
-    room = np.where(np.isnan(values), np.nan, np.inf)  # an infinite bound is infinitely far away
-    if math.isfinite(lowest):
-        room = np.minimum(room, values - lowest)
-    if math.isfinite(highest):
-        room = np.minimum(room, highest - values)
-    index = int(np.argmin(np.where(np.isnan(room), -np.inf, room)))
-    actual = float(values[index])
-    passes = row.limit.is_kept(actual) if row.limit else actual > lowest
-    return Margin(row, list(rows)[index], actual, lowest, highest, bool(passes), severity)
+
+    def kept(value: float) -> bool:
+        return row.limit.is_kept(value) if row.limit else value > lowest
+
+    def room(margin: Margin) -> tuple[int, float]:
+        """Order of the places, and the distance from the nearer bound; an infinite one is infinitely far away."""
+        order = 0 if margin.failed else 2 if margin.passes else 1
+        to_bounds = ((margin.actual - lowest, lowest), (highest - margin.actual, highest))
+        left = min((distance for distance, bound in to_bounds if math.isfinite(bound)), default=math.inf)
+        return order, left if margin.known else 0.0
+
+    places = [
+        Margin(row, place, value, lowest, highest, kept(value), severity) for place, value in rows.items()
+    ]
+    return min(places, key=room)
 
 
-def verdict_document(judged: Sequence[Margin], rims: dict[str, Any]) -> dict[str, Any]:
+def verdict_document(
+    judged: Sequence[Margin], rims: Mapping[str, Any], materials: Mapping[str, str] = MappingProxyType({})
+) -> dict[str, Any]:
     """Whether a joint works, as a part of its document, from every requirement and the stresses of bodies that bend.
 
-    ``works``: whether all requirements of function are met, None where one is not known or the numbers cannot be relied
-    on; ``holds``: likewise those of strength; ``title``: both in a few words; ``words``: what is not met and what is
-    not known; ``nearest``: of the requirements that are met, that which uses most of its limit, or None.
+    ``works``: whether all requirements of function are met, None where none fails but one is not known, or the numbers
+    are outside the range of the model; ``holds``: likewise those of strength; ``title``: both in a few words;
+    ``words``: what fails, and then what is not known; ``nearest``: of the requirements that are met, that which uses
+    most of its limit, or None. ``materials``: body → name of its material in the joint file.
     """
-    doubtful = [m.result.label for m in judged if m.severity == "accuracy" and not m.passes]
-    words = [_verdict(judged, rims)]
-    if doubtful:
-        words.append(
-            f"The numbers cannot be relied on before these warnings are settled: {', '.join(doubtful)}."
-        )
+    failed = {kind: [m for m in judged if m.severity == kind and m.failed] for kind in _JUDGED}
+    unknown = [m for m in judged if m.severity in (*_JUDGED, "accuracy") and not m.known]
+    doubtful = [margin for margin in judged if margin.severity == "accuracy" and margin.failed]
+    bodies = _endurance_unknown(rims)
+    works, holds = (
+        False if failed[kind] else None if doubtful or any(m.severity == kind for m in unknown) else True
+        for kind in _JUDGED
+    )
+    missing = [margin.check for margin in unknown]
+    title, *sentences = _sentences(
+        ["; ".join(margin.words for margin in failed[kind]) for kind in _JUDGED],
+        "; ".join(margin.words for margin in doubtful),
+        missing + _fatigue_checks(bodies, materials),
+    )
     used = [m for m in judged if m.severity in _JUDGED and m.passes and math.isfinite(m.utilisation)]
     nearest = max(used, key=lambda margin: margin.utilisation, default=None)
-    works, holds = (None if doubtful else _is_met(judged, severity) for severity in _JUDGED)
-    if holds and _endurance_unknown(rims):
-        holds = None
     return {
-        "title": _title(works, holds),
+        "title": title,
         "works": works,
-        "holds": holds,
-        "words": " ".join(words),
+        "holds": None if holds and bodies else holds,
+        "words": " ".join(sentences),
         "nearest": nearest
         and {
             "label": nearest.result.label,
             "place": nearest.place or None,
             "share_of_limit": nearest.utilisation,
+            "words": nearest.tightness,
         },
     }
 
 
-def _title(works: bool | None, holds: bool | None) -> str:
-    """That something fails, is not known, or that the joint works."""
-    if works is False:
-        return "Does not work"
-    if holds is False:
-        return "Is damaged"
-    return "Works" if works and holds else "Not known in full"
+def _sentences(failed: list[str], outside: str, missing: list[str]) -> tuple[str, ...]:
+    """Title of a verdict, what follows it after a colon, and further sentences, the most serious first."""
+    function, damage = failed
+    checks = "one check" if len(missing) == 1 else f"{len(missing)} checks"
+    parts = [
+        ("Fails", "Fails", function),
+        ("Is damaged", "Damaged", damage),
+        (_OUTSIDE, _OUTSIDE, outside),
+        (f"Works, {checks} missing", "Not checked", ", ".join(missing)),
+    ]
+    (title, _, first), *others = [part for part in parts if part[2]] or [
+        ("Works", "", "every requirement of function and strength is met")
+    ]
+    return title, f"{first}.", *(f"{start}: {text}." for _, start, text in others)
 
 
-def _is_met(judged: Sequence[Margin], severity: Severity) -> bool | None:
-    """Whether all requirements of one kind are met; None where none fails but one is not known."""
-    crossed = [margin for margin in judged if margin.severity == severity and not margin.passes]
-    if any(not math.isnan(margin.actual) for margin in crossed):
-        return False
-    return None if crossed else True
-
-
-def _endurance_unknown(rims: dict[str, Any]) -> list[str]:
+def _endurance_unknown(rims: Mapping[str, Any]) -> list[str]:
     """Bodies that bend and have no safety against fatigue."""
     return [
         name
@@ -189,25 +269,18 @@ def _endurance_unknown(rims: dict[str, Any]) -> list[str]:
     ]
 
 
-def _verdict(judged: Sequence[Margin], rims: dict[str, Any]) -> str:
-    """Whether the requirements of function and strength are met, and which are not known."""
-    crossed = [margin for margin in judged if not margin.passes and margin.severity in _JUDGED]
-    failed, unknown = (
-        [
-            f"{margin.result.label} ({margin.place.replace('_', ' ') or 'drive'})"
-            for margin in crossed
-            if math.isnan(margin.actual) == is_open
-        ]
-        for is_open in (False, True)
-    )
-    unknown += [
-        f"safety of the {name.replace('_', ' ')} against fatigue (no fatigue_strength of its material)"
-        for name in _endurance_unknown(rims)
+def _fatigue_checks(bodies: list[str], materials: Mapping[str, str]) -> list[str]:
+    """The check against fatigue that each body lacks, and what to enter for it."""
+    return [
+        f"{body.replace('_', ' ')} fatigue (enter fatigue_strength of "
+        + (f"material {materials[body]})" if body in materials else "its material)")
+        for body in bodies
     ]
-    start = "Requirements of function and strength that are not"
-    rest = f"; not known: {', '.join(unknown)}" if unknown else ""
-    if failed:
-        return f"{start} met: {', '.join(failed)}{rest}."
-    if unknown:
-        return f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
-    return "All requirements of function and strength are met."
+
+
+def _shown(value: float, row: Result) -> str:
+    """A value as a sentence says it: ratios with three digits, thousands apart."""
+    if math.isinf(value):
+        return "infinite"
+    text = format_quantity(value, row.display_unit, 3 if row.display_unit == "1" else 4)
+    return re.sub(r"(?<![\d.])\d{4,}", lambda digits: f"{int(digits[0]):,}", text)

@@ -62,7 +62,8 @@ class Note:
 
     ``name`` is for machines, ``label`` for people; value and limit are in SI units, with the unit to display. ``ok``:
     whether the value is on the good side of its limit; ``severity``, ``meaning`` and ``remedy`` are for where it is
-    not; ``state``: in which state the contact is, in a few words, where that has a consequence.
+    not; ``state``: in which state the contact is, in a few words, where that has a consequence; ``used``: what the
+    share of the limit that is used is called, as of a :class:`~asperity.results.result.Result`.
     """
 
     name: str
@@ -77,6 +78,7 @@ class Note:
     dimension: Dimension = Dimension.DIMENSIONLESS
     display_unit: str = "1"
     state: str = ""
+    used: tuple[str, str] | tuple[()] = ()
 
 
 def surface_rows(
@@ -127,7 +129,7 @@ def contact_notes(
             friction_coefficient,
             FRICTION_LIMIT,
             ("a usual friction coefficient", "traction fluids reach 0.12, clean dry steel 0.3"),
-            "measure a coefficient this high before relying on it",
+            "measure a coefficient this high before you rely on it",
         ),
         _note(
             "contact_length_over_diameter",
@@ -137,8 +139,8 @@ def contact_notes(
             SLENDERNESS_LIMIT,
             (
                 "a usual length of a contact line",
-                "the contact line is long for its roller: a slight skew or bending loads one end, and the even line "
-                "load of the model is lost",
+                "the contact line is long for its roller: a slight skew or bending loads one end, and the line load is "
+                "not even as in the model",
             ),
             "shorten it, or crown the rollers",
         ),
@@ -182,7 +184,7 @@ def crown_notes(name: str, diagnostics: Diagnostics, index: int) -> list[Note]:
             (
                 f"the ends are free: {100.0 * share:.3g} % of the contact length is loaded, with {peak:.3g} times the "
                 "mean line load in the middle",
-                "the load reaches the ends of the rollers: their edges raise the stress there, which is not computed",
+                "the load reaches the ends of the rollers, whose edges raise the stress; this is not computed",
             ),
             "choose a smaller crown radius or a shorter contact line, or relieve and round the ends",
         ),
@@ -198,30 +200,32 @@ def _note(
 
 
 def _film(contact: str, ratio: float) -> Note:
-    """The lubrication of a contact: a state with a consequence, never a limit that is kept."""
+    """The lubrication of a contact: a state with a consequence, never a limit that is kept.
+
+    Equally serious in every band, so that a thicker film never counts for less. The thickness of the oil itself is no
+    advice: a thicker film lengthens the life and lowers the friction, and a thicker oil raises its loss.
+    """
     band = film_band(ratio)
-    oil = "friction, creep, drift, torque capacity and stiffness are computed for surfaces that touch, not for the oil"
+    life = "the rating life has no film factor and is too long"
+    oil = "friction, creep, drift and capacity are computed for surfaces that touch, not for the oil"
     meaning = {
-        "boundary": "boundary lubrication: the asperities carry the load, as the contact law assumes, and wear; a life "
-        "without a factor for the film is too long",
-        "mixed": f"mixed lubrication: the oil film carries a part of the load; {oil}; a life without a factor for the "
-        "film is too long",
-        "full": f"full lubrication: the oil film carries the load; {oil}",
+        "boundary": f"the asperities carry the load and wear; {life}",
+        "mixed": f"the oil film carries part of the load; {life}; {oil}",
+        "full": f"the oil film carries the load; {oil}",
     }[band]
-    remedy = (
-        "lower the life by a factor for the film, or choose a thicker oil, smoother surfaces or a higher speed"
-        if band == "boundary"
-        else "use the friction coefficient measured with this oil at this film, or choose a thinner oil or a lower "
-        "speed"
+    measure = "enter the friction coefficient measured with this oil at this film"
+    smoother = (
+        "make the surfaces smoother for a longer life; a thicker film also lowers the friction coefficient"
     )
+    remedy = {"boundary": smoother, "mixed": f"{measure}; {smoother}", "full": measure}[band]
     return Note(
         "film_ratio",
-        "oil film over roughness lambda",
+        "film ratio λ (oil film over roughness)",
         contact,
         ratio,
-        FULL_FILM if band == "full" else MIXED_FILM,
+        FULL_FILM,
         False,
-        "state" if band == "boundary" else "accuracy",
+        "state",
         meaning,
         remedy,
         state=f"{band} lubrication",
@@ -287,6 +291,35 @@ def plausibility(joint: Joint, result: JointResult) -> tuple[Note, ...]:
     return tuple(notes)
 
 
+def rolling_notes(joint: Joint, capacity: float) -> tuple[Note, ...]:
+    """Whether a joint whose input turns rolls under its torque, up to a capacity [N·m], which may be less than at rest.
+
+    Nothing without a torque.
+    """
+    torque = abs(float(joint.output_torque))
+    if not (float(joint.sun_speed) > 0.0 and torque > 0.0):
+        return ()
+    ratio = math.inf if capacity <= 0.0 else torque / capacity
+    ok = ratio < 1.0
+    return (
+        Note(
+            "rolling_torque_ratio",
+            "torque over rolling capacity",
+            None,
+            ratio,
+            1.0,
+            ok,
+            "function",
+            "the joint rolls under its torque without gross slip"
+            if ok
+            else "the joint does not roll under its torque: a contact slips as a whole or lifts off, or the load is "
+            "beyond what is computed",
+            None if ok else "lower the torque, or raise the preload or the friction coefficient",
+            used=("torque", "rolling capacity"),
+        ),
+    )
+
+
 def loss_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
     """Whether a drive under load loses more than a third of its power."""
     power = rolling.power
@@ -306,7 +339,7 @@ def loss_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note,
     return (
         Note(
             "loss_share",
-            "share of the power that is lost",
+            "share of the input power lost",
             None,
             share,
             LOSS_LIMIT,
@@ -314,8 +347,8 @@ def loss_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note,
             "function",
             "most of the power reaches the output"
             if ok
-            else f"of {all_of} that enter, {format_quantity(entering - leaving, 'W')} are lost, {of} of them by {words}"
-            f"{where}",
+            else f"{format_quantity(entering - leaving, 'W')} of the {all_of} input power are lost, {of} of them by "
+            f"{words}{where}",
             None if ok else remedy,
         ),
     )
@@ -333,15 +366,15 @@ def skew_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note,
     return (
         Note(
             "slip_ratio_with_skew",
-            "traction over the friction that skew leaves, in rolling",
+            "traction over the friction left by skew, in rolling",
             contacts[worst],
             float(ratios[worst]),
             1.0,
             ok,
             "function",
-            "friction remains beside what skew takes"
+            "skew leaves enough friction for the traction"
             if ok
-            else "skew takes so much friction that the contact slips as a whole: under a torque it drifts far more",
+            else "skew uses so much friction that the contact slips as a whole: under torque the drift is far larger",
             None if ok else "align the axes, raise the preload, or lower the torque",
         ),
     )

@@ -32,11 +32,11 @@ def position_rows(document: Document) -> list[PositionRow]:
             "drift per output turn",
             rolling["drift_rad_per_output_turn"],
             "arcmin",
-            "adds up with every turn and does not come back",
+            "accumulates with every turn and does not come back",
         ),
-        PositionRow("speed loss", rolling["speed_loss"], "%", "the same, as a share of the output speed"),
+        PositionRow("speed loss", rolling["speed_loss"], "%", "drift as a share of the output speed"),
         PositionRow(
-            "stiffness, standing",
+            "stiffness at standstill",
             document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"],
             "N*m/arcmin",
             "assembled, at this torque",
@@ -54,13 +54,13 @@ def _comes_back(document: Document) -> PositionRow:
     label = "torque over stiffness"
     if first_slip is not None and abs(torque) >= first_slip["output_torque_Nm"]:
         return PositionRow(
-            label, None, "arcmin", "a contact slips: see 'asperity windup' for what comes back without torque"
+            label, None, "arcmin", "a contact slips: 'asperity windup' gives the wind-up that comes back"
         )
     return PositionRow(
         label,
         torque / spring if spring else None,
         "arcmin",
-        "about what comes back without torque; 'asperity windup' integrates it",
+        "approximate wind-up that comes back; exact: 'asperity windup'",
     )
 
 

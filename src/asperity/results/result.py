@@ -27,8 +27,9 @@ class Limit:
     ``severity``: how serious it is; ``kept`` and ``crossed``: what it means that the limit is kept or crossed;
     ``remedy``: what to do where it is crossed. The result must lie between ``lowest`` and ``highest`` [SI], bounds that
     are allowed themselves if ``inclusive``. ``unknown``: what it means that the result is not known, nan; ``state``, of
-    severity "state": in which state the joint is where the limit is crossed, in a few words. ``beyond``: what is beyond
-    it said of the contact or body, in a few words that follow its name, such as "yields at a rim".
+    severity "state": in which state the joint is where the limit is crossed, in a few words. ``missing``: what a value
+    between the bounds still lacks, in a few words; such a limit may be crossed, but it is never kept. ``beyond``: what
+    is beyond the limit said of the contact or body, in a few words that follow its name, such as "yields at a rim".
     """
 
     severity: Severity
@@ -38,8 +39,9 @@ class Limit:
     lowest: float = -math.inf
     highest: float = math.inf
     inclusive: bool = False
-    unknown: str = "no value here: the contact slips, has lifted off or has plastic spots only"
+    unknown: str = "no value: the contact slips, has lifted off or has plastic spots only"
     state: str = ""
+    missing: str = ""
     beyond: str = ""
 
     def excess(self, value: Any) -> Any:
@@ -61,7 +63,15 @@ class Limit:
         return excess
 
     def is_kept(self, value: float) -> bool:
-        """Whether a value keeps the limit; nan never does."""
+        """Whether a value keeps the limit; nan never does, and no value that still lacks something."""
+        return self._holds(value) and not self.missing
+
+    def is_known(self, value: float) -> bool:
+        """Whether a value shows that the limit is kept or crossed."""
+        return not math.isnan(value) and not (self._holds(value) and self.missing)
+
+    def _holds(self, value: float) -> bool:
+        """Whether a value lies between the bounds."""
         if self.inclusive:
             return self.lowest <= value <= self.highest
         return self.lowest < value < self.highest
@@ -111,6 +121,9 @@ class Result:
         What its values number, from 0, where it is no quantity: such a result has no mean.
     note : str
         What else has to be said about it.
+    used : tuple of str
+        What the share of its limit that is used is called: a share of what, and of what it is the limit. Empty: the
+        result itself and its limit.
     present : callable or None
         Which of its rows a joint has; the others are not judged. None: all of them.
     needs_wedges : bool
@@ -135,6 +148,7 @@ class Result:
     limit: Limit | None = None
     categories: tuple[str, ...] = ()
     note: str = ""
+    used: tuple[str, str] | tuple[()] = ()
     present: Callable[[SolvedJoint], tuple[bool, ...]] | None = None
     needs_wedges: bool = False
     rows: tuple[str, ...] = ()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 import equinox as eqx
@@ -32,7 +33,7 @@ from asperity.joint.solve import Solution, joint_state, solution_of
 from asperity.joint.temperature import at_temperature
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
-from asperity.results.notes import Note, loss_notes, plausibility, skew_notes
+from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes, skew_notes
 
 _Found = TypeVar("_Found")
 
@@ -87,6 +88,8 @@ class SolvedJoint:
     result: JointResult
     #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
     required_life: float | None = None
+    #: Body → name of its material, where a file names them.
+    material_names: Mapping[str, str] = MappingProxyType({})
     #: Of one joint that was solved on its own: what came out.
     solution: Solution
 
@@ -247,8 +250,11 @@ def solved_with_capacities(
 ) -> SolvedJoint:
     """A joint whose capacities are known already, for the table of results."""
     joint, result = jax.tree.map(np.asarray, joint), solution.result
+    backwards = float(joint.output_torque) < 0.0
+    rolling = solution.reverse_rolling_capacity if backwards else solution.rolling_capacity
     notes = (
         *plausibility(joint, result),
+        *rolling_notes(joint, float(rolling.output_torque)),
         *loss_notes(result.rolling, result.contact_names),
         *skew_notes(result.rolling, result.contact_names),
     )

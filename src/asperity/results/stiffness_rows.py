@@ -26,7 +26,7 @@ _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
         "series_with_bulk",
         "series_with_bulk",
         "bodies in series",
-        "asperities and bodies in series, roller centres held",
+        "asperities and bodies in series, roller centres fixed",
     ),
     ("published", "published", "asperities alone", "the level of Zou et al. 2025: an upper bound"),
 )

@@ -112,6 +112,11 @@ def _by_body(names: tuple[str, ...], lives: DriveLives) -> Document:
     return dict(zip(names, np.asarray(lives.body), strict=True))
 
 
+def rating_life_name(reliability: float) -> str:
+    """Name of the life that a share of the drives reaches [-]: L10 at 0.9, as in ISO 281."""
+    return f"Rating life L{100.0 * (1.0 - reliability):.6g}"
+
+
 def unknown_because(joint: Joint, result: JointResult) -> list[str]:
     """Why results of the rolling are absent, one sentence for each reason; empty if everything is there."""
     rolling, slip = result.rolling, np.asarray(result.diagnostics.slip_ratio)
@@ -125,7 +130,7 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
                 "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness"
             ]
         return [
-            "no steady rolling: a contact slips or lifts off when the creepages share the torque between the contacts"
+            "no steady rolling: a contact slips or lifts off once the creepages share the torque among the contacts"
             + ("" if joint.rolling.skew is None else ", or skew alone makes it slip")
         ]
     reasons = absent_in_rolling(joint, result)
@@ -135,14 +140,14 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
 
 
 def no_life_because(result: JointResult) -> str | None:
-    """Why a joint that rolls has no fatigue life; None where it has one, or does not roll."""
+    """Why a joint that rolls has no rating life; None where it has one, or does not roll."""
     ratio = np.asarray(result.rolling.shakedown_ratio)
     beyond = [name for name, pressure in zip(result.contact_names, ratio, strict=True) if pressure >= 1.0]
     if not beyond:
         return None
     return (
-        f"no fatigue life: at {', '.join(beyond)} the Hertz pressure is above the shakedown limit, so that the surface "
-        "flows at every passage, and the law of fatigue holds for elastic tracks only"
+        f"no rating life: at {', '.join(beyond)} the Hertz pressure exceeds the shakedown limit, and the surface flows "
+        "at every passage; the fatigue law holds for elastic tracks only"
     )
 
 
@@ -150,9 +155,9 @@ def absent_in_rolling(joint: Joint, result: JointResult) -> list[str]:
     """Why results of a joint are absent although it rolls steadily."""
     if float(np.asarray(joint.sun_speed)) == 0.0:
         return [
-            f"the {joint.ends[0]} stands: drift and life are given per turn, for slow rolling; there is nothing per "
-            "time, and no powers, efficiency, temperatures or oil film"
+            f"the {joint.ends[0]} stands: drift and life are per turn, for slow rolling; nothing is given per time, "
+            "and there are no powers, efficiency, temperatures or oil film"
         ]
     if not bool(np.isfinite(np.asarray(result.rolling.power.efficiency))):
-        return ["no efficiency: the output torque drives the rotation, but less than the losses take"]
+        return ["no efficiency: the output torque drives the rotation, but is smaller than the losses"]
     return []

@@ -32,6 +32,7 @@ _ROW = 3.7  # height of a row of panels [in]
 _LEGEND: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0, "edgecolor": "none"}
 #: Colours that are told apart by everybody, and in grey by their brightness.
 PASS_COLOUR, FAIL_COLOUR = "#2c7fb8", "#d95f02"
+_COLOURS = {"pass": PASS_COLOUR, "FAIL": FAIL_COLOUR, "unknown": "#9a9a9a"}
 _SERIOUS = ("function", "damage", "accuracy")
 _WORDS = 0.18  # width of the words at a bar over that of the picture
 _LETTERS = 48  # of a line of a bar's name; a longer name has two lines
@@ -209,8 +210,8 @@ def draw_margins(axes: Axes, margins: Sequence[Margin]) -> None:
         range(len(shown)),
         used,
         left=0.0,
-        color=[PASS_COLOUR if margin.passes else FAIL_COLOUR for margin in shown],
-        hatch=["" if margin.passes else "///" for margin in shown],
+        color=[_COLOURS[margin.outcome] for margin in shown],
+        hatch=["///" if margin.failed else "" for margin in shown],
         edgecolor="white",
     )
     right = 1.35 * max([110.0, *used])
@@ -218,7 +219,7 @@ def draw_margins(axes: Axes, margins: Sequence[Margin]) -> None:
         meets_line = share <= 100.0 < share + _WORDS * right
         inside = meets_line and share > _WORDS * right
         axes.annotate(
-            f"{share:.3g} %, {'pass' if margin.passes else 'FAIL'}",
+            f"{share:.3g} %, {margin.outcome}",
             (100.0 if meets_line and not inside else share, bar.get_y() + 0.5 * bar.get_height()),
             (-4 if inside else 4, 0),
             textcoords="offset points",
@@ -231,4 +232,4 @@ def draw_margins(axes: Axes, margins: Sequence[Margin]) -> None:
     axes.axvline(100.0, color="black", linewidth=1.2)
     axes.set_xlim(0.0, right)
     axes.invert_yaxis()
-    axes.set(xlabel="share of the limit that is used [%]")
+    axes.set(xlabel="used share of the limit [%]")

@@ -137,7 +137,7 @@ def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, join
     over = np.asarray(curves.life_hours if hours else 1e-6 * curves.life_turns)
     here = float(rolling.life_hours.drive) if hours else 1e-6 * float(rolling.life_turns.drive)
     axes.set(
-        title="Fatigue life; dot: this joint", ylabel="life [h]" if hours else "life [million output turns]"
+        title="Rating life; dot: this joint", ylabel="life [h]" if hours else "life [million output turns]"
     )
     _over_torque(axes, curves, over, here, joint)
     finite = over[np.isfinite(over)]

@@ -139,4 +139,5 @@ def _columns(names: tuple[str, ...], key: str, lengths: Heights) -> dict[str, An
 
 @functools.lru_cache(maxsize=8)
 def _roughness(text: str) -> MeasuredRoughness:
-    return roughness_from_document(json.loads(text))
+    """The surface of both bodies together."""
+    return roughness_from_document(json.loads(text)).pair

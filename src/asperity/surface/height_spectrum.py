@@ -47,6 +47,8 @@ class HeightSpectrum:
     ``independent``, the number of independent ordinates behind it. ``lay`` of a profile, if stated: "rolling", "axis"
     or "isotropic"; the bins of a profile whose lay is not stated lie along the axis. ``is_map``: whether the surface is
     a map; ``source``: where the heights come from; ``pressed``: the map pressed by boundary elements, or None.
+    ``bodies``: how many bodies that meet have this surface, 1 or 2, whose mean squares add. What one measurement tells
+    of both scatters together, and so does not average out.
     """
 
     rolling_edges: NDArray[np.float64]
@@ -57,6 +59,7 @@ class HeightSpectrum:
     is_map: bool
     source: str
     pressed: PressedMap | None = None
+    bodies: int = 1
 
     @property
     def longest_wave(self) -> float:
@@ -75,14 +78,20 @@ class HeightSpectrum:
         Waves longer than two thirds of the surface are below in any case: the window does not tell them from the form.
         The deviation is that of a normally distributed surface with this spectrum.
         """
-        part = self.mean_square - self._left_out(rolling, axial)
+        part = self._squares_of_all - self._left_out(rolling, axial)
         return float(part.sum()), float(np.sqrt(np.sum(part**2 / self.independent)))
 
     def squares(self, *, rolling: NDArray[np.float64], axial: NDArray[np.float64]) -> NDArray[np.float64]:
         """The mean squares of :meth:`felt` [m^2] for many pairs of frequencies [1/m], in their shape."""
         below, beside = self._shares_below(rolling, axial)
-        square = (1.0 - below) @ self.mean_square.sum(axis=1)
-        return np.asarray(square + np.sum((below @ self.mean_square) * (1.0 - beside), axis=-1))
+        all_bodies = self._squares_of_all
+        square = (1.0 - below) @ all_bodies.sum(axis=1)
+        return np.asarray(square + np.sum((below @ all_bodies) * (1.0 - beside), axis=-1))
+
+    @property
+    def _squares_of_all(self) -> NDArray[np.float64]:
+        """Mean square of the waves of each bin, of all bodies with this surface, shape (rolling, axial) [m^2]."""
+        return self.bodies * self.mean_square
 
     def _shares_below(self, rolling: Any, axial: Any) -> list[NDArray[np.float64]]:
         """Shares of the bins in each direction that are longer than the waves of :meth:`felt`, the bins last."""
@@ -93,7 +102,7 @@ class HeightSpectrum:
 
     def _left_out(self, rolling: float, axial: float) -> NDArray[np.float64]:
         """Mean square of the waves of each bin that :meth:`felt` leaves out, shape (rolling, axial) [m^2]."""
-        return np.asarray(np.outer(*self._shares_below(rolling, axial)) * self.mean_square)
+        return np.asarray(np.outer(*self._shares_below(rolling, axial)) * self._squares_of_all)
 
     def waves(self, *, rolling: float, axial: float) -> NDArray[np.float64]:
         """The waves that :meth:`felt` counts, one a bin: wavenumber [rad/m] and mean square [m^2], shape (2, waves).
@@ -103,7 +112,7 @@ class HeightSpectrum:
         """
         steeper = 2.0 if self.lay == "isotropic" else 1.0
         squares = np.add.outer(_mean_squares(self.rolling_edges), _mean_squares(self.axial_edges))
-        part = self.mean_square - self._left_out(rolling, axial)
+        part = self._squares_of_all - self._left_out(rolling, axial)
         return np.stack([2.0 * math.pi * np.sqrt(steeper * squares).ravel(), part.ravel()])
 
     def form(self, *, rolling: float, axial: float) -> NDArray[np.float64]:
@@ -117,14 +126,14 @@ class HeightSpectrum:
         return np.stack([2.0 * math.pi * np.sqrt(_mean_squares(self.axial_edges)), square])
 
     def cut_off(self) -> float:
-        """Cut-off [m] that ISO 4288 takes for the Ra of this surface along the axis; longer waves are no roughness.
+        """Cut-off [m] that ISO 4288 takes for the Ra of one body along the axis; longer waves are no roughness.
 
         The smallest of :data:`asperity.surface.roughness_average.STANDARD_CUT_OFFS` that agrees with the Ra behind it,
         of normally distributed heights.
         """
         for largest, cut_off in STANDARD_CUT_OFFS:
             square, _ = self.felt(rolling=math.inf, axial=1.0 / cut_off)
-            if math.sqrt(square) / RMS_OVER_RA <= largest:
+            if math.sqrt(square / self.bodies) / RMS_OVER_RA <= largest:
                 break
         return cut_off
 

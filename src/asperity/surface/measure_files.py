@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,6 @@ from asperity.surface.file_formats import (
     checked_file,
     file_bytes,
     file_format,
-    metres_per_unit,
     signed_format,
 )
 from asperity.surface.fractal_fit import FractalFit
@@ -40,10 +39,14 @@ from asperity.surface.measure import (
 from asperity.surface.measured_roughness import MeasuredRoughness, roughness_document
 from asperity.surface.measurement import surface_measurement
 from asperity.surface.read_instrument import instrument_topography, nanofocus_topography, tiff_topography
+from asperity.surface.read_numpy import numpy_topography
 from asperity.surface.read_records import in_records, record_topography
-from asperity.surface.read_text import looks_like_text, numpy_topography, text_topography
+from asperity.surface.read_text import text_topography
 from asperity.surface.read_x3p import x3p_topography
+from asperity.surface.stated import Stated, with_its_sizes
+from asperity.surface.suspicious_heights import disagreement, end_notes, refuse_missing_marks
 from asperity.surface.topography import Topography
+from asperity.text_table.decoding import looks_like_text, refuse_unmarked_utf_16
 
 #: Larger files are refused before they are opened [bytes].
 LARGEST_FILE = 4096 * MEBIBYTE
@@ -101,6 +104,8 @@ def measured_files(
     height_unit: str | None,
     spacing: float | None,
     decimal: str,
+    column: str | None,
+    no_data: str | None,
     any_size: bool,
     start: float | None,
     stop: float | None,
@@ -137,6 +142,8 @@ def measured_files(
             height_unit=height_unit,
             spacing=spacing,
             decimal=decimal,
+            column=column,
+            no_data=no_data,
             any_size=any_size,
         )
         if start is not None or stop is not None:
@@ -158,6 +165,11 @@ def measured_files(
         raise InputError(
             "a map shows its lay; leave it out, and give the direction in which the contact rolls"
         )
+    if len(surfaces) > 1:
+        pooled_profiles(surfaces=[surface.topography for surface in surfaces], direction="x")  # or refused
+        apart = disagreement([surface.topography for surface in surfaces])
+        first = surfaces[0].topography
+        surfaces[0] = replace(surfaces[0], topography=first.with_heights(first.heights, apart))
     fits = directional_fits(
         surfaces=surfaces,
         estimator=estimator,
@@ -262,66 +274,62 @@ def read_surface(
     height_unit: str | None = None,
     spacing: float | None = None,
     decimal: str = "auto",
+    column: str | None = None,
+    no_data: str | None = None,
     any_size: bool = False,
 ) -> Topography:
     """Profile or map from any supported file, heights and positions in metres; missing points are NaN and counted.
 
     The formats are those of :data:`asperity.surface.file_formats.FORMATS`; those of reader ``package`` need the extra
-    ``surface``. Units are needed only where the file does not name them, and refused where they contradict it; the
-    spacing [m] for files that hold heights only. ``any_size`` accepts sizes outside :data:`EXPECTED_SIZES`, and heights
-    larger than the longest side. Nothing is filled, levelled or filtered.
+    ``surface``. What is stated is that of :class:`asperity.surface.stated.Stated`, needed only where the file does not
+    say it, and refused where it contradicts the file. ``any_size`` accepts sizes outside :data:`EXPECTED_SIZES`, and
+    heights larger than the longest side. Nothing is filled, levelled or filtered.
     """
+    stated = Stated(position_unit, height_unit, spacing, decimal, column, no_data)
     path = checked_file(path=path, largest=LARGEST_FILE)
-    if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
-        raise InputError(f"the spacing is {spacing} m; it must be a positive length")
     beginning = file_bytes(path=path, largest=LARGEST_FILE, first=4096)
-    topography = _read(path, beginning, position_unit, height_unit, spacing, decimal)
+    topography = _read(path, beginning, stated)
     if np.isnan(topography.heights).all():
         raise InputError(
             f"{path.name} holds no valid height: all {topography.heights.size} points are missing"
         )
     if topography.heights.shape[-1] < 2:
         raise InputError(f"{path.name} holds {topography.heights.size} point(s); a profile needs more")
+    if not stated.all_are_heights:
+        refuse_missing_marks(topography)
     _check_plausibility(topography, any_size)
-    return topography
+    return replace(topography, notes=(*topography.notes, *end_notes(topography)))
 
 
-def _read(
-    path: Path,
-    beginning: bytes,
-    position_unit: str | None,
-    height_unit: str | None,
-    spacing: float | None,
-    decimal: str,
-) -> Topography:
+def _read(path: Path, beginning: bytes, stated: Stated) -> Topography:
     """The surface as its file has it."""
     if in_records(beginning):
-        _refuse_unit(height_unit, path, "in records")
-        return record_topography(path=path)
+        return with_its_sizes(record_topography(path=path), stated, path, "in records")
     if looks_like_text(beginning) and signed_format(beginning) is None:
-        return text_topography(
-            path=path, position_unit=position_unit, height_unit=height_unit, spacing=spacing, decimal=decimal
-        )
+        return text_topography(path=path, stated=stated)
+    refuse_unmarked_utf_16(beginning, source=path.name)
     known = file_format(path, beginning)
     if known.reader == "npy":
-        return numpy_topography(path=path, height_unit=height_unit, spacing=spacing)
+        return numpy_topography(path=path, stated=stated)
     if known.reader == "tiff":
-        topography = tiff_topography(path=path, height_unit=height_unit, spacing=spacing)
-        if topography is not None:
-            return topography
+        image = tiff_topography(path=path, height_unit=stated.height_unit, spacing=stated.spacing)
+        if image is not None:
+            return image
     if known.reader in ("x3p", "nanofocus"):
-        _refuse_unit(height_unit, path, known.name)
-        return x3p_topography(path=path) if known.reader == "x3p" else nanofocus_topography(path=path)
-    return instrument_topography(path=path, beginning=beginning, known=known, height_unit=height_unit)
-
-
-def _refuse_unit(height_unit: str | None, path: Path, kind: str) -> None:
-    """Raise if a unit of the heights is stated that a file has already, other than the metre."""
-    if height_unit is not None and metres_per_unit(height_unit) != 1.0:
+        topography = x3p_topography(path=path) if known.reader == "x3p" else nanofocus_topography(path=path)
+        return with_its_sizes(topography, stated, path, known.name)
+    topography = instrument_topography(
+        path=path, beginning=beginning, known=known, height_unit=stated.height_unit
+    )
+    position, height = stated.position_unit, stated.height_unit
+    if known.stated and position is not None and stated.metres("position") != stated.metres("height"):
         raise InputError(
-            f"{path.name} ({kind}) has its units, not {height_unit}; do not state a unit",
-            options=["height-unit"],
+            f"{path.name} ({known.name}) has one unit of its lengths and heights: {height} is stated, and {position} "
+            "for the positions; leave that out",
+            options=["position-unit"],
         )
+    as_stated = replace(stated, height_unit=None, position_unit=None if known.stated else position)
+    return with_its_sizes(topography, as_stated, path, known.name)
 
 
 def _check_plausibility(topography: Topography, any_size: bool) -> None:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import jax.numpy as jnp
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,20 +24,71 @@ from asperity.surface.measurement import (
     read_measurement_document,
     refuse_other_documents,
 )
+from asperity.surface.measurement_of import MeasurementOf, known_measurement_of
 
 
 @dataclass(frozen=True)
 class MeasuredRoughness:
     """A measured surface, or two that meet, with the files measured.
 
-    ``fractal``: D and G of both together, None without a power law, for the reason ``no_power_law``; ``spectra`` of
-    each body, empty in documents of earlier releases.
+    ``fractal``: D and G, None without a power law, for the reason ``no_power_law``; ``spectra`` of each body, empty in
+    documents of earlier releases. ``of``: whether both are those of one body, or of both together.
     """
 
     fractal: SurfaceMeasurement | None
     no_power_law: str
     spectra: tuple[HeightSpectrum, ...]
     source: str
+    of: MeasurementOf = "body"
+
+    @property
+    def pair(self) -> MeasuredRoughness:
+        r"""What a contact has: the measurement of a pair as it is; of one body that of two such bodies, both alike.
+
+        Mean squares of waves and structure functions double:
+
+        .. math::
+            h_{rms}^2 \to 2 h_{rms}^2, \qquad G^{2(D-1)} \to 2\, G^{2(D-1)}
+
+        at the same D. One measurement tells of both bodies, so that its error is that of both alike: the covariance
+        follows by the derivatives of this rule, and is not that of two independent measurements.
+        """
+        if self.of == "pair":
+            return self
+        spectra = tuple(replace(spectrum, bodies=2) for spectrum in self.spectra)
+        if self.fractal is None:
+            return replace(self, spectra=spectra, of="pair")
+        try:
+            fractal, reason = _of_two_alike(self.fractal), ""
+        except NoSolutionError as error:
+            if not spectra:
+                raise
+            return MeasuredRoughness(None, str(error), spectra, self.source, "pair")
+        return MeasuredRoughness(fractal, reason, spectra, self.source, "pair")
+
+    @property
+    def words(self) -> str:
+        """Of what the measurement is, and what a joint makes of that."""
+        if self.of == "pair":
+            return f"measured surface: the pair as measured: {self.source}"
+        return (
+            f"measured surface: each body as measured: {self.source}; both are alike, and their mean squares add; if "
+            'it was measured of both together, state measurement_of = "pair"'
+        )
+
+
+def measurement_of(measured: MeasuredRoughness, stated: str | None) -> MeasuredRoughness:
+    """A measurement that somebody states to be of one body or of the pair; an ``InputError`` if it says otherwise."""
+    if stated is None:
+        return measured
+    of = known_measurement_of(stated)
+    if of == "body" and measured.of == "pair":
+        raise InputError(
+            f"{measured.source}: the document is that of a pair, such as 'asperity surface combine' makes of two "
+            "bodies, not of one body; leave out of what the measurement is",
+            options=["measurement-of"],
+        )
+    return replace(measured, of=of)
 
 
 def roughness_document(roughness: MeasuredRoughness) -> dict[str, Any]:
@@ -51,6 +103,7 @@ def roughness_document(roughness: MeasuredRoughness) -> dict[str, Any]:
         }
     else:
         document = measurement_document(measurement=roughness.fractal)
+    document["measurement_of"] = roughness.of
     if roughness.spectra:
         document["spectra"] = [spectrum.document() for spectrum in roughness.spectra]
     return document
@@ -59,7 +112,8 @@ def roughness_document(roughness: MeasuredRoughness) -> dict[str, Any]:
 def roughness_from_document(document: Any) -> MeasuredRoughness:
     """A measured surface from its document.
 
-    An ``InputError`` if this is no such document, or one of an earlier release that was refused.
+    An ``InputError`` if this is no such document, or one of an earlier release that was refused. Documents of earlier
+    releases do not say of what they are: those of two surfaces are of a pair.
     """
     refuse_other_documents(document)
     spectra = document.get("spectra", [])
@@ -67,12 +121,19 @@ def roughness_from_document(document: Any) -> MeasuredRoughness:
         raise InputError("the key 'spectra' of the measurement must be a list of at most two spectra")
     read = tuple(spectrum_from_document(spectrum) for spectrum in spectra)
     reason = document.get("no_power_law")
+    combined = len(read) == 2 or str(document.get("estimator", "")).startswith(_SUM)
+    try:
+        of = known_measurement_of(document.get("measurement_of", "pair" if combined else "body"))
+    except InputError as error:
+        raise InputError(f"the key 'measurement_of' of the measurement: {error}") from None
+    if combined and of == "body":
+        raise InputError("the key 'measurement_of' of a measurement of two surfaces must be 'pair'")
     if reason is None:
         fractal = measurement_from_document(document=document)
-        return MeasuredRoughness(fractal, "", read, fractal.source)
+        return MeasuredRoughness(fractal, "", read, fractal.source, of)
     if not isinstance(reason, str) or not isinstance(document.get("source", ""), str):
         raise InputError("the keys 'no_power_law' and 'source' of the measurement must be texts")
-    return MeasuredRoughness(None, reason, read, document.get("source", ""))
+    return MeasuredRoughness(None, reason, read, document.get("source", ""), of)
 
 
 def read_roughness(*, path: str | Path) -> MeasuredRoughness:
@@ -90,24 +151,46 @@ def read_roughness(*, path: str | Path) -> MeasuredRoughness:
 def two_bodies(first: MeasuredRoughness, second: MeasuredRoughness) -> MeasuredRoughness:
     """Two measured surfaces that meet: the mean squares of their waves add, and their structure functions.
 
-    Without D and G where one of them has none, or both together have none.
+    Without D and G where one of them has none, or both together have none. An ``InputError`` if one of them is that of
+    a pair already.
     """
+    for body in (first, second):
+        if body.of == "pair":
+            raise InputError(
+                f"{body.source}: a measurement of both bodies together; two measurements are of one body each"
+            )
     source = f"{first.source} + {second.source}"
     complete = bool(first.spectra) and bool(second.spectra)
     spectra = (*first.spectra, *second.spectra) if complete else ()
     if first.fractal is None or second.fractal is None:
         reasons = [f"{body.source}: {body.no_power_law}" for body in (first, second) if body.fractal is None]
-        return MeasuredRoughness(None, "; ".join(reasons), spectra, source)
+        return MeasuredRoughness(None, "; ".join(reasons), spectra, source, "pair")
     try:
         both = equivalent_surface(first=first.fractal, second=second.fractal)
     except NoSolutionError as error:
         if not complete:
             raise
-        return MeasuredRoughness(None, str(error), spectra, source)
-    return MeasuredRoughness(both, "", spectra, source)
+        return MeasuredRoughness(None, str(error), spectra, source, "pair")
+    return MeasuredRoughness(both, "", spectra, source, "pair")
+
+
+def _of_two_alike(measurement: SurfaceMeasurement) -> SurfaceMeasurement:
+    """D and G of two bodies with the same measured surface, and their covariance: that of one error of both."""
+    D, log_G = float(measurement.fractal_dimension), math.log(float(measurement.fractal_roughness))
+    shift = math.log(2.0) / (2.0 * (D - 1.0))
+    if not log_G + shift <= 0.0:
+        raise NoSolutionError(f"two such surfaces together have D = {D:.10g}, too near to 1")
+    jacobian = np.array([[1.0, 0.0], [-shift / (D - 1.0), 1.0]])
+    return replace(
+        measurement,
+        fractal_roughness=jnp.asarray(math.exp(log_G + shift)),
+        covariance=jnp.asarray(jacobian @ np.asarray(measurement.covariance) @ jacobian.T),
+    )
 
 
 _LAGS = 200
+#: How the estimator of two surfaces together begins.
+_SUM = "sum of "
 #: Largest error of ln S of the equivalent power law that is accepted [-].
 LARGEST_MISFIT = 0.15
 
@@ -157,7 +240,7 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     covariance = jacobian @ scatter @ jacobian.T
     return measured(
         *(result[0], math.exp(result[1]), gamma, covariance, short, long),
-        estimator=f"sum of {first.estimator} and {second.estimator}",
+        estimator=f"{_SUM}{first.estimator} and {second.estimator}",
         profiles=first.profiles + second.profiles,
         source=f"{first.source} + {second.source}",
     )

@@ -14,9 +14,9 @@ from pathlib import Path
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.surface.file_formats import MEBIBYTE, metres_per_unit
-from asperity.surface.read_text import decoded
+from asperity.surface.file_formats import MEBIBYTE, file_bytes, metres_per_unit
 from asperity.surface.topography import Topography
+from asperity.text_table.decoding import decoded
 
 #: Larger files are refused [bytes]; a profile of a million points takes some 10 MiB.
 LARGEST_RECORDS = 64 * MEBIBYTE
@@ -42,7 +42,7 @@ def record_topography(*, path: Path) -> Topography:
     and `surfile` (INRIM) reads them; ISO 25178-71:2017, with the examples of NPL's softgauges and of the NIST Virtual
     Surface Calibration Database, which have their own names in place of ISO-1.0.
     """
-    text = decoded(path, largest=LARGEST_RECORDS).replace("\0", " ")
+    text = decoded(file_bytes(path=path, largest=LARGEST_RECORDS), source=path.name).replace("\0", " ")
     if _SDF_PROFILE.match(text[:4096].encode()):
         return _surface_data(path, text)
     records = re.split(r"\x03|^EOR\s*$", text, maxsplit=3, flags=re.MULTILINE)

@@ -5,8 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure, unit_of
+from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure
 from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.unknowns import unit_of
 from asperity.study.design.design_problem import Variable
 
 ARCMINUTE = np.pi / 180.0 / 60.0

@@ -46,7 +46,9 @@ def test_residuals_in_words():
             prediction=np.zeros(rows),
             residual=np.zeros(rows),
             standard_deviation=deviation,
+            freedom=rows - 1.0,
             durbin_watson=durbin_watson,
+            scatter=None,
         )
 
     standing, turning = both()

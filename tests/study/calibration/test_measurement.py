@@ -66,6 +66,29 @@ def test_a_ratio_of_another_joint_or_upside_down(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("heading", "rows"),
+    [
+        ("torque [N*m];angle [arcmin]", ["0,5;1,25", "1,5;2,5", "-2,0;-3,75"]),
+        ("torque [N*m]\tangle [arcmin]", ["0.5\t1.25", "1.5\t2.5", "-2.0\t-3.75"]),
+        ("torque,angle\nN*m,arcmin", ["0.5,1.25", "1.5,2.5", "-2.0,-3.75"]),
+        ("Torque / N*m;Angle / arcmin", ["0,5;1,25", "1,5;2,5", "-2,0;-3,75"]),
+        ("Moment (Nm),Twist (arcmin)", ["0.5,1.25", "1.5,2.5", "-2.0,-3.75"]),
+        ('"torque [N*m]","angle [arcmin]"', ['"0.5","1.25"', '"1.5","2.5"', '"-2.0","-3.75"']),
+        ("Joint: 7\nOperator,B. Smith\ntorque [N*m],angle [arcmin]", ["0.5,1.25", "1.5,2.5", "-2.0,-3.75"]),
+        ("angle [arcmin]  torque [N*m]", ["1.25 0.5", "2.5 1.5", "-3.75 -2.0"]),
+        ("torque [1e-3 kN*m],angle [x10 arcmin]", ["0.5,0.125", "1.5,0.25", "-2.0,-0.375"]),
+    ],
+)
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "latin-1"])
+def test_layouts_are_those_of_every_text_table(tmp_path, heading, rows, encoding):
+    path = tmp_path / "data.txt"
+    path.write_bytes("\r\n".join([heading, *rows]).encode(encoding))
+    found = read_measurement(path)
+    assert found.torque == pytest.approx([0.5, 1.5, -2.0])
+    assert found.angle == pytest.approx([math.radians(angle / 60.0) for angle in (1.25, 2.5, -3.75)])
+
+
+@pytest.mark.parametrize(
     ("text", "message"),
     [
         ("torque [N*m],drift\n1,2\n", "column 'drift' states no unit"),
@@ -84,18 +107,24 @@ def test_a_ratio_of_another_joint_or_upside_down(tmp_path):
             "torque [N*m]\n1\n",
             "one of 'angle', 'stiffness', 'drift', 'speed loss' or 'speed ratio', got torque",
         ),
-        ("torque [N*m],angle [rad]\n1,2\n1,x\n", "line 3, column 'angle': 'x' is not a number"),
-        ("torque [N*m],angle [rad]\n1,nan\n", "not finite"),
+        ("torque [N*m],angle [rad]\n1,2\n1,x\n", "'x' in line 3 is not a number"),
+        ("torque [N*m],angle [rad]\n1,nan\n2,1\n", "line 2, column 'angle': the value is missing"),
         (
             "torque [N*m],angle [rad]\n1,2\n1,-1e4\n",
-            "line 3, column 'angle': -1e4 is not allowed; .* -1000 and 1000",
+            "line 3, column 'angle': -10000 is not allowed; .* -1000 and 1000",
         ),
-        ("torque [kN*m],angle [rad]\n1e300,2\n", "1e300 is not allowed; it must be between -1e.06 and 1e.06"),
-        ("torque [N*m],angle [rad]\n1\n", "line 2: 1 values for 2 columns"),
+        (
+            "torque [kN*m],angle [rad]\n1e300,2\n",
+            "1e.300 is not allowed; it must be between -1e.06 and 1e.06",
+        ),
+        (
+            "torque [N*m],angle [rad]\n1\n",
+            "no line above the table has a heading for each of its 1 column",
+        ),
         ("torque [N*m],angle [rad],time [s]\n1,2,1\n2,3,0\n", "line 3: time runs backwards"),
         ("torque [N*m],stiffness [N*m/rad]\n1,2\n1,0\n", "line 3: the stiffness 0 must be positive"),
         ("torque [N*m],angle [rad],angle [deg]\n1,2,3\n", "2 columns 'angle'"),
-        ("torque [N*m],angle [rad]\n", "needs at least 2 rows of numbers, got 0"),
+        ("torque [N*m],angle [rad]\n", "holds no table of numbers"),
         ("torque [N*m],angle [rad]\n1,2\n", "needs at least 2 rows of numbers, got 1"),
         ("torque [N*m],angle [arcmin]\n0,0\n1,0\n", "all 2 rows have the angle 0"),
         ("torque [N*m],angle [arcmin]\n1,0\n1,2\n", "all 2 rows have the torque 1 N"),
@@ -119,12 +148,12 @@ def test_missing_file(tmp_path):
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ('torque [N*m],angle [rad]\n"1,2\n3,4\n', "line 2: not a row of a CSV table: unexpected end of data"),
+        ('torque [N*m],angle [rad]\n"1,2\n3,4\n', "'.1' in line 2 is not a number"),
         (
             "torque [N*m],angle [rad]\n1," + "2" * 200_000 + "\n",
-            "line 2: not a row of a CSV table: field larger",
+            "line 2 holds a number that is not finite",
         ),
-        ('torque [N*m],angle [rad]\n1,"2"3\n', "line 2: not a row of a CSV table: ',' expected after"),
+        ('torque [N*m],angle [rad]\n1,"2"3\n', "holds no table of numbers"),
         ("\x1b[31m" * 1000 + "\n1\n", "data.csv: .*x1b"),
     ],
 )
@@ -150,3 +179,29 @@ def test_only_regular_files_of_a_bounded_size(tmp_path, monkeypatch):
     monkeypatch.setattr("asperity.study.calibration.measurement.LARGEST_FILE", 10)
     with pytest.raises(InputError, match="at most 10 bytes are read here"):
         read(tmp_path, "torque [N*m],angle [rad]\n1,2\n3,4\n")
+
+
+def test_lines_that_are_not_used_are_named(tmp_path):
+    found = read(tmp_path, "Joint 7\n# warm\ntorque [N*m],angle [rad]\n1,0.1\n# pause\n2,0.2\n3,0.3\n")
+    assert found.notes == (
+        "not used around the table: line 1, 'Joint 7', line 2, '# warm'",
+        "not used between the rows: line 5, '# pause'",
+    )
+    assert [found.place(row) for row in range(3)] == ["line 4", "line 6", "line 7"]
+
+
+@pytest.fixture(scope="session")
+def curves(shared_data):
+    folder = shared_data.parent / "reproducers" / "turn4"
+    if not folder.is_dir():
+        pytest.skip(f"the files are not here: {folder} does not exist (set ASPERITY_SHARED_DATA)")
+    return folder
+
+
+@pytest.mark.parametrize(
+    "name", ["torque_comma.csv", "torque_units_row.csv", "torque_N-m.csv", "torque_in-lb.csv"]
+)
+def test_the_same_curve_in_other_layouts_and_units(curves, name):
+    expected, found = (read_measurement(curves / each) for each in ("torque_ok.csv", name))
+    assert found.torque == pytest.approx(expected.torque, abs=1e-5)  # in-lb have four decimals
+    assert found.angle == pytest.approx(expected.angle, rel=1e-12)

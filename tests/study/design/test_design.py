@@ -400,7 +400,7 @@ def test_a_limit_without_a_value_anywhere_is_not_met_and_says_so(known):
     seen = known(Constraint("published_stiffness_output", False, 1.0, (0,)), without_stiffness=True)
     assert not seen.feasible
     assert np.isnan(seen.violation)
-    assert "asperities alone at least 1 N·m/rad (no value there, none of any design, at 5 N·m)" in conflict(
+    assert "asperities alone at least 1 N·m/rad (no value there; no design has one, at 5 N·m)" in conflict(
         seen
     )
     assert "nan" not in conflict(seen)

@@ -212,6 +212,7 @@ def test_limits_of_another_drive_have_its_names(zou_file):
         "pressure_over_first_yield": (0, 1),
         "shakedown_ratio": (0, 1),
         "rim_yield_safety": (2,),
+        "rim_fatigue_safety": (2,),
     }
     bounds = '{ lower = "4 mm", upper = "14 mm" }'
     text = f'joint = "planetary.toml"\n[variables]\n"VARIABLE" = {bounds}\n[objective]\nminimise = "GOAL"'
@@ -249,9 +250,9 @@ def test_limits_of_rims_hold_for_the_bodies_that_bend(tmp_path, zou_file):
         '[objective]\nminimise = "mass"\n[constraints]\n'
     )
 
-    def limited(limit, support="free"):
+    def limited(limit, support="free", steel="52100"):
         (tmp_path / "planetary.toml").write_text(
-            joint.replace('ring_support = "free"', f'ring_support = "{support}"')
+            joint.replace('ring_support = "free"', f'ring_support = "{support}"').replace("52100", steel)
         )
         return problem(text + limit, tmp_path).constraints[0]
 
@@ -262,11 +263,14 @@ def test_limits_of_rims_hold_for_the_bodies_that_bend(tmp_path, zou_file):
     for limit, support, says in (
         ('rim_yield_safety = { at_least = 2, bodies = ["sun"] }', "free", "'sun' has none; only free rings"),
         ("rim_yield_safety = { at_least = 2 }", "rigid_housing", "only free rings and hollow rollers"),
-        ("rim_fatigue_safety = { at_least = 2 }", "free", "where their material states fatigue_strength"),
         ("ring_yield_safety = { at_least = 2 }", "free", "renamed to 'rim_yield_safety"),
     ):
         with pytest.raises(InputError, match=says):
             limited(limit, support)
+    fatigue = "rim_fatigue_safety = { at_least = 2 }"
+    assert limited(fatigue).rows == (2,)  # the library states it of this steel, and of no other
+    with pytest.raises(InputError, match="where their material states fatigue_strength"):
+        limited(fatigue, steel="440C")
 
 
 @pytest.mark.parametrize("section", ["variables", "constraints"])

@@ -81,6 +81,8 @@ CROSSED = {
     "shown": "1.2",
     "limit_shown": "1",
     "ok": False,
+    "known": True,
+    "meaning": "it flows",
     "severity": "damage",
     "value": 1.2,
 }
@@ -97,6 +99,7 @@ def design(sign, **changes):
         "feasible": False,
         "crossed": (),
         "allowed": (CROSSED,),
+        "unknown": (),
         "point": {"load.preload": 900.0},
         "optimum": {"load.preload": 900.1},
         "at_bound": {"load.preload": "lower"},
@@ -183,7 +186,9 @@ def test_what_no_limit_was_asked_for_is_said_in_a_line():
         limits = tuple(limit(name, at_most=True, limit=1.0, value=0.5) for name in names)
         return not_limited(design(1.0, limits=limits, diagnostics=TOLD | {"life_hours": life}))
 
-    assert line("slip_ratio") == "No limit of life was asked for: the design has a life of 137 h."
+    assert (
+        line("slip_ratio") == "The design file sets no limit for life: the design has a rating life of 137 h."
+    )
     assert line("drive_life", "hertz_pressure") == line("duty_life") == line("slip_ratio", life=None) == ""
 
 
@@ -196,16 +201,19 @@ def test_which_crossed_limits_the_design_file_allows():
         CROSSED | {"name": "rim_yield_safety"},
         CROSSED | {"name": "film_ratio", "severity": "state"},
         CROSSED | {"name": "kept", "ok": True},
+        CROSSED | {"name": "open", "known": False},
     ]
     constraints = [
         SimpleNamespace(name="shakedown_ratio", implied=False),
         SimpleNamespace(name="drive_life", implied=False),
         SimpleNamespace(name="rim_yield_safety", implied=True),
     ]
-    crossed, allowed = crossed_limits(SimpleNamespace(constraints=constraints), {"diagnostics": entries})
+    found = crossed_limits(SimpleNamespace(constraints=constraints), {"diagnostics": entries})
+    crossed, allowed, unknown = found
     assert [entry["name"] for entry in crossed] == ["duty_shakedown_ratio", "rim_yield_safety"]
     assert [entry["name"] for entry in allowed] == ["shakedown_ratio", "required_drive_life"]
-    assert crossed_limits(SimpleNamespace(constraints=[]), {"diagnostics": None}) == ((), ())
+    assert [entry["name"] for entry in unknown] == ["open"]
+    assert crossed_limits(SimpleNamespace(constraints=[]), {"diagnostics": None}) == ((), (), ())
 
 
 def test_all_limits_are_met_is_said_only_where_they_are():
@@ -213,6 +221,9 @@ def test_all_limits_are_met_is_said_only_where_they_are():
     assert met_words(feasible=False, allowed=(CROSSED,)) == "NOT all limits are met"
     assert met_words(feasible=True, allowed=(CROSSED,)) == (
         "All limits of the design file are met, which allows: shakedown of the duty 1.2 at load 2, limit 1"
+    )
+    assert met_words(feasible=True, allowed=(), unknown=(CROSSED,)) == (
+        "No limit is crossed; not known: shakedown of the duty at load 2 (it flows)"
     )
 
 

@@ -131,8 +131,8 @@ export class Controls {
   measuredRow() {
     const back = element("button", { type: "button", id: "remove-surface" }, "Back to the surfaces of the file");
     back.addEventListener("click", this.unmeasured);
-    const { source } = JSON.parse(this.measured);
-    const said = `Measured: ${source}. It takes the place of the surfaces of the file at every contact. Model, contact law, chooses the law. The joint file that is saved names the saved measurement, measured_surface.json: keep both in one folder.`;
+    const { source, measurement_of: of } = JSON.parse(this.measured);
+    const said = `${of === "pair" ? "The pair as measured" : "Each body as measured"}: ${source}. It takes the place of the surfaces of the file at every contact. Model, contact law, chooses the law. The joint file that is saved names the saved measurement, measured_surface.json: keep both in one folder.`;
     return element("div", { class: "measured" }, element("p", { class: "note" }, said), back, " ", jsonLink("Save measurement", "measured_surface", this.measured));
   }
 

@@ -118,7 +118,7 @@ function life(answer, ghosts, over, x, torque, why) {
   const known = curves[kind].filter((each) => each !== null);
   const log = Math.max(...known) > 10 * Math.min(...known);
   return linePlot({
-    title: "Fatigue life over torque",
+    title: "Rating life over torque",
     x,
     y,
     log,

@@ -9,7 +9,7 @@ const LEVELS = [
   ["series_with_bulk", "bodies in series", "asperities and bodies; roller centres held"],
   ["published", "asperities alone", "the level of Zou et al. 2025: an upper bound"],
 ];
-const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", state: "State" };
+const SEVERITIES = { function: "Fails", damage: "Damage", accuracy: "Outside the model's range", state: "State" };
 const SPRINGS = {
   tangential: "contacts, tangential",
   normal: "contacts, normal (rollers free to move)",
@@ -47,11 +47,9 @@ export function showAnswer(answer, baseline) {
   get("assumptions").replaceChildren(...found.assumptions.map((text) => element("li", {}, text)));
 }
 
-/** Whether the joint works, what fails, and what is nearest to its limit. */
+/** Whether the joint works, what fails, and the tightest margin of what is met. */
 function verdictWords({ title, words, nearest }) {
-  const place = nearest && nearest.place ? ` (${nearest.place})` : "";
-  const limit = nearest ? ` Nearest to its limit among those met: ${nearest.label}${place}, ${number(100 * nearest.share_of_limit, 3)} % of it.` : "";
-  return `${title}: ${words}${limit}`;
+  return `${title}: ${words}${nearest ? ` Tightest margin: ${nearest.words}.` : ""}`;
 }
 
 function change(now, before) {
@@ -144,7 +142,7 @@ function lawRange(found) {
     const worst = entries.find((entry) => entry.infinite) ?? entries.reduce((one, other) => (other.value > one.value ? other : one));
     return `${label} ${worst.infinite ? "infinite" : `up to ${worst.shown}`}`;
   });
-  return [element("p", { class: "note" }, `Asperities alone: outside the range of that level, ${labels.join(", ")}; ${crossed[0].remedy}.`)];
+  return [element("p", { class: "note" }, `Asperities alone: outside the range of this law, ${labels.join(", ")}; ${crossed[0].remedy}.`)];
 }
 
 function drift(found) {
@@ -250,15 +248,14 @@ function budget(found) {
   const parts = Object.values(found.stiffness_budget).flatMap((share) => (share !== null && typeof share === "object" ? Object.values(share) : [share]));
   if (!parts.some((part) => part < -NO_SHARE)) return shown;
   const words =
-    "A share below 0 belongs to a spring that the other forces on its bodies move against its own force; all shares together are 100 %.";
+    "A negative share: the other forces on its bodies deflect this spring against its own force; the shares add up to 100 %.";
   return element("div", {}, shown, element("p", { class: "note" }, words));
 }
 
 /** The limits of function, damage and accuracy, the one that is used most on top; residuals are no margins. */
 export function margins(answer) {
   const judged = answer.margins.filter((each) => ["function", "damage", "accuracy", "state"].includes(each.severity) && !each.name.endsWith("_residual"));
-  const unknown = (each) => each.actual === null && !each.infinite;
-  const rank = (each) => (each.ok ? each.used ?? 0 : each.state ? 1e9 : unknown(each) ? 2e9 : Infinity);
+  const rank = (each) => (each.ok ? each.used ?? 0 : each.state ? 1e9 : each.known ? Infinity : 2e9);
   const rows = judged
     .sort((one, other) => rank(other) - rank(one))
     .map((each) => {
@@ -272,11 +269,11 @@ export function margins(answer) {
         element("span", {}, each.label, element("small", {}, each.place ? `at ${each.place}` : "")),
         `${orInfinite(each.infinite, each.actual)}${unit && !each.infinite ? ` ${unit}` : ""}`,
         element("span", { class: "bounds" }, ...required),
-        each.used === null || each.state ? "" : bar(each.used, each.ok ? "good" : "bad"),
-        each.state || unknown(each) ? element("span", { class: "state" }, each.state || "? unknown") : verdict(each.ok),
+        each.used === null || each.state || !each.known ? "" : bar(each.used, each.ok ? "good" : "bad"),
+        each.state || !each.known ? element("span", { class: "state" }, each.state || "? unknown") : verdict(each.ok),
       ];
     });
-  return table("Safety margins", ["limit", "actual", "required", hidden("share of the limit that is used"), "result"], rows);
+  return table("Safety margins", ["limit", "actual", "required", hidden("used share of the limit"), "result"], rows);
 }
 
 function verdict(ok) {
@@ -305,7 +302,7 @@ function branches(found) {
   return [element("div", {}, element("h3", {}, title), table(title, headings, rows))];
 }
 
-/** The limits that a joint crosses, the most serious first. */
+/** The limits that a joint crosses, most serious first. */
 export function warnings(found) {
   const grouped = new Map();
   for (const each of found.diagnostics.filter((one) => !one.ok && one.severity !== "model")) {
@@ -316,7 +313,7 @@ export function warnings(found) {
     if (each.infinite) kept.shown = each.shown;
     if (each.value !== null && kept.value !== null && Math.abs(each.value - each.limit) > Math.abs(kept.value - kept.limit)) [kept.value, kept.shown] = [each.value, each.shown];
   }
-  if (!grouped.size) return element("p", { class: "note" }, "None: every limit is kept.");
+  if (!grouped.size) return element("p", { class: "note" }, "None: all limits are met.");
   const order = Object.keys(SEVERITIES);
   const sorted = [...grouped.values()].sort((one, other) => order.indexOf(one.severity) - order.indexOf(other.severity));
   return element(
@@ -326,7 +323,7 @@ export function warnings(found) {
       element(
         "li",
         { class: each.severity },
-        element("strong", {}, `${SEVERITIES[each.severity]}: `),
+        element("strong", {}, `${each.known ? SEVERITIES[each.severity] : "Not checked"}: `),
         `${each.meaning} `,
         element(
           "span",

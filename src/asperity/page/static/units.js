@@ -21,7 +21,10 @@ export function withUnit(text, other) {
 /** A unit as the table of the server spells it. */
 function spelled(unit) {
   const plain = unit.replace(/[·⋅×∙]/g, "*").replace(/[µμ]/g, "u").replaceAll("²", "^2").replaceAll("³", "^3");
-  return plain.replace(/\s*([*/])\s*/g, "$1").replace(/\s+/g, "*");
+  const joined = plain.replace(/\barc\s*[-.]?\s*(?=min|sec)/g, "arc");
+  const [top, ...below] = joined.split("/"); // below a stroke a hyphen binds closer than the table's spelling
+  const products = [top.replace(/([a-z])\s*\.?[-.]\s*(?=[a-z])/gi, "$1*"), ...below].join("/");
+  return products.replace(/\s*([*/])\s*/g, "$1").replace(/\s+/g, "*");
 }
 
 /** The shortest number that is the same; with a number of digits rounded to those. */

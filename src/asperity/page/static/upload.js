@@ -8,6 +8,10 @@ const MISSING = [
   ["longest", "the largest complete piece"],
   ["interpolate", "filled by straight lines"],
 ];
+const OF = [
+  ["body", "one body: both bodies of a contact are alike"],
+  ["pair", "both bodies together"],
+];
 const LAYS = [
   ["", "not stated"],
   ["rolling", "grooves in the rolling direction"],
@@ -42,7 +46,7 @@ export class Uploads {
     if (ok) this.take.opened();
     if (!ok) {
       this.take.fail(found.error, file.name);
-      if (/unit|spacing|missing/i.test(found.error) && !file.name.endsWith(".toml")) this.show(file.name, [element("p", { class: "fail" }, found.error), this.units(file, units)]);
+      if (/unit|spacing|distance of the points|missing|column|decimal/i.test(found.error) && !file.name.endsWith(".toml")) this.show(file.name, [element("p", { class: "fail" }, found.error), this.units(file, units)]);
     } else if (found.kind === "joint") this.take.joint(found);
     else if (found.kind === "design") this.take.design(found);
     else this.measured(found, file, units);
@@ -58,12 +62,15 @@ export class Uploads {
     this.panel.scrollIntoView({ block: "nearest" });
   }
 
-  /** What the file does not say: units, the distance of the points, and what happens with those that are missing. */
+  /** What the file does not say: units, the distance of the points, the column, and what happens with missing points. */
   units(file, given) {
     const fields = [
       ["position_unit", "Unit of positions", "mm"],
       ["height_unit", "Unit of heights", "um"],
       ["spacing", "Distance of the points", "0.5 um"],
+      ["column", "Column of heights", "2"],
+      ["no_data", "Number for no data", "-9999"],
+      ["decimal", "Decimal sign", "point or comma"],
     ].map(([name, text, example]) => {
       const input = element("input", { type: "text", id: `units-${name}`, placeholder: `e.g. ${example}`, value: given[name] || "" });
       return [name, input, element("div", { class: "field" }, element("label", { for: `units-${name}` }, text), input)];
@@ -72,8 +79,8 @@ export class Uploads {
     fields.push(["missing", gaps, element("div", { class: "field" }, element("label", { for: gaps.id }, "Missing points"), gaps)]);
     const again = element("button", { type: "button" }, "Measure again");
     again.addEventListener("click", () => {
-      const { lay, direction } = given;
-      const stated = [["lay", lay], ["direction", direction], ...fields.map(([name, input]) => [name, input.value.trim()])];
+      const { lay, direction, measurement_of: of } = given;
+      const stated = [["lay", lay], ["direction", direction], ["measurement_of", of], ...fields.map(([name, input]) => [name, input.value.trim()])];
       this.open(file, Object.fromEntries(stated.filter((pair) => pair[1])));
     });
     return element("div", { class: "chart-fields" }, ...fields.map((field) => field[2]), element("div", { class: "field" }, again));
@@ -116,10 +123,10 @@ export class Uploads {
   /** The button that puts a measured surface into the joint, null where none can be, and what stands before it. */
   uses(found, file, units) {
     if (!found.surface) return [null, element("p", { class: "fail" }, "No joint: a spectrum needs 16 points or more.")];
-    const { spectra = [], source } = found.surface;
+    const { spectra = [], measurement_of: of } = found.surface;
     const [spectrum] = spectra;
     const sentence = spectrum
-      ? "The joint uses the measured spectrum: of its waves those that each contact feels, by the exponential contact law where Model, contact law states none. One measurement stands for both bodies together."
+      ? "The joint uses the measured spectrum: of its waves those that each contact feels, by the exponential contact law where Model, contact law states none."
       : "A document of an earlier release, without a spectrum: its D and G go into the joint.";
     const use = element("button", { type: "button", id: "use-surface" }, "Put into the joint, at every contact");
     const parts = [element("p", { class: "note" }, sentence)];
@@ -140,8 +147,9 @@ export class Uploads {
       if (!spectrum.lay) parts.push(element("p", { class: "note strong" }, "State the lay: a profile crosses its grooves and tells nothing of the waves along them. Ground rollers, measured along their axis, have grooves in the rolling direction."));
       use.disabled = !spectrum.lay;
     }
+    if (spectra.length < 2 && !/^sum of /.test(found.surface.estimator || "")) choice("measurement_of", "The measurement is of", OF, of);
     const there = this.take.surfaces();
-    if (there.length === 1 && !use.disabled) {
+    if (there.length === 1 && !use.disabled && of === "body" && there[0].measurement_of !== "pair") {
       const other = element("button", { type: "button", id: "use-other-body" }, `Put in as the other body, beside ${there[0].source}`);
       other.addEventListener("click", put(there));
       parts.push(other, " ");

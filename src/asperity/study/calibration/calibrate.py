@@ -18,6 +18,7 @@ from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.standing.windup import StiffnessLevel
+from asperity.study.calibration.curve_checks import refuse_turns, refuse_wrong_signs
 from asperity.study.calibration.directions import (
     NAMED_SHARE,
     UNINFORMED,
@@ -27,11 +28,12 @@ from asperity.study.calibration.directions import (
     candidates,
     direction_of,
 )
-from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
+from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves, refuse_unexplained
 from asperity.study.calibration.measurement import Measurement, read_measurement
 from asperity.study.calibration.torque_history import History
-from asperity.study.calibration.unknowns import of_joint_file, read_unknowns
+from asperity.study.calibration.unknowns import of_joint_file, read_unknowns, unit_of
 from asperity.study.design.design_problem import Variable
+from asperity.units import format_quantity
 
 #: Quantile of the normal distribution for both ends of 95 %.
 NORMAL = 1.959964
@@ -50,8 +52,8 @@ class Estimate:
 
     ``lower`` and ``upper``: 95 % interval, by the scatter of the data and the error of the model [SI], nan where it is
     not determined; ``scatter_lower`` and ``scatter_upper``, by the scatter of the data alone. ``determined``: whether
-    the data and the model say more about it than its bounds do; ``at_bound``: "lower" or "upper" if the estimate lies
-    on a bound, else empty.
+    the data and the model say more about it than its bounds do; ``at_bound``: "lower" or "upper" if the search ended
+    on a bound, where ``value`` is that bound and nothing is determined, else empty.
     """
 
     path: str
@@ -166,6 +168,9 @@ def calibrate(
         raise InputError(
             "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"
         )
+    for measurement in measurements:
+        refuse_turns(measurement)
+        refuse_wrong_signs(measurement)
     rows = sum(measurement.torque.size for measurement in measurements)
     few = min(measurements, key=lambda measurement: measurement.torque.size)
     if len(measurements) > 1 and few.torque.size <= len(unknowns):
@@ -220,9 +225,11 @@ def calibrate(
     wider = JoinedCurves(
         case=case, measurements=measurements, unknowns=(*unknowns, *others), level=level, history=history
     )
-    return _conclude(
+    found = _conclude(
         curves, best, tuple(np.sqrt(2.0 * cost / rows) for cost, _, _ in ended), model_error, wider
     )
+    refuse_unexplained(found.curves)
+    return found
 
 
 def calibrate_files(
@@ -296,6 +303,7 @@ def _conclude(
         half = math.hypot(by_scatter, NORMAL * float(model_spread[index]))
         scaled_value = float(scaled_values[index])
         bound = "lower" if scaled_value < 1e-6 else "upper" if scaled_value > 1.0 - 1e-6 else ""
+        lost |= bool(bound)
         estimates.append(
             Estimate(
                 path=unknown.path,
@@ -334,17 +342,41 @@ def _conclude(
 
 
 def calibrated_text(calibration: Calibration, case: AnyCase, *, comment: str) -> str:
-    """The joint file with the estimates in place of its numbers; ``comment``: lines for its head."""
+    """The joint file with the estimates in place of its numbers; ``comment`` for its head, which also names bounds."""
+    comment = " ".join([comment, *bound_words(calibration).values()]).strip()
     changes = {e.path: e.value for e in calibration.estimates if of_joint_file(e.path)}
     if "play.angle" in changes and case.play is None:  # a section [play] has both keys
         changes.setdefault("play.take_up_torque", 0.0)
     return joint_file_text(case, changes, comment=comment)
 
 
+def estimate_note(estimate: Estimate) -> str:
+    """What a table says beside an estimate: its bound where the search ended there, or that it is not determined."""
+    if estimate.at_bound:
+        bound = format_quantity(estimate.value, unit_of(estimate.path), 6)
+        return f"at its {estimate.at_bound} bound, {bound}"
+    return "" if estimate.determined else "NOT determined"
+
+
+def bound_words(calibration: Calibration) -> dict[str, str]:
+    """Unknown → a sentence, for each whose search ended at a bound."""
+    return {
+        each.path: f"{each.path} ended at its {each.at_bound} bound, "
+        f"{format_quantity(each.value, unit_of(each.path), 6)}: this is no fitted value, the curve asks for "
+        f"{'less' if each.at_bound == 'lower' else 'more'}, and the other estimates are those beside this bound; widen "
+        "its bounds, or check the curve and what else the file states."
+        for each in calibration.estimates
+        if each.at_bound
+    }
+
+
 def count_words(calibration: Calibration) -> str:
     """How many unknowns were found from which data."""
     count = len(calibration.estimates)
-    sources = [f"{curve.residual.size} rows of {curve.measurement.source}" for curve in calibration.curves]
+    sources = [
+        f"{curve.residual.size} rows of {'; '.join((curve.measurement.source, *curve.measurement.notes))}"
+        for curve in calibration.curves
+    ]
     return f"{count} unknown{'s'[: count - 1]} from {' and '.join(sources)}"
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from asperity.study.calibration.calibrate import Calibration
 from asperity.study.calibration.fitted_curve import FittedCurve
 from asperity.study.calibration.posterior import Posterior
-from asperity.study.calibration.unknowns import CURVE_UNKNOWNS
+from asperity.study.calibration.unknowns import unit_of
 from asperity.units import from_si
 
 if TYPE_CHECKING:
@@ -168,15 +168,6 @@ def _colour(shade: float) -> tuple[float, float, float, float]:
 
     red, green, blue, _ = colormaps["RdBu_r"](shade)
     return (0.5 + 0.5 * red, 0.5 + 0.5 * green, 0.5 + 0.5 * blue, 1.0)
-
-
-def unit_of(path: str) -> str:
-    """Unit in which an unknown is shown, one of :mod:`asperity.units`."""
-    from asperity.joint_file.si_tables import key_at
-
-    kind = path.partition(" ")[0]
-    shown = {"offset": "arcmin", "drift": "arcmin/min"}
-    return shown[kind] if kind in CURVE_UNKNOWNS else key_at(path).unit
 
 
 def _label(path: str) -> str:

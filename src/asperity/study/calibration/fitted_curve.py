@@ -11,6 +11,7 @@ import numpy as np
 from asperity.errors import NoSolutionError
 from asperity.joint_file.si_tables import AnyCase
 from asperity.standing.windup import StiffnessLevel
+from asperity.study.calibration.curve_checks import Scatter, own_scatter
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
@@ -22,22 +23,29 @@ from asperity.units import format_quantity
 CORRELATED = 1.5
 #: Fewest rows of which that statistic says anything: tables of its bounds begin here (Savin and White 1977).
 LEAST_ROWS = 6
+#: Probability with which chance alone makes a misfit that counts as one.
+CHANCE = 1e-3
+#: Share of a curve below which a misfit is rounding, and from which on nothing of the joint is in the fit.
+ROUNDING, UNEXPLAINED = 1e-6, 0.25
 
 
 @dataclass(frozen=True)
 class FittedCurve:
     """A measured curve with what was fitted to it; [rad] or [N·m/rad], shape (points,).
 
-    ``residual`` is data minus prediction; ``standard_deviation``, that of the residuals with the degrees of freedom
+    ``residual`` is data minus prediction; ``standard_deviation``, that of the residuals with the degrees of ``freedom``
     that remain; ``durbin_watson``, about 2 for independent residuals, towards 0 where neighbours are alike and the
-    intervals are too narrow.
+    intervals are too narrow; ``scatter`` of the curve itself, by :func:`own_scatter` of the residuals, in which a
+    smooth misfit cancels.
     """
 
     model: CurveModel
     prediction: np.ndarray
     residual: np.ndarray
     standard_deviation: float
+    freedom: float
     durbin_watson: float
+    scatter: Scatter | None
 
     @property
     def measurement(self) -> Measurement:
@@ -50,6 +58,25 @@ class FittedCurve:
         rows = self.residual.size
         by_chance = 2.0 - 1.645 * 2.0 / math.sqrt(rows)
         return rows >= LEAST_ROWS and self.durbin_watson < min(CORRELATED, by_chance)
+
+    @property
+    def size(self) -> float:
+        """How much the curve itself varies: rms about its mean, of a stiffness about zero [rad] or [N·m/rad]."""
+        data = self.measurement.measured
+        middle = 0.0 if self.measurement.stiffness is not None else float(np.mean(data))
+        return float(np.sqrt(np.mean((data - middle) ** 2)))
+
+    @property
+    def misfit(self) -> float:
+        """What the residuals hold beyond the scatter of the curve [rad] or [N·m/rad]; 0 where chance makes as much."""
+        from scipy.stats import f as f_law
+
+        if self.scatter is None or self.standard_deviation <= ROUNDING * self.size:
+            return 0.0
+        ratio = (self.standard_deviation / max(self.scatter.deviation, ROUNDING * self.size)) ** 2
+        if ratio <= f_law.isf(CHANCE, self.freedom, self.scatter.freedom):
+            return 0.0
+        return math.sqrt(max(self.standard_deviation**2 - self.scatter.deviation**2, 0.0))
 
 
 def residual_sentences(curves: Sequence[FittedCurve]) -> list[str]:
@@ -69,7 +96,34 @@ def residual_sentences(curves: Sequence[FittedCurve]) -> list[str]:
                 "independent residuals give 2): the model does not explain the curve fully, and the intervals are too "
                 "narrow."
             )
+        if curve.misfit > 0.0 and curve.scatter is not None:
+            own = max(curve.scatter.deviation, ROUNDING * curve.size)
+            times = f"{curve.standard_deviation / own:.3g}"
+            said.append(
+                f"MISFIT{of_curve}: the residual is {times} times the curve's own scatter, "
+                f"{format_quantity(own, quantity.fine_unit)} (by second differences of neighbouring rows, in which a "
+                f"smooth misfit cancels): {_share(curve)} of the curve is not what the model does, and the intervals "
+                "hold that only as far as the error of the model does."
+            )
     return said
+
+
+def _share(curve: FittedCurve) -> str:
+    """The misfit over the size of its curve, in words."""
+    return f"{100.0 * curve.misfit / curve.size:.2g} %"
+
+
+def refuse_unexplained(curves: Sequence[FittedCurve]) -> None:
+    """Raise ``NoSolutionError`` if a quarter of a curve or more is neither its scatter nor what was fitted to it."""
+    for curve in curves:
+        if curve.misfit >= UNEXPLAINED * curve.size > 0.0:
+            unit = curve.measurement.quantity.fine_unit
+            raise NoSolutionError(
+                f"{curve.measurement.source}: the best fit misses the curve by "
+                f"{format_quantity(curve.misfit, unit)} beyond its scatter, {_share(curve)} of its size of "
+                f"{format_quantity(curve.size, unit)} (rms): no joint of the file within the bounds explains it; check "
+                "columns and units, or widen the bounds"
+            )
 
 
 class JoinedCurves:
@@ -165,7 +219,22 @@ class JoinedCurves:
             squares = float(np.sum(residual**2))
             freedom = data.size * (1.0 - len(self.unknowns) / points)
             watson = float(np.sum(np.diff(residual) ** 2)) / squares if squares else 2.0
-            curves.append(FittedCurve(model, prediction, residual, float(np.sqrt(squares / freedom)), watson))
+            curves.append(
+                FittedCurve(
+                    model=model,
+                    prediction=prediction,
+                    residual=residual,
+                    standard_deviation=float(np.sqrt(squares / freedom)),
+                    freedom=freedom,
+                    durbin_watson=watson,
+                    scatter=own_scatter(
+                        values=residual,
+                        torque=model.measurement.torque,
+                        repetition=model.measurement.repetition,
+                        in_order=model.measurement.angle is not None,
+                    ),
+                )
+            )
         return tuple(curves)
 
     def exists(self, scaled_values: np.ndarray) -> bool:

@@ -1,9 +1,7 @@
-"""Measured torque–angle, stiffness and drift curves from CSV files whose column names state the units."""
+"""Measured torque–angle, stiffness and drift curves from text tables whose headings state names and units."""
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +9,10 @@ from pathlib import Path
 import numpy as np
 
 from asperity.errors import InputError, nearest
-from asperity.reading import read_text
+from asperity.reading import read_bytes
+from asperity.text_table.decoding import decoded
+from asperity.text_table.headings import Heading, factor_and_unit
+from asperity.text_table.text_table import TextTable, text_table
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, parse_quantity
 
@@ -24,6 +25,28 @@ COLUMNS = {
     "speed ratio": Dimension.DIMENSIONLESS,
     "time": Dimension.TIME,
     "repetition": None,
+}
+
+#: What these columns are called in other files, in small letters.
+_ALSO_CALLED = {
+    **dict.fromkeys(("moment", "drehmoment", "load torque", "output torque", "couple"), "torque"),
+    **dict.fromkeys(
+        (
+            "rotation",
+            "twist",
+            "angle of twist",
+            "twist angle",
+            "torsion angle",
+            "output angle",
+            "winkel",
+            "theta",
+            "phi",
+        ),
+        "angle",
+    ),
+    **dict.fromkeys(("torsional stiffness", "steifigkeit"), "stiffness"),
+    **dict.fromkeys(("zeit",), "time"),
+    **dict.fromkeys(("cycle", "run"), "repetition"),
 }
 
 #: Columns of which a file has exactly one, beside the torque.
@@ -73,7 +96,8 @@ class Measurement:
     ``stiffness`` [N·m/rad] or ``drift``, the angle lost in one turn of the output while the joint rolls, with the sign
     of the torque [rad]: exactly one of them is there, the others are None. ``time`` [s] or None; ``repetition``: number
     of the repetition of each row, zeros if the file states none; ``source``: name of the file; ``unloaded_ratio``:
-    speed ratio without creep with which the drift was derived from measured speed ratios [-], None otherwise.
+    speed ratio without creep with which the drift was derived from measured speed ratios [-], None otherwise;
+    ``line_numbers`` of the rows in the file, None without one; ``notes``: which of its lines were not used.
     """
 
     torque: np.ndarray
@@ -84,6 +108,12 @@ class Measurement:
     source: str
     drift: np.ndarray | None = None
     unloaded_ratio: float | None = None
+    line_numbers: np.ndarray | None = None
+    notes: tuple[str, ...] = ()
+
+    def place(self, row: int) -> str:
+        """Where a row stands: its line in the file, or its number from 1."""
+        return f"row {row + 1}" if self.line_numbers is None else f"line {int(self.line_numbers[row])}"
 
     @property
     def measured(self) -> np.ndarray:
@@ -96,33 +126,38 @@ class Measurement:
         return _DRIFT if self.drift is not None else _ANGLE if self.angle is not None else _STIFFNESS
 
 
-def _column(header: str) -> tuple[str, float]:
+def _column(heading: Heading) -> tuple[str, float]:
     """Name of a column and the factor to SI units: ``torque [N*m]``, ``torque_Nm``, ``stiffness_Nm_per_arcmin``."""
-    plain = re.sub(r"^(\s*speed)[ _]+(loss|ratio)", r"\1 \2", header, flags=re.IGNORECASE)
-    match = re.fullmatch(
-        r"\s*([A-Za-z]+(?: (?:loss|ratio))?)\s*(?:[\[(](.*)[\])]|_(\S+))?\s*", plain, re.IGNORECASE
-    )
-    name = match[1].lower() if match else header.strip()
-    if match is None or name not in COLUMNS:
-        raise InputError(f"column '{header}'{nearest(name, COLUMNS) or '; known are ' + ', '.join(COLUMNS)}")
+    shown = heading.text
+    joined = re.fullmatch(r"\s*([A-Za-z]+(?:[ _](?:loss|ratio))?)(?:_(\S+))?\s*", shown, re.IGNORECASE)
+    if joined is not None:
+        name, unit = (
+            joined[1].replace("_", " "),
+            re.sub(r"\bNm(?=\b|/)", "N*m", (joined[2] or "").replace("_per_", "/")),
+        )
+    else:
+        name, unit = heading.name.replace("_", " "), heading.unit or ""
+    name = " ".join(name.lower().split())
+    name = _ALSO_CALLED.get(name, name)
+    if name not in COLUMNS:
+        known = nearest(name, COLUMNS) or f"; known are {', '.join(COLUMNS)}"
+        raise InputError(f"column '{shown}'{known}")
     dimension = COLUMNS[name]
     if dimension is None:
         return name, 1.0
-    unit = (match[2] if match[2] is not None else match[3]) or ""
-    if match[3]:
-        unit = re.sub(r"\bNm\b|\bNm(?=/)", "N*m", unit.replace("_per_", "/"))
-    if not unit.strip():
+    if not unit:
         if dimension is Dimension.DIMENSIONLESS:
             return name, 1.0
         raise InputError(
-            f"column '{header}' states no unit, e.g. '{name} [{dimension.example.split(' ', 1)[1]}]'"
+            f"column '{shown}' states no unit, e.g. '{name} [{dimension.example.split(' ', 1)[1]}]'"
         )
     try:
         if name == "drift" and re.search(r"/\s*(turn|rev)", unit):
             return name, 2.0 * np.pi * parse_quantity(f"1 {unit}", Dimension.DIMENSIONLESS)
-        return name, parse_quantity(f"1 {unit}", dimension)
+        factor, plain = factor_and_unit(unit)
+        return name, factor * parse_quantity(f"1 {plain}", dimension)
     except InputError as error:
-        raise InputError(f"column '{header}': {error}") from None
+        raise InputError(f"column '{shown}': {error}") from None
 
 
 def _refuse_constant(path: str | Path, columns: dict[str, np.ndarray]) -> None:
@@ -135,13 +170,6 @@ def _refuse_constant(path: str | Path, columns: dict[str, np.ndarray]) -> None:
                 f"{path}: all {len(columns[name])} rows have the {name} {format_quantity(columns[name][0], unit)}; "
                 "a curve needs different ones, so check the column and its unit"
             )
-
-
-def _cells(path: str | Path, number: int, line: str, delimiter: str) -> list[str]:
-    try:
-        return next(csv.reader([line], delimiter=delimiter, strict=True))
-    except csv.Error as error:
-        raise InputError(f"{path}, line {number}: not a row of a CSV table: {error}") from None
 
 
 def _drift(
@@ -168,26 +196,59 @@ def _drift(
 
 
 def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -> Measurement:
-    """A measured curve in SI units from a CSV file; an ``InputError`` with line and column if something cannot be read.
+    """A measured curve in SI units from a text table; an ``InputError`` with line and column if it cannot be read.
 
     Columns: ``torque`` and one of ``angle``, ``stiffness``, ``drift`` (angle lost per output turn), ``speed loss``,
     ``speed ratio`` (input over output; needs the ratio of the joint without creep); optionally ``time`` and
-    ``repetition``. Units stand in the header, ``torque [N*m]`` or ``torque_Nm``. Rows in the order of time; lines that
-    begin with ``#`` are comments.
+    ``repetition``. Units stand in the heading, ``torque [N*m]`` or ``torque_Nm``, or in a row of their own below it.
+    Rows in the order of time. Separators, decimal signs and encodings are those of every text table, see
+    :doc:`/reading_files`.
     """
-    text = read_text(path, largest=LARGEST_FILE)
-    lines = list(enumerate(io.StringIO(text, newline=""), 1))
-    lines = [(number, line) for number, line in lines if line.strip() and not line.startswith("#")]
-    if not lines:
+    text = decoded(read_bytes(path, largest=LARGEST_FILE), source=str(path))
+    if not text.strip():
         raise InputError(f"{path}: the file is empty")
-    if len(lines) > MOST_ROWS + 1:
+    table = text_table(text, source=str(path), fewest_rows=1)
+    if len(table.values) > MOST_ROWS:
         raise InputError(
-            f"{path}: {len(lines) - 1} rows; at most {MOST_ROWS} are allowed, so reduce their number"
+            f"{path}: {len(table.values)} rows; at most {MOST_ROWS} are allowed, so reduce their number"
         )
-    delimiter = ";" if ";" in lines[0][1] else ","
-    rows = [_cells(path, number, line, delimiter) for number, line in lines]
+    by_name = _named_columns(table)
+    if len(table.values) < FEWEST_ROWS:
+        raise InputError(f"{path}: needs at least {FEWEST_ROWS} rows of numbers, got {len(table.values)}")
+    _refuse_constant(path, by_name)
+    time, stiffness = by_name.get("time"), by_name.get("stiffness")
+    if time is not None and np.any(np.diff(time) < 0.0):
+        line = int(table.line_numbers[int(np.argmax(np.diff(time) < 0.0)) + 1])
+        raise InputError(f"{path}, line {line}: time runs backwards; rows must be in the order of time")
+    if stiffness is not None and np.any(stiffness <= 0.0):
+        line = int(table.line_numbers[int(np.argmax(stiffness <= 0.0))])
+        raise InputError(
+            f"{path}, line {line}: the stiffness {stiffness[stiffness <= 0.0][0]:g} must be positive"
+        )
+    return Measurement(
+        torque=by_name["torque"],
+        angle=by_name.get("angle"),
+        stiffness=stiffness,
+        time=time,
+        repetition=by_name.get("repetition", np.zeros(len(table.values))),
+        source=str(path),
+        drift=_drift(path, by_name, unloaded_ratio),
+        unloaded_ratio=unloaded_ratio if "speed ratio" in by_name else None,
+        line_numbers=table.line_numbers,
+        notes=table.left_out(()),
+    )
+
+
+def _named_columns(table: TextTable) -> dict[str, np.ndarray]:
+    """The columns of a table by their names in SI units, none of them twice, all numbers finite and of a usual size."""
+    path = table.source
+    if not any(heading.name or heading.text for heading in table.headings):
+        raise InputError(
+            f"{path}: no line above the table has a heading for each of its {table.width} column(s), such as "
+            "'torque [N*m],angle [arcmin]'"
+        )
     try:
-        columns = [_column(header) for header in rows[0]]
+        columns = [_column(heading) for heading in table.headings]
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     names = [name for name, _ in columns]
@@ -199,44 +260,18 @@ def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -
         raise InputError(
             f"{path}: needs the columns 'torque' and one of '{choice}' or '{MEASURED[-1]}', got {', '.join(names)}"
         )
-    numbers = np.empty((len(rows) - 1, len(columns)))
-    for index, (row, (line, _)) in enumerate(zip(rows[1:], lines[1:], strict=True)):
-        if len(row) != len(columns):
-            raise InputError(f"{path}, line {line}: {len(row)} values for {len(columns)} columns")
-        for place, (text, (name, factor)) in enumerate(zip(row, columns, strict=True)):
-            try:
-                numbers[index, place] = float(text) * factor
-            except ValueError:
-                raise InputError(
-                    f"{path}, line {line}, column '{name}': '{text.strip()}' is not a number"
-                ) from None
-            if not np.isfinite(numbers[index, place]):
-                raise InputError(f"{path}, line {line}, column '{name}': '{text.strip()}' is not finite")
-            if abs(numbers[index, place]) > LARGEST[name]:
-                raise InputError(
-                    f"{path}, line {line}, column '{name}': {text.strip()} is not allowed; it must be between "
-                    f"{-LARGEST[name] / factor:.6g} and {LARGEST[name] / factor:.6g} in the unit of the column"
-                )
-    if len(numbers) < FEWEST_ROWS:
-        raise InputError(f"{path}: needs at least {FEWEST_ROWS} rows of numbers, got {len(numbers)}")
-    by_name = {name: numbers[:, place] for place, name in enumerate(names)}
-    _refuse_constant(path, by_name)
-    time, stiffness = by_name.get("time"), by_name.get("stiffness")
-    if time is not None and np.any(np.diff(time) < 0.0):
-        line = lines[int(np.argmax(np.diff(time) < 0.0)) + 2][0]
-        raise InputError(f"{path}, line {line}: time runs backwards; rows must be in the order of time")
-    if stiffness is not None and np.any(stiffness <= 0.0):
-        line = lines[int(np.argmax(stiffness <= 0.0)) + 1][0]
-        raise InputError(
-            f"{path}, line {line}: the stiffness {stiffness[stiffness <= 0.0][0]:g} must be positive"
-        )
-    return Measurement(
-        torque=by_name["torque"],
-        angle=by_name.get("angle"),
-        stiffness=stiffness,
-        time=time,
-        repetition=by_name.get("repetition", np.zeros(len(numbers))),
-        source=str(path),
-        drift=_drift(path, by_name, unloaded_ratio),
-        unloaded_ratio=unloaded_ratio if "speed ratio" in by_name else None,
-    )
+    found = {}
+    for place, (name, factor) in enumerate(columns):
+        numbers = table.values[:, place] * factor
+        wrong = ~(np.abs(numbers) <= LARGEST[name])
+        if wrong.any():
+            row = int(np.argmax(wrong))
+            told = f"{path}, line {int(table.line_numbers[row])}, column '{name}': "
+            if np.isnan(numbers[row]):
+                raise InputError(f"{told}the value is missing; remove the row, or measure it")
+            raise InputError(
+                f"{told}{table.values[row, place]:g} is not allowed; it must be between {-LARGEST[name] / factor:.6g} "
+                f"and {LARGEST[name] / factor:.6g} in the unit of the column"
+            )
+        found[name] = numbers
+    return found

@@ -195,6 +195,13 @@ def si_unit_of(path: str) -> str:
     return dimension_of(path).si_unit
 
 
+def unit_of(path: str) -> str:
+    """Unit in which an unknown is shown, one of :mod:`asperity.units`."""
+    kind = path.partition(" ")[0]
+    shown = {"offset": "arcmin", "drift": "arcmin/min"}
+    return shown[kind] if kind in CURVE_UNKNOWNS else key_at(path).unit
+
+
 def added_to_curve(path: str) -> bool:
     """Whether an unknown only adds to the angles, so that its effect needs no new solution of the joint."""
     return path.partition(" ")[0] in CURVE_UNKNOWNS or path in PLAY_UNKNOWNS

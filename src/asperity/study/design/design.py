@@ -160,9 +160,9 @@ def _result(
     )
     _refuse_without_result(evaluator, optimum)
     diagnostics = joint_diagnostics(joint_file_text(problem.case, point, comment=""))
-    crossed, allowed = crossed_limits(problem, diagnostics)
-    feasible = optimum.violation <= FEASIBLE and not crossed
-    verdict = met_words(feasible=feasible, allowed=allowed)
+    judged = crossed_limits(problem, diagnostics)
+    feasible = optimum.violation <= FEASIBLE and not judged.crossed
+    verdict = met_words(feasible=feasible, allowed=judged.allowed, unknown=judged.unknown)
     if not feasible and optimum.violation > FEASIBLE:
         verdict += ": this is the smallest violation"
     if feasible and residual >= OPTIMAL and not any(start.converged for start in starts):
@@ -176,8 +176,7 @@ def _result(
     return DesignResult(
         problem=problem,
         feasible=feasible,
-        crossed=crossed,
-        allowed=allowed,
+        **judged._asdict(),
         point=point,
         optimum=exact,
         at_bound={

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -62,7 +62,7 @@ class LimitReport:
     def state(self) -> str:
         """How the design stands to the limit, for a cell of a table; empty where the limit is far."""
         if math.isnan(self.missed_by):
-            return "no value: not met"
+            return "no value, not met"
         return f"{100.0 * self.missed_by:.3g} % off" if not self.met else "active" * self.active
 
     @property
@@ -82,11 +82,11 @@ class LimitReport:
         if math.isnan(self.missed_by):
             nearest = format_quantity(self.nearest, unit)
             reached = (
-                "none of any design"
+                "no design has one"
                 if math.isnan(self.nearest)
                 else f"the nearest of any design was {nearest}"
             )
-            reached = f"no value there, {reached}"
+            reached = f"no value there; {reached}"
         else:
             missed = "" if self.met else f", {100.0 * self.missed_by:.3g} % off"
             reached = f"reached {format_quantity(self.value, unit)}{missed}"
@@ -107,11 +107,10 @@ class StartReport:
 class DesignResult:
     """The outcome of a design: of a ``problem`` the ``point``, dotted path → value of the variables [SI].
 
-    ``feasible``: whether all limits are met; if not, the point is the one of the smallest violation. ``crossed``:
-    limits of function and damage that the designed joint crosses under the torque of its file although the design file
-    allows none of it, and ``allowed``, those that it crosses because the design file states a wider limit, as in the
-    document of a joint. ``optimum``: the variables before they were rounded to few digits [SI]. ``at_bound``: dotted
-    path → "lower" or "upper" for the variables that lie on a bound.
+    ``feasible``: whether all limits are met; if not, the point is the one of the smallest violation. ``crossed``,
+    ``allowed`` and ``unknown``: of :class:`CrossedLimits`, under the torque of the file. ``optimum``: the variables
+    before they were rounded to few digits [SI]. ``at_bound``: dotted path → "lower" or "upper" for the variables that
+    lie on a bound.
 
     ``objective_before`` and ``objective_after``: the objective at its worst scenario, of the joint file and of the
     design [SI]; ``objective_unrounded``, before variables were rounded to their steps, None where none has a step.
@@ -128,6 +127,7 @@ class DesignResult:
     feasible: bool
     crossed: tuple[Diagnostics, ...]
     allowed: tuple[Diagnostics, ...]
+    unknown: tuple[Diagnostics, ...]
     point: dict[str, float]
     optimum: dict[str, float]
     at_bound: dict[str, str]
@@ -151,20 +151,25 @@ class DesignResult:
         return 0.0 if self.feasible else float(np.max([limit.missed_by for limit in self.limits]))
 
     @property
+    def met_words(self) -> str:
+        """Whether it meets its limits, in words."""
+        return met_words(feasible=self.feasible, allowed=self.allowed, unknown=self.unknown)
+
+    @property
     def converged(self) -> bool:
         """Whether a search ended in a local optimum, or the design is one."""
         return self.optimality_residual < OPTIMAL or any(start.converged for start in self.starts)
 
 
-def met_words(*, feasible: bool, allowed: Sequence[Diagnostics]) -> str:
-    """Whether a design meets its limits, and which limits of the model it crosses because its file allows it."""
+def met_words(*, feasible: bool, allowed: Sequence[Diagnostics], unknown: Sequence[Diagnostics] = ()) -> str:
+    """Whether a design meets its limits, which of the model its file allows to be crossed, and which are not known."""
     if not feasible:
         return "NOT all limits are met"
-    if allowed:
-        return (
-            f"All limits of the design file are met, which allows: {'; '.join(map(_crossed_words, allowed))}"
-        )
-    return "All limits are met"
+    beyond = f", which allows: {'; '.join(map(_crossed_words, allowed))}" if allowed else ""
+    if unknown:
+        open_ones = "; ".join(f"{_where(entry)} ({entry['meaning']})" for entry in unknown)
+        return f"No limit{' of the design file' * bool(allowed)} is crossed{beyond}; not known: {open_ones}"
+    return f"All limits{' of the design file' * bool(allowed)} are met{beyond}"
 
 
 def _crossed_words(entry: Diagnostics) -> str:
@@ -172,19 +177,36 @@ def _crossed_words(entry: Diagnostics) -> str:
     return f"{entry['label']} {entry['shown']}{where}, limit {entry['limit_shown']}"
 
 
-def crossed_limits(
-    problem: DesignProblem, diagnostics: Diagnostics
-) -> tuple[tuple[Diagnostics, ...], tuple[Diagnostics, ...]]:
-    """Limits of function and damage that a designed joint crosses, without and with the leave of its design file.
+def _where(entry: Diagnostics) -> str:
+    return (
+        f"{entry['label']} at {entry['contact'].replace('_', ' ')}"
+        if entry["contact"]
+        else str(entry["label"])
+    )
 
-    A value that is not known keeps no limit.
+
+class CrossedLimits(NamedTuple):
+    """Limits of function and damage that a designed joint does not keep, as in the document of a joint.
+
+    ``crossed`` although its design file allows none of it; ``allowed`` by a wider limit of that file; ``unknown``, of
+    which it is not known whether they are kept.
     """
+
+    crossed: tuple[Diagnostics, ...]
+    allowed: tuple[Diagnostics, ...]
+    unknown: tuple[Diagnostics, ...]
+
+
+def crossed_limits(problem: DesignProblem, diagnostics: Diagnostics) -> CrossedLimits:
+    """Limits of function and damage that a designed joint does not keep."""
     stated = {limit.name for limit in problem.constraints if not limit.implied}
-    crossed: tuple[list[Diagnostics], list[Diagnostics]] = ([], [])
+    crossed, allowed, unknown = list[Diagnostics](), list[Diagnostics](), list[Diagnostics]()
     for entry in diagnostics["diagnostics"] or ():
-        if not entry["ok"] and entry["severity"] in JUDGED:
-            crossed[entry["name"].removeprefix("required_") in stated].append(entry)
-    return tuple(crossed[0]), tuple(crossed[1])
+        if entry["ok"] or entry["severity"] not in JUDGED:
+            continue
+        by_leave = entry["name"].removeprefix("required_") in stated
+        (unknown if not entry["known"] else allowed if by_leave else crossed).append(entry)
+    return CrossedLimits(tuple(crossed), tuple(allowed), tuple(unknown))
 
 
 def shortcoming(result: DesignResult) -> str:
@@ -219,7 +241,7 @@ def conflict(result: DesignResult) -> str:
             f"{'; '.join(crossed)}. Change the duty, or what these depend on"
         )
     conflicting = "These limits conflict: " if len(parts) > 1 else ""
-    by = "has no value of a limit" if unknown else f"misses a limit by {100.0 * result.violation:.3g} %"
+    by = "has no value for a limit" if unknown else f"misses a limit by {100.0 * result.violation:.3g} %"
     missed += crossed
     also = f"It also misses: {'; '.join(missed)}. " if missed else ""
     return (
@@ -255,7 +277,8 @@ def not_limited(result: DesignResult) -> str:
     life = result.diagnostics.get("life_hours")
     if life is None or any(RESULTS[limit.name].group == "life" for limit in result.limits):
         return ""
-    return f"No limit of life was asked for: the design has a life of {life:.4g} h."
+    shown = format_quantity(3600.0 * life, "h")
+    return f"The design file sets no limit for life: the design has a rating life of {shown}."
 
 
 def front_diagnostics(
@@ -310,6 +333,7 @@ def design_document(result: DesignResult) -> dict[str, Any]:
             "at_bound": result.at_bound,
             "crossed": list(result.crossed),
             "allowed": list(result.allowed),
+            "unknown": list(result.unknown),
             "missed_before": [asdict(limit) for limit in result.missed_before],
             "before": result.summary_before,
             "after": result.summary_after,
