@@ -70,6 +70,22 @@ ROWS = (
         positive=False,
         note="besides the tangential force; 0 without lubrication.viscosity, and where the input stands",
     ),
+    _per_contact(
+        "hysteresis_moment",
+        "moment of elastic hysteresis on both bodies of the contact in rolling",
+        Dimension.TORQUE,
+        "N*m",
+        "result.rolling.hysteresis_moment",
+        positive=False,
+        note="0 without rolling.hysteresis_factor, and where the input stands",
+    ),
+    _contact_force(
+        "skew_drag",
+        "drag of the axial friction on each surface of the contact in rolling",
+        value="result.rolling.skew_drag",
+        positive=False,
+        note="half of its work over the path; 0 without rolling.skew, and where the input stands",
+    ),
     _contact_ratio(
         "layer_ratio",
         "yield of the asperities over that of the bodies",

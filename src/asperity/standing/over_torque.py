@@ -222,7 +222,7 @@ def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> C
         standing, rolling = loaded_states(load=load, **given)
         backwards = rolling
         # what opposes the rotation changes the forces
-        if load.drag_of is not None or load.bearings is not None:
+        if load.resistance_of is not None or load.bearings is not None:
             other = dataclasses.replace(load, rotation=-_sense(load.rotation))
             backwards = loaded_state(load=other, rolls=True, **given)
         return _Under(standing, rolling, backwards, turned_cam(joint, contacts, without_torque.rest, rest))
@@ -241,9 +241,9 @@ def with_its_torque(joint: Joint) -> DriveLoad:
 
 
 def rolling_with_its_torque(joint: Joint, contacts: JointContacts) -> DriveLoad:
-    """The same, with the drag of the oil on the joint that rolls."""
-    oil = rolling_load(joint, contacts, body_masses(joint), 0.0).drag_of
-    return dataclasses.replace(with_its_torque(joint), drag_of=oil)
+    """The same, with what resists the rolling of the joint that turns."""
+    resists = rolling_load(joint, contacts, body_masses(joint), 0.0).resistance_of
+    return dataclasses.replace(with_its_torque(joint), resistance_of=resists)
 
 
 def _standing(

@@ -109,7 +109,7 @@ def _creep_slopes(joint: Joint, contacts: JointContacts, rolling: DriveState) ->
     one, two = surface_speeds(drive=joint.drive, speed=rolling.speed * joint.input_speed)
 
     def creeps(normal: Array, tangential: Array) -> Array:
-        return creepages(law=law(normal, tangential), normal=normal, tangential=tangential)
+        return creepages(law=law(normal, tangential).law, normal=normal, tangential=tangential)
 
     forces, ones = (rolling.normal, rolling.tangential), jnp.ones_like(rolling.normal)
     _, by_normal = jax.jvp(creeps, forces, (ones, 0.0 * ones))
