@@ -272,14 +272,14 @@ ROWS = (
     ),
     _hours(
         "contact_life",
-        "fatigue life of both tracks of the contact, all branches",
+        "fatigue life of both tracks of one contact of one branch",
         value=lambda solved: 3600.0 * solved.result.rolling.life_hours.contact,
         axis="contact",
-        note=_STANDING,
+        note=f"of a track that all branches share, the part of this one; {_STANDING}",
     ),
     _life(
         "contact_life_turns",
-        "fatigue life of both tracks of the contact, all branches, in turns of the output",
+        "fatigue life of both tracks of one contact of one branch, in turns of the output",
         value="result.rolling.life_turns.contact",
         axis="contact",
     ),

@@ -90,7 +90,7 @@ class RollingResult(eqx.Module):
     cycles : Array
         Life of the tracks of driving and driven bodies at 90 % survival, in stress cycles, shape (2, 5, ...) [-].
     cycles_per_turn : Array
-        Their stress cycles in one turn of the output, shape (2, 5, ...) [-].
+        Their stress cycles in one turn of the output by one contact of one branch, shape (2, 5, ...) [-].
     life_turns : DriveLives
         Lives in turns of the output [-].
     life_hours : DriveLives
@@ -264,7 +264,7 @@ def _lives(joint: Joint, strips: RollingStrips, unit: RollingSpeeds) -> tuple[Ar
     bodies, branches = bodies_of_contacts(joint), jnp.asarray(joint.drive.sectors)
     # above the shakedown limit the surface flows at every passage, and no law of elastic fatigue holds
     tracks = jnp.where(strips.shakedown_ratio < 1.0, strips.tracks, jnp.nan)
-    rates = cycle_rates(bodies=bodies, speeds=unit, planet_count=branches)
+    rates = cycle_rates(bodies=bodies, speeds=unit)
     per_turn = rates * (2.0 * jnp.pi / unit.output)
     reliable = life_at_reliability(life=tracks, reliability=joint.rolling.reliability)
     return tracks, per_turn, drive_lives(bodies=bodies, tracks=reliable / per_turn, planet_count=branches)
