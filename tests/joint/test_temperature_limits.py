@@ -2,9 +2,12 @@
 
 import math
 
+import jax
 import numpy as np
 import pytest
 
+from asperity.errors import NoSolutionError
+from asperity.joint.solve import joint_state
 from asperity.joint.temperature_limits import (
     AtTemperature,
     TemperatureLimit,
@@ -78,6 +81,27 @@ def test_a_preload_by_force_keeps_its_force_and_loses_the_seat(solved_of):
     assert between["lost"] == "seat_between_rollers"
     assert alone["temperature_degC"] == pytest.approx(20.0 + 60.0 / (0.116 * 11.0), rel=1e-9)
     assert 20.0 < between["temperature_degC"] < alone["temperature_degC"]
+
+
+@pytest.mark.slow
+def test_one_of_two_rings_lets_go_where_the_joint_solved_there_loses_its_contact(zou_file):
+    """A driven ring of 440C around stepped planets of 52100 is the first to have no force in the cold."""
+    text = zou_file.with_name("stepped_planet.toml").read_text(encoding="utf-8")
+    text = text.replace('driven_ring = "52100"', 'driven_ring = "440C"')
+
+    def case_at(celsius):
+        return parse_case(text + SECTIONS.format(working=celsius), source="x")
+
+    solved, document = solve_case(case_at(20))
+    first, *_ = (each for each in document["preload"]["temperature_limits"] if each["side"] == "below")
+    assert (first["lost"], first["part"]) == ("contact", "pr2")
+    joint = joint_from_case(case_at(first["temperature_degC"] + 0.1))
+    near = joint_state(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)).rest
+    forces = np.asarray(near.normal) / np.asarray(solved.result.rest.normal)
+    assert 0.0 < forces[2] < 2e-3
+    assert np.all(forces[:2] > 0.5)
+    with pytest.raises(NoSolutionError):
+        solve_case(case_at(first["temperature_degC"] - 0.1))
 
 
 def described(text_of, **given):

@@ -18,7 +18,7 @@ from asperity.contact.fractal import Surface
 from asperity.drive.layout.drive import sectors_of_members
 from asperity.drive.layout.existence import neighbour_gaps, neighbours
 from asperity.drive.state.loads import MemberLoads
-from asperity.drive.state.state import ContactLaws
+from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
@@ -233,7 +233,7 @@ class SolvedJoint:
             )
         result = joint_state(joint)
         normal = np.asarray(result.rest.normal)
-        if not np.isfinite(np.asarray(result.rest.residual)):
+        if not float(result.rest.residual) < STATE_TOLERANCE:
             normal = np.full_like(normal, np.nan)
         if not any(seated(joint)):
             return AtTemperature(normal, np.full(len(joint.shapes), np.nan))
