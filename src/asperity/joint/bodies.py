@@ -18,7 +18,7 @@ from asperity.contact.hertz_line import (
     roller_secant_compliance,
 )
 from asperity.drive.layout.drive import CARRIER, contact_angles, speeds
-from asperity.drive.structure.dynamics import roller_inertia
+from asperity.drive.structure.inertia import roller_inertia
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import (
     Joint,

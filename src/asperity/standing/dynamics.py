@@ -12,10 +12,10 @@ from asperity.drive.structure.dynamics import (
     SprungDrive,
     frequency_response,
     inertia_at_motor,
-    mass_matrix,
     natural_frequencies,
     sprung_drive,
 )
+from asperity.drive.structure.inertia import mass_matrix
 from asperity.errors import InputError
 from asperity.joint.bodies import body_spins, joint_inertias
 from asperity.joint.description import Joint, body_masses, in_motion

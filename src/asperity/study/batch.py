@@ -283,12 +283,11 @@ def derivatives_at(
     """Status, results and their exact derivatives by some of the numbers, at some points.
 
     ``values`` and ``results`` as for :func:`evaluate_points`; ``changes``: dotted path → numbers [SI], shape (points,),
-    must contain the ``variables``, dotted paths by which to differentiate, and further ones behind them, ``nominal``:
-    sizes whose nominal values, of :func:`asperity.joint_file.any_joint.with_nominal_sizes`, move with them, so that the
-    joint is that of another drive and not one of deviating parts. ``block``: points, repeated for each row or
-    variable, of one call of the program, :func:`derivative_block`; calls with the same one share a program. Status
-    codes have the shape (points,), results (rows, points) and slopes (rows, points, variables) [SI]; a single number
-    has one row. Nothing is replaced by nan: a search may pass through joints that cannot exist.
+    must contain the ``variables``, dotted paths by which to differentiate, and behind them ``nominal``: sizes whose
+    nominal values, of :func:`asperity.joint_file.any_joint.with_nominal_sizes`, move with them. ``block``: points,
+    repeated for each row or variable, of one call of the program, :func:`derivative_block`; calls with the same one
+    share a program. Status codes have the shape (points,), results (rows, points) and slopes (rows, points, variables)
+    [SI]; a single number has one row. Nothing is replaced by nan: a search may pass through joints that cannot exist.
 
     Forward-mode automatic differentiation, the points repeated along the batch axis once for each variable. Where that
     is many calls and there are fewer rows of results than variables: reverse mode, the points repeated for each row.
@@ -336,15 +335,13 @@ def _derivatives_measured(
     given = {path: np.broadcast_to(np.asarray(value, float), (points,)) for path, value in changes.items()}
     tables, columns, settled = with_felt_surfaces(values, given, states)
     felt = tuple(path for path in columns if path not in given) if variables else ()
-    sizes = (*variables, *nominal)
-    status, first, slopes = derivatives_at(
-        tables, columns, asked, (*variables, *felt), nominal=nominal, block=block
-    )
+    sizes, every = (*variables, *nominal), (*variables, *felt)
+    status, first, slopes = derivatives_at(tables, columns, asked, every, nominal=nominal, block=block)
     status[~settled] = UNBALANCED
     if felt:
-        count = len(sizes)
-        order = [*range(len(variables)), *range(len(variables) + len(felt), count + len(felt))]
-        order += range(len(variables), len(variables) + len(felt))
+        count, known = len(sizes), len(variables)
+        # those of what the contacts feel behind those of all sizes
+        order = [*range(known), *range(len(every), count + len(felt)), *range(known, len(every))]
         slopes = {name: slope[..., order] for name, slope in slopes.items()}
         moved = heights_moved(values, columns, first[WIDTH], slopes[WIDTH], sizes)
         slopes = {

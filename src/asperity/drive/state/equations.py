@@ -178,10 +178,7 @@ def no_force(drive: Drive) -> Array:
 
 
 class Responses(NamedTuple):
-    """Approach and slip at rest [m], creepage [-] and resistance in rolling, of contacts under their forces.
-
-    Shape (contacts,); the resistance signed as in :class:`asperity.drive.state.state.DriveState`.
-    """
+    """Approach and slip at rest [m], creepage [-] and signed resistance in rolling of contacts, shape (contacts,)."""
 
     approach: Array
     slip: Array
