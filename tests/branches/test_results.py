@@ -15,6 +15,7 @@ from asperity.branches.results import (
     _Sums,
     _working_interference,
 )
+from asperity.drive.state.state import Resistance
 from asperity.joint.unfolding import SectorSizes, unfolded_joint
 
 
@@ -53,10 +54,17 @@ def planetary_of_three(planar_joint):
     return of
 
 
+def of_oil(drag):
+    """What only the oil resists."""
+    return Resistance(drag, jnp.zeros(6), jnp.zeros(6))
+
+
 def test_sectors_pass_what_they_carry_to_the_output(planetary_of_three):
     """Pins of 14, 28 and 0 N at 30 mm, or forces of 7, 14 and -7 N at the ring of 50 mm."""
     _, unfolded = planetary_of_three()
-    loaded = SimpleNamespace(pin_force=jnp.array([14.0, 28.0, 0.0]), tangential=jnp.ones(6), drag=jnp.ones(6))
+    loaded = SimpleNamespace(
+        pin_force=jnp.array([14.0, 28.0, 0.0]), tangential=jnp.ones(6), resistance=of_oil(jnp.ones(6))
+    )
     moments = np.asarray(_output_moments(unfolded, loaded, 3))
     np.testing.assert_allclose(np.abs(moments), [0.42, 0.84, 0.0], atol=1e-12)
     assert moments[0] * moments[1] > 0.0
@@ -64,7 +72,7 @@ def test_sectors_pass_what_they_carry_to_the_output(planetary_of_three):
     loaded = SimpleNamespace(
         tangential=jnp.array([1.0, 7.0, 2.0, 14.0, 3.0, -7.0]),
         pin_force=jnp.ones(3),
-        drag=jnp.array([9.0, 2.0, 9.0, 0.0, 9.0, -1.0]),  # of the oil, against the planets
+        resistance=of_oil(jnp.array([9.0, 2.0, 9.0, 0.0, 9.0, -1.0])),  # against the planets
     )
     moments = np.asarray(_output_moments(unfolded, loaded, 3))
     np.testing.assert_allclose(np.sign(moments[0]) * moments, [0.25, 0.7, -0.3], atol=1e-12)

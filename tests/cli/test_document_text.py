@@ -58,7 +58,13 @@ def test_the_heading_states_the_load_in_its_units():
         "input": {"drive": {"planets": 3}, "load": {"output_torque": 5.0}},
         "input_speed_rad_per_s": 628.3185307179587,
         "geometry": {"input": "driving_ring"},
-        "preload": {"force_N": 1000.0, "interference_m": 1.25e-6, "at_assembly": None, "loading_cam": None},
+        "preload": {
+            "force_N": 1000.0,
+            "interference_m": 1.25e-6,
+            "at_assembly": None,
+            "temperature_limits": [],
+            "loading_cam": None,
+        },
     }
     assert shown(show_heading, document, "joint.toml", width=200).splitlines()[:2] == [
         "joint.toml",
@@ -72,9 +78,21 @@ def test_the_heading_states_the_load_in_its_units():
         "thermal_change_m": -0.75e-6,
         "loose_temperature_degC": 73.33,
     }
-    assert shown(show_heading, document, "joint.toml", width=200).splitlines()[2] == (
-        "at 40 degC; assembled at 20 degC with 1500 N (2 um), loose above 73.33 degC"
+    limits = [
+        {"lost": "seat_between_rollers", "part": "held_ring", "temperature_degC": 70.0, "side": "above"},
+        {"lost": "interference", "part": None, "temperature_degC": -90.0, "side": "below"},
+        {"lost": "seat", "part": "held_ring", "temperature_degC": 80.0, "side": "above"},
+    ]
+    document["preload"]["temperature_limits"] = limits
+    assert shown(show_heading, document, "joint.toml", width=300).splitlines()[2] == (
+        "at 40 degC; assembled at 20 degC with 1500 N (2 um), no pressure of held ring on its housing between the "
+        "rollers above 70 degC, loose below -90 degC"
     )
+    document["preload"]["at_assembly"] = None
+    assert shown(show_heading, document, "joint.toml", width=300).splitlines()[2:4] == [
+        "no pressure of held ring on its housing between the rollers above 70 degC",
+        "loose below -90 degC",
+    ]
 
 
 def test_what_is_assumed_in_short_and_in_full(planar_case):

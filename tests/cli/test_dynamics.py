@@ -23,8 +23,9 @@ def test_table_json_csv_and_picture(call, joint_file, tmp_path):
     document = json.loads(call("dynamics", file, "--json").out)
     at = document["at_torque"]
     assert document["inertia"]["output_kg_m2"] == 0.05
+    # the rollers are 1e-3 of the load: two inertias and a spring but for that
     expected = np.sqrt(at["stiffness_output_Nm_per_rad"] / at["output_inertia_kg_m2"]) / (2 * np.pi)
-    assert abs(at["locked_frequency_Hz"] / expected - 1.0) < 1e-12
+    assert at["locked_frequency_Hz"] == pytest.approx(expected, rel=2e-3)
     with data.open() as stream:
         rows = list(csv.reader(stream))
     assert rows[0][0] == "frequency_Hz"
@@ -46,6 +47,7 @@ def test_the_reason_why_creep_is_left_out():
         "output_torque_Nm",
         "stiffness_output_Nm_per_rad",
         "input_inertia_at_output_kg_m2",
+        "spin_inertia_at_output_kg_m2",
         "output_inertia_kg_m2",
         "locked_frequency_Hz",
         "free_frequency_Hz",
@@ -81,6 +83,6 @@ def test_a_drive_of_another_type(call, zou_file, tmp_path):
     assert outcome.code == 0
     at = json.loads(outcome.out)["at_torque"]
     expected = np.sqrt(at["stiffness_output_Nm_per_rad"] / at["output_inertia_kg_m2"]) / (2 * np.pi)
-    assert at["locked_frequency_Hz"] == pytest.approx(expected, rel=1e-12)
+    assert at["locked_frequency_Hz"] == pytest.approx(expected, rel=2e-3)
     assert at["corner_frequency_Hz"] > 0.0
     assert picture.stat().st_size > 10_000

@@ -59,7 +59,13 @@ def document():
             "load": {"preload": 1000.0, "output_torque": 5.0},
         },
         "input_speed_rad_per_s": 100.0 * np.pi,
-        "preload": {"force_N": 1000.0, "interference_m": 12.5e-6, "at_assembly": None, "loading_cam": None},
+        "preload": {
+            "force_N": 1000.0,
+            "interference_m": 12.5e-6,
+            "at_assembly": None,
+            "temperature_limits": [],
+            "loading_cam": None,
+        },
         "assumptions": ["no section [bearings]: the bearings have no friction"],
         "geometry": {
             "alpha_rad": np.pi / 12.0,

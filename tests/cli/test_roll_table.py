@@ -48,7 +48,13 @@ DOCUMENT = {
         "theta_rad": 0.2,
         "clearances": [],
     },
-    "preload": {"force_N": 1000.0, "interference_m": 1e-5, "at_assembly": None, "loading_cam": None},
+    "preload": {
+        "force_N": 1000.0,
+        "interference_m": 1e-5,
+        "at_assembly": None,
+        "temperature_limits": [],
+        "loading_cam": None,
+    },
     "standing": {"forces": {"output_torque_Nm": 5.0}},
     "torque_capacity": {
         "output_torque_Nm": 11.5,

@@ -39,7 +39,7 @@ def test_sensitivity_document_and_table(tmp_path, monkeypatch):
     document = json.loads(run("sensitivity", FILE, "--json", "--plot").stdout)
     elasticity = document["results"]["standing_torque_capacity"]["elasticity"]
     assert elasticity["drive.planets"] == pytest.approx(1.0, abs=1e-9)
-    assert document["inputs"]["drive.sun_radius"] == {"value": 0.004, "unit": "m"}
+    assert document["inputs"]["drive.sun_radius"] == {"value": 0.004, "unit": "m", "finished_part": False}
     assert (tmp_path / "sensitivity.png").stat().st_size > 10_000
     assert "slip_ratio_sp" in document["results"]
     pictured = run(
@@ -61,18 +61,29 @@ def test_the_table_has_the_units_of_the_result_and_of_the_file(capsys):
     arcminute = math.pi / 10800.0
     ranked = xarray.Dataset(
         {
-            "value": ("input", [0.02, 7800.0]),
-            "elasticity": ("input", [-4.0, 0.0]),
-            "derivative": ("input", [-2.0 * arcminute / 1e-3, 0.0]),
+            "value": ("input", [0.02, 7800.0, 0.02]),
+            "elasticity": ("input", [-4.0, 0.0, 30.0]),
+            "derivative": ("input", [-2.0 * arcminute / 1e-3, 0.0, 15.0 * arcminute / 1e-3]),
             "result_value": 10.0 * arcminute,
             "result_name": "drift of the output",
         },
-        coords={"input": ["drive.planet_radius", "materials.steel.density"], "result": "drift"},
+        coords={
+            "input": [
+                "drive.planet_radius",
+                "materials.steel.density",
+                "drive.planet_radius (finished part)",
+            ],
+            "result": "drift",
+        },
     )
     _show(ranked)
     text = capsys.readouterr().out
     assert "drift of the output: 10 arcmin" in text
     assert "derivative [arcmin]" in text
     rows, _, others = text.rstrip().partition("no effect: ")
-    assert rows.rstrip().endswith("-2 per mm")
+    (planet,) = (line for line in rows.splitlines() if "drive.planet_radius  " in line)
+    assert planet.rstrip().endswith("-2 per mm")
+    (part,) = (line for line in rows.splitlines() if "drive.planet_radius (finished part)" in line)
+    assert part.rstrip().endswith("15 per mm")
+    assert "Those of finished parts deviate while all other parts stay as they are" in " ".join(rows.split())
     assert others == "materials.steel.density"

@@ -9,14 +9,16 @@ import pytest
 
 import asperity
 from asperity.errors import InputError
-from asperity.export.content import _moving_parts, export_content, fitted_elements, heading
+from asperity.export.content import _friction, export_content, fitted_elements, heading
 from asperity.export.fmu import fmu_parts
 from asperity.export.mjcf import mjcf_file
 from asperity.export.modelica import modelica_file
 from asperity.export.targets import csv_file
+from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import Joint
 from asperity.joint.play import Play
 from asperity.joint.solve import solve_joint
+from asperity.standing.dynamics import Inertias, dynamics
 
 ARCMINUTE = np.pi / 180.0 / 60.0
 
@@ -102,6 +104,30 @@ def test_reduction(content):
 
 
 @pytest.mark.slow
+def test_two_inertias_swing_as_all_bodies_do(planar_joint):
+    """Of a planetary on a soft ring: the inertia of everything, and the natural frequency with both sides free."""
+    joint, inertias = planar_joint("planetary"), Inertias(2e-5, 0.05, 0.0)
+    at = dynamics(joint, inertias).at_torque
+    parts = export_content(
+        joint, inertias=inertias, source="joint.toml", largest_torque=None, level="assembly"
+    ).parts
+    motor = 36.0 * parts.input
+    assert motor + parts.output == pytest.approx(
+        float(at.input_inertia + at.spin_inertia + at.output_inertia), rel=1e-9
+    )
+    squared = float(at.stiffness) * (1.0 / motor + 1.0 / parts.output)
+    assert np.sqrt(squared) / (2.0 * np.pi) == pytest.approx(float(at.free_frequency), rel=1e-9)
+    assert motor < parts.output
+    # without motor and load: the planets turn the other way faster than without slip where the sun holds them more
+    bare = export_content(
+        joint, inertias=None, source="joint.toml", largest_torque=None, level="assembly"
+    ).parts
+    entry, spinning, moved = (float(each) for each in joint_inertias(joint))
+    assert bare.input > entry + spinning
+    assert 36.0 * bare.input + bare.output == pytest.approx(36.0 * (entry + spinning) + moved, rel=1e-9)
+
+
+@pytest.mark.slow
 def test_numbers_are_those_of_the_joint_solved_alone(paper_joint):
     joint = paper_joint(output_torque=4.0)
     made = export_content(joint, inertias=None, source="joint.toml", largest_torque=None, level="assembly")
@@ -140,9 +166,9 @@ def test_friction_is_the_power_that_is_not_creep_over_the_speed(content):
     power = SimpleNamespace(loss=np.array(5.0), creep=np.array([0.5, 1.5]))
     solution = SimpleNamespace(result=SimpleNamespace(rolling=SimpleNamespace(power=power)))
     speed = abs(float(content.joint.sun_speed))
-    assert _moving_parts(content.joint, None, solution).friction == pytest.approx(3.0 / speed)
+    assert _friction(content.joint, solution) == pytest.approx(3.0 / speed)
     still = dataclasses.replace(content.joint, input_speed=0.0)
-    assert np.isnan(_moving_parts(still, None, solution).friction)
+    assert np.isnan(_friction(still, solution))
 
 
 def test_stated_error_covers_the_exported_curves(content):

@@ -159,7 +159,13 @@ def test_every_drive_has_seats(name, rings):
 
 def _pressed(joint, normal, tangential):
     zeros = jnp.zeros(len(joint.drive.contacts))
-    forces = SimpleNamespace(normal=zeros + normal, tangential=zeros + tangential, drag=zeros)
+    forces = SimpleNamespace(
+        normal=zeros + normal,
+        tangential=zeros + tangential,
+        drag=zeros,
+        hysteresis_moment=zeros,
+        skew_drag=zeros,
+    )
     return SimpleNamespace(
         forces=forces,
         rolling=forces,

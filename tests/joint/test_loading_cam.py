@@ -10,7 +10,8 @@ from asperity.errors import InputError
 from asperity.joint.solve import solve_joint
 from asperity.joint.torque_limits import LIMIT_KINDS, capacity_document
 from asperity.rolling.conditions import DutyPoint
-from asperity.standing.over_torque import lost_speed_slopes, over_torque
+from asperity.standing.over_torque import over_torque
+from asperity.standing.springs_over_torque import springs_over_torque
 from asperity.standing.windup import windup
 
 CAM = 150.0
@@ -146,9 +147,9 @@ def test_curves_over_torque_are_those_of_the_joint_at_each_torque(plain, least):
     ends = [
         solve_joint(under_torque(cam, each)).result.rolling.speed_loss for each in (5.0 - step, 5.0 + step)
     ]
-    assert lost_speed_slopes(cam, torques)[2] == pytest.approx(
-        float(ends[1] - ends[0]) / (2.0 * step), rel=1e-5
-    )
+    about = springs_over_torque(cam, torques)
+    assert about.lost_speed_slope[2] == pytest.approx(float(ends[1] - ends[0]) / (2.0 * step), rel=1e-5)
+    np.testing.assert_allclose(about.stiffness, found.assembly[:, 0], rtol=1e-9)
     many = over_torque(cam, np.linspace(-40.0, 40.0, 64), no_slip_friction=1e30)
     assert np.all(np.isfinite(many.efficiency))
     curve = windup(cam, largest_torque=30.0, level="assembly", stage_shares=(1.0 / 3.0, 2.0 / 3.0))

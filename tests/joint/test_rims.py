@@ -14,7 +14,13 @@ from asperity.joint.unfolding import SectorSizes, unfolded_joint
 
 def result_of(normal, tangential, rest, width, rest_tangential=0.0):
     zeros = jnp.zeros(len(normal))
-    forces = SimpleNamespace(normal=jnp.array(normal), tangential=jnp.array(tangential), drag=zeros)
+    forces = SimpleNamespace(
+        normal=jnp.array(normal),
+        tangential=jnp.array(tangential),
+        drag=zeros,
+        hysteresis_moment=zeros,
+        skew_drag=zeros,
+    )
     return SimpleNamespace(
         forces=forces,
         rolling=forces,

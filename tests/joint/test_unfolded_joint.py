@@ -8,6 +8,8 @@ import pytest
 
 from asperity.branches.branches import SectorDeviations, assembled_branches
 from asperity.joint.solve import solve_joint
+from asperity.joint_file.reader import parse_case
+from asperity.joint_file.solved_document import solve_case
 from asperity.standing.dynamics import Inertias, dynamics
 from asperity.standing.windup import windup
 
@@ -61,6 +63,7 @@ def test_equal_sectors_turn_and_live_as_the_joint(planetary, whole):
     assert float(one.drive) == pytest.approx(float(other.drive), rel=1e-8)
     sun, planet, ring = np.asarray(other.body)
     np.testing.assert_allclose(one.body, [sun, ring, planet, planet, planet], rtol=1e-8)
+    np.testing.assert_allclose(one.contact, np.tile(other.contact, 3), rtol=1e-8)
     assert float(found.standing_capacity.output_torque) == pytest.approx(
         float(expected.standing_capacity.output_torque), rel=SAME
     )
@@ -73,6 +76,37 @@ def test_equal_sectors_ring_as_the_joint(planetary, whole):
     for name in ("stiffness", "input_inertia", "output_inertia", "free_frequency", "corner_frequency"):
         one, other = (np.asarray(getattr(each.over_torque, name)) for each in (found, expected))
         np.testing.assert_allclose(one, other, rtol=1e-8, err_msg=name)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["planetary", pytest.param("stepped_planet", marks=pytest.mark.long)])
+def test_equal_sections_of_branches_change_no_number_of_a_contact(zou_file, name):
+    """Three sections [[branch]] without a deviation: all that the document states of each contact, its lives too.
+
+    Only powers add up: those of a contact that stands for three are three times as large.
+    """
+    text = zou_file.with_name(f"{name}.toml").read_text(encoding="utf-8")
+    _, alone = solve_case(parse_case(text, source="x"))
+    _, listed = solve_case(parse_case(text + "\n[[branch]]\n" * 3, source="x"))
+    assert not alone["of_own_branches"]
+    for section in ("standing", "rolling"):
+        for contact, numbers in alone[section]["contacts"].items():
+            for branch in (1, 2, 3):
+                found = flat(listed[section]["contacts"][f"{contact}_{branch}"])
+                expected = flat(numbers)
+                assert found.keys() == expected.keys()
+                for key, value in expected.items():
+                    if isinstance(value, float):
+                        value = value / 3.0 if "losses_W" in key else value
+                        assert found[key] == pytest.approx(value, rel=1e-6, abs=1e-9), (contact, key)
+
+
+def flat(numbers, before=""):
+    """All numbers of a part of a document, by their keys one behind the other."""
+    known = {}
+    for key, value in numbers.items():
+        known |= flat(value, f"{before}{key}.") if isinstance(value, dict) else {before + key: value}
+    return known
 
 
 @pytest.fixture(scope="module")

@@ -12,6 +12,7 @@ from asperity.errors import InputError
 from asperity.joint.measured_surface import measured_surface
 from asperity.joint.solve import solve_joint
 from asperity.joint.status import STATUS_NAMES
+from asperity.joint_file.any_joint import with_nominal_sizes
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
@@ -201,6 +202,20 @@ def test_derivatives_move_the_heights(named):
         _, ends = evaluate_points(values, points, RESULTS[:1])
         difference = np.diff(ends[RESULTS[0]]) / (2.0 * step)
         assert slopes[RESULTS[0]][0, 0, number] == pytest.approx(difference[0], rel=1e-4)
+
+
+@pytest.mark.long
+def test_a_size_in_the_file_and_that_of_a_finished_part_move_the_heights_too(folder, named_text):
+    """A radius and its nominal one together are another drive, the radius alone is a part that deviates."""
+    by_interference = named_text.replace('preload = "1000 N"', 'interference = "13 um"')
+    values = si_values(parse_case(by_interference, source="joint.toml", folder=folder))
+    path, size = "drive.planet_radius", np.array([13.5e-3])
+    around, step = with_nominal_sizes(values), 1e-7
+    _, _, slopes = derivatives_at(around, {path: size}, RESULTS[:1], (path,), nominal=(path,))
+    for number, tables in enumerate((around, values)):
+        ends = evaluate_points(tables, {path: size[0] + np.array([-step, step])}, RESULTS[:1])[1]
+        difference = np.diff(ends[RESULTS[0]]) / (2.0 * step)
+        assert slopes[RESULTS[0]][0, 0, number] == pytest.approx(difference[0], rel=1e-2), number
 
 
 def test_heights_and_widths_move_each_other(named):

@@ -66,6 +66,7 @@ def spread():
             "result": list(STUDIED),
             "input": PATHS,
             "distribution": ("input", ["uniform", "normal 2 sigma"]),
+            "finished_part": ("input", [False, True]),
             "input_name": ("input", ["preload", "sun radius"]),
             "result_name": ("result", [f"{name} of this drive" for name in STUDIED]),
             "unit": ("result", ["1"] * count),
@@ -160,6 +161,7 @@ def test_tolerances_say_how_many_joints_and_who_contributes(spread):
         f"1.5 % of the drives fail and have no drift of this drive, efficiency of this drive: {counted}. "
         f"50 % of the drives fail and have no drive_life of this drive: {counted}. The shares"
     )
+    assert blocks[1].text.endswith("all other parts stay as they are, and adds to the interference.")
     intervals, shares = of(Table, blocks)
     assert intervals.rows[1][0] == "standing_torque_capacity of this drive, N·m"
     assert [row[1:] for row in intervals.rows][1] == ("2", "2.1", "0.1", "1.8", "2.4")

@@ -12,6 +12,7 @@ FIELDS = {
     "output_torque": ("output_torque_Nm", 5.0),
     "stiffness": ("stiffness_output_Nm_per_rad", 3e4),
     "input_inertia": ("input_inertia_at_output_kg_m2", 2e-4),
+    "spin_inertia": ("spin_inertia_at_output_kg_m2", 1e-4),
     "output_inertia": ("output_inertia_kg_m2", 0.05),
     "locked_frequency": ("locked_frequency_Hz", 123.0),
     "free_frequency": ("free_frequency_Hz", 1950.0),

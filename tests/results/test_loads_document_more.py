@@ -24,6 +24,6 @@ def test_what_rounding_leaves_is_nothing():
         ("carrier", "centre", "torque", "N*m", np.array([5.8e-15, 11.0, 1e-9])),
         ("carrier", "centre", "force", "N", 3e-13),
     ]
-    document = document_of_rows(cases, rows, bearings=[], notes=[])
+    document = document_of_rows(cases, rows, bearings=[], notes=[], temperature_limits=[])
     assert row_of(document, "carrier", "centre", "torque") == [0.0, 11.0, 1e-9]
     assert row_of(document, "carrier", "centre", "force") == [3e-13] * 3

@@ -53,18 +53,22 @@ def test_what_never_fails_lives_for_ever():
 
 
 def test_bodies_and_drive_fail_with_the_first_of_their_tracks():
-    """A track of the sun is one track, however many planets roll on it."""
+    """A track of the sun is one track, on which two planets do twice the damage; each has half of its rate."""
     found = drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(TRACKS), planet_count=2.0)
-    own = {name: [TRACKS[place] for place in dict.fromkeys(tracks)] for name, tracks in BODIES.items()}
+    own = {
+        name: [TRACKS[place] / tracks.count(place) for place in dict.fromkeys(tracks)]
+        for name, tracks in BODIES.items()
+    }
     np.testing.assert_allclose(found.body, [life(each) for each in own.values()], rtol=1e-12)
     every = own["sun"] + 2 * (own["planet"] + own["right"] + own["left"]) + own["ring"]
     assert float(found.drive) == pytest.approx(life(every), rel=1e-12)
+    half = 0.5 * 2.0 ** (1.0 / SLOPE)
     contacts = [
-        [TRACKS[0, 0]] + 2 * [TRACKS[1, 0]],
-        2 * [TRACKS[0, 1], TRACKS[1, 1]],
-        2 * [TRACKS[0, 2], TRACKS[1, 2]],
-        2 * [TRACKS[0, 3]] + [TRACKS[1, 3]],
-        2 * [TRACKS[0, 4]] + [TRACKS[1, 4]],
+        [half * TRACKS[0, 0], TRACKS[1, 0]],
+        [TRACKS[0, 1], TRACKS[1, 1]],
+        [TRACKS[0, 2], TRACKS[1, 2]],
+        [TRACKS[0, 3], half * TRACKS[1, 3]],
+        [TRACKS[0, 4], half * TRACKS[1, 4]],
     ]
     np.testing.assert_allclose(found.contact, [life(each) for each in contacts], rtol=1e-12)
 
@@ -96,12 +100,12 @@ def test_a_track_without_stress_never_fails():
 
 
 def test_passes_of_a_turning_drive():
-    """A point of the sun meets every planet in a turn against the carrier, a point of a roller each contact once."""
+    """A point of every body meets each contact of one branch once in a turn against the carrier."""
     body = jnp.array([60.0, 20.0, 10.0, 12.0, 2.0]) * 2.0 * jnp.pi
     speeds = SimpleNamespace(body=body)
-    found = cycle_rates(bodies=WEDGE_DRIVE, speeds=speeds, planet_count=3.0)
-    np.testing.assert_allclose(found[0], [180.0, 20.0, 20.0, 10.0, 12.0], rtol=1e-14)
-    np.testing.assert_allclose(found[1], [20.0, 10.0, 12.0, 6.0, 6.0], rtol=1e-14)
+    found = cycle_rates(bodies=WEDGE_DRIVE, speeds=speeds)
+    np.testing.assert_allclose(found[0], [60.0, 20.0, 20.0, 10.0, 12.0], rtol=1e-14)
+    np.testing.assert_allclose(found[1], [20.0, 10.0, 12.0, 2.0, 2.0], rtol=1e-14)
 
 
 def test_each_track_counts_its_own_stressed_volume():
@@ -138,5 +142,27 @@ def test_contacts_of_all_branches_on_one_track_add_their_damage():
     assert float(found.drive) == pytest.approx(life([sun, ring, 4.0, 5.0, 8.0, 7.0]), rel=1e-12)
     shares = np.asarray(failure_shares(bodies=both, tracks=jnp.asarray(tracks), planet_count=1.0))
     assert shares.sum() == pytest.approx(1.0, rel=1e-14)
+    one, other = np.asarray(found.contact).reshape(2, 2)
+    np.testing.assert_allclose(one[0], life([2.0 ** (1.0 / SLOPE) * sun, 4.0]), rtol=1e-12)
+    np.testing.assert_allclose(other[1], life([2.0 ** (1.0 / SLOPE) * ring, 7.0]), rtol=1e-12)
     # both contacts of the sun have half of its share
     assert shares[0, 0] == shares[0, 2] == pytest.approx(0.5 * (float(found.drive) / sun) ** SLOPE, rel=1e-12)
+
+
+def test_equal_branches_have_one_life_whether_they_are_listed_or_not():
+    """Contacts, bodies and drive of three branches of which one stands for all, and of all three."""
+    alone = BodiesOfContacts(("sun", "roller", "ring"), (True, False, True), (0, 1), (1, 2))
+    listed = BodiesOfContacts(
+        ("sun", "ring", "roller_1", "roller_2", "roller_3"),
+        (True, True, False, False, False),
+        (0, 2, 0, 3, 0, 4),
+        (2, 1, 3, 1, 4, 1),
+        sectors=3,
+    )
+    tracks = np.array([[3.0, 5.0], [4.0, 9.0]])
+    one = drive_lives(bodies=alone, tracks=jnp.asarray(tracks), planet_count=3.0)
+    all_three = drive_lives(bodies=listed, tracks=jnp.asarray(np.tile(tracks, 3)), planet_count=1.0)
+    np.testing.assert_allclose(all_three.contact, np.tile(one.contact, 3), rtol=1e-12)
+    sun, roller, ring = np.asarray(one.body)
+    np.testing.assert_allclose(all_three.body, [sun, ring, roller, roller, roller], rtol=1e-12)
+    assert float(all_three.drive) == pytest.approx(float(one.drive), rel=1e-12)

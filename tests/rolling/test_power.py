@@ -16,7 +16,8 @@ CREEPAGE = jnp.array([7e-4, 4.6e-4, 3.9e-4, 3.7e-4, 3.1e-4])
 DRAG = jnp.array([-3.0, 2.0, 2.0, -1.0, -1.0])  # of the oil, with the sign of the rotation
 AXIAL, SKEW = jnp.array([40.0, 0.0, 0.0, -10.0, 0.0]), jnp.array([1e-3, 0.0, 0.0, -2e-3, 0.0])
 ROLLING = jnp.array([2.0, 2.0, 2.0, 2.0, 2.0])  # the speed at which every contact rolls [m/s]
-WIDTH = jnp.array([8e-5, 7e-5, 6e-5, 9e-5, 8e-5])
+MOMENT = jnp.array([-1e-3, 2e-3, 2e-3, -1e-3, -2e-3])  # of hysteresis, with the sign of the rotation
+FIRST, SECOND = jnp.array([4.0, 13.5, 13.5, 5.0, 5.0]) * 1e-3, jnp.array([13.5, 5.0, 5.0, 40.0, 40.0]) * 1e-3
 RADIUS = jnp.array([3e-3, 3.6e-3, 3.6e-3, 5.7e-3, 5.7e-3])
 COUNT, CARRIER, SUN, BEARINGS = 3.0, 60.0, 600.0, 36.0
 
@@ -27,18 +28,20 @@ def budget(*, output_torque=5.0, rolling=ROLLING, carrier=CARRIER, **conditions)
         tangential=TANGENTIAL,
         creepage=CREEPAGE,
         drag=DRAG,
+        hysteresis_moment=MOMENT,
     )
     speeds = SimpleNamespace(
-        rolling=rolling, body=jnp.array([660.0, 200.0, 540.0, 530.0, 60.0]), output=jnp.asarray(carrier)
+        rolling=rolling,
+        driving=1.001 * rolling,
+        driven=0.999 * rolling,
+        body=jnp.array([660.0, 200.0, 540.0, 530.0, 60.0]),
+        output=jnp.asarray(carrier),
     )
     return rolling_power(
         branches=COUNT,
-        pairs=SimpleNamespace(
-            effective_radius=RADIUS, contact_length=5e-3, moduli=SimpleNamespace(contact_modulus=1.13e11)
-        ),
+        pairs=SimpleNamespace(radius_1=FIRST, radius_2=SECOND, sign=jnp.array([1.0, 1.0, 1.0, -1.0, -1.0])),
         conditions=dataclasses.replace(PLAIN_ROLLING, **conditions),
         state=state,
-        half_width=WIDTH,
         speeds=speeds,
         axial_force=AXIAL,
         lateral_creepage=SKEW,
@@ -57,9 +60,10 @@ def test_creep_and_skew_are_force_times_creepage_times_speed():
 
 
 def test_hysteresis_and_oil_count_where_they_are_asked_for():
-    """alpha 2 N a V / (3 pi R) (Johnson 1985, section 9.6); the oil drags both surfaces."""
+    """The moment turns both bodies, an internal one along; the oil drags both surfaces."""
     found = budget(hysteresis_loss_factor=0.01, viscosity=0.03)
-    expected = COUNT * 0.01 * NORMAL * 2.0 * WIDTH * 2.0 / (3.0 * np.pi * RADIUS)
+    turned = 2.002 / FIRST + np.array([1.0, 1.0, 1.0, -1.0, -1.0]) * 1.998 / SECOND
+    expected = COUNT * np.abs(MOMENT) * turned
     np.testing.assert_allclose(found.hysteresis, expected, rtol=1e-12)
     np.testing.assert_allclose(found.oil, COUNT * 2.0 * np.abs(DRAG) * 2.0, rtol=1e-12)
     np.testing.assert_allclose(

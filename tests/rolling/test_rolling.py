@@ -296,7 +296,7 @@ def test_life_of_bodies_and_drive(rolled, reliability):
     # the sun turns a little more often than without creep
     np.testing.assert_allclose(found.life_turns.body, list(body.values()), rtol=4e-3)
     assert float(found.life_turns.drive) == pytest.approx(drive, rel=4e-3)
-    again = np.sum(np.asarray(found.life_turns.contact) ** (-10 / 9)) ** (-9 / 10)
+    again = (3.0 * np.sum(np.asarray(found.life_turns.contact) ** (-10 / 9))) ** (-9 / 10)
     assert float(found.life_turns.drive) == pytest.approx(again, rel=1e-12)
     speed = 100.0 / 9.0 * (1.0 - float(found.speed_loss))
     hours = float(found.life_turns.drive) * TURN / speed / 3600.0

@@ -152,11 +152,15 @@ def test_curves_marks_and_where_the_drive_is_loose(per_kelvin, loose):
         temperature, np.arange(5.0), np.array([1e4, 2e4, np.nan, 3e4, 4e4]), np.ones(5)
     )
     panels = Figure().subplots(1, 3)
-    draw_temperatures(panels, curves, Fit(13e-6, per_kelvin, 20.0, 40.0))
+    side = "above" if loose[0] > 20.0 else "below"
+    lost = {"lost": "interference", "part": None, "temperature_degC": loose[0], "side": side}
+    after = {"lost": "seat", "part": "ring", "temperature_degC": 1.1 * loose[0], "side": side}
+    draw_temperatures(panels, curves, Fit(13e-6, per_kelvin, 20.0, 40.0), [lost, after])
     assert panels[0].lines[0].get_ydata() == pytest.approx(np.arange(5.0))
     assert panels[1].lines[0].get_ydata()[0] == pytest.approx(1e4 * np.pi / 10800)
     assert [line.get_xdata()[0] for line in panels[0].lines[1:]] == [20.0, 40.0]
     (span,) = panels[0].patches
+    assert span.get_label() == "loose"
     assert sorted(span.get_extents().transformed(panels[0].transData.inverted()).intervalx) == pytest.approx(
         sorted(loose)
     )

@@ -219,7 +219,8 @@ class JointDynamics(Shown):
         quantities = [
             ("torsional stiffness at the output, assembled", "stiffness_output_Nm_per_rad", "N·m/rad"),
             ("inertia of motor and input, at the output", "input_inertia_at_output_kg_m2", "kg·m²"),
-            ("inertia of load and rollers", "output_inertia_kg_m2", "kg·m²"),
+            ("inertia of the rollers' spin, at the output", "spin_inertia_at_output_kg_m2", "kg·m²"),
+            ("inertia of load and all other motions", "output_inertia_kg_m2", "kg·m²"),
             ("natural frequency, motor locked (antiresonance)", "locked_frequency_Hz", "Hz"),
             ("natural frequency, both sides free (resonance)", "free_frequency_Hz", "Hz"),
         ]

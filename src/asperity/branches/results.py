@@ -15,7 +15,12 @@ from asperity.branches.branches import AssembledBranches, SectorDeviations, mean
 from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import CARRIER, incidence
 from asperity.drive.layout.unfolding import forces_on_centre
-from asperity.drive.state.loads import drag_levers, drag_pairs, member_moments
+from asperity.drive.state.loads import (
+    drag_pairs,
+    member_moments,
+    resistance_levers,
+    resistance_moments,
+)
 from asperity.drive.state.state import STATE_TOLERANCE, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.joint.description import Joint
@@ -153,7 +158,7 @@ def _moments_on_axis(equal: Joint, joint: Joint, state: DriveState) -> Array:
     """Moments that all sectors put on the bodies on the axis and on the carrier, counter-clockwise [N·m]."""
     drive = joint.drive
     moments = member_moments(drive, incidence(drive), state.tangential, state.pin_force)
-    moments = moments + drag_levers(drive) @ state.drag
+    moments = moments + resistance_moments(drive, state.resistance)
     return moments[np.array([drive.members.index(name) for name in (*_axis_bodies(equal), CARRIER)])]
 
 
@@ -161,10 +166,14 @@ def _output_moments(joint: Joint, state: DriveState, sectors: int) -> Array:
     """Moments that the sectors pass to the output [N·m]."""
     drive, matrices = joint.drive, incidence(joint.drive)
     output = drive.members.index(drive.output)
-    moments = drag_levers(drive)[output] * state.drag - matrices.turning[:, output] * state.tangential
+    resisted = zip(resistance_levers(drive), state.resistance, strict=True)
+    moments = sum(levers[output] * size for levers, size in resisted)
+    moments = jnp.sum(jnp.reshape(moments, (sectors, -1)), axis=1)
     if drive.output == CARRIER:
-        moments = matrices.levers * state.pin_force
-    return jnp.sum(moments.reshape(sectors, -1), axis=1)
+        passed = matrices.levers * state.pin_force
+    else:
+        passed = -matrices.turning[:, output] * state.tangential
+    return moments + jnp.sum(passed.reshape(sectors, -1), axis=1)
 
 
 def _working_interference(joint: Joint, floating: tuple[str, ...], rest: DriveState) -> Array:

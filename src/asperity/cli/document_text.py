@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from asperity.cli.terminal import console, show_table, table
+from asperity.joint.temperature_limits import limit_words
 from asperity.joint.torque_limits import standing_words
 from asperity.results.branch_document import deviations, force_size
 from asperity.results.document import crossed_limits, input_member, law_range_words, verdict_words
@@ -119,16 +120,16 @@ def _capacity(document: Document) -> str:
 
 def temperatures(document: Document) -> str:
     """Working temperature of a joint with its preload at the assembly, as a second line of the heading; or nothing."""
-    assembled = document["preload"]["at_assembly"]
+    assembled, limits = (
+        document["preload"]["at_assembly"],
+        limit_words(document["preload"]["temperature_limits"]),
+    )
     if assembled is None:
-        return ""
-    loose = assembled["loose_temperature_degC"]
-    side = "above" if loose is not None and loose > assembled["temperature_degC"] else "below"
+        return "".join(f"\n{limit}" for limit in limits)
     return (
         f"\nat {in_unit(assembled['working_temperature_degC'], 'degC')}; assembled at "
         f"{in_unit(assembled['temperature_degC'], 'degC')} with {in_unit(assembled['force_N'], 'N')} "
-        f"({in_unit(assembled['interference_m'], 'um')})"
-        + ("" if loose is None else f", loose {side} {in_unit(loose, 'degC')}")
+        f"({in_unit(assembled['interference_m'], 'um')})" + "".join(f", {limit}" for limit in limits)
     )
 
 

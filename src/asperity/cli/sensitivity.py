@@ -28,7 +28,10 @@ if TYPE_CHECKING:
 def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None:
     """Exact derivatives and elasticities of the joint in FILE with respect to every number in it.
 
-    An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result.
+    An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result. A radius
+    is that of another drive, as for sweep: the bore of a ring that follows from the rollers follows it. Where
+    load.interference makes the preload, "(finished part)" is the row of a part that deviates while all others stay as
+    they are, as for uncertainty and tolerances.
     """
     from asperity.cli.terminal import about, read_case_of_branches
 
@@ -65,6 +68,8 @@ def _show(ranked: xarray.Dataset) -> None:
     from asperity.cli.terminal import console, table
     from asperity.joint_file.si_tables import key_at
     from asperity.results import display_unit
+    from asperity.study.tolerances.documents import ABOUT_FINISHED_PARTS
+    from asperity.study.tolerances.sensitivity import FINISHED_PART, path_of_input
     from asperity.units import format_quantity, from_si
 
     unit = display_unit(str(ranked["result"].item()))
@@ -81,7 +86,7 @@ def _show(ranked: xarray.Dataset) -> None:
         if float(one["derivative"]) == 0.0:
             without_effect.append(path)
             continue
-        key = key_at(path)
+        key = key_at(path_of_input(path))
         per = "" if key.unit == "1" else f" per {key.unit}".replace("*", "·")
         elasticity = float(one["elasticity"])
         derivative = from_si(float(one["derivative"]), unit) / from_si(1.0, key.unit)
@@ -92,6 +97,8 @@ def _show(ranked: xarray.Dataset) -> None:
             "-" if np.isnan(derivative) else f"{format_quantity(derivative + 0.0, '1', 5)}{per}",
         )
     target.print(rows)
+    if any(name.endswith(FINISHED_PART) for name in ranked["input"].values.tolist()):
+        print_wrapped(target, ABOUT_FINISHED_PARTS, indent=2)
     if without_effect:
         print_wrapped(target, f"no effect: {', '.join(without_effect)}", indent=2)
     if not np.isfinite(value):

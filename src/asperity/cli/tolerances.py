@@ -76,6 +76,7 @@ def tolerances(
 
 def _show(allowed: AllowedDeviations, case: Any) -> None:
     from asperity.cli.terminal import console, table
+    from asperity.study.tolerances.documents import TOLERANCES_OF_PARTS
     from asperity.units import format_quantity
 
     target = console()
@@ -95,7 +96,8 @@ def _show(allowed: AllowedDeviations, case: Any) -> None:
     target.print(
         f"{allowed.kept} of {allowed.samples} drives keep all limits ({100.0 * allowed.share:g} % are asked for). "
         "Grade: the coarsest of ISO 286-1 within the width. Influence: share of the margin of a limit that 1 um of "
-        "the radius uses."
+        "the radius uses. "
+        f"{TOLERANCES_OF_PARTS}"
     )
     if allowed.without_influence:
         target.print(f"no influence: {', '.join(allowed.without_influence)}", markup=False)

@@ -60,7 +60,8 @@ def uncertainty(
     """Intervals of the results of the joint in FILE, and the contribution of each tolerance.
 
     Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
-    preload = "1000 N +- 50 N, normal 2 sigma".
+    preload = "1000 N +- 50 N, normal 2 sigma". Where load.interference makes the preload, a radius is that of a
+    finished part, which deviates while all others stay as they are.
     """
     from asperity.cli.terminal import about, read_case_of_branches
     from asperity.joint_file.quantity_key import parse_distribution
@@ -135,7 +136,7 @@ def _show(dataset: xarray.Dataset) -> None:
     from asperity.cli.study_output import show_status
     from asperity.cli.terminal import console, table
     from asperity.results import display_unit
-    from asperity.study.tolerances.documents import failures
+    from asperity.study.tolerances.documents import TOLERANCES_OF_PARTS, failures
     from asperity.units import from_si
 
     show_status(dataset)
@@ -161,6 +162,8 @@ def _show(dataset: xarray.Dataset) -> None:
         click.echo(sentence)
     for line in named:
         click.echo(line)
+    if bool(dataset["finished_part"].any()):
+        click.echo(TOLERANCES_OF_PARTS)
     first = dataset.isel(result=0)
     if np.all(np.isnan(first["total_order"].values)):
         return

@@ -33,12 +33,13 @@ def creep_power(*, tangential_force: Real, creepage: Real, rolling_speed: Real) 
     return tangential_force * creepage * rolling_speed
 
 
-def hysteresis_power(
-    *, loss_factor: Real, normal_force: Real, half_width: Real, effective_radius: Real, rolling_speed: Real
-) -> Real:
-    r"""Power lost by elastic hysteresis of both bodies.
+def hysteresis_moment(*, loss_factor: Real, normal_force: Real, half_width: Real) -> Real:
+    r"""Moment by which elastic hysteresis resists the rolling of both bodies.
 
-    .. math:: P = \alpha\,\frac{2a}{3\pi R}\,N\,V
+    .. math:: h = \alpha\,\frac{2a}{3\pi}\,N
+
+    The pressure is shifted towards the inlet by h/N: it turns the two bodies with h in opposite senses, and the power
+    :math:`P = h\,(V_1/R_1 \pm V_2/R_2)` is lost, which is :math:`\alpha\,\frac{2a}{3\pi R}\,N V` without creep.
 
     Parameters
     ----------
@@ -48,15 +49,11 @@ def hysteresis_power(
         N [N].
     half_width : Real
         Half-width a of the contact [m].
-    effective_radius : Real
-        Effective radius R [m].
-    rolling_speed : Real
-        Rolling speed V >= 0 [m/s].
 
     Returns
     -------
     Real
-        Power [W].
+        Moment [N·m].
 
     Notes
     -----
@@ -66,7 +63,7 @@ def hysteresis_power(
     ----------
     K. L. Johnson, Contact Mechanics, 1985, section 9.6; equation (B9) of :doc:`/equations`.
     """
-    return loss_factor * 2.0 * half_width / (3.0 * math.pi * effective_radius) * normal_force * rolling_speed
+    return loss_factor * 2.0 * half_width / (3.0 * math.pi) * normal_force
 
 
 def inlet_rolling_force(

@@ -9,13 +9,12 @@ import numpy as np
 import asperity
 from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError, printable
-from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import Joint
 from asperity.joint.play import Play
 from asperity.joint.solve import Solution
 from asperity.results.windup_document import examined_windup
 from asperity.rolling.document import unknown_because
-from asperity.standing.dynamics import Inertias
+from asperity.standing.dynamics import Inertias, two_inertias
 from asperity.standing.parallel_elements import ParallelElements, fit_error, parallel_elements
 from asperity.standing.series_law import SeriesLaw
 from asperity.standing.standing import BothSenses, both_senses
@@ -27,10 +26,10 @@ from asperity.units import format_quantity
 class MovingParts:
     """Inertias and friction of a joint. SI units.
 
-    Moments of inertia [kg·m^2]: of its roller, and the motor if the joint file has one, at the input; of the other
-    rollers, and the load if the joint file has one, at the output. ``coupled``: whether the joint file has motor and
-    load; ``loss_factor``: of the joint's spring [-]; ``friction``: torque that all losses but creep take from the input
-    at the largest torque [N·m], nan where the input stands.
+    Moments of inertia of the two bodies of a simple model, at input and output [kg·m^2]: of the rollers, and of motor
+    and load if the joint file has them, as :func:`asperity.standing.dynamics.two_inertias` divides them. ``coupled``:
+    whether the joint file has motor and load; ``loss_factor``: of the joint's spring [-]; ``friction``: torque that all
+    losses but creep take from the input at the largest torque [N·m], nan where the input stands.
     """
 
     input: float
@@ -88,11 +87,6 @@ class ExportContent:
         return self.joint.ends
 
     @property
-    def rollers(self) -> str:
-        """The rollers between the two ends, in words."""
-        return "the other rollers"
-
-    @property
     def friction(self) -> float:
         """Friction torque at the motor in a model, 0 where it is unknown [N·m]."""
         return self.parts.friction if np.isfinite(self.parts.friction) else 0.0
@@ -126,20 +120,16 @@ def export_content(
 
 
 def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
-    entry, moving = (float(np.asarray(inertia)) for inertia in joint_inertias(joint))
+    entry, moving = two_inertias(joint, inertias, solution)
+    loss_factor = 0.0 if inertias is None else float(inertias.loss_factor)
+    return MovingParts(entry, moving, loss_factor, inertias is not None, _friction(joint, solution))
+
+
+def _friction(joint: Joint, solution: Solution) -> float:
+    """Torque that all losses but creep, which takes speed, take from the input [N·m]; nan where the input stands."""
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
-    # creep takes speed, not torque
     lost = float(np.asarray(power.loss)) - float(np.sum(np.asarray(power.creep)))
-    friction = lost / speed if speed > 0.0 else float("nan")
-    if inertias is None:
-        return MovingParts(entry, moving, 0.0, False, friction)
-    return MovingParts(
-        entry + float(inertias.input),
-        moving + float(inertias.output),
-        float(inertias.loss_factor),
-        True,
-        friction,
-    )
+    return lost / speed if speed > 0.0 else float("nan")
 
 
 def heading(content: ExportContent, *, what: str) -> list[str]:

@@ -77,11 +77,14 @@ def _said(content: ExportContent) -> list[str]:
         "the motion, makes it positive.",
     ]
     if parts.coupled:
-        lines.append(f"Inertias: motor with {entry}, load with {content.rollers}.")
+        lines.append(
+            "Inertias: of motor, rollers and load, divided between the two bodies so that they have the inertia of "
+            "everything, and at the stiffness above the natural frequency of all bodies with both sides free."
+        )
     else:
         lines.append(
-            f"Inertias: {entry}, and {content.rollers}. The joint file has no section [dynamics]: add those of "
-            "motor and load, and enlarge the time step."
+            "Inertias: of the rollers, at the motor as it moves them while the output is held, the rest at the output. "
+            "The joint file has no section [dynamics]: add those of motor and load, and enlarge the time step."
         )
     lines.append("Masses are placeholders: they sit on the axis.")
     return lines

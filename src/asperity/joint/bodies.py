@@ -18,7 +18,7 @@ from asperity.contact.hertz_line import (
     roller_secant_compliance,
 )
 from asperity.drive.layout.drive import CARRIER, contact_angles, speeds
-from asperity.drive.structure.dynamics import roller_inertia
+from asperity.drive.structure.inertia import roller_inertia
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import (
     Joint,
@@ -218,16 +218,26 @@ def walls_known(*, joint: Joint, half_width: Array) -> Array:
     return holds
 
 
-def joint_inertias(joint: Joint) -> tuple[Real, Real]:
-    r"""Inertia of the input roller, and that of all other bodies as the output moves them.
+def body_spins(joint: Joint) -> list[Real]:
+    """Moment of inertia of one of each body about its own axis [kg·m^2]; (D1)."""
+    return [
+        sum(
+            roller_inertia(mass=part, radius=radius, bore_diameter=bore)
+            for part, radius, bore in cylinders(joint, number)
+        )
+        for number in range(len(joint.shapes))
+    ]
+
+
+def joint_inertias(joint: Joint) -> tuple[Real, Real, Real]:
+    r"""Inertias of the input roller, of the spin of the rollers off the axis, and of all other motions.
 
     .. math::
-        J_{in} = I_{in} + \sum_b n_b I_b \left(\frac{\omega_b}{\omega_{in}}\right)^2, \qquad
+        J_{in} = I_{in}, \qquad J_{spin} = \sum_b n_b I_b \left(\frac{\omega_b}{\omega_{in}}\right)^2, \qquad
         J_{out} = \sum_b n_b m_b r_b^2 \left(\frac{\omega_c}{\omega_{out}}\right)^2
         + \sum_a I_a \left(\frac{\omega_a}{\omega_{out}}\right)^2
 
-    over the bodies b off the axis, whose spin the input drives and whose orbit is that of the carrier, and the bodies a
-    on the axis.
+    over the bodies b off the axis, whose orbit is that of the carrier, and the bodies a on the axis but the input.
 
     Parameters
     ----------
@@ -237,13 +247,13 @@ def joint_inertias(joint: Joint) -> tuple[Real, Real]:
     Returns
     -------
     tuple of Real
-        About the axis of the input, and at the output [kg·m^2]; without the carrier, whose shape a joint file does not
-        state.
+        The first two about the axis of the input, the third at the output [kg·m^2]; without the carrier, whose shape a
+        joint file does not state.
 
     Notes
     -----
-    A vibration of the input against the load turns the rollers between them with the input: the free frequency of the
-    planetary example is within 1 % of that of all its bodies on the springs of all contacts.
+    What the drive has when it rolls without slip. In a vibration the spin follows the springs of the contacts:
+    :func:`asperity.drive.structure.dynamics.natural_frequencies`.
 
     References
     ----------
@@ -252,19 +262,16 @@ def joint_inertias(joint: Joint) -> tuple[Real, Real]:
     drive = joint.drive
     speed = speeds(drive)
     carrier, out = speed[drive.members.index(CARRIER)], speed[drive.members.index(drive.output)]
-    at_input: Real = 0.0
+    entry: Real = 0.0
+    spinning: Real = 0.0
     moved: Real = 0.0
-    for number, (body, mass) in enumerate(zip(drive.bodies, body_masses(joint), strict=True)):
-        spin = sum(
-            roller_inertia(mass=part, radius=radius, bore_diameter=bore)
-            for part, radius, bore in cylinders(joint, number)
-        )
+    parts = zip(drive.bodies, body_masses(joint), body_spins(joint), strict=True)
+    for number, (body, mass, spin) in enumerate(parts):
         if body.name == drive.input:
-            at_input = at_input + spin
-            continue
-        if body.on_axis:
+            entry = entry + spin
+        elif body.on_axis:
             moved = moved + spin * (speed[number] / out) ** 2
-            continue
-        at_input = at_input + drive.sectors * spin * speed[number] ** 2  # the input has the speed 1
-        moved = moved + drive.sectors * mass * jnp.sum(drive.centres[number] ** 2) * (carrier / out) ** 2
-    return at_input, moved
+        else:
+            spinning = spinning + drive.sectors * spin * speed[number] ** 2  # the input has the speed 1
+            moved = moved + drive.sectors * mass * jnp.sum(drive.centres[number] ** 2) * (carrier / out) ** 2
+    return entry, spinning, moved

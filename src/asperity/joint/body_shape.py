@@ -77,6 +77,8 @@ class Housing(eqx.Module):
         Of the seat [-].
     temperature_rise : Real or None, optional
         Working temperature above that of the assembly [K]; None where the file states none.
+    assembly_temperature : Real or None, optional
+        Temperature of the assembly [degC]; None where the file states none.
     """
 
     material: Material
@@ -84,6 +86,7 @@ class Housing(eqx.Module):
     interference: Real
     friction_coefficient: Real
     temperature_rise: Real | None = None
+    assembly_temperature: Real | None = None
 
 
 #: Bore that stands for none, over the radius of the roller.

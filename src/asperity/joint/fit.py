@@ -82,14 +82,13 @@ def refuse_loose(fit: Fit | None) -> None:
     )
 
 
-def fit_document(fit: Fit, preload: Real) -> dict[str, Any]:
-    """How a drive was assembled, for a JSON document."""
-    loose = float(loose_temperature(fit))
+def fit_document(fit: Fit, preload: Real, loose: float | None) -> dict[str, Any]:
+    """How a drive was assembled, for a JSON document; ``loose``: temperature without force at a contact [degC]."""
     return {
         "force_N": float(preload),
         "interference_m": float(fit.interference),
         "temperature_degC": float(fit.assembly_temperature),
         "working_temperature_degC": float(fit.working_temperature),
         "thermal_change_m": float(fit.thermal_change),
-        "loose_temperature_degC": loose if math.isfinite(loose) else None,
+        "loose_temperature_degC": loose,
     }

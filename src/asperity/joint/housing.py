@@ -64,6 +64,22 @@ def _loosening(housing: Housing, ring: Material, seat_radius: Real) -> Real:
     return 2.0 * seat_radius * (housing.material.thermal_expansion - ring.thermal_expansion)
 
 
+def loosening_temperatures(joint: Joint, assembly: float) -> list[float]:
+    """Temperatures at which the fit of each ring in its housing is lost [degC]; nan where it is not, or none holds it.
+
+    From the temperature of the assembly; equation (I5) of :doc:`/equations`.
+    """
+    temperatures = []
+    for number, holds in enumerate(seated(joint)):
+        taken = math.nan
+        if holds:
+            housing, ring, _, seat = _parts(joint, number)
+            taken = float(_loosening(housing, ring, seat))
+        fades = holds and math.isfinite(taken) and taken != 0.0
+        temperatures.append(assembly + float(housing.interference) / taken if fades else math.nan)
+    return temperatures
+
+
 def refuse_housing(joint: Joint) -> None:
     """Refuse a housing that lies inside one of its rings."""
     for number in (number for number, holds in enumerate(seated(joint)) if holds):

@@ -13,10 +13,11 @@ from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.contact.carter import gross_slip_creepage
 from asperity.contact.exponential import RandomRoughness
 from asperity.contact.hertz_line import logarithmic_compliance
+from asperity.contact.rolling_losses import hysteresis_moment
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
-from asperity.drive.state.creep import CreepLaw
-from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, surface_speeds
+from asperity.drive.state.creep import CreepLaw, creepages
+from asperity.drive.state.state import ContactLaws, Creeping, CreepOf, DriveLoad, surface_speeds
 from asperity.drive.state.supports import Supports, carrier_supports
 from asperity.joint.bodies import body_compliance
 from asperity.joint.bores import pin_compliances, pins_in_bores
@@ -31,8 +32,9 @@ from asperity.joint.crowned_contacts import lateral_strain_compliance
 from asperity.joint.description import Joint
 from asperity.joint.fit import BodyModel
 from asperity.materials import Material
-from asperity.rolling.creep import ContactCreep, contact_creep
+from asperity.rolling.creep import ContactCreep, contact_creep, contact_friction
 from asperity.rolling.power import oil_drag
+from asperity.rolling.surface import mean_half_width
 from asperity.types import Real, namespace
 
 
@@ -112,16 +114,24 @@ def creep_law(
 
 
 def creep_under(joint: Joint, contacts: JointContacts) -> CreepOf:
-    """The creep law of :func:`creep_law` of any forces, as a module of numbers."""
+    """Creep by the law of :func:`creep_law` under any forces, as a module of numbers."""
     return jax.tree_util.Partial(_creep_under, joint.rolling.skew, contacts)
 
 
 def _creep_under(
     skew: tuple[Real, ...] | None, contacts: JointContacts, normal_force: Array, tangential_force: Array
-) -> CreepLaw:
-    return contact_creep(
+) -> Creeping:
+    creep = contact_creep(
         contacts=contacts, skew=skew, normal_force=normal_force, tangential_force=tangential_force
-    ).law
+    )
+    if creep.parallel:
+        return Creeping(creep.law, jnp.zeros_like(normal_force))
+    creepage = creepages(law=creep.law, normal=normal_force, tangential=tangential_force)
+    axial = contact_friction(
+        pairs=contacts.pairs, creep=creep, normal_force=normal_force, creepage=creepage
+    ).axial
+    # half of the work of the axial force on each surface
+    return Creeping(creep.law, 0.5 * axial * creep.skew)
 
 
 def ring_springs(joint: Joint) -> Array | None:
@@ -176,27 +186,46 @@ def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
 
 
 def rolling_load(joint: Joint, contacts: JointContacts, masses: list[Real], torque: Real) -> DriveLoad:
-    """As :func:`drive_load`, with the drag of the oil, at speeds without creep, where the joint has a viscosity.
+    """As :func:`drive_load`, with what resists rolling: oil, hysteresis and skew, where the joint has them; (B9).
 
-    (B9).
+    The oil drags at speeds without creep.
     """
-    load = drive_load(joint, masses, torque)
-    if joint.rolling.viscosity is None:
+    load, rolling = drive_load(joint, masses, torque), joint.rolling
+    if rolling.viscosity is None and rolling.hysteresis_loss_factor is None and rolling.skew is None:
         return load
     size = jnp.abs(jnp.asarray(joint.input_speed, dtype=float))
     one, two = surface_speeds(drive=joint.drive, speed=jnp.asarray(speeds(joint.drive)) * size)
-    drag_of = jax.tree_util.Partial(_drag_under, joint.rolling.viscosity, contacts, 0.5 * (one + two))
-    return dataclasses.replace(load, drag_of=drag_of)
+    numbers = (rolling.viscosity, rolling.hysteresis_loss_factor, contacts, 0.5 * (one + two))
+    return dataclasses.replace(load, resistance_of=jax.tree_util.Partial(_resistance_under, *numbers))
 
 
-def _drag_under(viscosity: Real, contacts: JointContacts, rolling_speed: Array, normal_force: Array) -> Array:
-    return oil_drag(
-        pairs=contacts.pairs,
-        viscosity=viscosity,
-        normal_force=normal_force,
-        rolling_speed=rolling_speed,
-        lines=contacts.loads_along(normal_force),
-    )
+def _resistance_under(
+    viscosity: Real | None,
+    loss_factor: Real | None,
+    contacts: JointContacts,
+    rolling_speed: Array,
+    normal_force: Array,
+) -> tuple[Array, Array]:
+    """Drag of the oil [N] and moment of hysteresis [N·m], which acts where the surfaces roll."""
+    pairs, lines, none = contacts.pairs, contacts.loads_along(normal_force), jnp.zeros_like(normal_force)
+    drag, moment = none, none
+    if viscosity is not None:
+        drag = oil_drag(
+            pairs=pairs,
+            viscosity=viscosity,
+            normal_force=normal_force,
+            rolling_speed=rolling_speed,
+            lines=lines,
+        )
+    if loss_factor is not None:
+        moment = jnp.asarray(
+            hysteresis_moment(
+                loss_factor=loss_factor,
+                normal_force=normal_force,
+                half_width=mean_half_width(pairs=pairs, lines=lines, normal_force=normal_force),
+            )
+        )
+    return drag, moment
 
 
 def logarithmic_decrease(*, contacts: JointContacts, body_model: BodyModel, plane_state: PlaneState) -> Array:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import NamedTuple
+import functools
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -11,7 +12,13 @@ from jax import Array
 
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE
-from asperity.drive.stiffness.network import NetworkStiffness, network_stiffness, with_shafts
+from asperity.drive.stiffness.network import (
+    NetworkStiffness,
+    SpringLaws,
+    network_stiffness,
+    spring_laws,
+    with_shafts,
+)
 from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
 from asperity.joint.bodies import body_compliance, walls_known
 from asperity.joint.bores import pin_compliances, pin_forces, pins_in_bores
@@ -100,14 +107,7 @@ def loaded_stiffness(
     force follows its normal force, all over the strip. Equations (A8) and (M4) of :doc:`/equations`.
     """
     holds = slides == 0.0
-    most = (1.0 - SLIP_TOLERANCE) * contacts.pairs.friction_coefficient * normal_force
-    loaded = loaded_contacts(
-        contacts=contacts,
-        normal_force=normal_force,
-        # in series with a contact that slides another bears just its friction, and no more under a higher torque
-        tangential_force=jnp.where(holds, jnp.clip(tangential_force, -most, most), 0.0),
-    )
-    friction = slides * contacts.pairs.friction_coefficient
+    loaded, friction = _under_forces(contacts, normal_force, tangential_force, slides)
     published, series, assembly = stiffness_levels(joint, contacts, loaded, friction, pin_force)
     loaded = loaded._replace(
         traction=jnp.where(holds, loaded.traction, 1.0),
@@ -120,13 +120,53 @@ def loaded_stiffness(
             bulk_tangential=jnp.where(holds, loaded.interfaces.bulk_tangential, 0.0),
         ),
     )
+    law_holds, walls = _laws_hold(joint, loaded, normal_force)
+    published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
+    assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
+    return LoadedStiffness(loaded, published, series, assembly, law_holds, walls)
+
+
+def _under_forces(
+    contacts: JointContacts, normal_force: Array, tangential_force: Array, slides: Array
+) -> tuple[LoadedContacts, Array]:
+    """Contacts under their forces, and tangential over normal force of those that slide, 0 for those that hold."""
+    friction = contacts.pairs.friction_coefficient
+    most = (1.0 - SLIP_TOLERANCE) * friction * normal_force
+    loaded = loaded_contacts(
+        contacts=contacts,
+        normal_force=normal_force,
+        # in series with a contact that slides another bears just its friction, and no more under a higher torque
+        tangential_force=jnp.where(slides == 0.0, jnp.clip(tangential_force, -most, most), 0.0),
+    )
+    return loaded, slides * friction
+
+
+def _laws_hold(joint: Joint, loaded: LoadedContacts, normal_force: Array) -> tuple[Array, Array]:
+    """Whether every loaded contact has an elastic spot; whether every wall and every crowned line is known."""
     law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (normal_force <= 0.0))
     walls = walls_known(joint=joint, half_width=loaded.half_width)
     if loaded.lines is not None:
         walls = walls & jnp.all(loaded.lines.solved | (normal_force <= 0.0))
-    published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
-    assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
-    return LoadedStiffness(loaded, published, series, assembly, law_holds, walls)
+    return law_holds, walls
+
+
+def working_springs(
+    joint: Joint,
+    contacts: JointContacts,
+    normal_force: Array,
+    tangential_force: Array,
+    slides: Array,
+    pin_force: Array,
+) -> SpringLaws:
+    """All springs of the assembly under given forces, as of :func:`loaded_stiffness`, for any motion of the drive.
+
+    nan where a law does not hold. Equation (A8) of :doc:`/equations`.
+    """
+    loaded, friction = _under_forces(contacts, normal_force, tangential_force, slides)
+    rings = ring_springs(joint)
+    springs = spring_laws(**_springs_of_assembly(joint, contacts, loaded, friction, pin_force, rings, None))
+    known = jnp.stack(_laws_hold(joint, loaded, normal_force)).all()
+    return springs._replace(laws=jnp.where(known, springs.laws, jnp.nan))
 
 
 def stiffness_levels(
@@ -137,36 +177,58 @@ def stiffness_levels(
     The signs of the pins' forces say which halves of their bores they press; without force those that a torque presses.
     """
     ratio, interfaces = jnp.asarray(speed_ratio(joint.drive)), loaded.interfaces
-
-    def with_held_centres(tangential: Array) -> NetworkStiffness:
-        return network_stiffness(
-            drive=joint.drive,
-            normal_compliance=None,
-            tangential_compliance=_compliance(tangential),
-            sliding_friction=sliding_friction,
-        )
-
-    held = jax.vmap(with_held_centres)(
+    held = jax.vmap(functools.partial(_with_held_centres, joint, sliding_friction))(
         jnp.stack([jnp.asarray(interfaces.asperity_tangential), jnp.asarray(interfaces.tangential)])
     )
-    normal, tangential, coupling = interfaces.normal, interfaces.tangential, None
-    if joint.body_model == "exact":
-        normal, tangential, coupling = _springs_of_bodies(
-            joint, contacts, loaded, pin_force, held.tangential_force[1]
-        )
     rings = ring_springs(joint)
     network = network_stiffness(
-        drive=joint.drive,
-        normal_compliance=_compliance(normal) if rings is None else _compliance(normal) + rings,
-        tangential_compliance=_compliance(tangential),
-        coupling=coupling,
-        pin_compliance=pin_compliances(joint),
-        sliding_friction=sliding_friction,
-        support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
-        supports=supports_of(joint),
+        **_springs_of_assembly(
+            joint, contacts, loaded, sliding_friction, pin_force, rings, held.tangential_force[1]
+        )
     )
     published, series = (TorsionalStiffness(sun=output / ratio**2, output=output) for output in held.output)
     return published, series, _assembly(joint, network, rings, ratio)
+
+
+def _with_held_centres(joint: Joint, sliding_friction: Array, tangential: Array) -> NetworkStiffness:
+    """A joint whose centres are held, from the tangential stiffnesses of its contacts [N/m]."""
+    return network_stiffness(
+        drive=joint.drive,
+        normal_compliance=None,
+        tangential_compliance=_compliance(tangential),
+        sliding_friction=sliding_friction,
+    )
+
+
+def _springs_of_assembly(
+    joint: Joint,
+    contacts: JointContacts,
+    loaded: LoadedContacts,
+    sliding_friction: Array,
+    pin_force: Array,
+    rings: Array | None,
+    added: Array | None,
+) -> dict[str, Any]:
+    """Springs of the assembly, as arguments of :func:`asperity.drive.stiffness.network.network_stiffness`.
+
+    ``rings`` are the compliances in series with the contacts of rings; ``added``, the tangential forces under a unit
+    torque with centres held [N], are found where they are not known.
+    """
+    normal, tangential, coupling = loaded.interfaces.normal, loaded.interfaces.tangential, None
+    if joint.body_model == "exact":
+        if added is None and pins_in_bores(joint) is not None:
+            added = _with_held_centres(joint, sliding_friction, jnp.asarray(tangential)).tangential_force
+        normal, tangential, coupling = _springs_of_bodies(joint, contacts, loaded, pin_force, added)
+    return {
+        "drive": joint.drive,
+        "normal_compliance": _compliance(normal) if rings is None else _compliance(normal) + rings,
+        "tangential_compliance": _compliance(tangential),
+        "coupling": coupling,
+        "pin_compliance": pin_compliances(joint),
+        "sliding_friction": sliding_friction,
+        "support_stiffness": None if joint.unlike is None else joint.unlike.support_stiffness,
+        "supports": supports_of(joint),
+    }
 
 
 def _compliance(stiffness: Real) -> Array:
@@ -176,11 +238,11 @@ def _compliance(stiffness: Real) -> Array:
 
 
 def _springs_of_bodies(
-    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, pin_force: Array, added: Array
+    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, pin_force: Array, added: Array | None
 ) -> tuple[Real, Real, Array | None]:
     """Normal and tangential stiffness [N/m] and coupling [m/N] of elastic bodies with the bores of their pins.
 
-    ``added`` are the tangential forces under a unit torque with centres held [N].
+    ``added`` are the tangential forces under a unit torque with centres held [N]; they count where pins press in bores.
     """
     width, stick = widths_of_bodies(contacts=contacts, loaded=loaded)
     compliance = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=stick)
@@ -188,6 +250,7 @@ def _springs_of_bodies(
     coupling, bores = springs.coupling, pins_in_bores(joint)
     if bores is not None:
         assert coupling is not None
+        assert added is not None
         by_torque = pin_forces(joint.drive, jnp.zeros_like(added), added)
         side = jnp.sign(jnp.where(pin_force == 0.0, by_torque, pin_force))
         acts = jnp.concatenate([springs.normal_stiffness, springs.tangential_stiffness]) > 0.0

@@ -20,6 +20,7 @@ from asperity.joint.description import ContactFit, Joint, places
 from asperity.joint.fit import fit_document
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.solve import Solution
+from asperity.joint.temperature_limits import TemperatureLimit
 from asperity.types import Real
 
 
@@ -69,20 +70,31 @@ def contact_fit(
 
 
 def at_temperature(joint: Joint, temperature: float) -> Joint:
-    """The same joint, of NumPy's numbers, at another working temperature."""
-    assert joint.fit is not None
-    heated = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
+    """The same joint, of NumPy's numbers, at another working temperature, its housing too."""
+    fit, housing = joint.fit, joint.housing
+    if fit is not None:
+        fit = dataclasses.replace(fit, working_temperature=temperature)
+    if housing is not None and housing.assembly_temperature is not None:
+        rise = temperature - housing.assembly_temperature
+        housing = dataclasses.replace(housing, temperature_rise=rise)
+    heated = dataclasses.replace(joint, fit=fit, housing=housing)
     return jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), heated)
 
 
-def assembly_document(joint: Joint, at_assembly: Solution | None) -> dict[str, Any] | None:
-    """Preload and interference at the assembly, and what temperature does to them, for a JSON document."""
+def assembly_document(
+    joint: Joint, at_assembly: Solution | None, limits: tuple[TemperatureLimit, ...]
+) -> dict[str, Any] | None:
+    """Preload and interference at the assembly, and what temperature does to them, for a JSON document.
+
+    ``limits`` are those of :func:`asperity.joint.temperature_limits.temperature_limits`.
+    """
     if joint.fit is None:
         return None
     preload = math.nan
     if at_assembly is not None:
         preload = float(mean_preload(joint, at_assembly.result.rest.normal))
-    return fit_document(joint.fit, preload)
+    loose = [limit.temperature for limit in limits if limit.lost in ("interference", "contact")]
+    return fit_document(joint.fit, preload, loose[0] if loose else None)
 
 
 _TEMPERATURES = 41

@@ -9,6 +9,7 @@ from jax import Array
 from asperity.drive.layout.drive import CARRIER, Drive, creeping_speeds
 from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.loads import MemberLoads, drag_pairs, member_loads
+from asperity.drive.state.state import Resistance
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
 from asperity.joint.description import Joint, track_lengths
 from asperity.joint.evaluation import JointResult
@@ -24,31 +25,31 @@ def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
     """
     xp = namespace(joint, result)
     known = xp.where(joint.input_speed != 0.0, xp.isfinite(result.rolling.residual), result.solved)
-    normal, tangential, drag = _contact_forces(joint, result)
+    normal, tangential, resistance = _contact_forces(joint, result)
     loads = member_loads(
         drive=joint.drive,
         normal=normal,
         tangential=tangential,
         body_force=centrifugal_forces(joint, [result.masses[k] for k in range(len(joint.shapes))]),
-        drag=drag,
+        resistance=resistance,
     )
     return MemberLoads(*(xp.where(known, load, xp.nan) for load in loads))
 
 
 def working_forces(joint: Joint, result: JointResult) -> tuple[Array, Array]:
     """Normal forces in the working state, and tangential ones with those of the oil, shape (contacts,) [N]; pure."""
-    normal, tangential, drag = _contact_forces(joint, result)
-    return normal, tangential + drag_pairs(joint.drive, drag)
+    normal, tangential, resistance = _contact_forces(joint, result)
+    return normal, tangential + drag_pairs(joint.drive, resistance.drag)
 
 
-def _contact_forces(joint: Joint, result: JointResult) -> tuple[Array, Array, Array]:
-    """Normal and tangential forces in the working state, and drag of the oil, counter-clockwise."""
+def _contact_forces(joint: Joint, result: JointResult) -> tuple[Array, Array, Resistance]:
+    """Normal and tangential forces in the working state, and what resists rolling, counter-clockwise."""
     xp, turns, sense = namespace(joint, result), joint.input_speed != 0.0, driving_sense(joint.drive)
     moving, standing = result.rolling, result.forces
     return (
         xp.where(turns, moving.normal, standing.normal),
         sense * xp.where(turns, moving.tangential, standing.tangential),
-        sense * xp.where(turns, moving.drag, 0.0),
+        Resistance(*(sense * xp.where(turns, getattr(moving, name), 0.0) for name in Resistance._fields)),
     )
 
 

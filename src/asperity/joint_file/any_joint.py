@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import jax
@@ -72,6 +72,17 @@ def with_nominal_sizes(values: Values) -> Values:
     radii of finished parts need not close it.
     """
     return build.with_nominal_sizes(values)
+
+
+def sizes_of_parts(values: Values, paths: Iterable[str]) -> tuple[str, ...]:
+    """Those of dotted paths that are sizes of parts, whose deviations add to the interference of a drive.
+
+    None where the preload is stated as a force, which no size moves.
+    """
+    if "interference" not in values["load"]:
+        return ()
+    tracks = build.toleranced_tracks(values, tuple(paths))
+    return tuple(dict.fromkeys(track.path for track in tracks if track.path != "load.interference"))
 
 
 def evaluated_points(

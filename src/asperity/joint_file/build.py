@@ -137,6 +137,7 @@ def _in_housing(joint: Joint, entry: Values, material: Material, temperature: Va
         interference=entry["interference"],
         friction_coefficient=entry["friction_coefficient"],
         temperature_rise=None if temperature is None else temperature["working"] - temperature["assembly"],
+        assembly_temperature=None if temperature is None else temperature["assembly"],
     )
     shapes = tuple(
         in_housing(shape, tracks_of(joint, number)[0][0], housing)

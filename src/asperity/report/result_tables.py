@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.joint.temperature_limits import limit_words
 from asperity.joint.torque_limits import first_slip_words
 from asperity.report.content import Block, Paragraph, Table, number, percent, quantity
 from asperity.results.document import (
@@ -72,17 +73,19 @@ def _branches(document: Document) -> tuple[str, str]:
 
 
 def _at_assembly(document: Document) -> list[tuple[str, str]]:
-    """Temperatures of a joint whose preload changes with them."""
+    """Temperatures of a joint whose preload or seats change with them."""
     assembled = document["preload"]["at_assembly"]
+    limits = [
+        ("limit of temperature", words) for words in limit_words(document["preload"]["temperature_limits"])
+    ]
     if assembled is None:
-        return []
-    loose = assembled["loose_temperature_degC"]
+        return limits
     return [
         ("working temperature", quantity(assembled["working_temperature_degC"], "degC")),
         ("temperature at the assembly", quantity(assembled["temperature_degC"], "degC")),
         ("preload at the assembly", quantity(assembled["force_N"], "N")),
         ("interference at the assembly", quantity(assembled["interference_m"], "um")),
-        ("temperature without interference", "-" if loose is None else quantity(loose, "degC")),
+        *limits,
     ]
 
 

@@ -15,7 +15,7 @@ from asperity.report.figures import figure_svg
 from asperity.results import RESULTS
 from asperity.study.design.design_problem import SUMMARY
 from asperity.study.design.design_result import DesignResult, bounds_words, shortcoming
-from asperity.study.tolerances.documents import failures
+from asperity.study.tolerances.documents import TOLERANCES_OF_PARTS, failures
 from asperity.units import from_si
 
 if TYPE_CHECKING:
@@ -58,8 +58,9 @@ def study_sections(studies: ReportStudies) -> Iterator[Block]:
 
 def sensitivity_section(dataset: xarray.Dataset) -> Iterator[Block]:
     """Elasticities of the results, largest influence on the stiffness first."""
+    from asperity.study.tolerances.documents import ABOUT_FINISHED_PARTS
     from asperity.study.tolerances.influence_plot import tornado_figure
-    from asperity.study.tolerances.sensitivity import ranking
+    from asperity.study.tolerances.sensitivity import FINISHED_PART, path_of_input, ranking
 
     yield Heading("Sensitivities")
     ranked = ranking(dataset, STUDIED[0])["input"].values.tolist()
@@ -69,11 +70,13 @@ def sensitivity_section(dataset: xarray.Dataset) -> Iterator[Block]:
         "Elasticities: by how many per cent a result changes for one per cent more of a number of the joint file. "
         f"Exact derivatives at the file's values.{left_out}"
     )
+    if any(path.endswith(FINISHED_PART) for path in shown):
+        yield Paragraph(ABOUT_FINISHED_PARTS)
     rows = []
     for path in shown:
         one = dataset.sel(input=path)
         cells = (_elasticity(float(one["elasticity"].sel(result=name))) for name in STUDIED)
-        rows.append((path, quantity(float(one["value"]), key_at(path).unit), *cells))
+        rows.append((path, quantity(float(one["value"]), key_at(path_of_input(path)).unit), *cells))
     yield Table(
         f"Elasticities, ordered by those of the {_words(dataset, STUDIED[0])}",
         ("number of the file", "value", *(_short(name) for name in STUDIED)),
@@ -93,11 +96,12 @@ def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
     from asperity.study.tolerances.influence_plot import uncertainty_figure
 
     yield Heading("Tolerances")
+    parts = f" {TOLERANCES_OF_PARTS}" if bool(spread["finished_part"].any()) else ""
     lost = [f"{line}. " for line in failures(spread, {name: _words(spread, name) for name in STUDIED})]
     yield Paragraph(
         f"{spread.sizes['sample']} joints drawn from the tolerances of the joint file, seed {spread.attrs['seed']}. "
         f"{''.join(lost)}The shares of the variance are Sobol indices: first order for a tolerance alone, total with "
-        "all its interactions."
+        f"all its interactions.{parts}"
     )
     rows = []
     for name in STUDIED:

@@ -23,6 +23,7 @@ from asperity.joint.loading_cam import mean_preload
 from asperity.joint.rims import bends
 from asperity.joint.solve import Solution
 from asperity.joint.temperature import assembly_document
+from asperity.joint.temperature_limits import limits_document
 from asperity.joint.torque_limits import capacity_document
 from asperity.results import GROUPS, RESULTS, SEVERITIES
 from asperity.results.all_limits import all_checks
@@ -345,7 +346,8 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "preload": {
                 "force_N": result.preload,
                 "interference_m": result.interference,
-                "at_assembly": assembly_document(joint, _at_assembly(solved)),
+                "at_assembly": assembly_document(joint, _at_assembly(solved), solved.temperature_limits),
+                "temperature_limits": limits_document(solved.temperature_limits),
                 "loading_cam": None
                 if joint.cam is None
                 else {

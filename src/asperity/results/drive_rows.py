@@ -127,7 +127,14 @@ ROWS = (
         lowest_limit=0.0,
         note="free distance between two rollers; the joint exists where all are positive",
     ),
-    _size("envelope_diameter", "outer diameter of the largest body", _LENGTH, "mm", "size.envelope_diameter"),
+    _size(
+        "envelope_diameter",
+        "outer diameter of the largest body",
+        _LENGTH,
+        "mm",
+        "size.envelope_diameter",
+        note="of the housing where the file describes one",
+    ),
     _size(
         "envelope_length",
         "length of the rolling parts",

@@ -15,6 +15,7 @@ def dynamics_document(dynamics: Dynamics, inertias: Inertias) -> dict[str, Any]:
         "output_torque": "output_torque_Nm",
         "stiffness": "stiffness_output_Nm_per_rad",
         "input_inertia": "input_inertia_at_output_kg_m2",
+        "spin_inertia": "spin_inertia_at_output_kg_m2",
         "output_inertia": "output_inertia_kg_m2",
         "locked_frequency": "locked_frequency_Hz",
         "free_frequency": "free_frequency_Hz",

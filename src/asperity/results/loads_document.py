@@ -19,6 +19,7 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.housing import ring_fit, seated
 from asperity.joint.rim_safety import RIM_NAMES, BodyRims
 from asperity.joint.rims import bends
+from asperity.joint.temperature_limits import limit_words, limits_document
 from asperity.joint.working_loads import (
     forces_on_axis,
     loads_without_torque,
@@ -107,12 +108,17 @@ def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: 
             under.rolling.axial_thrust if at_load.input_speed > 0.0 else none for *_, at_load, under in loaded
         ]
         thrust = np.stack([none, *turning], axis=-1)
+    limits = limits_document(solved.temperature_limits)
+    if limits:
+        notes.append(f"As its temperature changes: {', '.join(limit_words(limits))}; nothing is lost before.")
     rows = _rows(joint, loads, np.stack(held, axis=-1), speeds, thrust)
     mounted = _mounting_rows(solved, mounting_gap, len(cases))
     if any(seated(joint)):
         notes.append(_SEATED)
         mounted = itertools.chain(mounted, _seat_rows(solved, len(cases)))
-    return document_of_rows(cases, itertools.chain(rows, mounted), bearings=bearings, notes=notes)
+    return document_of_rows(
+        cases, itertools.chain(rows, mounted), bearings=bearings, notes=notes, temperature_limits=limits
+    )
 
 
 def _rows(
@@ -250,7 +256,12 @@ def state_of_case(case: Document) -> str:
 
 
 def document_of_rows(
-    cases: list[Document], rows: Iterable[Row], *, bearings: list[Document], notes: list[str]
+    cases: list[Document],
+    rows: Iterable[Row],
+    *,
+    bearings: list[Document],
+    notes: list[str],
+    temperature_limits: list[Document],
 ) -> Document:
     """The document of loads, whatever the drive."""
     unknown = np.array([case["unknown_because"] is not None for case in cases])
@@ -279,6 +290,7 @@ def document_of_rows(
             for part, position, quantity, unit, values in table
         ],
         "bearings": bearings,
+        "temperature_limits": temperature_limits,
         "notes": notes,
     }
 

@@ -20,17 +20,25 @@ from asperity.contact.fractal import Surface
 from asperity.drive.layout.drive import sectors_of_members
 from asperity.drive.layout.existence import neighbour_gaps, neighbours
 from asperity.drive.state.loads import MemberLoads
-from asperity.drive.state.state import ContactLaws
+from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
-from asperity.joint.description import Joint, contact_values, in_motion, pin_names, tracks_of
+from asperity.joint.description import (
+    Joint,
+    contact_values,
+    in_motion,
+    joint_contacts,
+    pin_names,
+    tracks_of,
+)
 from asperity.joint.evaluation import JointResult
-from asperity.joint.housing import Seats, seats
+from asperity.joint.housing import Seats, seated, seats
 from asperity.joint.mounting import Mounting, mounting
 from asperity.joint.rims import joint_rims
 from asperity.joint.solve import Solution, joint_state, solution_of
 from asperity.joint.temperature import at_temperature
+from asperity.joint.temperature_limits import AtTemperature, TemperatureLimit, temperature_limits
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
 from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes, skew_notes
@@ -41,8 +49,9 @@ _Found = TypeVar("_Found")
 class JointSize(eqx.Module):
     """Size and mass [kg] of the rolling parts of a drive.
 
-    The envelope is the outer diameter of the largest body on the axis and the length of the longest roller [m], nan
-    with stepped rollers: how far their tracks lie apart along the axis is not part of their description.
+    The envelope is the outer diameter of the largest body on the axis, or of the housing into which a ring is pressed,
+    and the length of the longest roller [m], nan with stepped rollers: how far their tracks lie apart along the axis is
+    not part of their description.
     """
 
     envelope_diameter: Array
@@ -55,6 +64,16 @@ class JointSize(eqx.Module):
         return 0.25 * jnp.pi * self.envelope_diameter**2 * self.envelope_length
 
 
+def _without_torque(joint: Joint, result: JointResult) -> tuple[Joint, JointResult]:
+    """A joint that stands without torque, and its result so far as the stresses of its rings go."""
+    normal = result.rest.normal
+    forces = dataclasses.replace(result.forces, normal=normal, tangential=0.0 * normal)
+    width = joint_contacts(joint).pairs.half_width(normal)
+    diagnostics = dataclasses.replace(result.diagnostics, hertz_half_width=width)
+    standing = dataclasses.replace(joint, input_speed=0.0 * joint.input_speed)
+    return standing, dataclasses.replace(result, forces=forces, diagnostics=diagnostics)
+
+
 def has_spots(solved: SolvedJoint) -> tuple[bool, ...]:
     """Which contacts have a law that knows their spots: those of fractal surfaces."""
     return (isinstance(solved.joint.surfaces[0], Surface),) * len(solved.joint.drive.contacts)
@@ -62,18 +81,21 @@ def has_spots(solved: SolvedJoint) -> tuple[bool, ...]:
 
 def joint_size(joint: Joint, result: JointResult) -> JointSize:
     """Size and mass of the rolling parts."""
-    outer = []
+    outer: list[Any] = []
     for number, shape in enumerate(joint.shapes):
         if joint.drive.bodies[number].on_axis:
             wall = 0.0 if shape.kind != "ring" or shape.size is None else shape.size
             outer += [radius + wall for radius, _ in tracks_of(joint, number)]
+    if joint.housing is not None and any(seated(joint)):
+        outer.append(joint.housing.outer_radius)
     copies = jnp.asarray(joint.drive.sectors) / sectors_of_members(joint.drive)[:-1]
     stepped = any(len(tracks_of(joint, number)) > 1 for number in range(len(joint.shapes)))
     stated = [jnp.asarray(shape.length) for shape in joint.shapes if shape.length is not None]
     length = (
         jnp.nan if stepped else jnp.max(jnp.stack([*contact_values(joint, joint.contact_lengths), *stated]))
     )
-    return JointSize(2.0 * jnp.max(jnp.stack(outer)), jnp.asarray(length), jnp.sum(copies * result.masses))
+    diameter = 2.0 * jnp.max(jnp.stack([jnp.asarray(radius) for radius in outer]))
+    return JointSize(diameter, jnp.asarray(length), jnp.sum(copies * result.masses))
 
 
 class SolvedJoint:
@@ -197,13 +219,40 @@ class SolvedJoint:
 
     def at_temperature(self, temperature: float) -> Solution | None:
         """What one joint does at another working temperature [degC]; None where it is loose there."""
+        heated = self._heated(temperature)
+        return None if heated is None else solution_of(heated)
+
+    def _heated(self, temperature: float) -> Joint | None:
+        """The joint at another working temperature [degC]; None where a branch is loose there."""
         if self.branches is None:
-            return solution_of(at_temperature(self.joint, temperature))
+            return at_temperature(self.joint, temperature)
         equal = at_temperature(self.branches.equal, temperature)
         try:
-            return solution_of(assembled_branches(equal, self.branches.sizes).joint)
+            return assembled_branches(equal, self.branches.sizes).joint
         except (InputError, NoSolutionError):
             return None
+
+    @functools.cached_property
+    def temperature_limits(self) -> tuple[TemperatureLimit, ...]:
+        """What one joint loses as its temperature changes, on each side the first one first."""
+        return temperature_limits(self.joint, functools.cache(self._at_temperature))
+
+    def _at_temperature(self, temperature: float) -> AtTemperature:
+        """Forces without torque and pressures of the seats at another working temperature [degC]."""
+        joint = self._heated(temperature)
+        if joint is None:
+            return AtTemperature(
+                np.full(len(self.joint.drive.contacts), np.nan), np.full(len(self.joint.shapes), np.nan)
+            )
+        result = joint_state(joint)
+        normal = np.asarray(result.rest.normal)
+        if not float(result.rest.residual) < STATE_TOLERANCE:
+            normal = np.full_like(normal, np.nan)
+        if not any(seated(joint)):
+            return AtTemperature(normal, np.full(len(joint.shapes), np.nan))
+        with_torque = np.asarray(self._rims(joint, result).seat_pressure)
+        alone = np.asarray(self._rims(*_without_torque(joint, result)).seat_pressure)
+        return AtTemperature(normal, np.fmin(with_torque, alone))
 
     @property
     def preload(self) -> Any:

@@ -10,7 +10,9 @@ from jax import Array
 
 from asperity.contact import carter
 from asperity.contact.creep_layer import layer_creepage_factor, layer_ratio
+from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.skew import (
+    axial_force,
     lateral_compliance_ratio,
     longitudinal_capacity_ratio,
     skewed_contact,
@@ -218,6 +220,30 @@ def _sliced(
         for limit in (slices.limits, slices.limits * factor)
     )
     return jnp.asarray(smooth / even), jnp.asarray(rough / smooth), slices.ratio[0]
+
+
+class ContactFriction(NamedTuple):
+    """What skew does to the friction of contacts, shape (contacts, ...).
+
+    Lateral slip over its limit [-], share of the friction that skew takes [-], and axial force [N].
+    """
+
+    lateral: Array
+    lost: Array
+    axial: Array
+
+
+def contact_friction(
+    *, pairs: RollerPairs, creep: ContactCreep, normal_force: Array, creepage: Array
+) -> ContactFriction:
+    """What skew does to the friction of contacts under their normal forces [N] and creepages [-]; (B3) and (B6)."""
+    friction, width = pairs.friction_coefficient, pairs.half_width(normal_force) / pairs.effective_radius
+    lateral = lateral_slip_ratio(
+        creep=creep, friction_coefficient=friction, width_over_radius=width, creepage=creepage
+    )
+    lost = capacity_loss(creep=creep, friction_coefficient=friction, width_over_radius=width)
+    axial = axial_force(friction_coefficient=friction, normal_force=normal_force, lateral_slip_ratio=lateral)
+    return ContactFriction(lateral, lost, jnp.asarray(axial))
 
 
 def lateral_slip_ratio(

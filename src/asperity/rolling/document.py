@@ -84,6 +84,8 @@ def _contact(rolling: RollingResult, k: int) -> Document:
         "normal_N": rolling.normal[k],
         "tangential_N": rolling.tangential[k],
         "oil_drag_N": rolling.drag[k],
+        "hysteresis_moment_Nm": rolling.hysteresis_moment[k],
+        "skew_drag_N": rolling.skew_drag[k],
         "stick_fraction": np.asarray(rolling.stick_fraction)[k],
         "layer_ratio": rolling.layer_ratio[k],
         "layer_creepage_factor": rolling.layer_creepage_factor[k],

@@ -19,8 +19,9 @@ _MILLION = 1e6
 class DriveLives(eqx.Module):
     """Lives at one survival, all in one unit.
 
-    ``contact``: of both tracks of a contact in all branches, shape (contacts, ...); ``body``: of one body of each kind,
-    shape (bodies, ...); ``drive``: until its first body fails, shape (...).
+    ``contact``: of both tracks of a contact of one branch, of a track that all branches share its part, shape
+    (contacts, ...); ``body``: of one body of each kind, shape (bodies, ...); ``drive``: until its first body fails,
+    shape (...).
     """
 
     contact: Array
@@ -59,13 +60,10 @@ def sliced_track_lives(*, pairs: RollerPairs, lines: CrownedLine, peak_pressure:
     return jnp.asarray(shortest * rate ** (-1.0 / WEIBULL_SLOPE))
 
 
-def cycle_rates(*, bodies: BodiesOfContacts, speeds: RollingSpeeds, planet_count: Real) -> Array:
-    """Stress cycles of every track per time, shape (2, contacts, ...) [1/s]."""
+def cycle_rates(*, bodies: BodiesOfContacts, speeds: RollingSpeeds) -> Array:
+    """Stress cycles of every track per time by one contact of one branch, shape (2, contacts, ...) [1/s]."""
     turns = speeds.body / (2.0 * jnp.pi)
-    one = jnp.ones_like(turns[0])
-    passes = jnp.stack([one * planet_count if shared else one for shared in bodies.shared])
-    rates = turns * passes
-    return jnp.stack([rates[jnp.array(bodies.driving)], rates[jnp.array(bodies.driven)]])
+    return jnp.stack([turns[jnp.array(bodies.driving)], turns[jnp.array(bodies.driven)]])
 
 
 def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> DriveLives:
@@ -73,20 +71,23 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
 
     .. math:: L = \Bigl(\sum_i L_i^{-e}\Bigr)^{-1/e}
 
-    over the tracks of one body, of one kind of contact, or of all n branches. Where the contacts of all branches are
-    listed, those of one kind roll on one track of a body that all share, and their damage adds up before:
+    over the tracks of one body, of one contact of one branch, or of the drive. The contacts of one kind of all n
+    branches roll on one track of a body that all share, and their damage adds up before:
 
     .. math:: \frac1L = \sum_b \frac1{L_b}
+
+    Each of them has the n-th part of the rate at which that track fails: those of n equal branches are the same whether
+    one stands for all, or all are listed.
 
     Parameters
     ----------
     bodies : BodiesOfContacts
         Bodies of the contacts.
     tracks : Real
-        Lives of the tracks of one driving and one driven body of each contact, all in one unit, shape
-        (2, contacts, ...).
+        Lives of the tracks of one driving and one driven body of each contact, as if no other one rolled on them, all
+        in one unit, shape (2, contacts, ...).
     planet_count : Real
-        Number of branches n [-]: there are n of every body that is not shared.
+        Number of branches n for which those of the contacts stand [-]; 1 where all are listed.
 
     Returns
     -------
@@ -98,59 +99,49 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     G. Lundberg and A. Palmgren, Acta Polytechnica 7 (1947); equation (B8) of :doc:`/equations`.
     """
     # (B8), once for each track
-    driving, driven = _on_shared_tracks(bodies, jnp.asarray(tracks)) ** -WEIBULL_SLOPE
+    driving, driven = _of_one_branch(bodies, jnp.asarray(tracks), planet_count) ** -WEIBULL_SLOPE
     body = jnp.stack(
         [
             sum(
-                side[k]
+                side[k] * (planet_count if shared else 1.0)
                 for side, places in ((driving, bodies.driving), (driven, bodies.driven))
                 for k, member in enumerate(places)
                 if member == b
             )
-            for b in range(len(bodies.names))
+            for b, shared in enumerate(bodies.shared)
         ]
     )
-    first, second = _copies(bodies, planet_count, body.shape[1:])
-    contact = driving * first + driven * second
+    contact = driving + driven
     return DriveLives(
-        contact=life_at_rate(contact), body=life_at_rate(body), drive=life_at_rate(jnp.sum(contact, axis=0))
+        contact=life_at_rate(contact),
+        body=life_at_rate(body),
+        drive=life_at_rate(planet_count * jnp.sum(contact, axis=0)),
     )
 
 
 def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> Array:
     r"""Share of the failures of a drive that begin on each track, all branches together, shape (2, contacts, ...) [-].
 
-    .. math:: s_i = \frac{n_i L_i^{-e}}{\sum_k n_k L_k^{-e}}
+    .. math:: s_i = \frac{L_i^{-e}}{\sum_k L_k^{-e}}
 
     From the lives of the tracks as for :func:`drive_lives`; nan where no track fails. The hazards of Weibull lives of
     one slope are in this ratio at any time. Equation (B8) of :doc:`/equations`.
     """
-    lives = _on_shared_tracks(bodies, jnp.asarray(tracks))
+    lives = _of_one_branch(bodies, jnp.asarray(tracks), planet_count)
     shortest = jnp.min(lives, axis=(0, 1))
-    rates = (lives / shortest) ** -WEIBULL_SLOPE * _copies(bodies, planet_count, lives.shape[2:])
+    rates = (lives / shortest) ** -WEIBULL_SLOPE
     return rates / jnp.sum(rates, axis=(0, 1))
 
 
-def _on_shared_tracks(bodies: BodiesOfContacts, tracks: Array) -> Array:
-    """Lives of tracks, of which those on a shared body together fail as the one on which all branches roll."""
-    if bodies.sectors == 1:
-        return tracks
+def _of_one_branch(bodies: BodiesOfContacts, tracks: Array, planet_count: Real) -> Array:
+    """Lives of tracks, of one on a body that n branches share that at the n-th part of the rate at which it fails."""
     by_sector = (2, bodies.sectors, -1, *tracks.shape[2:])
-    sector_lives = tracks.reshape(by_sector)
-    harmonic_lives = jnp.broadcast_to(
-        1.0 / jnp.sum(1.0 / sector_lives, axis=1, keepdims=True), sector_lives.shape
-    ).reshape(tracks.shape)
+    damage = jnp.sum(1.0 / tracks.reshape(by_sector), axis=1, keepdims=True) * planet_count
+    together = jnp.broadcast_to(1.0 / damage, tracks.reshape(by_sector).shape).reshape(tracks.shape)
+    branches = bodies.sectors * jnp.asarray(planet_count, dtype=float)
     shared = np.array([[bodies.shared[b] for b in side] for side in (bodies.driving, bodies.driven)])
     shared = shared.reshape(*shared.shape, *(1,) * (tracks.ndim - 2))
-    return jnp.where(shared, harmonic_lives * bodies.sectors ** (1.0 / WEIBULL_SLOPE), tracks)
-
-
-def _copies(bodies: BodiesOfContacts, planet_count: Real, shape: tuple[int, ...]) -> Array:
-    """How many bodies of the drive have each track, shape (2, contacts, ...)."""
-    count = jnp.broadcast_to(jnp.asarray(planet_count, dtype=float), shape)
-    one = jnp.ones_like(count)
-    times = jnp.stack([one if shared else count for shared in bodies.shared])
-    return jnp.stack([times[jnp.array(bodies.driving)], times[jnp.array(bodies.driven)]])
+    return jnp.where(shared, together * branches ** (1.0 / WEIBULL_SLOPE), tracks)
 
 
 def life_at_rate(rate: Array) -> Array:

@@ -10,7 +10,6 @@ from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_losses import (
     creep_power,
-    hysteresis_power,
     inlet_rolling_force,
     inlet_rolling_power,
 )
@@ -50,7 +49,6 @@ def rolling_power(
     pairs: RollerPairs,
     conditions: RollingConditions,
     state: DriveState,
-    half_width: Real,
     speeds: RollingSpeeds,
     axial_force: Real,
     lateral_creepage: Array,
@@ -68,9 +66,7 @@ def rolling_power(
     pairs, conditions : RollerPairs, RollingConditions
         Its contacts, and which losses are counted.
     state : DriveState
-        Forces, creepages and drag of the oil.
-    half_width : Real
-        Half-widths of the contacts, shape (contacts, ...) [m]; of crowned ones the mean by load.
+        Forces, creepages and what resists rolling.
     speeds : RollingSpeeds
         Speeds of the bodies.
     axial_force, lateral_creepage : Real, Array
@@ -80,10 +76,9 @@ def rolling_power(
 
     Notes
     -----
-    Creep, bearings and oil equal :math:`T_{in}\omega_s - T_{out}\omega_c` of the rolling state. With the balance of the
-    carrier as printed, equation (5) of Zou et al. 2025, they are larger by :math:`2n(T_{Bl} + T_{Br})\,\omega_c`: it
-    leaves out that the rollers' bearings brake the carrier that holds them. Skew and hysteresis are in no balance of
-    forces; all losses add to the power at the output. Churning of the oil is left out.
+    All losses equal :math:`T_{in}\omega_s - T_{out}\omega_c` of the rolling state. With the balance of the carrier as
+    printed, equation (5) of Zou et al. 2025, they are larger by :math:`2n(T_{Bl} + T_{Br})\,\omega_c`: it leaves out
+    that the rollers' bearings brake the carrier that holds them. Churning of the oil is left out.
 
     References
     ----------
@@ -99,13 +94,8 @@ def rolling_power(
     hysteresis: Real = absent
     oil: Real = absent
     if conditions.hysteresis_loss_factor is not None:
-        hysteresis = count * hysteresis_power(
-            loss_factor=conditions.hysteresis_loss_factor,
-            normal_force=state.normal,
-            half_width=half_width,
-            effective_radius=pairs.effective_radius,
-            rolling_speed=rolling,
-        )
+        turned = speeds.driving / pairs.radius_1 + pairs.sign * speeds.driven / pairs.radius_2
+        hysteresis = count * jnp.abs(state.hysteresis_moment) * turned
         counted = counted + hysteresis
     if conditions.viscosity is not None:
         oil = count * inlet_rolling_power(

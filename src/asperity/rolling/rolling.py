@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import operator
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 import equinox as eqx
 import jax
@@ -15,7 +15,7 @@ from asperity.contact.creep_layer import peak_pressure_factor, width_factor
 from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import life_at_reliability
-from asperity.contact.skew import axial_force, stick_fraction
+from asperity.contact.skew import stick_fraction
 from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
@@ -23,7 +23,7 @@ from asperity.drive.state.loads import friction_moments, friction_power
 from asperity.drive.state.state import BodiesOfContacts, DriveState, RollingSpeeds, surface_speeds
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, bodies_of_contacts, places
-from asperity.rolling.creep import ContactCreep, capacity_loss, lateral_slip_ratio
+from asperity.rolling.creep import ContactCreep, ContactFriction, contact_friction
 from asperity.rolling.life import DriveLives, cycle_rates, drive_lives
 from asperity.rolling.power import RollingPower, rolling_power
 from asperity.rolling.surface import RollingStrips, flash_temperatures, oil_film, rolling_strips
@@ -43,6 +43,9 @@ class RollingResult(eqx.Module):
         Creepages, shape (5, ...) [-].
     drag : Array
         Drag of the oil on each surface, with the sign of the rotation, shape (5, ...) [N]; 0 without a viscosity.
+    hysteresis_moment, skew_drag : Array
+        Moment of elastic hysteresis on both bodies [N·m], and drag of the axial friction on each surface [N], with the
+        sign of the rotation, shape (5, ...); 0 without a loss factor, and without skew.
     traction_coefficient : Array
         T/N, shape (5, ...) [-].
     slip_ratio : Array
@@ -87,7 +90,7 @@ class RollingResult(eqx.Module):
     cycles : Array
         Life of the tracks of driving and driven bodies at 90 % survival, in stress cycles, shape (2, 5, ...) [-].
     cycles_per_turn : Array
-        Their stress cycles in one turn of the output, shape (2, 5, ...) [-].
+        Their stress cycles in one turn of the output by one contact of one branch, shape (2, 5, ...) [-].
     life_turns : DriveLives
         Lives in turns of the output [-].
     life_hours : DriveLives
@@ -107,6 +110,8 @@ class RollingResult(eqx.Module):
     tangential: Array
     creepage: Array
     drag: Array
+    hysteresis_moment: Array
+    skew_drag: Array
     traction_coefficient: Array
     slip_ratio: Array
     stick_fraction: Real
@@ -155,10 +160,10 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
     unit = _speeds_of_unit_input(joint, state)
     input_speed = jnp.abs(jnp.asarray(joint.input_speed))
     speeds, turns = jax.tree.map(lambda speed: speed * input_speed, unit), input_speed > 0.0
-    friction = _friction(pairs, creep, strips, normal, state.creepage)
+    friction = contact_friction(pairs=pairs, creep=creep, normal_force=normal, creepage=state.creepage)
     tracks, per_turn, lives = _lives(joint, strips, unit)
     turns_an_hour = 3600.0 * speeds.output / (2.0 * jnp.pi)
-    power = _power(joint, pairs, state, strips.mean_half_width, speeds, (friction.axial, creep.skew))
+    power = _power(joint, pairs, state, speeds, (friction.axial, creep.skew))
     stuck, flash_temperature = _flash(joint, pairs, strips, friction, power, speeds, traction)
     pressure = jnp.asarray(
         peak_pressure(
@@ -176,6 +181,8 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         tangential=state.tangential,
         creepage=state.creepage,
         drag=state.drag,
+        hysteresis_moment=state.hysteresis_moment,
+        skew_drag=state.skew_drag,
         traction_coefficient=traction,
         slip_ratio=jnp.abs(traction) / (pairs.friction_coefficient * (1.0 - friction.lost)),
         stick_fraction=stuck,
@@ -222,7 +229,6 @@ def _power(
     joint: Joint,
     pairs: RollerPairs,
     state: DriveState,
-    half_width: Array,
     speeds: RollingSpeeds,
     across: tuple[Array, Array],
 ) -> RollingPower:
@@ -233,34 +239,12 @@ def _power(
         pairs=pairs,
         conditions=joint.rolling,
         state=state,
-        half_width=half_width,
         speeds=speeds,
         axial_force=across[0],
         lateral_creepage=across[1],
         bearing_power=_bearing_power(joint, state),
         output_torque=sense * jnp.asarray(joint.output_torque),
     )
-
-
-class _Friction(NamedTuple):
-    """Lateral slip over its limit [-], share of the friction that skew takes [-], axial force [N], of the contacts."""
-
-    lateral: Real
-    lost: Array
-    axial: Array
-
-
-def _friction(
-    pairs: RollerPairs, creep: ContactCreep, strips: RollingStrips, normal: Array, creepage: Array
-) -> _Friction:
-    """What skew does to the friction of the contacts."""
-    friction, width = pairs.friction_coefficient, strips.even_half_width / pairs.effective_radius
-    lateral = lateral_slip_ratio(
-        creep=creep, friction_coefficient=friction, width_over_radius=width, creepage=creepage
-    )
-    lost = capacity_loss(creep=creep, friction_coefficient=friction, width_over_radius=width)
-    axial = axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral)
-    return _Friction(lateral, lost, jnp.asarray(axial))
 
 
 def _speeds_of_unit_input(joint: Joint, state: DriveState) -> RollingSpeeds:
@@ -280,7 +264,7 @@ def _lives(joint: Joint, strips: RollingStrips, unit: RollingSpeeds) -> tuple[Ar
     bodies, branches = bodies_of_contacts(joint), jnp.asarray(joint.drive.sectors)
     # above the shakedown limit the surface flows at every passage, and no law of elastic fatigue holds
     tracks = jnp.where(strips.shakedown_ratio < 1.0, strips.tracks, jnp.nan)
-    rates = cycle_rates(bodies=bodies, speeds=unit, planet_count=branches)
+    rates = cycle_rates(bodies=bodies, speeds=unit)
     per_turn = rates * (2.0 * jnp.pi / unit.output)
     reliable = life_at_reliability(life=tracks, reliability=joint.rolling.reliability)
     return tracks, per_turn, drive_lives(bodies=bodies, tracks=reliable / per_turn, planet_count=branches)
@@ -290,7 +274,7 @@ def _flash(
     joint: Joint,
     pairs: RollerPairs,
     strips: RollingStrips,
-    friction: _Friction,
+    friction: ContactFriction,
     power: RollingPower,
     speeds: RollingSpeeds,
     traction: Array,

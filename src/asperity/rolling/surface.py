@@ -102,15 +102,12 @@ def oil_film(
 class RollingStrips(NamedTuple):
     """The strips of the contacts under their forces in rolling, shape (5, ...).
 
-    Half-widths [m]: under even loads, the mean by load, and in the middle of the line. In the middle also
-    ``largest_load``, normal forces as if the line load there acted on the whole line [N]; T/N [-]; and friction power
-    per length over the mean [-], None where the loads are even. ``tracks``: lives at 90 % survival, shape (2, 5, ...)
-    [stress cycles]. ``shakedown_ratio``: peak pressure over the shakedown limit, the largest of the line [-].
-    ``lines``: loads along crowned contacts; None where they are even.
+    In the middle of the line: half-width [m]; ``largest_load``, normal forces as if the line load there acted on the
+    whole line [N]; T/N [-]; friction power per length over the mean [-], None where the loads are even. ``tracks``:
+    lives at 90 % survival, shape (2, 5, ...) [stress cycles]. ``shakedown_ratio``: peak pressure over the shakedown
+    limit, the largest of the line [-]. ``lines``: loads along crowned contacts; None where they are even.
     """
 
-    even_half_width: Array
-    mean_half_width: Array
     largest_half_width: Array
     largest_load: Array
     middle_traction: Array
@@ -118,6 +115,14 @@ class RollingStrips(NamedTuple):
     tracks: Array
     shakedown_ratio: Array
     lines: CrownedLine | None
+
+
+def mean_half_width(*, pairs: RollerPairs, lines: CrownedLine | None, normal_force: Array) -> Array:
+    """Half-widths of the contacts, of crowned ones the mean by load, shape (contacts, ...) [m]."""
+    if lines is None:
+        return jnp.asarray(pairs.half_width(normal_force))
+    loads = lines.line_load * pairs.contact_length
+    return jnp.sum(loads * lines.length_share * lines.half_width, axis=0) / normal_force
 
 
 def rolling_strips(*, contacts: JointContacts, normal_force: Array, traction: Array) -> RollingStrips:
@@ -130,8 +135,6 @@ def rolling_strips(*, contacts: JointContacts, normal_force: Array, traction: Ar
             normal_force=normal_force, contact_length=pairs.contact_length, half_width=width
         )
         return RollingStrips(
-            even_half_width=width,
-            mean_half_width=width,
             largest_half_width=width,
             largest_load=normal_force,
             middle_traction=traction,
@@ -147,8 +150,6 @@ def rolling_strips(*, contacts: JointContacts, normal_force: Array, traction: Ar
     slips = traction != 0.0
     share = ratios[0] * friction / jnp.where(slips, traction, 1.0)
     return RollingStrips(
-        even_half_width=width,
-        mean_half_width=jnp.sum(loads * lines.length_share * lines.half_width, axis=0) / normal_force,
         largest_half_width=lines.half_width[0],
         largest_load=loads[0],
         middle_traction=friction * ratios[0],

@@ -9,7 +9,7 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, speeds
-from asperity.drive.state.state import DriveState
+from asperity.drive.state.state import DriveState, Resistance
 from asperity.drive.state.states import loaded_states
 from asperity.joint.assembled import Pressed
 from asperity.joint.contacts import JointContacts
@@ -31,10 +31,9 @@ def driving_sense(drive: Drive) -> Array:
 
 
 def with_driving_sense(state: DriveState, sense: Array) -> DriveState:
-    """A state whose tangential forces, creepages and drags have the signs of :func:`driving_sense`."""
-    return dataclasses.replace(
-        state, tangential=sense * state.tangential, creepage=sense * state.creepage, drag=sense * state.drag
-    )
+    """A state whose tangential forces, creepages and resistances have the signs of :func:`driving_sense`."""
+    signed = ("tangential", "creepage", *Resistance._fields)
+    return dataclasses.replace(state, **{name: sense * getattr(state, name) for name in signed})
 
 
 def rolling_at(

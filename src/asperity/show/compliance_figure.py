@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.joint.fit import Fit, loose_temperature
+from asperity.joint.fit import Fit
 from asperity.joint.temperature import TemperatureCurves, temperature_curves
+from asperity.joint.temperature_limits import limits_document, lost_words
 from asperity.results import LEVELS, RESULTS
 from asperity.results.document import NO_SHARE, budget_words
 from asperity.results.margins import Margin, margins
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 
 _PER_ARCMINUTE = np.pi / 10800.0
 _NOTE_WIDTH = 58  # letters below a panel of half a sheet
+_LABEL_WIDTH = 28  # letters in the legend of a panel of a third of a sheet
 _ROW = 3.7  # height of a row of panels [in]
 #: A ground that hides the line at 0.
 _LEGEND: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0, "edgecolor": "none"}
@@ -82,7 +84,10 @@ def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurve
     draw_margins(lower.subplots(), judged)
     if fit is not None:
         draw_temperatures(
-            further[0].subplots(1, 3), temperature_curves(solved.joint, solved.at_temperature), fit
+            further[0].subplots(1, 3),
+            temperature_curves(solved.joint, solved.at_temperature),
+            fit,
+            limits_document(solved.temperature_limits),
         )
     if size_errors is not None:
         draw_size_errors(further[-1].subplots(1, 3), size_errors)
@@ -154,15 +159,20 @@ def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
         panel.set(xlabel=f"added to the {whose}radius of {curves.noun} 1 [µm]")
 
 
-def draw_temperatures(axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit) -> None:
-    """Three panels over temperature, with the temperatures of assembly and work."""
+def draw_temperatures(
+    axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit, limits: list[dict[str, Any]]
+) -> None:
+    """Three panels over temperature, with those of assembly and work, and where something of the joint is lost.
+
+    ``limits`` are those of :func:`asperity.joint.temperature_limits.limits_document`.
+    """
     temperature = np.asarray(curves.temperature)
     panels = (
         ("preload [N]", np.asarray(curves.preload)),
         ("assembled stiffness [N·m/arcmin]", np.asarray(curves.stiffness) * _PER_ARCMINUTE),
         ("standing torque capacity [N·m]", np.asarray(curves.standing_torque_capacity)),
     )
-    loose = float(np.asarray(loose_temperature(fit)))
+    first = {entry["side"]: entry for entry in reversed(limits)}
     marks = (
         ("assembly", float(fit.assembly_temperature), MUTED, ":"),
         ("work", float(fit.working_temperature), "black", "--"),
@@ -172,9 +182,11 @@ def draw_temperatures(axes: Sequence[Axes], curves: TemperatureCurves, fit: Fit)
         panel.plot(temperature, known, color=ACCENT)
         for name, at, color, style in marks:
             panel.axvline(at, color=color, linestyle=style, linewidth=1.0, label=name)
-        if temperature[0] < loose < temperature[-1]:
-            end = temperature[-1] if fit.change_per_kelvin < 0.0 else temperature[0]
-            panel.axvspan(loose, end, color=MARK, alpha=0.12, label="loose")
+        for side, entry in first.items():
+            if temperature[0] < entry["temperature_degC"] < temperature[-1]:
+                end = temperature[-1] if side == "above" else temperature[0]
+                label = textwrap.fill(lost_words(entry), _LABEL_WIDTH)
+                panel.axvspan(entry["temperature_degC"], end, color=MARK, alpha=0.12, label=label)
         panel.set_xlim(temperature[0], temperature[-1])
         panel.set_ylim(bottom=0.0)
         panel.set(xlabel="temperature [°C]", ylabel=label)

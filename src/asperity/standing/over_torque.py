@@ -75,23 +75,15 @@ def over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -
 
     ``no_slip_friction``: under which no contact slips [-]. Results of states that do not balance have no meaning.
     """
-    return _in_batches(over_torque_program, joint, torques, no_slip_friction)
+    return in_batches(over_torque_program, joint, torques, no_slip_friction)
 
 
 def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -> StandingOverTorque:
     """What a joint that stands does at torques, as NumPy arrays."""
-    return _in_batches(standing_program, joint, torques, no_slip_friction)
+    return in_batches(standing_program, joint, torques, no_slip_friction)
 
 
-def lost_speed_slopes(joint: Joint, torques: np.ndarray) -> np.ndarray:
-    """Slopes of the lost share of the output speed over output torques [N·m] of either sign [1/(N·m)].
-
-    nan where there is no steady rolling. The joint's own output torque does not count.
-    """
-    return _in_batches(slope_program, joint, torques)
-
-
-def _in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
+def in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
     """What a program of a joint, its assembled state, torques and further numbers gives at all torques."""
     moving = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
     without_torque = jax.tree.map(np.asarray, compile_fast(assembled_joint, moving)(moving))
@@ -116,7 +108,7 @@ def _stands(
     joint: Joint, contacts: JointContacts, without_torque: Pressed, no_slip_friction: Real
 ) -> Callable[[Array], StandingOverTorque]:
     """The joint that stands under an output torque [N·m]."""
-    unloaded = _with_its_torque(joint)
+    unloaded = with_its_torque(joint)
     pressed = pressed_at(joint, contacts, without_torque)
 
     def at(torque: Array) -> StandingOverTorque:
@@ -156,28 +148,33 @@ def over_torque_program(
     return jax.lax.map(at, torques)
 
 
-def slope_program(joint: Joint, without_torque: Pressed, torques: Array) -> Array:
-    """What is compiled to differentiate the lost speed."""
-    contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
-    unloaded, pressed = _rolling_with_its_torque(joint, contacts), pressed_at(joint, contacts, without_torque)
+def slope_of_lost_speed(
+    joint: Joint,
+    contacts: JointContacts,
+    pressed: Callable[[Array], Pressed],
+    unloaded: DriveLoad,
+    torque: Array,
+) -> tuple[Array, DriveState]:
+    """Slope of the lost share of the output speed over the output torque [1/(N·m)], and the state of rolling there.
 
-    def at(torque: Array) -> Array:
-        def lost(torque: Array) -> tuple[Array, DriveState]:
-            laws, rest = pressed(torque)
-            rolling = loaded_state(
-                drive=joint.drive,
-                laws=laws,
-                rest=rest,
-                load=dataclasses.replace(unloaded, output_torque=torque),
-                rolls=True,
-                creep_of=creep_under(joint, contacts),
-            )
-            return rolling.speed_loss, rolling
+    nan where there is no steady rolling. ``pressed`` is the assembled joint under a torque; ``unloaded``, that of
+    :func:`rolling_with_its_torque`.
+    """
 
-        _, slope, rolling = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
-        return jnp.where(rolling.residual < STATE_TOLERANCE, slope, jnp.nan)
+    def lost(torque: Array) -> tuple[Array, DriveState]:
+        laws, rest = pressed(torque)
+        rolling = loaded_state(
+            drive=joint.drive,
+            laws=laws,
+            rest=rest,
+            load=dataclasses.replace(unloaded, output_torque=torque),
+            rolls=True,
+            creep_of=creep_under(joint, contacts),
+        )
+        return rolling.speed_loss, rolling
 
-    return jax.lax.map(at, torques)
+    _, slope, rolling = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
+    return jnp.where(rolling.residual < STATE_TOLERANCE, slope, jnp.nan), rolling
 
 
 def curve_program(joint: Joint, torques: Array, no_slip_friction: Real, shown: str) -> dict[str, Array]:
@@ -214,7 +211,7 @@ class _Under(NamedTuple):
 
 def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> Callable[[Array], _Under]:
     """The joint under an output torque [N·m]."""
-    unloaded = _rolling_with_its_torque(joint, contacts)
+    unloaded = rolling_with_its_torque(joint, contacts)
     pressed = pressed_at(joint, contacts, without_torque)
 
     def under(torque: Array) -> _Under:
@@ -225,7 +222,7 @@ def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> C
         standing, rolling = loaded_states(load=load, **given)
         backwards = rolling
         # what opposes the rotation changes the forces
-        if load.drag_of is not None or load.bearings is not None:
+        if load.resistance_of is not None or load.bearings is not None:
             other = dataclasses.replace(load, rotation=-_sense(load.rotation))
             backwards = loaded_state(load=other, rolls=True, **given)
         return _Under(standing, rolling, backwards, turned_cam(joint, contacts, without_torque.rest, rest))
@@ -238,15 +235,15 @@ def _sense(rotation: Real) -> Array:
     return jnp.where(jnp.asarray(rotation) < 0.0, -1.0, 1.0)
 
 
-def _with_its_torque(joint: Joint) -> DriveLoad:
+def with_its_torque(joint: Joint) -> DriveLoad:
     """Loads of a joint that stands and begins to move with its torque, as in a wind-up; the torque is to be put in."""
     return dataclasses.replace(drive_load(joint, body_masses(joint), 0.0), standing_rotation=jnp.zeros(()))
 
 
-def _rolling_with_its_torque(joint: Joint, contacts: JointContacts) -> DriveLoad:
-    """The same, with the drag of the oil on the joint that rolls."""
-    oil = rolling_load(joint, contacts, body_masses(joint), 0.0).drag_of
-    return dataclasses.replace(_with_its_torque(joint), drag_of=oil)
+def rolling_with_its_torque(joint: Joint, contacts: JointContacts) -> DriveLoad:
+    """The same, with what resists the rolling of the joint that turns."""
+    resists = rolling_load(joint, contacts, body_masses(joint), 0.0).resistance_of
+    return dataclasses.replace(with_its_torque(joint), resistance_of=resists)
 
 
 def _standing(

@@ -27,7 +27,7 @@ from jax import Array
 from asperity.compilation import compile_fast, compile_for_many
 from asperity.errors import InputError
 from asperity.joint.status import OUT_OF_RANGE, UNBALANCED, has_value
-from asperity.joint_file.any_joint import evaluated_points, results_of
+from asperity.joint_file.any_joint import evaluated_points, results_of, with_nominal_sizes
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.part_names import type_of, with_tracks
 from asperity.joint_file.quantity_key import Key
@@ -277,32 +277,34 @@ def derivatives_at(
     results: tuple[str, ...],
     variables: tuple[str, ...] = (),
     *,
+    nominal: tuple[str, ...] = (),
     block: int = DERIVATIVE_BATCH,
 ) -> tuple[np.ndarray, dict[str, np.ndarray], dict[str, np.ndarray]]:
     """Status, results and their exact derivatives by some of the numbers, at some points.
 
     ``values`` and ``results`` as for :func:`evaluate_points`; ``changes``: dotted path → numbers [SI], shape (points,),
-    must contain the ``variables``, dotted paths by which to differentiate. ``block``: points, repeated for each row or
-    variable, of one call of the program, :func:`derivative_block`; calls with the same one share a program. Status
-    codes have the shape (points,), results (rows, points) and slopes (rows, points, variables) [SI]; a single number
-    has one row. Nothing is replaced by nan: a search may pass through joints that cannot exist.
+    must contain the ``variables``, dotted paths by which to differentiate, and behind them ``nominal``: sizes whose
+    nominal values, of :func:`asperity.joint_file.any_joint.with_nominal_sizes`, move with them. ``block``: points,
+    repeated for each row or variable, of one call of the program, :func:`derivative_block`; calls with the same one
+    share a program. Status codes have the shape (points,), results (rows, points) and slopes (rows, points, variables)
+    [SI]; a single number has one row. Nothing is replaced by nan: a search may pass through joints that cannot exist.
 
     Forward-mode automatic differentiation, the points repeated along the batch axis once for each variable. Where that
     is many calls and there are fewer rows of results than variables: reverse mode, the points repeated for each row.
     """
     if MEASURED in values:
-        return _derivatives_measured(values, changes, results, variables, block)
+        return _derivatives_measured(values, changes, results, variables, nominal, block)
     _refuse_count(values, variables)
     points = max((np.size(value) for value in changes.values()), default=1)
     filled = replace_values(with_tracks(values), changes)
     table = _table(filled, points)
     nothing = with_numbers(filled, itertools.repeat(0.0))
-    directions = np.zeros((len(table), len(variables)))
-    for index, path in enumerate(variables):
-        directions[:, index] = numbers(replace_values(nothing, {path: 1.0}))
+    moved = [replace_values(nothing, {path: 1.0}) for path in (*variables, *nominal)]
+    moved[len(variables) :] = map(with_nominal_sizes, moved[len(variables) :])
+    directions = np.array([numbers(each) for each in moved], dtype=float).reshape(-1, len(table)).T
     options = (table_structure(filled), results)
     rows = sum(math.prod(results_of(values)[name].row_shape) for name in results)
-    if rows < len(variables) and points * len(variables) > _REVERSE_BLOCKS * block:
+    if rows < len(moved) and points * len(moved) > _REVERSE_BLOCKS * block:
         return _backwards(options, block, table, directions, rows)
     return _forwards(options, block, table, directions)
 
@@ -315,6 +317,7 @@ def _derivatives_measured(
     changes: Mapping[str, Any],
     results: tuple[str, ...],
     variables: tuple[str, ...],
+    nominal: tuple[str, ...],
     block: int,
 ) -> _Derivatives:
     """What :func:`derivatives_at` returns of joints with a measured surface.
@@ -332,11 +335,15 @@ def _derivatives_measured(
     given = {path: np.broadcast_to(np.asarray(value, float), (points,)) for path, value in changes.items()}
     tables, columns, settled = with_felt_surfaces(values, given, states)
     felt = tuple(path for path in columns if path not in given) if variables else ()
-    status, first, slopes = derivatives_at(tables, columns, asked, (*variables, *felt), block=block)
+    sizes, every = (*variables, *nominal), (*variables, *felt)
+    status, first, slopes = derivatives_at(tables, columns, asked, every, nominal=nominal, block=block)
     status[~settled] = UNBALANCED
     if felt:
-        count = len(variables)
-        moved = heights_moved(values, columns, first[WIDTH], slopes[WIDTH], variables)
+        count, known = len(sizes), len(variables)
+        # those of what the contacts feel behind those of all sizes
+        order = [*range(known), *range(len(every), count + len(felt)), *range(known, len(every))]
+        slopes = {name: slope[..., order] for name, slope in slopes.items()}
+        moved = heights_moved(values, columns, first[WIDTH], slopes[WIDTH], sizes)
         slopes = {
             name: slope[..., :count] + np.einsum("rpc,pcv->rpv", slope[..., count:], moved)
             for name, slope in slopes.items()

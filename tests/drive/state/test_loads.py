@@ -9,8 +9,14 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drives import planetary_drive
-from asperity.drive.state.loads import drag_levers, drag_pairs, member_loads, pin_components
-from asperity.drive.state.state import DriveLoad, surface_speeds
+from asperity.drive.state.loads import (
+    drag_levers,
+    drag_pairs,
+    member_loads,
+    pin_components,
+    resistance_moments,
+)
+from asperity.drive.state.state import Creeping, DriveLoad, Resistance, surface_speeds
 from asperity.drive.state.states import drive_states
 
 
@@ -125,36 +131,80 @@ def test_drag_brakes_every_body_by_its_radius():
     np.testing.assert_allclose(moments, [-3 * 2.0 * SUN, (2.0 + 3.0) * PLANET, 3 * 3.0 * RING, 0.0])
 
 
+def test_hysteresis_turns_both_bodies_and_skew_brakes_both_surfaces():
+    """Sun +, planet against it, ring with the planet: couples of 2 and 3 N·m, drags of 5 and 7 N.
+
+    Equal and opposite couples leave nothing; the moments of skew are left for the bearings on the carrier.
+    """
+    drive = planetary_drive(sun_radius=SUN, planet_radius=PLANET, planet_count=3.0)
+    none = np.zeros(2)
+    couples = resistance_moments(drive, Resistance(none, np.array([2.0, -3.0]), none))
+    np.testing.assert_allclose(couples, [-3 * 2.0, 2.0 + 3.0, -3 * 3.0, 0.0], atol=1e-12)
+    brakes = resistance_moments(drive, Resistance(none, none, np.array([5.0, -7.0])))
+    on_planet, on_ring = (5.0 + 7.0) * PLANET, 3 * 7.0 * RING
+    left = 3 * 5.0 * SUN - 3 * on_planet - on_ring
+    np.testing.assert_allclose(brakes, [-3 * 5.0 * SUN, on_planet, on_ring, left], atol=1e-12)
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("rotation", [1.0, -1.0])
-def test_a_planetary_drive_with_oil_by_hand(drives, steel_laws, rotation):
-    """T_1 - T_2 = g_1 + g_2 turns the planet, the pin takes the forces along its orbit, the sun feels T_1 + g_1."""
+def test_a_planetary_drive_that_resists_by_hand(drives, steel_laws, rotation):
+    """Oil g, hysteresis h and skew b: the planet needs T_1 - T_2 = g_1 + g_2 + b_1 + b_2 + (h_1 + h_2)/R_p.
+
+    The pin takes the forces along its orbit, the sun feels R_s (T_1 + g_1 + b_1) + h_1.
+    """
     drive = drives["planetary"]
-    drags = jnp.array([6.0, 4.0])
+    drags, moments, brakes = jnp.array([6.0, 4.0]), jnp.array([0.05, 0.03]), jnp.array([2.0, 3.0])
 
     @eqx.filter_jit
-    def rolled(drive, drags):
+    def rolled(drive, drags, moments, brakes):
         laws = steel_laws(drive=drive, reference_force=1000.0)
-        of = jax.tree_util.Partial(lambda given, normal: given * (normal / normal), drags)
-        load = DriveLoad(jnp.asarray(10.0), rotation=rotation, drag_of=of)
-        return drive_states(drive=drive, laws=laws, pattern=jnp.array([0.0, 1.0]), preload=1000.0, load=load)
 
-    states = rolled(drive, drags)
+        def resists(drags, moments, normal):
+            return drags * (normal / normal), moments * (normal / normal)
+
+        def creeps(law, brakes, normal, tangential):
+            return Creeping(law, brakes * (normal / normal))
+
+        load = DriveLoad(
+            jnp.asarray(10.0),
+            rotation=rotation,
+            resistance_of=jax.tree_util.Partial(resists, drags, moments),
+        )
+        return drive_states(
+            drive=drive,
+            laws=laws,
+            pattern=jnp.array([0.0, 1.0]),
+            preload=1000.0,
+            load=load,
+            creep_of=jax.tree_util.Partial(creeps, laws.creep, brakes),
+        )
+
+    states = rolled(drive, drags, moments, brakes)
     assert float(states.rolling.residual) < 1e-9
-    # of a drive that rolls backwards the torque drives what it resisted before, and the oil resists still
+    # of a drive that rolls backwards the torque drives what it resisted before, and oil, hysteresis, skew resist still
     one, two = rotation * np.asarray(drags)
-    force = 10.0 / (COUNT * ORBIT)
+    turned = rotation * np.asarray(moments)
+    first_brake, second_brake = rotation * np.asarray(brakes)
+    # what the bearings of the planet bear of skew turns the carrier
+    borne = first_brake * (SUN - PLANET) - second_brake * (PLANET + RING)
+    force = (10.0 / COUNT - borne) / ORBIT
     along = force + one - 2.0 * one * SUN / ORBIT - two + 2.0 * two * RING / (RING - PLANET)
-    first, second = 0.5 * (along + one + two), 0.5 * (along - one - two)
+    resisted = one + two + first_brake + second_brake + turned.sum() / PLANET
+    first, second = 0.5 * (along + resisted), 0.5 * (along - resisted)
     assert np.abs(states.rolling.tangential) == pytest.approx([first, second], rel=1e-9)
     assert np.abs(states.rolling.pin_force) == pytest.approx([force], rel=1e-9)
-    assert float(states.rolling.input_torque) == pytest.approx(COUNT * SUN * (first + one), rel=1e-9)
-    # what enters and does not leave is creep and oil
+    assert float(states.rolling.input_torque) == pytest.approx(
+        COUNT * (SUN * (first + one + first_brake) + turned[0]), rel=1e-9
+    )
+    # what enters and does not leave is creep, oil, hysteresis and skew
     speed = states.rolling.speed
     surfaces = surface_speeds(drive=drive, speed=speed)
-    oil = COUNT * float(jnp.sum(drags * sum(surfaces)))
+    dragged = COUNT * float(jnp.sum((drags + brakes) * sum(surfaces)))
+    rolling = surfaces[0] / np.array([SUN, PLANET]) + surfaces[1] / np.array([PLANET, -RING])
+    shifted = COUNT * float(jnp.sum(moments * rolling))
     slips = np.abs(surfaces[0] - surfaces[1])
     creep = COUNT * float(np.sum(np.array([first, second]) * slips))
     entered = rotation * float(states.rolling.input_torque * speed[0] - 10.0 * speed[3])
-    assert entered == pytest.approx(oil + creep, rel=1e-9)
+    assert entered == pytest.approx(dragged + shifted + creep, rel=1e-9)
     assert float(states.standing.input_torque) == pytest.approx(10.0 / 6.0, rel=1e-9)

@@ -37,7 +37,7 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.slopes import newton_step, responses_and_slopes, state_slopes
 from asperity.drive.state.smooth_laws import smooth_contact_laws
-from asperity.drive.state.state import DriveLoad
+from asperity.drive.state.state import Creeping, DriveLoad
 from asperity.drive.state.supports import carrier_supports
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.linear import solve
@@ -74,14 +74,15 @@ BEARINGS = Bearings(
 
 
 def creep_that_grows(law, normal, tangential):
-    """A creep law whose size depends on both forces."""
+    """Creep whose law and drag of skew depend on both forces."""
     grows = 1.0 + normal / 3000.0 + 0.4 * jnp.abs(tangential) / (law.friction_coefficient * normal)
-    return dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * grows)
+    skew_drag = 1e-2 * normal * (1.0 + 1e-4 * tangential**2)
+    return Creeping(dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * grows), skew_drag)
 
 
-def drag_that_grows(size, normal):
-    """A drag of the oil that depends on the normal force."""
-    return size * normal**0.3
+def resistance_that_grows(size, normal):
+    """A drag of the oil and a moment of hysteresis that depend on the normal force."""
+    return size * normal**0.3, 1e-5 * size * normal**1.5
 
 
 def described(name, *, coupled, pressed):
@@ -115,7 +116,7 @@ def described(name, *, coupled, pressed):
         support_stiffness=jnp.full(len(drive.floating), 1e6),
         rotation=-1.0,
         supports=supports if held else None,
-        drag_of=jax.tree_util.Partial(drag_that_grows, jnp.linspace(0.5, 1.0, count)),
+        resistance_of=jax.tree_util.Partial(resistance_that_grows, jnp.linspace(0.5, 1.0, count)),
     )
     creep_of = jax.tree_util.Partial(creep_that_grows, laws.creep)
     machine = machine_of(drive, laws, jnp.linspace(0.2, 1.0, count), None, load.supports, creep_of)

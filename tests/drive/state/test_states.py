@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import incidence, speed_ratio
-from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
+from asperity.drive.state.state import STATE_TOLERANCE, Creeping, DriveLoad
 from asperity.drive.state.states import loaded_state, rolling_state, state_at_rest
 
 NAMES = ["wedge", "planetary", "multiroller", "stepped"]
@@ -129,7 +129,8 @@ def test_gross_slip_is_not_a_state(solved):
 def _grown(law, normal, tangential):
     """A creep law whose size depends on both forces."""
     used = jnp.abs(tangential) / (law.friction_coefficient * normal)
-    return dataclasses.replace(law, gross_slip_scale=law.gross_slip_scale * (1.0 + normal / 2000.0 + used**2))
+    grown = law.gross_slip_scale * (1.0 + normal / 2000.0 + used**2)
+    return Creeping(dataclasses.replace(law, gross_slip_scale=grown), jnp.zeros_like(normal))
 
 
 @pytest.mark.slow
@@ -154,7 +155,7 @@ def test_the_creep_law_under_the_forces_is_met_by_the_rolling_state(drives, stee
             return found.speed_loss, found
 
         def once_more(_, before):
-            around = dataclasses.replace(laws, creep=_grown(laws.creep, before.normal, before.tangential))
+            around = dataclasses.replace(laws, creep=_grown(laws.creep, before.normal, before.tangential).law)
             return rolling_state(
                 drive=drive, laws=around, interference=rest.interference, output_torque=torque, start=before
             )

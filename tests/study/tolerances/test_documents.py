@@ -27,7 +27,7 @@ def test_a_derivative_without_a_value_is_null():
         },
     )
     document = json.loads(json.dumps(sensitivity_document(found), allow_nan=False))
-    assert document["inputs"]["drive.sun_radius"] == {"value": 2.0, "unit": "m"}
+    assert document["inputs"]["drive.sun_radius"] == {"value": 2.0, "unit": "m", "finished_part": False}
     assert document["results"]["drift"]["derivative"] == {"load.preload": 2.0, "drive.sun_radius": None}
     assert document["results"]["drift"]["elasticity"]["load.preload"] == 0.5
 

@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint_file.any_joint import with_nominal_sizes
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import numeric_keys, si_values
+from asperity.joint_file.solved_document import solve_case
 from asperity.study.batch import evaluate_points
-from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, ranking, sensitivity
+from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, FINISHED_PART, ranking, sensitivity
 from asperity.unit_table import Dimension
 
 pytestmark = pytest.mark.slow
@@ -141,13 +143,79 @@ def test_any_result_with_derivatives_can_be_asked_for(homogeneous):
 def test_a_planetary_by_hand(planar_case):
     found = sensitivity(planar_case("planetary"), ("interference", "speed_ratio", "slip_ratio", "mass"))
     derivative, elasticity = found["derivative"], found["elasticity"]
+    # the ring follows the rollers, less the interference
+    for name in ("drive.sun_radius", "drive.planet_radius"):
+        assert derivative.sel(result="interference", input=name).item() == pytest.approx(0.0, abs=1e-9)
     # finished parts in the ring of its nominal radius
-    assert derivative.sel(result="interference", input="drive.sun_radius").item() == pytest.approx(1.0)
-    assert derivative.sel(result="interference", input="drive.planet_radius").item() == pytest.approx(2.0)
+    sun, planet = (f"drive.{body}_radius{FINISHED_PART}" for body in ("sun", "planet"))
+    assert derivative.sel(result="interference", input=sun).item() == pytest.approx(1.0)
+    assert derivative.sel(result="interference", input=planet).item() == pytest.approx(2.0)
     # i = 2 + 2 R_p/R_s
     assert derivative.sel(result="speed_ratio", input="drive.planet_radius").item() == pytest.approx(200.0)
     assert elasticity.sel(result="slip_ratio_sp", input="load.friction_coefficient").item() == pytest.approx(
         -1.0
     )
     assert elasticity.sel(result="mass", input="materials.52100.density").item() == pytest.approx(1.0)
-    assert "drive.ring_radius" not in found["input"].values
+    assert not any(name.startswith("drive.ring_radius") for name in found["input"].values)
+
+
+@pytest.fixture(scope="module")
+def pressed(planar_case):
+    """A file of a drive whose preload is made by interference."""
+
+    def of(name):
+        by_force = {} if name == "planetary" else {'preload = "1000 N"': 'interference = "13 um"'}
+        return planar_case(name, replaced=by_force)
+
+    return of
+
+
+@pytest.mark.parametrize(
+    ("name", "paths"),
+    [
+        ("planetary", ("drive.sun_radius", "drive.planet_radius")),
+        pytest.param(
+            "zou2025", ("drive.planet_radius", "drive.loading_roller_radius"), marks=pytest.mark.long
+        ),
+        pytest.param("planar", ("contact.1.first_radius",), marks=pytest.mark.long),
+    ],
+)
+def test_a_radius_is_that_of_joint_and_sweep_and_a_finished_part_deviates(pressed, name, paths):
+    """Two joints with other numbers in the file, and two drives of parts that deviate from the sizes of the file."""
+    case = pressed(name)
+    results = ("assembly_stiffness_output", "preload", "torque_capacity", "speed_ratio")
+    found = sensitivity(case, results)
+    tables, keys = si_values(case), numeric_keys(case)
+    for path in paths:
+        value, step = keys[path].value, 2e-8
+        changes = {path: np.array([value - step, value + step])}
+        for values, row in ((tables, path), (with_nominal_sizes(tables), f"{path}{FINISHED_PART}")):
+            status, ends = evaluate_points(values, changes, results)
+            assert not status.any()
+            for result in results:
+                slope = float(ends[result][1] - ends[result][0]) / (2.0 * step)
+                one = found.sel(result=result, input=row)
+                scale = abs(float(one["result_value"])) / value
+                assert float(one["derivative"]) == pytest.approx(slope, rel=2e-3, abs=1e-4 * scale), row
+                share = float(one["derivative"]) * value / float(one["result_value"])
+                assert float(one["elasticity"]) == pytest.approx(share, rel=1e-12, abs=1e-12)
+    assert str(found["input_name"].sel(input=row).item()).endswith("(finished part)")
+
+
+def test_a_preload_by_force_has_no_finished_parts(of_the_paper):
+    assert not any(name.endswith(FINISHED_PART) for name in of_the_paper["input"].values)
+
+
+@pytest.mark.long
+def test_what_the_command_states_is_the_difference_of_two_joints(planar_case):
+    """The stiffness of the planetary with another sun, and another planet, each solved alone."""
+    found = sensitivity(planar_case("planetary"), ("assembly_stiffness_output",))
+    for body, size in (("sun", 10.0), ("planet", 20.0)):
+        stiffness = []
+        for radius in (size - 0.001, size + 0.001):
+            replaced = {f'{body}_radius = "{size:.0f} mm"': f'{body}_radius = "{radius} mm"'}
+            solved, _ = solve_case(planar_case("planetary", replaced=replaced))
+            stiffness.append(float(solved.result.assembly.stiffness.output))
+        slope = (stiffness[1] - stiffness[0]) / 2e-6
+        one = found["derivative"].sel(result="assembly_stiffness_output", input=f"drive.{body}_radius")
+        assert one.item() == pytest.approx(slope, rel=1e-3), body

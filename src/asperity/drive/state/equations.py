@@ -14,11 +14,18 @@ from jax import Array
 from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
 from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.creep import creepages
-from asperity.drive.state.loads import drag_levers, drag_pairs, friction_moments, member_moments, signed_drag
+from asperity.drive.state.loads import (
+    drag_pairs,
+    friction_moments,
+    member_moments,
+    resistance_moments,
+    signed_resistance,
+)
 from asperity.drive.state.state import (
     ContactLaws,
     CreepOf,
     DriveLoad,
+    Resistance,
     contact_approach,
     slip_at_rest,
     surface_speeds,
@@ -171,15 +178,19 @@ def no_force(drive: Drive) -> Array:
 
 
 class Responses(NamedTuple):
-    """Approach and slip at rest [m], creepage [-] and drag of the oil in rolling [N], of contacts under their forces.
-
-    Shape (contacts,); the drag as of :class:`asperity.drive.state.state.DriveState`.
-    """
+    """Approach and slip at rest [m], creepage [-] and signed resistance in rolling of contacts, shape (contacts,)."""
 
     approach: Array
     slip: Array
     creepage: Array
-    drag: Array
+    resistance: Resistance
+
+
+def responses_of(approach: Array, *others: Array) -> Responses:
+    """Responses of contacts, zeros for those that are not given, shape (contacts,)."""
+    nothing = jnp.zeros_like(approach)
+    slip, creepage = others or (nothing, nothing)
+    return Responses(approach, slip, creepage, Resistance(nothing, nothing, nothing))
 
 
 def contact_responses(machine: Machine, task: Task, normal: Array, tangential: Array) -> Responses:
@@ -191,30 +202,37 @@ def contact_responses(machine: Machine, task: Task, normal: Array, tangential: A
     laws, creep = machine.laws, machine.laws.creep
     approach = contact_approach(laws=dataclasses.replace(laws, coupling=None), normal=normal)
     if known_kind(task) == ASSEMBLED:
-        return Responses(approach, *(jnp.zeros_like(normal),) * 3)
+        return responses_of(approach)
+    skew_drag = jnp.zeros_like(normal)
     if machine.creep_of is not None:
         law, known = machine.creep_of, creep.gross_slip_scale
-        scale = jax.lax.cond(
+
+        def under_forces() -> tuple[Array, Array]:
+            creeping = law(normal, tangential)
+            return jnp.asarray(creeping.law.gross_slip_scale), creeping.skew_drag
+
+        scale, skew_drag = jax.lax.cond(
             (jnp.asarray(task.kind) == ROLLING) & ~jnp.asarray(task.by_laws),
-            lambda: jnp.asarray(law(normal, tangential).gross_slip_scale),
-            lambda: jnp.asarray(known),
+            under_forces,
+            lambda: (jnp.asarray(known), skew_drag),
         )
         creep = dataclasses.replace(creep, gross_slip_scale=scale)
-    return Responses(
+    responses = responses_of(
         approach,
         slip_at_rest(laws=laws, normal=normal, tangential=tangential),
         creepages(law=creep, normal=normal, tangential=tangential),
-        _drag(machine.drive, task, normal),
     )
+    return responses._replace(resistance=_resistance(machine.drive, task, normal, skew_drag))
 
 
-def _drag(drive: Drive, task: Task, normal: Array) -> Array:
-    """Drag of the oil, shape (contacts,) [N]; 0 where nothing rolls."""
-    drag_of, none = task.load.drag_of, jnp.zeros_like(normal)
-    if drag_of is None:
-        return none
-    size = jax.lax.cond(jnp.asarray(task.kind) == ROLLING, drag_of, jnp.zeros_like, normal)
-    return signed_drag(drive, size, backwards=_backwards(task))
+def _resistance(drive: Drive, task: Task, normal: Array, skew_drag: Array) -> Resistance:
+    """What resists rolling, signed, shape (contacts,); 0 where nothing rolls."""
+    resistance_of, none = task.load.resistance_of, jnp.zeros_like(normal)
+    if resistance_of is None:
+        return Resistance(none, none, none)
+    rolls = jnp.asarray(task.kind) == ROLLING
+    drag, moment = jax.lax.cond(rolls, resistance_of, lambda normal: (none, none), normal)
+    return signed_resistance(drive, Resistance(drag, moment, skew_drag), backwards=_backwards(task))
 
 
 def _backwards(task: Task) -> Array:
@@ -249,7 +267,7 @@ def state_misfits(
     speed, turned = speeds_and_turns(machine, x, task.kind)
     kind = jnp.asarray(task.kind)
 
-    approach, slip, creep, drag = responses
+    approach, slip, creep, resistance = responses
     if laws.coupling is not None:
         approach = approach + product(laws.coupling, normal)
     if laws.bores is not None:
@@ -265,11 +283,11 @@ def state_misfits(
         + product(matrices.sliding.T, tangential)
         + product(matrices.pins.T, pin)
     )
-    if task.load.drag_of is not None:
-        force = force + product(matrices.sliding.T, drag_pairs(drive, drag))
+    if task.load.resistance_of is not None:
+        force = force + product(matrices.sliding.T, drag_pairs(drive, resistance.drag))
     if task.load.support_stiffness is not None:
         force = force + jnp.repeat(task.load.support_stiffness, 2) * moved
-    moments = moments_of(machine, task, tangential, pin, drag)
+    moments = moments_of(machine, task, tangential, pin, resistance)
     out = drive.members.index(drive.output)
     resists = np.eye(len(drive.members))[out]
     moments = moments - resists * jnp.sign(machine.ideal[out]) * task.load.output_torque
@@ -349,15 +367,17 @@ def _of_pins(machine: Machine, task: Task, forces: tuple[Array, Array], pin: Arr
     )
 
 
-def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array, drag: Array) -> Array:
-    """Moments of contacts, pins, oil and bearings on the members, counter-clockwise, shape (members,) [N·m]; (M1).
+def moments_of(
+    machine: Machine, task: Task, tangential: Array, pin: Array, resistance: Resistance | None
+) -> Array:
+    """Moments of contacts, pins and bearings on the members, counter-clockwise, shape (members,) [N·m]; (M1).
 
-    Of the tangential forces of the contacts and the drag of their oil, shape (contacts,), and the forces of the pins,
-    shape (pins,) [N].
+    Of the tangential forces of the contacts, shape (contacts,), of what resists their rolling, None for nothing, and of
+    the forces of the pins, shape (pins,) [N].
     """
     moments = member_moments(machine.drive, machine.matrices, tangential, pin)
-    if task.load.drag_of is not None:
-        moments = moments + product(drag_levers(machine.drive), drag)
+    if task.load.resistance_of is not None and resistance is not None:
+        moments = moments + resistance_moments(machine.drive, resistance)
     load, kind = task.load, jnp.asarray(task.kind)
     if load.bearings is None:
         return moments

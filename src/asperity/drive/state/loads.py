@@ -1,4 +1,4 @@
-r"""Loads that contacts and oil put on the pins, shafts and housing of a drive, and the friction of its bearings.
+r"""Loads that contacts put on the pins, shafts and housing of a drive, what resists rolling, friction of bearings.
 
 Sectors are equal: the forces on bodies on the axis and on the carrier balance, a torque remains.
 
@@ -8,6 +8,11 @@ the film: it pushes both bodies forward through their centres, with
 .. math:: 2 g\,\frac{R}{R_1}, \qquad 2 g\,\frac{R}{R_2}, \qquad \frac1R = \frac1{R_1} \pm \frac1{R_2},
 
 minus in internal contacts, so that nothing is left on the film, and no moment about the contact.
+
+Elastic hysteresis shifts the pressure towards the inlet by :math:`2 \alpha a/(3\pi)`: a couple on both bodies, equal
+and opposite, and no force. The friction of skewed axes has the power :math:`F_a \gamma V`: both surfaces move half of
+the skew away from the middle of their directions, and there the axial force brakes each with :math:`F_a \gamma/2`. The
+bearings that hold the axes take up what is left of these moments, and the carrier bears it.
 """
 
 from __future__ import annotations
@@ -20,19 +25,20 @@ from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members, speeds
 from asperity.drive.mechanism import Bearings, bearing_torque
+from asperity.drive.state.state import Resistance
 from asperity.linear import product
 from asperity.types import namespace
 
 
-def signed_drag(drive: Drive, drag: Array, *, backwards: Array | float) -> Array:
-    """Drag with the sense in which the first surface of each contact moves, shape (contacts,) [N].
+def signed_resistance(drive: Drive, size: Resistance, *, backwards: Array | float) -> Resistance:
+    """Resistances with the sense in which the first surface of each contact moves, shape (contacts,) [N] and [N·m].
 
-    ``drag`` is its size; ``backwards`` is -1 of a drive that rolls against its ideal speeds, else 1.
+    ``backwards`` is -1 of a drive that rolls against its ideal speeds, else 1.
     """
     first, _ = _bodies(drive)
     speed = speeds(drive)
-    ahead = namespace(speed).sign(speed[first] - speed[drive.members.index(CARRIER)])
-    return backwards * ahead * drag
+    ahead = backwards * namespace(speed).sign(speed[first] - speed[drive.members.index(CARRIER)])
+    return Resistance(*(ahead * each for each in size))
 
 
 def drag_pairs(drive: Drive, drag: Array) -> Array:
@@ -87,6 +93,48 @@ def drag_levers(drive: Drive) -> Array:
     return sectors_of_members(drive)[:, None] * levers.T
 
 
+def resistance_levers(drive: Drive) -> Resistance:
+    r"""Moments on the members over each resistance of the contacts.
+
+    .. math::
+        M_1 = -R_1 g - h - R_1 g_s, \qquad M_2 = \pm R_2 g + h \pm R_2 g_s, \qquad
+        M_c = (R_1 \mp R_2)\,g_s
+
+    of the drag g of the oil, the moment h of hysteresis and the drag :math:`g_s` of skew, plus in external contacts.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Resistance
+        Counter-clockwise, those on the axis from all sectors, shape (members, contacts) [m], for the moment [-].
+
+    References
+    ----------
+    Balance of both bodies; equation (B9) of :doc:`/equations`.
+    """
+    unit, oil = np.eye(len(drive.members)), drag_levers(drive)
+    first, second = (unit[numbers] for numbers in _bodies(drive))
+    copies = sectors_of_members(drive)[:, None]
+    # what one sector's bearings bear
+    held = -(oil / copies).sum(axis=0)
+    carrier = copies * unit[drive.members.index(CARRIER)][:, None]
+    return Resistance(oil, copies * (second - first).T, oil + carrier * held)
+
+
+def resistance_moments(drive: Drive, resistance: Resistance) -> Array:
+    """Moments of all that resists rolling on the members, counter-clockwise, shape (members,) [N·m]; (B9).
+
+    Of signed resistances, shape (contacts,).
+    """
+    levers = resistance_levers(drive)
+    moments = [product(lever, size) for lever, size in zip(levers, resistance, strict=True)]
+    return moments[0] + moments[1] + moments[2]
+
+
 def _outward(drive: Drive) -> np.ndarray:
     """-1 where the first body of a contact lies inside the second, else 1, shape (contacts,)."""
     return np.array([-1.0 if contact.internal else 1.0 for contact in drive.contacts])
@@ -111,8 +159,8 @@ class MemberLoads(NamedTuple):
     unbalanced : Array
         Force that no pin takes up, shape (floating, 2) [N]; 0 in a balanced state but for its residual.
     moments : Array
-        Moments of contacts, oil and pins on the members, all sectors together, counter-clockwise, shape (members,)
-        [N·m].
+        Moments of contacts, of what resists their rolling, and of pins on the members, all sectors together,
+        counter-clockwise, shape (members,) [N·m].
     """
 
     pin: Array
@@ -121,7 +169,12 @@ class MemberLoads(NamedTuple):
 
 
 def member_loads(
-    *, drive: Drive, normal: Array, tangential: Array, body_force: Array, drag: Array | None = None
+    *,
+    drive: Drive,
+    normal: Array,
+    tangential: Array,
+    body_force: Array,
+    resistance: Resistance | None = None,
 ) -> MemberLoads:
     r"""Loads of the structure from the forces of the contacts.
 
@@ -136,8 +189,9 @@ def member_loads(
         (contacts,) [N].
     body_force : Array
         Forces Z on the floating bodies, shape (floating, 2) [N].
-    drag : Array or None, optional
-        Drag of the oil, as in :class:`asperity.drive.state.state.DriveState`, shape (contacts,) [N]; None for none.
+    resistance : Resistance or None, optional
+        What resists rolling, signed as in :class:`asperity.drive.state.state.DriveState`, shape (contacts,) [N] and
+        [N·m]; None for nothing.
 
     Returns
     -------
@@ -149,14 +203,14 @@ def member_loads(
     Balance of each body; equation (M1) of :doc:`/equations`.
     """
     matrices = incidence(drive)
-    between = tangential if drag is None else tangential + drag_pairs(drive, drag)
+    between = tangential if resistance is None else tangential + drag_pairs(drive, resistance.drag)
     left = body_force.ravel() - product(matrices.approach.T, normal) - product(matrices.sliding.T, between)
     pin = product(matrices.pins, left)
     moments = member_moments(drive, matrices, tangential, pin)
     return MemberLoads(
         pin=pin,
         unbalanced=(left - product(matrices.pins.T, pin)).reshape(-1, 2),
-        moments=moments if drag is None else moments + product(drag_levers(drive), drag),
+        moments=moments if resistance is None else moments + resistance_moments(drive, resistance),
     )
 
 

@@ -28,6 +28,7 @@ from asperity.drive.state.equations import (
     no_displacement,
     numbers_of_pairs,
     of_kind,
+    responses_of,
     speeds_and_turns,
     state_misfits,
     turning_members,
@@ -232,7 +233,7 @@ def solved(
         going = balanced & may_slide & jnp.any(trial != last.slides) & (state.steps < 2 * nothing.size)
         return _Search(last, held, trial, going, state.steps + 1)
 
-    started = Balance(first, Responses(*(nothing,) * 4), begin)
+    started = Balance(first, responses_of(nothing), begin)
     start_of = _Search(started, begin, begin, nothing[0] == 0.0, nothing[0].astype(int))
     last = jax.lax.while_loop(lambda state: state.going, improve, start_of).last
     return _with_derivatives(machine, task, last, pressed_sectors=pressed_sectors)
@@ -325,9 +326,11 @@ def state_of(machine: Machine, task: Task, found: Balance) -> DriveState:
         rotation=turned,
         speed=speed,
         creepage=rolls * responses.creepage,
-        drag=responses.drag,
+        drag=responses.resistance.drag,
+        hysteresis_moment=responses.resistance.hysteresis_moment,
+        skew_drag=responses.resistance.skew_drag,
         interference=contact_interference(machine, x),
-        input_torque=-drive.sense * moments_of(machine, task, tangential, pin, responses.drag)[entry],
+        input_torque=-drive.sense * moments_of(machine, task, tangential, pin, responses.resistance)[entry],
         speed_loss=1.0 - speed[out] / machine.ideal[out],
         worst=worst,
         slides=slides,

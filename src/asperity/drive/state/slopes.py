@@ -34,7 +34,8 @@ from asperity.drive.state.equations import (
     speeds_and_turns,
     turning_members,
 )
-from asperity.drive.state.loads import drag_levers, drag_pairs
+from asperity.drive.state.loads import drag_pairs, resistance_levers
+from asperity.drive.state.state import Resistance
 from asperity.linear import product
 
 
@@ -112,7 +113,11 @@ def state_slopes(
     pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x)
     moments = -turning.T * _moment_scale(machine)[:, None] * limit / (machine.lever * largest)
     preload = preload_weights(count, pressed_sectors) * reference
-    oil_forces, oil_moments = _by_oil(machine, task, responses.by_normal.drag)
+    resisting = [
+        _by_resistance(machine, task, slopes.resistance)
+        for slopes in (responses.by_normal, responses.by_tangential)
+    ]
+    (forces, resisted), (forces_along, resisted_along) = resisting
     return Slopes(
         approach=_approaches(machine, responses.by_normal.approach),
         held_normal=held.normal,
@@ -123,16 +128,16 @@ def state_slopes(
         held_moves=jnp.concatenate([*held[2:], jnp.zeros((count, 1))], axis=1),
         normal=jnp.concatenate(
             [
-                (matrices.approach.T + oil_forces) * reference / largest,
-                oil_moments * reference / (machine.lever * largest),
+                (matrices.approach.T + forces) * reference / largest,
+                resisted * reference / (machine.lever * largest),
                 pins_by_normal,
                 jnp.where(assembled, preload / largest, 0.0)[None],
             ]
         ),
         tangential=jnp.concatenate(
             [
-                matrices.sliding.T * limit / largest,
-                jnp.where(assembled, 0.0, moments),
+                (matrices.sliding.T + forces_along) * limit / largest,
+                jnp.where(assembled, 0.0, moments + resisted_along * limit / (machine.lever * largest)),
                 pins_by_tangential,
                 jnp.zeros((1, count)),
             ]
@@ -141,13 +146,14 @@ def state_slopes(
     )
 
 
-def _by_oil(machine: Machine, task: Task, drag: Array) -> tuple[Array, Array]:
-    """Slopes of the balances of forces and moments by the normal forces, through the drag of the oil."""
+def _by_resistance(machine: Machine, task: Task, slopes: Resistance) -> tuple[Array, Array]:
+    """Slopes of the balances of forces and moments by forces of the contacts, through what resists their rolling."""
     drive, matrices = machine.drive, machine.matrices
     members = np.array(turning_members(drive), dtype=int)
-    if task.load.drag_of is None:
-        return jnp.zeros(matrices.sliding.T.shape), jnp.zeros((members.size, drag.size))
-    return matrices.sliding.T * drag_pairs(drive, drag), drag_levers(drive)[members] * drag
+    if task.load.resistance_of is None:
+        return jnp.zeros(matrices.sliding.T.shape), jnp.zeros((members.size, slopes.drag.size))
+    moments = [lever[members] * slope for lever, slope in zip(resistance_levers(drive), slopes, strict=True)]
+    return matrices.sliding.T * drag_pairs(drive, slopes.drag), moments[0] + moments[1] + moments[2]
 
 
 def _approaches(machine: Machine, slope: Array) -> Array:
@@ -238,9 +244,9 @@ def _of_structure(machine: Machine, task: Task, pressed_sectors: int, x: Unknown
     if load.support_stiffness is not None:
         supports = _diagonal(jnp.repeat(load.support_stiffness, 2)) * machine.length / machine.largest
     _, tangential = contact_forces(machine, x)
-    by_pins = jax.jacfwd(
-        lambda pin: moments_of(machine, task, tangential, pin, jnp.zeros_like(tangential))[members]
-    )(x.pin * machine.largest)
+    by_pins = jax.jacfwd(lambda pin: moments_of(machine, task, tangential, pin, None)[members])(
+        x.pin * machine.largest
+    )
     pin_rows, pin_slopes = _of_pins(machine, task, x)
     size = jnp.where(assembled & (pressed_sectors > 0), 0.0, 1.0).reshape(1, 1)
     return jnp.block(

@@ -26,11 +26,47 @@ STATE_TOLERANCE = 1e-9
 #: just its friction.
 SLIP_TOLERANCE = 1e-11
 
-#: Creep law of contacts under normal and tangential forces; a module of numbers, as ``jax.tree_util.Partial`` is one.
-CreepOf = Callable[[Array, Array], CreepLaw]
 
-#: Size of the drag of the oil under normal forces, a module of numbers too.
-DragOf = Callable[[Array], Array]
+class Creeping(NamedTuple):
+    """How contacts creep under their forces.
+
+    Parameters
+    ----------
+    law : CreepLaw
+        Their creep law.
+    skew_drag : Array
+        Size of the drag of skew on each surface, as in :class:`Resistance`, shape (contacts,) [N].
+    """
+
+    law: CreepLaw
+    skew_drag: Array
+
+
+class Resistance(NamedTuple):
+    """What resists the rolling of contacts besides creep, as in :mod:`asperity.drive.state.loads`; signs or sizes.
+
+    Parameters
+    ----------
+    drag : Array
+        Of the oil on each surface, positive where the first one moves counter-clockwise around its body, shape
+        (contacts,) [N].
+    hysteresis_moment : Array
+        Of the pressure, which elastic hysteresis shifts to the inlet, on both bodies, with the same sign, shape
+        (contacts,) [N·m].
+    skew_drag : Array
+        Of the axial friction of skewed axes on each surface, with the same sign, shape (contacts,) [N].
+    """
+
+    drag: Array
+    hysteresis_moment: Array
+    skew_drag: Array
+
+
+#: How contacts creep under normal and tangential forces; a module of numbers, as ``jax.tree_util.Partial`` is one.
+CreepOf = Callable[[Array, Array], Creeping]
+
+#: Sizes of the drag of the oil [N] and of the moment of hysteresis [N·m] under normal forces, a module of numbers too.
+ResistanceOf = Callable[[Array], tuple[Array, Array]]
 
 _NEAR_SLIP = 0.999  # the slip of a standing contact is continued as a line above this share of friction
 
@@ -104,9 +140,9 @@ class DriveLoad(eqx.Module):
     friction_on_carrier : bool, optional
         Whether the friction of the rollers' bearings acts on the carrier too; equation (5) of Zou et al. 2025 leaves it
         out.
-    drag_of : callable or None, optional
-        Drag of the oil on each surface of the contacts of the rolling drive under their normal forces, shape
-        (contacts,) [N], as in :mod:`asperity.drive.state.loads`; None for none.
+    resistance_of : callable or None, optional
+        What oil and hysteresis do at the contacts of the rolling drive under their normal forces; None where nothing
+        but creep resists rolling, and skew does not either.
     """
 
     output_torque: Real
@@ -118,7 +154,7 @@ class DriveLoad(eqx.Module):
     standing_rotation: Real = 1.0
     supports: Supports | None = None
     friction_on_carrier: bool = eqx.field(static=True, default=True)
-    drag_of: DragOf | None = None
+    resistance_of: ResistanceOf | None = None
 
 
 class DriveState(eqx.Module):
@@ -139,9 +175,9 @@ class DriveState(eqx.Module):
         Angular velocities of the members per angular velocity of the input, shape (members,) [-].
     creepage : Array
         Creepages, shape (contacts,) [-]; 0 where nothing rolls.
-    drag : Array
-        Drag of the oil on each surface, positive where the first one moves counter-clockwise around its body, shape
-        (contacts,) [N]; 0 where nothing rolls.
+    drag, hysteresis_moment, skew_drag : Array
+        What resists rolling besides creep, as in :class:`Resistance`, shape (contacts,) [N] and [N·m]; 0 where nothing
+        rolls.
     interference : Array
         Interference of the contacts, shape (contacts,) [m].
     input_torque : Array
@@ -166,12 +202,19 @@ class DriveState(eqx.Module):
     speed: Array
     creepage: Array
     drag: Array
+    hysteresis_moment: Array
+    skew_drag: Array
     interference: Array
     input_torque: Array
     speed_loss: Array
     worst: Array
     slides: Array
     carried: Array
+
+    @property
+    def resistance(self) -> Resistance:
+        """What resists rolling besides creep."""
+        return Resistance(self.drag, self.hysteresis_moment, self.skew_drag)
 
     @property
     def residual(self) -> Array:

@@ -104,11 +104,7 @@ def network_stiffness(
     turns = product(tied.T, springs.turns[:, turning] / length)
     moments = product(tied.T, springs.moments[:, turning] * copies / length)
     kinematic, static = (jnp.concatenate([springs.moves, columns], axis=1) for columns in (turns, moments))
-    laws, moved_by, slides = springs.compliance / scale, kinematic, jnp.zeros(len(kinematic), dtype=bool)
-    if sliding_friction is not None:
-        friction, slides = _sliding(sliding_friction, first, len(kinematic))
-        laws = jnp.where(slides[:, None], friction, laws)
-        moved_by = jnp.where(slides[:, None], 0.0, kinematic)
+    laws, moved_by, slides = _with_sliding(springs.compliance / scale, kinematic, sliding_friction, first)
     bearings = jnp.zeros(kinematic.shape[1])
     if first and support_stiffness is not None:
         bearings = bearings.at[: 2 * len(support_stiffness)].set(jnp.repeat(support_stiffness, 2) * scale)
@@ -129,6 +125,75 @@ def network_stiffness(
         normal_force=force[:count] if first else jnp.zeros(count),
         support_share=jnp.concatenate([shares[end + len(drive.pinned) :], held]),
     )
+
+
+class SpringLaws(NamedTuple):
+    r"""Springs of a drive whose centres float, for any of its motions. SI units.
+
+    .. math:: L f = B q, \qquad n B^\mathsf{T} f + k q = g
+
+    with the forces f of the springs of one sector of n, and the loads g of a motion q: the displacements of the
+    floating centres, seen from the carrier, then the rotations of all members.
+
+    Parameters
+    ----------
+    laws : Array
+        L: compliances of the springs; of a contact that slides as a whole :math:`f_t - \mu f_n = 0`, shape (springs,
+        springs) [m/N] or [-].
+    elongation : Array
+        B: how motions lengthen the springs, shape (springs, motions) [-] for displacements, [m] for rotations.
+    slides : Array
+        Which springs are those of contacts that slide, shape (springs,).
+    bearings : Array
+        k: springs of the bearings along each motion, shape (motions,) [N/m].
+    """
+
+    laws: Array
+    elongation: Array
+    slides: Array
+    bearings: Array
+
+
+def spring_laws(
+    *,
+    drive: Drive,
+    normal_compliance: Array,
+    tangential_compliance: Array,
+    coupling: Array | None,
+    pin_compliance: Real,
+    sliding_friction: Array,
+    support_stiffness: Array | None,
+    supports: Supports | None,
+) -> SpringLaws:
+    r"""Springs of a drive with floating centres: normal and tangential ones of the contacts, pins, supports.
+
+    .. math:: L f = B q
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+    normal_compliance, tangential_compliance : Array
+        Of each contact, incremental, shape (contacts,) [m/N].
+    coupling, pin_compliance, sliding_friction, support_stiffness, supports
+        As for :func:`network_stiffness`.
+
+    Returns
+    -------
+    SpringLaws
+        nan where a compliance is.
+
+    References
+    ----------
+    Equations (A8) and (M1) of :doc:`/equations`.
+    """
+    springs = _springs(drive, normal_compliance, tangential_compliance, coupling, pin_compliance, supports)
+    motions = jnp.concatenate([springs.moves, springs.turns], axis=1)
+    laws, _, slides = _with_sliding(springs.compliance, motions, sliding_friction, normal_compliance.size)
+    bearings = jnp.zeros(motions.shape[1])
+    if support_stiffness is not None:
+        bearings = bearings.at[: 2 * support_stiffness.size].set(jnp.repeat(support_stiffness, 2))
+    return SpringLaws(laws, motions, slides, bearings)
 
 
 class _Springs(NamedTuple):
@@ -170,13 +235,23 @@ def _springs(
     )
 
 
-def _sliding(friction: Array, first: int, size: int) -> tuple[Array, Array]:
-    """Laws of sliding contacts, whose tangential springs start at ``first``, and which of the springs slide."""
+def _with_sliding(
+    compliance: Array, kinematic: Array, friction: Array | None, first: int
+) -> tuple[Array, Array, Array]:
+    """Laws of springs, what lengthens them, and which slide: contacts whose tangential springs start at ``first``."""
+    size = len(kinematic)
+    if friction is None:
+        return compliance, kinematic, jnp.zeros(size, dtype=bool)
     behind = size - first - friction.size
     laws = jnp.eye(size)
     if first:
         laws = laws - jnp.pad(jnp.diag(friction), ((first, behind), (0, first + behind)))
-    return laws, jnp.pad(friction != 0.0, (first, behind))
+    slides = jnp.pad(friction != 0.0, (first, behind))
+    return (
+        jnp.where(slides[:, None], laws, compliance),
+        jnp.where(slides[:, None], 0.0, kinematic),
+        slides,
+    )
 
 
 def _tied(drive: Drive, names: list[str]) -> np.ndarray:

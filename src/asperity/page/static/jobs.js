@@ -201,7 +201,7 @@ function sensitivity(found) {
   };
   select.addEventListener("change", draw);
   draw();
-  return [select, place, element("p", { class: "note" }, "An elasticity of 2: one per cent more of the number makes about two per cent more of the result. The ten largest.")];
+  return [select, place, element("p", { class: "note" }, "An elasticity of 2: one per cent more of the number makes about two per cent more of the result. The ten largest. A radius is that of another drive, whose ring follows it; a finished part deviates while all others stay as they are.")];
 }
 
 function uncertainty(found) {

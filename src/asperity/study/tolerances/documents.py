@@ -8,9 +8,23 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.study.datasets import number_or_null
+from asperity.study.tolerances.sensitivity import FINISHED_PART
 
 if TYPE_CHECKING:
     import xarray
+
+
+#: What the rows of radii are, below a table of sensitivities.
+ABOUT_FINISHED_PARTS = (
+    "Radii are those of another drive with the same interference, as in joint and sweep; the bore of a ring that "
+    "follows from the rollers follows them. Those of finished parts deviate while all other parts stay as they are: "
+    "uncertainty and tolerances take deviations so."
+)
+#: What a tolerance of a radius is, where the preload is made by interference.
+TOLERANCES_OF_PARTS = (
+    "Radii are those of finished parts: each deviates while all other parts stay as they are, and adds to the "
+    "interference."
+)
 
 
 def sensitivity_document(dataset: xarray.Dataset) -> dict[str, Any]:
@@ -18,7 +32,7 @@ def sensitivity_document(dataset: xarray.Dataset) -> dict[str, Any]:
     inputs = dataset["input"].values.tolist()
     return {
         "inputs": {
-            name: {"value": float(value), "unit": str(unit)}
+            name: {"value": float(value), "unit": str(unit), "finished_part": name.endswith(FINISHED_PART)}
             for name, value, unit in zip(
                 inputs, dataset["value"].values, dataset["input_unit"].values, strict=True
             )
@@ -89,6 +103,7 @@ def uncertainty_document(dataset: xarray.Dataset) -> dict[str, Any]:
                 "tolerance": float(dataset["tolerance"].values[k]),
                 "unit": str(dataset["input_unit"].values[k]),
                 "distribution": str(dataset["distribution"].values[k]),
+                "finished_part": bool(dataset["finished_part"].values[k]),
             }
             for k, name in enumerate(inputs)
         },

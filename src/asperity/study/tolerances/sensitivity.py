@@ -4,6 +4,11 @@ r"""Exact sensitivities of a joint to every number of its file, by automatic dif
     \text{elasticity} = \frac{\partial y}{\partial x}\,\frac{x}{y}
 
 An elasticity of 2 says that one per cent more of x makes about two per cent more of y.
+
+A radius stands in two rows where the preload is made by interference. Its own is that of the number in the file, as in
+:mod:`asperity.study.sweep.sweep`: of another drive with the same interference, in which the bore of a ring that follows
+from the rollers follows them. The other is that of a finished part, :data:`FINISHED_PART`, which deviates while all
+other parts stay as they are, as tolerances do.
 """
 
 from __future__ import annotations
@@ -16,7 +21,7 @@ import numpy as np
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import refuse_impossible_joint, solve_joint
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
-from asperity.joint_file.any_joint import results_of, with_nominal_sizes
+from asperity.joint_file.any_joint import results_of, sizes_of_parts, with_nominal_sizes
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.si_tables import AnyCase, si_values, varied_keys
 from asperity.precision import require_double_precision
@@ -37,6 +42,15 @@ DEFAULT_RESULTS = (
     "pressure_over_first_yield",
     "self_locking_ratio",
 )
+
+
+#: Behind the path of a radius in the names of inputs: a finished part, whose deviation adds to the interference.
+FINISHED_PART = " (finished part)"
+
+
+def path_of_input(name: str) -> str:
+    """Dotted path of the number of the file that an input of :func:`sensitivity` is, or is the finished part of."""
+    return name.removesuffix(FINISHED_PART)
 
 
 def differentiable_rows(table: Mapping[str, Result]) -> dict[str, str]:
@@ -65,8 +79,9 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     xarray.Dataset
         Dimensions ``result`` and ``input``; variables ``derivative`` (SI unit of the result per SI unit of the input,
         as the coordinates ``result_unit`` and ``input_unit`` say), ``elasticity``, ``value`` of the inputs,
-        ``result_value``. An elasticity is nan where the result is 0, and the derivatives of an infinite capacity
-        are nan.
+        ``result_value``. The inputs are the numbers of the file, then the sizes of finished parts, their paths with
+        :data:`FINISHED_PART` behind. An elasticity is nan where the result is 0, and the derivatives of an infinite
+        capacity are nan.
 
     Raises
     ------
@@ -79,9 +94,9 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
 
     Notes
     -----
-    One entry for all contacts is one input: all five move together. The number of planets is differentiated as if
-    it were continuous, unless the file has a section ``[[branch]]`` for each. Where a result has a kink (no torque; two
-    longest contact lines on one roller) the derivative is that of one side or their mean.
+    One entry for all contacts is one input: all five move together; so do the parts of one size. The number of planets
+    is differentiated as if it were continuous, unless the file has a section ``[[branch]]`` for each. Where a result
+    has a kink (no torque; two longest contact lines on one roller) the derivative is that of one side or their mean.
     """
     require_double_precision()
     xr = require("xarray")
@@ -90,18 +105,25 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
     allowed = [name for name, result in table.items() if result.differentiable]
     asked = [name for name in DEFAULT_RESULTS if name in table] if results is None else results
     names = tuple(known_result(name, among=allowed, what="differentiable result") for name in asked)
-    inputs = varied_keys(case)
-    inputs.pop(count_of_branches(tables) or "", None)
-    x = np.array([entry.value for entry in inputs.values()])
-    point = {path: np.array([entry.value]) for path, entry in inputs.items()}
+    keys = varied_keys(case)
+    keys.pop(count_of_branches(tables) or "", None)
+    point = {path: np.array([entry.value]) for path, entry in keys.items()}
     refuse_impossible_joint(with_own_branches(case))
-    # a changed radius of a listed contact is that of another drive with the same interference
-    around = tables if "contact" in tables else with_nominal_sizes(tables)
-    status, values, slopes = derivatives_at(around, point, names, tuple(inputs))
+    sizes = sizes_of_parts(tables, keys)
+    status, values, slopes = derivatives_at(
+        with_nominal_sizes(tables), point, names, tuple(keys), nominal=sizes
+    )
     y = np.concatenate([values[name][:, 0] for name in names])
     if status[0] != ALL_PLASTIC or np.isnan(y).any():
         refuse_failed(case, int(status[0]))
+    inputs = keys | {f"{path}{FINISHED_PART}": keys[path] for path in sizes}
+    x = np.array([entry.value for entry in inputs.values()])
     jacobian = np.concatenate([slopes[name][:, 0] for name in names])
+    # the numbers of the file first; the slopes of sizes alone are those of finished parts
+    places, paths = np.arange(len(keys)), list(keys)
+    parts = [paths.index(path) for path in sizes]
+    places[parts] = len(keys) + np.arange(len(sizes))
+    jacobian = jacobian[:, [*places, *parts]]
     rows = result_rows(table[name] for name in names)
     finite = np.isfinite(y)[:, None]
     derivative = np.where(finite, jacobian, np.nan)
@@ -125,10 +147,15 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
             "result_unit": ("result", [unit for _, unit, _ in rows]),
             "input_unit": ("input", [entry.key.dimension.si_unit for entry in inputs.values()]),
             "result_name": ("result", [label for _, _, label in rows]),
-            "input_name": ("input", [long_name(path) for path in inputs]),
+            "input_name": ("input", [_named(name) for name in inputs]),
         },
         attrs=common_attributes("sensitivities of a joint"),
     )
+
+
+def _named(name: str) -> str:
+    """An input in words."""
+    return f"{long_name(path_of_input(name))}{FINISHED_PART if name.endswith(FINISHED_PART) else ''}"
 
 
 def refuse_failed(case: AnyCase, status: int) -> None:

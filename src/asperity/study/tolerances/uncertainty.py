@@ -14,7 +14,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.solve import refuse_impossible_joint
 from asperity.joint.status import STATUS_NAMES
-from asperity.joint_file.any_joint import results_of, with_nominal_sizes
+from asperity.joint_file.any_joint import results_of, sizes_of_parts, with_nominal_sizes
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.part_names import paths_of_track
 from asperity.joint_file.quantity_key import FORMS, Distribution
@@ -123,9 +123,10 @@ def uncertainty(
 
     Notes
     -----
-    The inputs scatter independently of each other; a number that stands for several parts, such as one friction
-    coefficient for all contacts, scatters as one. Normal distributions are not cut off: samples outside the range
-    of a key have no result and are counted.
+    Where the preload is made by interference, a radius is that of a finished part (``finished_part``): it deviates
+    while all other parts stay as they are. The inputs scatter independently of each other; a number that stands for
+    several parts, such as one friction coefficient for all contacts, scatters as one. Normal distributions are not cut
+    off: samples outside the range of a key have no result and are counted.
 
     References
     ----------
@@ -147,7 +148,8 @@ def uncertainty(
     codes, found = evaluate_points(tables, points, names, batch=block, report=counted)
     refuse_failed(case, int(codes[0]))
     numbers = np.concatenate([np.atleast_2d(found[name]) for name in names])
-    return _dataset(rows, inputs, numbers, codes, np.stack(list(points.values())), samples, seed)
+    drawn, sizes = np.stack(list(points.values())), sizes_of_parts(values, inputs)
+    return _dataset(rows, inputs, sizes, numbers, codes, drawn, samples, seed)
 
 
 def _refuse_samples(samples: int, results: int, inputs: int) -> None:
@@ -191,13 +193,17 @@ def _counter(report: Callable[[int, int], Any] | None, total: int) -> Callable[[
 def _dataset(
     rows: Sequence[Result],
     inputs: dict[str, tuple[NumericKey, Distribution]],
+    sizes: tuple[str, ...],
     numbers: np.ndarray,
     codes: np.ndarray,
     drawn: np.ndarray,
     samples: int,
     seed: int,
 ) -> xarray.Dataset:
-    """Statistics of results, shape (results, points), of the points of :func:`_cube`, which stand for inputs drawn."""
+    """Statistics of results, shape (results, points), of the points of :func:`_cube`, which stand for inputs drawn.
+
+    ``sizes`` are the paths of those that are sizes of finished parts.
+    """
     mine, one, pair, unit = slice(1, 1 + samples), ("result",), ("result", "input"), "unit"
     sampled, status = numbers[:, mine], codes[mine]
     if (solved := int((status == 0).sum())) < _FEWEST:
@@ -245,6 +251,7 @@ def _dataset(
             "input_name": ("input", [long_name(path) for path in inputs]),
             "distribution": ("input", [str(spread) for _, spread in inputs.values()]),
             "tolerance": ("input", [entry.tolerance for entry in keys]),
+            "finished_part": ("input", [path in sizes for path in inputs]),
         },
         attrs={
             **common_attributes("uncertainty of a joint"),

@@ -1,0 +1,118 @@
+"""The springs of a joint about its output torques, and the creep of its contacts there: what its vibrations need."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.drive.state.creep import creepages
+from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState, surface_speeds
+from asperity.drive.state.states import standing_state
+from asperity.drive.stiffness.network import SpringLaws
+from asperity.joint.assembled import Pressed
+from asperity.joint.contacts import JointContacts
+from asperity.joint.description import Joint, in_motion, joint_contacts
+from asperity.joint.laws import creep_under
+from asperity.joint.loading_cam import pressed_at, turned_cam, with_its_cam
+from asperity.joint.solve import Solution
+from asperity.joint.stiffness import loaded_stiffness, working_springs
+from asperity.rolling.turning import driving_sense
+from asperity.standing.over_torque import (
+    in_batches,
+    rolling_with_its_torque,
+    slope_of_lost_speed,
+    with_its_torque,
+)
+
+
+class SpringsOverTorque(NamedTuple):
+    """A joint about its output torques, along the first axis. SI units; nan where it has no such state.
+
+    ``stiffness``: of the assembly at the output [N·m/rad]; ``cam_compliance``: of its loading cam there [rad/(N·m)];
+    ``springs``: all springs of the joint that stands. Of the joint that rolls: ``lost_speed_slope``, slope of the lost
+    share of the output speed over the torque [1/(N·m)]; ``creep_by_normal`` and ``creep_by_tangential``, slopes of the
+    speeds at which the surfaces creep over the forces of their contacts, counter-clockwise as in
+    :class:`asperity.drive.state.state.DriveState`, shape (torques, contacts) [m/(N·s)].
+    """
+
+    stiffness: Array
+    cam_compliance: Array
+    springs: SpringLaws
+    lost_speed_slope: Array
+    creep_by_normal: Array
+    creep_by_tangential: Array
+
+
+def springs_over_torque(joint: Joint, torques: np.ndarray) -> SpringsOverTorque:
+    """The springs and the creep of a joint about output torques of either sign [N·m], as NumPy arrays."""
+    found: SpringsOverTorque = in_batches(springs_program, joint, torques)
+    return found
+
+
+def springs_program(joint: Joint, without_torque: Pressed, torques: Array) -> SpringsOverTorque:
+    """What is compiled to find them."""
+    contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
+    pressed, unloaded = pressed_at(joint, contacts, without_torque), with_its_torque(joint)
+    rolls, sense = rolling_with_its_torque(joint, contacts), driving_sense(joint.drive)
+
+    def at(torque: Array) -> SpringsOverTorque:
+        laws, rest = pressed(torque)
+        load = dataclasses.replace(unloaded, output_torque=torque)
+        state = standing_state(drive=joint.drive, laws=laws, rest=rest, load=load)
+        forces = (state.normal, sense * state.tangential, state.slides, state.pin_force)
+        cam = turned_cam(joint, contacts, without_torque.rest, rest)
+        assembly = with_its_cam(loaded_stiffness(joint, contacts, *forces).assembly, cam)
+        solved = state.residual < STATE_TOLERANCE
+        slope, rolling = slope_of_lost_speed(joint, contacts, pressed, rolls, torque)
+        known = jnp.where(rolling.residual < STATE_TOLERANCE, 1.0, jnp.nan)
+        by_normal, by_tangential = _creep_slopes(joint, contacts, rolling)
+        return SpringsOverTorque(
+            stiffness=jnp.where(solved, jnp.asarray(assembly.stiffness.output), jnp.nan),
+            cam_compliance=jnp.zeros(()) if cam is None else jnp.asarray(cam.compliance),
+            springs=working_springs(joint, contacts, *forces),
+            lost_speed_slope=slope,
+            creep_by_normal=known * by_normal,
+            creep_by_tangential=known * by_tangential,
+        )
+
+    return jax.lax.map(at, torques)
+
+
+def springs_of_solution(joint: Joint, solution: Solution) -> SpringLaws:
+    """All springs of a joint that is solved, standing under its torque, as NumPy arrays."""
+    moving = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
+    forces = solution.result.forces
+    arguments = (
+        moving,
+        solution.laws,
+        *map(np.asarray, (forces.normal, forces.tangential, solution.states.standing.slides, forces.pins)),
+    )
+    found: SpringLaws = jax.tree.map(np.asarray, compile_fast(_of_forces, *arguments)(*arguments))
+    return found
+
+
+def _of_forces(joint: Joint, laws: ContactLaws, *forces: Array) -> SpringLaws:
+    """What is compiled to find the springs under known forces."""
+    contacts = dataclasses.replace(joint_contacts(joint), rims=laws.rims)
+    return working_springs(joint, contacts, *forces)
+
+
+def _creep_slopes(joint: Joint, contacts: JointContacts, rolling: DriveState) -> tuple[Array, Array]:
+    """Slopes of the speeds of creep by the normal and by the tangential forces, shape (contacts,) [m/(N·s)]."""
+    law = creep_under(joint, contacts)
+    one, two = surface_speeds(drive=joint.drive, speed=rolling.speed * joint.input_speed)
+
+    def creeps(normal: Array, tangential: Array) -> Array:
+        return creepages(law=law(normal, tangential).law, normal=normal, tangential=tangential)
+
+    forces, ones = (rolling.normal, rolling.tangential), jnp.ones_like(rolling.normal)
+    _, by_normal = jax.jvp(creeps, forces, (ones, 0.0 * ones))
+    _, by_tangential = jax.jvp(creeps, forces, (0.0 * ones, ones))
+    mean = 0.5 * (one + two)
+    return mean * by_normal, mean * by_tangential
