@@ -21,7 +21,6 @@ from asperity.results.torque_capacity import (
     JointCapacity,
     capacity_of_direction,
     capacity_words,
-    ends_in_damage,
     excesses_of_rows,
     place_names,
     torque_capacities,
@@ -39,20 +38,30 @@ OF_153_MM = {
     'contact_length = "10 mm"': 'contact_length = "13.2 mm"',
     'interference = "30 um"': f'preload = "{PRELOAD:g} N"\ncam_force_per_torque = "{CAM:g} N/Nm"',
 }
-#: The same with a ring of so little wall that it yields before a contact does.
-THIN_RING = OF_153_MM | {'ring_wall_thickness = "8 mm"': 'ring_wall_thickness = "7 mm"'}
+#: The same held by a housing, so that a contact yields first; and of a steel that yields before it breaks by fatigue.
+HELD = OF_153_MM | {'ring_support = "free"': 'ring_support = "rigid_housing"'}
+THIN_RING = OF_153_MM | {
+    'ring_wall_thickness = "8 mm"': 'ring_wall_thickness = "7 mm"',
+    'ring = "52100"': 'ring = "17-4PH"',
+}
 RATED = '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_rating = "100 N"\ncount = 1\n[compliance]'
 DUTY = '\n[[duty]]\noutput_torque = "11 N*m"\nsun_speed = "1500 rpm"\nshare = 1.0\n'
 
 
 @pytest.fixture(scope="module")
 def cam_case(planar_case):
-    return planar_case("planetary", replaced=OF_153_MM)
+    return planar_case("planetary", replaced=HELD)
 
 
 @pytest.fixture(scope="module")
 def with_cam(cam_case):
     return solved_case(cam_case)
+
+
+@pytest.fixture(scope="module")
+def bending(planar_case):
+    """The same with a ring that carries itself."""
+    return solved_case(planar_case("planetary", replaced=OF_153_MM))
 
 
 def test_the_capacity_of_a_loading_cam_ends_where_a_contact_yields(with_cam):
@@ -71,8 +80,17 @@ def test_the_capacity_of_a_loading_cam_ends_where_a_contact_yields(with_cam):
         assert (found["limit"], found["limiting_place"]) == ("pressure_over_first_yield", "sp")
         assert found["meaning"] == "contact sp beyond first yield, standing"
         assert not found["is_lower_bound"]
-    assert ends_in_damage(with_cam)
     assert float(with_cam.standing_capacity.output_torque) > 3.0 * by_hand
+
+
+def test_a_ring_that_carries_itself_ends_it_before(bending):
+    """Bent by three forces it breaks by fatigue; its safety falls with the force, which the torque makes."""
+    found = torque_capacity_document(bending)
+    assert (found["limit"], found["limiting_place"]) == ("rim_fatigue_safety", "ring")
+    assert found["meaning"] == "ring breaks by fatigue at a rim, in rolling"
+    torque, safety = float(bending.joint.output_torque), float(np.asarray(bending.rims.fatigue_safety)[-1])
+    by_hand = (safety * (PRELOAD + CAM * torque) - PRELOAD) / CAM
+    assert found["output_torque_Nm"] == pytest.approx(by_hand, rel=0.02)
 
 
 def kept(case, torque):
@@ -91,7 +109,8 @@ def kept(case, torque):
 @pytest.mark.parametrize(
     ("name", "replaced", "limits"),
     [
-        ("planetary", OF_153_MM, ("pressure_over_first_yield",) * 2),
+        ("planetary", HELD, ("pressure_over_first_yield",) * 2),
+        ("planetary", OF_153_MM, ("rim_fatigue_safety",) * 2),
         ("planetary", THIN_RING, ("rim_yield_safety",) * 2),
         ("planetary", {}, ("rolling_gross_slip", "gross_slip")),
         ("planar", {}, ("gross_slip",) * 2),
@@ -187,13 +206,13 @@ def test_every_limit_has_words(with_cam, limit, torque, said):
     assert capacity_words(with_cam, capacity) == said
 
 
-def test_by_how_much_rows_exceed_their_limits(with_cam):
-    """The pressure at both contacts and shakedown as ratios, the ring's yield as an inverse safety."""
-    found = excesses_of_rows(with_cam)
-    diagnostics = np.asarray(with_cam.result.diagnostics.pressure_over_first_yield)
+def test_by_how_much_rows_exceed_their_limits(bending):
+    """The pressure at both contacts and shakedown as ratios, the ring's safeties inverse."""
+    found = excesses_of_rows(bending)
+    diagnostics = np.asarray(bending.result.diagnostics.pressure_over_first_yield)
     np.testing.assert_allclose(found[:2], diagnostics - 1.0, rtol=1e-12)
-    safety = np.asarray(with_cam.rims.yield_safety)[-1]
-    assert found[-1] == pytest.approx(1.0 / safety - 1.0, rel=1e-12)
+    safeties = [np.asarray(getattr(bending.rims, name))[-1] for name in ("yield_safety", "fatigue_safety")]
+    assert found[-2:] == pytest.approx([1.0 / safety - 1.0 for safety in safeties], rel=1e-12)
     assert not np.any(found >= 0.0)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -16,7 +15,6 @@ from asperity.results.limit_check import LimitCheck, with_pins
 from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
-from asperity.results.torque_capacity import ends_in_damage
 from asperity.units import format_quantity
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
@@ -129,9 +127,8 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     """
     table = results_of_joint(solved).values()
     judged = [with_pins(row, solved) for row in table if row.limit or row.name in _MUST_EXCEED]
-    requirements = [
-        _as_its_limit(_worst(row, rows), solved) for row in judged if (rows := row.rows_of(solved))
-    ]
+    requirements = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
+    requirements = [margin for margin in requirements if not _repeats(margin)]
     requirements += map(_further, further_checks(solved))
     by_name: dict[str, list[Note]] = {}
     for note in solved.notes:
@@ -173,11 +170,14 @@ def _worst_note(notes: list[Note]) -> Margin:
     return Margin(row, note.contact or "", note.value, lowest, highest, note.ok, note.severity)
 
 
-def _as_its_limit(margin: Margin, solved: SolvedJoint) -> Margin:
-    """A torque beyond the capacity is as serious as the limit that ends the capacity; every other margin as it is."""
-    if margin.result.name != "torque_safety" or margin.passes or not ends_in_damage(solved):
-        return margin
-    return dataclasses.replace(margin, severity="damage")
+def _closeness(margin: Margin) -> tuple[float, bool]:
+    """How near a margin is to its bound; of two alike, the limit itself rather than the capacity that it ends."""
+    return round(margin.utilisation, 9), margin.result.name != "torque_safety"
+
+
+def _repeats(margin: Margin) -> bool:
+    """Whether a margin only repeats others: each limit that ends the torque capacity is a requirement by itself."""
+    return margin.result.name == "torque_safety" and not margin.passes
 
 
 def _worst(row: Result, rows: dict[str, float]) -> Margin:
@@ -228,7 +228,7 @@ def verdict_document(
         missing + _fatigue_checks(bodies, materials),
     )
     used = [m for m in judged if m.severity in _JUDGED and m.passes and math.isfinite(m.utilisation)]
-    nearest = max(used, key=lambda margin: margin.utilisation, default=None)
+    nearest = max(used, key=_closeness, default=None)
     return {
         "title": title,
         "works": works,

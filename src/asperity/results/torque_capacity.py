@@ -372,9 +372,3 @@ def _document(solved: SolvedJoint, capacity: JointCapacity) -> dict[str, Any]:
         "meaning": capacity_words(solved, capacity) + ("; the joint may carry more" if at_least else ""),
         "is_lower_bound": at_least,
     }
-
-
-def ends_in_damage(solved: SolvedJoint) -> bool:
-    """Whether the torque capacity of one joint in the direction of its torque ends with a limit of damage."""
-    limit = CAPACITY_LIMITS[int(capacity_of_direction(solved).limit)]
-    return any(row.name == limit and row.limit and row.limit.severity == "damage" for row in JUDGED_ROWS)

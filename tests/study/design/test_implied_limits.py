@@ -83,15 +83,16 @@ def test_a_stated_limit_takes_the_place_of_an_implied_one(problem):
 @pytest.mark.slow
 def test_the_lightest_ring_does_not_yield(problem):
     """Under 3 kN at each of three planets; a thin ring by hand, M = P R/2 (1/a - cot a) with a = 60 degrees."""
-    found = design(problem(THIN, {'interference = "30 um"': 'preload = "3000 N"'}))
+    steel = {'interference = "30 um"': 'preload = "3000 N"', 'ring = "52100"': 'ring = "17-4PH"'}
+    found = design(problem(THIN, steel))
     assert found.feasible
     assert [limit.name for limit in found.limits if limit.active] == ["rim_yield_safety"]
     wall, angle = found.point["drive.ring_wall_thickness"], np.pi / 3.0
     radius = 50e-3 + 0.5 * wall
     stress = 3.0 * 3000.0 * radius * (1.0 / angle - 1.0 / np.tan(angle)) / (10e-3 * wall**2)
     stress = stress * (1.0 - wall / (3.0 * radius)) + 0.5 * 3000.0 / np.tan(angle) / (10e-3 * wall)
-    mises = stress * np.sqrt(1.0 - 0.29 + 0.29**2)
-    assert mises == pytest.approx(2034e6, rel=0.05)
+    mises = stress * np.sqrt(1.0 - 0.272 + 0.272**2)
+    assert mises == pytest.approx(1276e6, rel=0.05)
     solved = solve_case(parse_case(found.joint_text, source="designed")).document
     crossed = [
         entry["name"] for entry in solved["diagnostics"] if not entry["ok"] and entry["severity"] in JUDGED
