@@ -45,8 +45,8 @@ def measure(kind: str, points: int, repeats: int) -> None:
     def evaluated(name: str, column: np.ndarray) -> None:
         evaluate_points(values, {"load.output_torque": column}, (name,), in_all=QUICK_POINTS + 1)
 
-    for name in (*(f"{level}_stiffness_output" for level in LEVELS), "torque_capacity"):
-        column = torque if name != "torque_capacity" else torque[: points // 64]
+    for name in (*(f"{level}_stiffness_output" for level in LEVELS), "standing_torque_capacity"):
+        column = torque if name != "standing_torque_capacity" else torque[: points // 64]
         first, best = first_and_best(functools.partial(evaluated, name, column), repeats)
         print(f"{kind:15} {name:36} {column.size / best:9.0f} joints/s, compiled in {first - best:5.1f} s")
     at = {path: np.full(DERIVATIVE_BATCH, entry.value) for path, entry in inputs.items()}

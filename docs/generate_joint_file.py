@@ -38,8 +38,8 @@ A hyphen or a point between two units makes one unit of them: `"5 N-m"`, `"50 in
 *Moves* names the results that change with the number, computed by exact derivatives for the joint of the paper
 with bearings, springs, skew and oil, and for the crown radii with crowns of 500 mm; results that change by less
 than one part in a million for one per cent are left out. *All seven* are published and assembled stiffness, torque
-capacity, pressure, drift, efficiency and life. The range only catches typing errors where physics sets no bound. The
-results themselves are on the page [](results.md).
+capacity (standing, of slip alone), pressure, drift, efficiency and life. The range only catches typing errors where
+physics sets no bound. The results themselves are on the page [](results.md).
 
 `[bodies]` names the material of `sun`, `planet`, `loading_roller` and `ring`.
 """
@@ -48,7 +48,7 @@ results themselves are on the page [](results.md).
 NAMED = {
     "published_stiffness_output": "published stiffness",
     "assembly_stiffness_output": "assembled stiffness",
-    "torque_capacity": "torque capacity",
+    "standing_torque_capacity": "torque capacity",
     "pressure_over_first_yield": "pressure",
     "drift": "drift",
     "efficiency": "efficiency",

@@ -341,7 +341,7 @@ def document_of_branches(monkeypatch):
                 rolling=SimpleNamespace(slip_ratio=np.full(6, np.nan)),
             ),
             first_slip=limit(8.0, "gross_slip", 2),
-            capacity=limit(12.5, "gross_slip", 0),
+            standing_capacity=limit(12.5, "gross_slip", 0),
             rolling_capacity=limit(8.0, "no_solution", 6),
         )
         return module.branch_document(branches, solution)

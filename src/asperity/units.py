@@ -379,6 +379,21 @@ def format_quantity(value_si: float, unit: str, digits: int = 4) -> str:
     return number if shown in ("", "1") else f"{number} {shown}"
 
 
+def format_apart(value_si: float, other_si: float, unit: str, digits: int = 4) -> tuple[str, str]:
+    """Texts of two quantities, :func:`format_quantity`, with as many more digits as tell them apart if they differ.
+
+    Examples
+    --------
+    >>> format_apart(13.1801, 13.1798, "N*m")
+    ('13.1801 N·m', '13.1798 N·m')
+    """
+    for more in range(digits, 18):
+        shown = format_quantity(value_si, unit, more), format_quantity(other_si, unit, more)
+        if shown[0] != shown[1] or value_si == other_si:
+            return shown
+    return shown
+
+
 def unit_exponents(unit: str) -> Exponents | None:
     """Exponents of metre, kilogram, second, radian and kelvin of a product of units; None where it is none.
 

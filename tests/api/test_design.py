@@ -13,6 +13,7 @@ load.preload = { lower = "300 N", upper = "3000 N" }
 maximise = "stiffness"
 [constraints]
 pressure_over_first_yield = { at_most = %s }
+shakedown_ratio = { at_most = 2.0 }
 [search]
 starts = 1
 """
@@ -44,14 +45,16 @@ def test_values_are_those_of_the_command(found, folder, printed):
 def test_the_designed_joint_keeps_its_limit_when_it_is_solved(found):
     """The limit is active: pressure rises with the preload, and so does the stiffness."""
     solution = found.joint.solve()
-    assert solution["pressure_over_first_yield"].si.max() == pytest.approx(2.0, rel=1e-6)
+    assert 2.0 * (1.0 - 1e-3) < solution["pressure_over_first_yield"].si.max() <= 2.0 * (1.0 + 1e-7)
     assert solution["stiffness"].si == pytest.approx(found.result.objective_after, rel=1e-9)
 
 
 @pytest.mark.long
 def test_text_and_figure(found):
     text = repr(found)
-    assert "all limits are met" in text
+    assert (
+        "All limits of the design file are met, which allows: Hertz pressure over first yield 2 at sp" in text
+    )
     assert "load.preload" in text
     assert found.plot().axes
     with pytest.raises(InputError, match=r"no free number of the design 'drive.planets'"):

@@ -22,7 +22,11 @@ def test_values_are_those_of_the_command(solution, printed, zou_file):
         assert solution[f"{level}_stiffness_input"].si == stiffness["input_Nm_per_rad"]
     assert solution["stiffness"].si == document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     assert solution["torque_capacity"].si == document["torque_capacity"]["output_torque_Nm"]
-    assert solution["limiting_contact"].value == document["torque_capacity"]["limiting_contact"]
+    assert solution["capacity_limit"].value == document["torque_capacity"]["limit"]
+    assert solution["limiting_place"].value == document["torque_capacity"]["limiting_place"] == "sp"
+    standing = document["standing_torque_capacity"]
+    assert solution["standing_torque_capacity"].si == standing["output_torque_Nm"]
+    assert solution["standing_limiting_contact"].value == standing["limiting_contact"]
     # cosine rule in the triangle of 17.5, 18.5 and 35 mm
     assert solution["wedge_angle"].value == pytest.approx(
         math.degrees(math.acos((35.0**2 + 18.5**2 - 17.5**2) / (2.0 * 35.0 * 18.5)))
@@ -139,7 +143,7 @@ def test_unknown_results_are_refused(solution, asked, says):
 
 
 def test_a_torque_beyond_the_capacity_is_one_message(joint):
-    with pytest.raises(InputError, match=r"beyond the torque capacity 13\.16 N·m"):
+    with pytest.raises(InputError, match=r"beyond the standing torque capacity 13\.16 N·m"):
         joint.with_values({"load.output_torque": "40 N*m"}).solve()
 
 

@@ -15,11 +15,11 @@ def test_loads_are_those_of_the_command(joint, printed, zou_file):
     assert carried.document == printed("loads", zou_file)
     frame = carried.to_frame()
     pins = frame[frame["load"] == "torque of all pins"].iloc[0]
-    assert pins["working torque, 5 N·m, 6000 rpm"] == pytest.approx(-5.0)
+    assert pins["working torque, in rolling, 5 N·m, 6000 rpm"] == pytest.approx(-5.0)
     assert pins["unit"] == "N*m"
     shown = repr(carried)
-    assert "working torque, 5 N·m, 6000 rpm" in shown
-    assert "working torque<br>5 N·m" in carried._repr_html_()
+    assert "working torque, in rolling, 5 N·m, 6000 rpm" in shown
+    assert "working torque, in rolling<br>5 N·m" in carried._repr_html_()
 
 
 @pytest.mark.slow

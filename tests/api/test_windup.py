@@ -17,7 +17,7 @@ def curve(joint):
 def test_values_are_those_of_the_command(curve, printed, zou_file):
     document = printed("windup", zou_file, "--torque", "4 N*m", "--stages", "0.25", "0.75")
     assert curve.document == document
-    assert curve["torque_capacity"].si == document["torque_capacity"]["output_torque_Nm"]
+    assert curve["standing_torque_capacity"].si == document["standing_torque_capacity"]["output_torque_Nm"]
     for name in ("windup", "hysteresis", "lost_motion"):
         assert curve[name].si == document[f"{name}_rad"]
         assert curve[name].value == pytest.approx(np.degrees(document[f"{name}_rad"]) * 60.0)
@@ -67,7 +67,7 @@ def test_frame_figure_and_text(curve):
     [
         ({"torque": 4.0}, r"^torque: expected a torque with its unit .* bare number 4\.0"),
         ({"level": "full"}, "there is no level of the stiffness 'full'"),
-        ({"torque": "400 N*m"}, "beyond the torque capacity"),
+        ({"torque": "400 N*m"}, "beyond the standing torque capacity"),
         ({"stages": (0.7, 0.3)}, "out of order"),
         ({"creep_share": -1.0}, "creep share -1 is not allowed"),
     ],

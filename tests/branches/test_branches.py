@@ -115,7 +115,7 @@ def assert_are_the_joint(branches, equal, rtol=1e-9):
         lambda found: found.forces.input_torque,
     ):
         np.testing.assert_allclose(of(own.result), of(equal.result), rtol=rtol)
-    for name in ("capacity", "rolling_capacity", "first_slip", "reverse_capacity"):
+    for name in ("standing_capacity", "rolling_capacity", "first_slip", "reverse_standing_capacity"):
         one, other = (getattr(each, name).output_torque for each in (own, equal))
         np.testing.assert_allclose(one, other, rtol=max(rtol, 1e-8))
     found = unequal_branches(branches, own.states)

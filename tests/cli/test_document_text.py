@@ -4,6 +4,7 @@ import functools
 import io
 import math
 
+import pytest
 from rich.console import Console
 
 from asperity.cli.document_text import (
@@ -192,11 +193,23 @@ def test_a_force_of_rounding_is_none(document_of_branches):
     assert "bearing force 5e-6 N (standing)" in text(found)
 
 
-def test_the_verdict_stands_before_the_numbers_of_use():
+@pytest.mark.parametrize(
+    ("torque", "limit", "stands", "said"),
+    [
+        (8.0, "gross_slip", 8.0, "8 N·m (sp slips)"),
+        (0.0, "gross_slip", 13.16, "0 N·m (sp slips); slips at 13.16 N·m"),
+        (7.0, "lift_off", 9.0, "7 N·m (sp slips); lifts off at 9 N·m"),
+        (7.0, "none", None, "7 N·m (sp slips); standing, no contact slips at any torque"),
+        (7.0, "contact_too_wide", 900.0, "7 N·m (sp slips)"),
+        (None, "none", None, "sp slips; standing, no contact slips at any torque"),
+    ],
+)
+def test_the_verdict_stands_before_the_numbers_of_use(torque, limit, stands, said):
     nearest = {"label": "slip", "words": "slip at sp 3, 85 % of its limit"}
     document = {
         "verdict": {"title": "Works", "words": "All met.", "nearest": nearest},
-        "torque_capacity": {"output_torque_Nm": 12.0, "reverse": {"output_torque_Nm": 8.0}},
+        "torque_capacity": {"reverse": {"output_torque_Nm": torque, "meaning": "sp slips"}},
+        "standing_torque_capacity": {"reverse": {"output_torque_Nm": stands, "limit": limit}},
         "standing": {"forces": {"output_torque_Nm": -5.0}},
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 10800.0 / math.pi}},
         "drift_rad_per_output_turn": None,
@@ -210,7 +223,8 @@ def test_the_verdict_stands_before_the_numbers_of_use():
     show_verdict(target, document)
     assert target.file.getvalue().splitlines() == [
         "Works: All met. Tightest margin: slip at sp 3, 85 % of its limit.",
-        "stiffness 1 N·m/arcmin, drift per output turn -, torque capacity 8 N·m, efficiency 90 %, life -",
+        "stiffness 1 N·m/arcmin, drift per output turn -, efficiency 90 %, life -",
+        f"torque capacity {said}",
         "ratio 6, mass of the rolling parts 0.5 kg, outside diameter 116 mm",
         "",
     ]

@@ -42,7 +42,7 @@ def test_dxf_has_the_radii_and_forces_of_the_file(call, joint_file, tmp_path):
         (("planets = 3", "planets = 3"), ("--out", "d.step"), "must end in .svg, .pdf, .png or .dxf"),
         (('"5 mm"\nring', '"3 mm"\nring'), ("--out", "d.svg"), "there is no place for right_loading_roller"),
         (("planets = 3", "planets = 4"), ("--out", "d.svg"), "neighbours of planet overlap by 2.25126 mm"),
-        (("5 N*m", "50 N*m"), ("--forces", "--out", "d.svg"), "beyond the torque capacity"),
+        (("5 N*m", "50 N*m"), ("--forces", "--out", "d.svg"), "beyond the standing torque capacity"),
         (
             ("5 N*m", "5 N*m"),
             ("--project", "x" * 61, "--out", "d.svg"),

@@ -83,7 +83,7 @@ def test_commands_of_the_files_own_branches_say_so(call, unequal):
     outcome = call("windup", unequal, "--torque", "14 N*m")
     assert outcome.code == 2
     assert (
-        "--torque: the output torque 14 N·m is beyond the torque capacity 13.78 N·m, at which contact sp_"
+        "--torque: the output torque 14 N·m is beyond the standing torque capacity 13.78 N·m, at which contact sp_"
         in outcome.err
     )
 
@@ -123,7 +123,7 @@ def test_a_torque_beyond_all_branches_is_refused(call, unequal):
     for command in ("joint", "roll"):
         outcome = call(command, unequal)
         assert outcome.code == 2
-        assert "is beyond the torque capacity" in outcome.err
+        assert "is beyond the standing torque capacity" in outcome.err
 
 
 @pytest.mark.long

@@ -82,12 +82,13 @@ def test_at_small_torque_the_published_stiffness_is_five_million(call, joint_fil
 
 def test_the_capacity_is_told_with_the_contact_that_limits_it(call, joint_file, document):
     """T_sp = T_out/(9 n R_s) reaches mu N_sp; N_sp, 1000 N at rest, rises by a few per cent on the way."""
-    capacity = document["torque_capacity"]
+    capacity = document["standing_torque_capacity"]
     by_hand = 0.12 * 1000.0 * 9.0 * 3.0 * 4e-3
     assert by_hand < capacity["output_torque_Nm"] < 1.05 * by_hand
     assert (capacity["limiting_contact"], capacity["meaning"]) == ("sp", "contact sp slips")
     told = call("joint", joint_file()).out
-    assert f"  capacity   {capacity['output_torque_Nm']:.4g} N·m: contact sp slips (both directions)" in told
+    assert "  capacity   0 N·m: contact sp beyond first yield without torque (both directions)" in told
+    assert f"  standing   {capacity['output_torque_Nm']:.4g} N·m: contact sp slips (both directions)" in told
 
 
 def test_a_wedge_that_tightens_is_limited_by_lift_off(call, joint_file):
@@ -96,7 +97,7 @@ def test_a_wedge_that_tightens_is_limited_by_lift_off(call, joint_file):
     There t = tan(theta/2) = 0.2408 at the planet and t/(cos beta - t sin beta) = 0.262 at the ring; theta = 27.083 deg.
     """
     steep = joint_file(("friction_coefficient = 0.12", "friction_coefficient = 0.3"))
-    capacity = json.loads(call("joint", steep, "--json").out)["torque_capacity"]
+    capacity = json.loads(call("joint", steep, "--json").out)["standing_torque_capacity"]
     assert (capacity["limit"], capacity["limiting_contact"]) == ("lift_off", "pwl")
     assert (capacity["reverse"]["limit"], capacity["reverse"]["limiting_contact"]) == ("lift_off", "pwr")
 
@@ -130,8 +131,8 @@ def test_a_planet_thrown_off_the_sun_is_refused_with_a_remedy(call, joint_file):
     )
     outcome = call("joint", fast, "--json")
     assert (outcome.code, outcome.out) == (2, "")
-    assert "beyond the torque capacity 0 N·m, at which" in outcome.err
-    assert "raise the preload, or lower the speed" in outcome.err
+    assert "beyond the standing torque capacity 0 N·m, at which" in outcome.err
+    assert "raise the preload (load.preload), or lower the speed" in outcome.err
 
 
 @pytest.mark.parametrize(
@@ -143,7 +144,7 @@ def test_a_planet_thrown_off_the_sun_is_refused_with_a_remedy(call, joint_file):
             "load.preload: expected a force with its unit as text (e.g. '1000 N'), got the bare number 1000",
         ),
         ('"40 mm" ', '"30 mm" ', "the rollers do not fit: planet and ring overlap by 1 mm"),
-        ('"5 N*m"  ', '"50 N*m"  ', "the output torque 50 N·m is beyond the torque capacity"),
+        ('"5 N*m"  ', '"50 N*m"  ', "the output torque 50 N·m is beyond the standing torque capacity"),
     ],
 )
 def test_bad_input_is_one_message_and_exit_code_2(call, joint_file, old, new, said):

@@ -78,9 +78,19 @@ def document():
             "clearances": [{"name": "far", "gap_m": 3e-3}, {"name": "planet_to_planet", "gap_m": 0.5e-3}],
         },
         "torque_capacity": {
+            "output_torque_Nm": 7.5,
+            "meaning": "ring yields at a rim, in rolling",
+            "reverse": {"output_torque_Nm": 0.0, "meaning": "sp yields without torque"},
+        },
+        "standing_torque_capacity": {
             "output_torque_Nm": 12.5,
+            "limit": "gross_slip",
             "meaning": "contact sp slips",
-            "reverse": {"output_torque_Nm": None, "meaning": "no limit is reached at any torque"},
+            "reverse": {
+                "output_torque_Nm": None,
+                "limit": "none",
+                "meaning": "no limit is reached at any torque",
+            },
         },
         "standing": {
             "forces": {
@@ -149,9 +159,11 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
         "  members    sun in, carrier out, ring grounded",
         "  speed      ratio -9, output -30 rpm",
         "  torque     output 5 N·m; input 0.5556 N·m without rolling losses, 0.5678 N·m with all losses",
-        "  capacity   12.5 N·m: contact sp slips; reverse no limit is reached at any torque",
+        "torque capacity 7.5 N·m (ring yields at a rim, in rolling); slips at 12.5 N·m",
+        "  capacity   7.5 N·m: ring yields at a rim, in rolling; reverse 0 N·m: sp yields without torque",
+        "  standing   12.5 N·m: contact sp slips; reverse no limit is reached at any torque",
         "  rolling    up to 11.5 N·m without gross slip",
-        "  pin force  left radial 0 N, tangential -111 N, right radial 3 N, tangential 222 N",
+        "  pin force  standing, left radial 0 N, tangential -111 N, right radial 3 N, tangential 222 N",
         "  mass       planet 22.47 g, loading roller 3.083 g",
         "  clearance  smallest 0.5 mm, planet to planet",
         "  contacts 75.0 % (sp 50.0 %, pwr 25.0 %)",

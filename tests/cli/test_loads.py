@@ -43,8 +43,8 @@ def test_every_load_of_the_duty_is_a_column(call, joint_file, tmp_path):
         "load",
         "unit",
         "without torque",
-        "working torque, 5 N·m, 6000 rpm",
-        "duty 1, 3 N·m, 3000 rpm",
+        "working torque, in rolling, 5 N·m, 6000 rpm",
+        "duty 1, in rolling, 3 N·m, 3000 rpm",
     ]
     torque = next(row for row in rows if row[2] == "torque of all pins")
     assert [float(cell) for cell in torque[4:]] == pytest.approx([0.0, -5.0, -3.0])

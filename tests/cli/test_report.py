@@ -33,7 +33,7 @@ def test_pdf_is_written(call, joint_file, tmp_path):
     [
         (("5 N*m", "5 N*m"), ("--out", "r.docx"), "must end in .html or .pdf"),
         (("5 N*m", "5 N*m"), ("--out", "r.html", "--date", "x" * 61), "at most 60 characters"),
-        (("5 N*m", "50 N*m"), ("--out", "r.html"), "beyond the torque capacity"),
+        (("5 N*m", "50 N*m"), ("--out", "r.html"), "beyond the standing torque capacity"),
         (("5 N*m", "5 N*m"), ("--out", "r.html", "--tolerances"), "the joint file states no tolerances"),
         (("5 N*m", "5 N*m"), ("--out", "r.html", "--distribution", "uniform"), "belongs to --tolerances"),
     ],

@@ -83,7 +83,11 @@ def test_table_of_a_standing_sun(call, joint_file):
 @pytest.mark.parametrize(
     ("change", "arguments", "said"),
     [
-        (("5 N*m", "50 N*m"), (), "is beyond the torque capacity 13.16 N·m, at which contact sp slips"),
+        (
+            ("5 N*m", "50 N*m"),
+            (),
+            "is beyond the standing torque capacity 13.16 N·m, at which contact sp slips",
+        ),
         (
             ("5 N*m", "5 N*m"),
             ("--plot", "r.xyz"),

@@ -56,7 +56,16 @@ DOCUMENT = {
         "loading_cam": None,
     },
     "standing": {"forces": {"output_torque_Nm": 5.0}},
-    "torque_capacity": {"output_torque_Nm": 12.5, "reverse": {"output_torque_Nm": None}},
+    "torque_capacity": {
+        "output_torque_Nm": 11.5,
+        "meaning": "contact sp slips, in rolling",
+        "reverse": {"output_torque_Nm": None, "meaning": "no limit is reached at any torque"},
+    },
+    "standing_torque_capacity": {
+        "output_torque_Nm": 12.5,
+        "limit": "gross_slip",
+        "reverse": {"output_torque_Nm": None, "limit": "none"},
+    },
     "torsional_stiffness": {
         "assembly": {"output_Nm_per_rad": 5.0 / math.radians(0.1), "output_Nm_per_arcmin": 0.8333}
     },

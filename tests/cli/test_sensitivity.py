@@ -37,15 +37,17 @@ def test_sensitivity_document_and_table(tmp_path, monkeypatch):
 
     monkeypatch.setattr(module, "sensitivity", asked_for)
     document = json.loads(run("sensitivity", FILE, "--json", "--plot").stdout)
-    elasticity = document["results"]["torque_capacity"]["elasticity"]
+    elasticity = document["results"]["standing_torque_capacity"]["elasticity"]
     assert elasticity["drive.planets"] == pytest.approx(1.0, abs=1e-9)
     assert document["inputs"]["drive.sun_radius"] == {"value": 0.004, "unit": "m", "finished_part": False}
     assert (tmp_path / "sensitivity.png").stat().st_size > 10_000
     assert "slip_ratio_sp" in document["results"]
-    pictured = run("sensitivity", FILE, "--result", "torque_capacity", "--plot", str(tmp_path / "t.png"))
+    pictured = run(
+        "sensitivity", FILE, "--result", "standing_torque_capacity", "--plot", str(tmp_path / "t.png")
+    )
     assert (tmp_path / "t.png").stat().st_size > 10_000
     assert "drive.ring_radius" in pictured.output
-    table = run("sensitivity", FILE, "--result", "torque_capacity").output.splitlines()
+    table = run("sensitivity", FILE, "--result", "standing_torque_capacity").output.splitlines()
     ranks = [line.split()[0] for line in table if line.startswith((" drive.", " load.", "drive.", "load."))]
     assert ranks[0] == "drive.ring_radius"
     assert set(ranks[1:4]) == {"load.friction_coefficient", "load.preload", "drive.planets"}

@@ -13,7 +13,7 @@ from asperity.results import RESULTS
 from asperity.units import from_si
 
 xarray = pytest.importorskip("xarray")
-SLIPS = STATUS_NAMES.index("beyond_torque_capacity")
+SLIPS = STATUS_NAMES.index("beyond_standing_capacity")
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ def test_status_in_words(found, capsys):
     found["status"][0, 0] = -1
     show_status(found)
     told = capsys.readouterr().out.splitlines()
-    slips = "  1 not solved: the output torque is beyond the torque capacity: a contact slips"
+    slips = "  1 not solved: the output torque is beyond the standing torque capacity: a contact slips"
     assert told == [
         "4 points, 3 solved",
         slips,
@@ -68,6 +68,7 @@ def test_slip_that_skew_makes_in_rolling_is_told_beside_the_status(found, capsys
 
 
 def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
+    found["status"] = found["status"].where(found["status"] == 0, STATUS_NAMES.index("unbalanced"))
     show_points(found, {})
     lines = capsys.readouterr().out.splitlines()
     head = lines[1].split("  ")
@@ -78,7 +79,7 @@ def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
         ["1000", "13.5", "5e6"],
         ["1000", "13.6", "4.5e6"],
         ["800", "13.5", "4e6"],
-        ["800", "13.6", "-", "beyond", "torque", "capacity"],
+        ["800", "13.6", "-", "unbalanced"],
     ]
 
 
@@ -90,7 +91,11 @@ def test_results_of_contacts_have_a_column_each_and_contacts_their_names(capsys)
         {
             "status": (dims, np.zeros(2, dtype=np.int8)),
             "hertz_pressure": (("contact", *dims), pressure),
-            "limiting_contact": (dims, np.array([0.0, 4.0]), {"categories": "sp pwr pwl wro wlo none"}),
+            "standing_limiting_contact": (
+                dims,
+                np.array([0.0, 4.0]),
+                {"categories": "sp pwr pwl wro wlo none"},
+            ),
         },
         coords={"load.preload": [800.0, 1000.0], "contact": contacts},
     )

@@ -35,7 +35,7 @@ def test_small_sweep_is_printed_drawn_and_written(tmp_path):
     done = run("sweep", FILE, *TORQUE, "--results", "published", "--out", "s.csv", "--plot")
     assert done.exit_code == 0
     assert "3 points, 2 solved" in done.output
-    assert "beyond the torque capacity" in done.output
+    assert "beyond the standing torque capacity" in done.output
     rows = (tmp_path / "s.csv").read_text().splitlines()
     assert rows[0].startswith(
         "load.output_torque [N*m],status,status_meaning,published_stiffness_output [N*m/rad]"
@@ -47,7 +47,7 @@ def test_small_sweep_is_printed_drawn_and_written(tmp_path):
     with pytest.raises(InputError, match="exists already"):
         run("sweep", FILE, *TORQUE, "--out", "s.csv")
     shown = run("sweep", FILE, *TORQUE, "--results", "published")
-    assert re.search(r"beyond\s+torque\s+capacity\s*$", shown.output)
+    assert re.search(r"beyond\s+standing\s+capacity\s*$", shown.output)
     assert "published" in shown.output
 
 
@@ -79,3 +79,18 @@ def test_help_shows_its_examples_line_by_line():
     shown = run("sweep", "--help").output
     assert "\\b" not in shown
     assert '\n  asperity sweep joint.toml --over "load.output_torque=0 N*m:5 N*m:11" --plot\n' in shown
+
+
+@pytest.mark.slow
+def test_units_and_results_that_are_repeated_all_count(tmp_path):
+    """The last one alone had counted, without a word."""
+    over = ["--over", "drive.contact_length=5 mm:10 mm:2"]
+    asked = ["--results", "mass", "--results", "envelope_diameter", "--units", "g", "--units", "um,kg"]
+    done = run("sweep", FILE, *over, *asked[:-1], "mm", "--out", "s.csv")
+    assert done.exit_code == 0
+    head, first, second = (row.split(",") for row in (tmp_path / "s.csv").read_text().splitlines())
+    assert head[0] == "drive.contact_length [mm]"
+    assert head[3:] == ["mass [g]", "envelope_diameter [mm]"]
+    assert [float(row[0]) for row in (first, second)] == [5.0, 10.0]
+    assert float(second[3]) == pytest.approx(2.0 * float(first[3]), rel=1e-9)
+    assert float(first[4]) == pytest.approx(200.0)  # a ring of 40 mm with a wall of 60 mm

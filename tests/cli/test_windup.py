@@ -39,7 +39,7 @@ def test_document(call, joint_file, asked):
     assert (outcome.code, outcome.err) == (0, "")
     found = json.loads(outcome.out)
     assert (asked["level"], asked["largest_torque"]) == ("published", 10.0)
-    capacity = found["torque_capacity"]
+    capacity = found["standing_torque_capacity"]
     assert capacity["limiting_contact"] == capacity["reverse"]["limiting_contact"] == "sp"
     assert 12.96 < capacity["output_torque_Nm"] < 1.05 * 12.96  # mu N_0 9 n R_s, and a little for the wedge
     assert found["largest_torque_Nm"] == 10.0
@@ -76,7 +76,7 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("--torque", "50 N*m"), "--torque: the output torque 50 N·m is beyond the torque capacity"),
+        (("--torque", "50 N*m"), "--torque: the output torque 50 N·m is beyond the standing torque capacity"),
         (("--torque", "5 N"), "--torque: expected a torque"),
         (("--torque", "0 N*m"), "--torque: a wind-up needs a torque that is not zero"),
         (("--stages", "0.5", "0.2"), "--stages 0.5 0.2: allowed are two shares with 0 < first < second < 1"),
@@ -120,7 +120,7 @@ def test_a_direction_with_less_capacity_is_refused_by_name(call, joint_file):
     file = joint_file(('closure = "elastic"', 'closure = "constant_pin_force"'))
     outcome = call("windup", file, "--torque", "13 N*m")
     assert (outcome.code, outcome.out) == (2, "")
-    assert "--torque: the output torque -13 N·m is beyond the torque capacity -12.4" in outcome.err
+    assert "--torque: the output torque -13 N·m is beyond the standing torque capacity -12.4" in outcome.err
 
 
 def test_a_sun_that_turns(call, joint_file, asked, tmp_path):
@@ -168,7 +168,10 @@ def test_a_drive_of_another_type(call, zou_file, tmp_path):
     file, table = zou_file.with_name("multiroller.toml"), tmp_path / "w.csv"
     found = json.loads(call("windup", file, "--csv", table, "--json").out)
     solved = json.loads(call("joint", file, "--json").out)
-    assert found["torque_capacity"]["limiting_contact"] == solved["torque_capacity"]["limiting_contact"]
+    assert (
+        found["standing_torque_capacity"]["limiting_contact"]
+        == solved["standing_torque_capacity"]["limiting_contact"]
+    )
     rows = list(csv.DictReader(table.read_text().splitlines()))
     stiffness = solved["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     assert float(rows[-1]["incremental_stiffness_Nm_per_rad"]) == pytest.approx(stiffness, rel=1e-9)
@@ -179,4 +182,4 @@ def test_a_drive_of_another_type(call, zou_file, tmp_path):
     assert call("windup", file, "--plot", tmp_path / "w.svg").code == 0
     refused = call("windup", file, "--torque", "90 N*m")
     assert (refused.code, refused.out) == (2, "")
-    assert "--torque: the output torque 90 N·m is beyond the torque capacity" in refused.err
+    assert "--torque: the output torque 90 N·m is beyond the standing torque capacity" in refused.err

@@ -14,9 +14,9 @@ from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE
 from asperity.drive.state.states import closed_around
 from asperity.errors import InputError
 from asperity.joint.capacity import (
-    _first_guess,
     capacity_both_ways,
     excesses_of,
+    first_guess,
     limiting_torques,
     smaller_sizes,
 )
@@ -37,7 +37,7 @@ def under_torque(joint, torque):
 def test_capacity_of_the_planetary_by_hand(planetary):
     """The sun's contact slips first: its normal force is the smaller one by the centrifugal force."""
     _, solution, document = planetary
-    capacity = document["torque_capacity"]
+    capacity = document["standing_torque_capacity"]
     normal = float(solution.result.forces.normal[0])
     assert (capacity["limit"], capacity["limiting_contact"]) == ("gross_slip", "sp")
     by_hand = 2.0 * COUNT * ORBIT * 0.08 * normal
@@ -102,14 +102,14 @@ def test_by_how_much_a_state_exceeds_each_limit():
 def test_the_search_for_the_capacity_starts_where_all_contacts_of_one_kind_slip(planar_joint):
     joint = planar_joint("planetary")
     rest = SimpleNamespace(normal=np.array([900.0, 1000.0]))
-    assert float(_first_guess(joint, rest)) == pytest.approx(COUNT * (ORBIT + RING) * 0.08 * 900.0, rel=1e-9)
+    assert float(first_guess(joint, rest)) == pytest.approx(COUNT * (ORBIT + RING) * 0.08 * 900.0, rel=1e-9)
 
 
 def test_where_one_path_carries_all_the_first_slip_is_the_end(planetary):
     _, solution, document = planetary
-    first, whole = solution.first_slip, solution.capacity
+    first, whole = solution.first_slip, solution.standing_capacity
     assert float(first.output_torque) == pytest.approx(float(whole.output_torque), rel=1e-9)
-    assert document["torque_capacity"]["first_slip"] == {
+    assert document["standing_torque_capacity"]["first_slip"] == {
         "output_torque_Nm": float(first.output_torque),
         "contact": "sp",
     }
@@ -121,8 +121,8 @@ def test_the_first_slip_of_the_papers_drive_ends_it_only_with_equal_coefficients
     """With springs the roller at the ring on the side that the torque unloads slips first, and keeps its friction."""
     found = solve_joint(paper_joint(ring_wall_thickness=60e-3, traction_split=split))
     for whole, first, unloaded in (
-        (found.capacity, found.first_slip, 4),
-        (found.reverse_capacity, found.reverse_first_slip, 3),
+        (found.standing_capacity, found.first_slip, 4),
+        (found.reverse_standing_capacity, found.reverse_first_slip, 3),
     ):
         assert int(whole.limiting_contact) == 0
         share = float(first.output_torque) / float(whole.output_torque)
@@ -170,8 +170,8 @@ def test_two_planets_of_different_friction_hold_the_sum():
     found = solve_joint(joint)
     path = 3.0 * 2.0 * 30e-3
     for whole, first in (
-        (found.capacity, found.first_slip),
-        (found.reverse_capacity, found.reverse_first_slip),
+        (found.standing_capacity, found.first_slip),
+        (found.reverse_standing_capacity, found.reverse_first_slip),
     ):
         assert float(whole.output_torque) == pytest.approx(path * (0.06 + 0.1) * 1000.0, rel=1e-9)
         assert joint.contact_names[int(whole.limiting_contact)] in ("stwo", "rtwo")
@@ -187,7 +187,7 @@ def test_two_planets_of_different_friction_hold_the_sum():
     held = 3.0 * (2.0 * 30e-3) ** 2 / np.sum(1.0 / stiff)
     assert float(found.result.assembly.stiffness.output) == pytest.approx(held, rel=1e-9)
     with pytest.raises(
-        InputError, match=r"beyond the torque capacity 28\.8 N·m, at which contact [sr]two slips"
+        InputError, match=r"beyond the standing torque capacity 28\.8 N·m, at which contact [sr]two slips"
     ):
         solve_joint(under_torque(joint, 28.81))
 

@@ -75,7 +75,12 @@ def test_a_cam_without_force_changes_nothing(plain):
     like(found.result, expected.result, 1e-9)
     assert float(found.result.cam_angle) == 0.0
     assert float(found.result.assembly.loading_cam_share) == 0.0
-    for name in ("capacity", "reverse_capacity", "rolling_capacity", "reverse_rolling_capacity"):
+    for name in (
+        "standing_capacity",
+        "reverse_standing_capacity",
+        "rolling_capacity",
+        "reverse_rolling_capacity",
+    ):
         one, other = (float(getattr(each, name).output_torque) for each in (found, expected))
         assert one == pytest.approx(other, rel=1e-8)
 
@@ -180,19 +185,19 @@ def test_lives_under_a_duty_are_those_at_its_torques(plain, least):
 @pytest.mark.slow
 def test_capacity_is_that_of_the_preload_which_it_makes(plain, least):
     weak = 20.0
-    found = solve_joint(with_cam(plain, weak)).capacity
+    found = solve_joint(with_cam(plain, weak)).standing_capacity
     assert LIMIT_KINDS[int(found.limit)] == "gross_slip"
     torque = float(found.output_torque)
-    alike = solve_joint(by_force(plain, least + weak * torque)).capacity
+    alike = solve_joint(by_force(plain, least + weak * torque)).standing_capacity
     assert float(alike.output_torque) == pytest.approx(torque, rel=1e-8)
-    assert torque > 1.2 * float(solve_joint(by_force(plain, least)).capacity.output_torque)
+    assert torque > 1.2 * float(solve_joint(by_force(plain, least)).standing_capacity.output_torque)
 
 
 @pytest.mark.slow
 def test_a_strong_cam_never_slips_and_ends_with_another_limit(plain):
     """Friction holds 0.0144 N·m for each newton of preload, and the cam adds 150 N for each N·m."""
     found = solve_joint(with_cam(plain, CAM))
-    for capacity in (found.capacity, found.rolling_capacity):
+    for capacity in (found.standing_capacity, found.rolling_capacity):
         assert LIMIT_KINDS[int(capacity.limit)] == "contact_too_wide"
         assert float(capacity.output_torque) > 1e3
 
@@ -211,7 +216,7 @@ def test_a_wall_ends_what_is_computed_and_is_said_to(planar_joint):
         contact_modulus = 203e9 / 2.0 / (1.0 - 0.29**2)
         radius = 1.0 / (1.0 / 0.02 - 1.0 / 0.05)
         force = np.pi * 0.01 * contact_modulus * (0.2 * wall) ** 2 / (4.0 * radius)
-        found = solve_joint(by_wall[wall]).capacity
+        found = solve_joint(by_wall[wall]).standing_capacity
         assert LIMIT_KINDS[int(found.limit)] == "wall_too_thin"
         assert float(found.output_torque) == pytest.approx((force - 300.0) / 160.0, rel=1e-3)
         told = capacity_document(found, contacts=("sp", "pr"))

@@ -18,7 +18,7 @@ def solution(wedged):
 def test_at_the_capacity_one_contact_is_at_its_limit(wedged, solution):
     """The left roller's ring contact, whose friction coefficient is 0.13; it slips before the standing joint does."""
     capacity = float(solution.rolling_capacity.output_torque)
-    assert 8.0 < capacity < float(solution.capacity.output_torque)
+    assert 8.0 < capacity < float(solution.standing_capacity.output_torque)
     at = solve_joint(dataclasses.replace(wedged, output_torque=capacity * (1.0 - 1e-9))).result.rolling
     used = np.asarray(at.traction_coefficient) / 0.13
     assert np.argmax(used) == 4
@@ -40,7 +40,7 @@ def test_the_sun_contact_slips_at_one_torque_at_rest_and_in_rolling(solved_paper
     """Its force follows from the torque alone: mu N_sp 9 n R_s."""
     _, solution = solved_paper
     assert float(solution.rolling_capacity.output_torque) == pytest.approx(
-        float(solution.capacity.output_torque), rel=1e-3
+        float(solution.standing_capacity.output_torque), rel=1e-3
     )
 
 

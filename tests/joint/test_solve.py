@@ -1,6 +1,5 @@
 """Joints that cannot exist are refused with their numbers; those that can are solved."""
 
-import dataclasses
 import math
 from types import SimpleNamespace
 
@@ -20,6 +19,7 @@ from asperity.joint.solve import (
     states_and_limits,
 )
 from asperity.joint.torque_limits import LIMIT_KINDS, TorqueCapacity
+from asperity.joint_file.solved_document import solved_case
 
 
 def refusal(joint) -> str:
@@ -61,7 +61,7 @@ def test_the_papers_joint(solved_paper, paper_joint):
             "the pin diameter 20 mm must be below the diameter of right_loading_roller, 10 mm",
         ),
         ({"pin_friction_coefficient": 2.0, "pin_diameter": 8e-3}, "the pins lock"),
-        ({"output_torque": -30.0}, "the output torque -30 N·m is beyond the torque capacity -13.1"),
+        ({"output_torque": -30.0}, "the output torque -30 N·m is beyond the standing torque capacity -13.1"),
     ],
 )
 def test_what_cannot_exist_is_refused_with_its_numbers(paper_joint, changes, said):
@@ -72,7 +72,7 @@ def test_what_cannot_exist_is_refused_with_its_numbers(paper_joint, changes, sai
 def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
     """At 13.17 N·m the sun–planet contact, the most used one, reaches mu N: T_sp = T_out/(9 n R_s)."""
     message = refusal(paper_joint(output_torque=30.0))
-    capacity = float(message.split("torque capacity ")[1].split(" ")[0])
+    capacity = float(message.split("standing torque capacity ")[1].split(" ")[0])
     assert "contact sp slips" in message
     assert capacity / 9.0 / 0.012 == pytest.approx(0.12 * 1000.0, rel=0.03)  # N_sp stays near the preload
     solve_joint(paper_joint(output_torque=capacity * 0.999))
@@ -83,10 +83,12 @@ def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
 def test_the_message_on_the_torque_tells_the_preload_that_carries_it(paper_joint, torque):
     """About as many times the preload as the torque is times the capacity."""
     message = refusal(paper_joint(output_torque=torque))
-    preload = float(message.split("raise the preload to ")[1].split(" ")[0])
+    preload = float(message.split("raise the preload (load.preload) to ")[1].split(" ")[0])
     assert preload == pytest.approx(1000.0 * abs(torque) / 13.16, rel=0.03)
     solve_joint(paper_joint(output_torque=torque, preload=preload))
-    assert "beyond the torque capacity" in refusal(paper_joint(output_torque=torque, preload=0.98 * preload))
+    assert "beyond the standing torque capacity" in refusal(
+        paper_joint(output_torque=torque, preload=0.98 * preload)
+    )
 
 
 def capacity_of(torque, kind="gross_slip"):
@@ -97,14 +99,18 @@ def capacity_of(torque, kind="gross_slip"):
     ("torque", "capacity", "said"),
     [
         # 10 mN·m a newton: 1500 N would do just so, a thousandth more does, in three digits
-        (15.0, lambda preload: 0.01 * preload, ", raise the preload to 1510 N"),
+        (15.0, lambda preload: 0.01 * preload, ", raise the preload (load.preload) to 1510 N"),
         (
             -15.0,
             lambda preload: 0.01 * preload,
-            ", raise the preload to 3010 N",
+            ", raise the preload (load.preload) to 3010 N",
         ),  # half as much the other way
         # grows with the square root: tried again until it is within a hundredth
-        (15.0, lambda preload: 10.0 * math.sqrt(preload / 1000.0), ", raise the preload to 2260 N"),
+        (
+            15.0,
+            lambda preload: 10.0 * math.sqrt(preload / 1000.0),
+            ", raise the preload (load.preload) to 2260 N",
+        ),
         (15.0, lambda preload: min(10.0, 0.01 * preload), ""),  # never
         (15.0, lambda preload: 0.0, ""),
     ],
@@ -112,25 +118,23 @@ def capacity_of(torque, kind="gross_slip"):
 def test_the_preload_that_carries_a_torque_is_found_by_trials(
     paper_joint, monkeypatch, torque, capacity, said
 ):
-    def solution_of(joint):
+    def standing_capacity(joint, direction):
         limit = capacity(float(joint.preload))
-        return SimpleNamespace(capacity=capacity_of(limit), reverse_capacity=capacity_of(0.5 * limit))
+        return capacity_of(limit if direction > 0.0 else 0.5 * limit)
 
-    monkeypatch.setattr("asperity.joint.solve.solution_of", solution_of)
-    joint = paper_joint(preload=1000.0)
-    assert _press_that_carries(joint, torque) == said
-    assert _press_that_carries(dataclasses.replace(joint, fit=object()), torque) == ""
+    monkeypatch.setattr("asperity.joint.solve._standing_capacity", standing_capacity)
+    assert _press_that_carries(paper_joint(preload=1000.0), torque) == said
 
 
 def test_no_preload_is_told_where_something_else_limits_the_torque(paper_joint, monkeypatch):
-    too_wide = SimpleNamespace(capacity=capacity_of(20.0, "contact_too_wide"))
-    monkeypatch.setattr("asperity.joint.solve.solution_of", lambda joint: too_wide)
+    too_wide = capacity_of(20.0, "contact_too_wide")
+    monkeypatch.setattr("asperity.joint.solve._standing_capacity", lambda joint, direction: too_wide)
     assert _press_that_carries(paper_joint(preload=1000.0), 15.0) == ""
 
 
 @pytest.mark.parametrize(("torque", "rolls_up_to"), [(5.0, "4 N·m"), (-5.0, "-3 N·m")])
 def test_a_joint_that_stands_but_does_not_roll_is_told_how_far_it_rolls(torque, rolls_up_to):
-    joint = SimpleNamespace(output_torque=torque, rolling=SimpleNamespace(skew=None))
+    joint = SimpleNamespace(output_torque=torque, interference=None, rolling=SimpleNamespace(skew=None))
     solution = SimpleNamespace(
         result=SimpleNamespace(
             rolling=SimpleNamespace(residual=math.nan), contact_law_holds=True, contact_names=("sp", "pr")
@@ -157,7 +161,9 @@ def test_forces_of_a_cam_beyond_what_is_computed(monkeypatch):
 
 
 def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_joint):
-    capacities = [solve_joint(paper_joint(output_torque=torque)).capacity for torque in (0.0, 5.0, 13.0)]
+    capacities = [
+        solve_joint(paper_joint(output_torque=torque)).standing_capacity for torque in (0.0, 5.0, 13.0)
+    ]
     assert {int(found.limiting_contact) for found in capacities} == {0}
     torques = [float(found.output_torque) for found in capacities]
     assert torques == pytest.approx([torques[0]] * 3, rel=1e-9)
@@ -174,16 +180,16 @@ def test_a_negative_torque_has_the_limits_of_its_own_direction(paper_joint):
     )
     solution, mirrored = solve_joint(one), solve_joint(other)
     limits = states_and_limits(one)[1]
-    back = float(solution.reverse_capacity.output_torque)
-    assert abs(back / float(solution.capacity.output_torque) - 1.0) > 0.02
-    assert float(mirrored.capacity.output_torque) == pytest.approx(back, rel=1e-9)
+    back = float(solution.reverse_standing_capacity.output_torque)
+    assert abs(back / float(solution.standing_capacity.output_torque) - 1.0) > 0.02
+    assert float(mirrored.standing_capacity.output_torque) == pytest.approx(back, rel=1e-9)
     assert float(limits.standing.output_torque) == pytest.approx(back, rel=1e-9)
     message = refusal(
         paper_joint(
             left_push_angle=0.1, right_push_angle=-0.1, output_torque=-40.0, friction_coefficient=0.25
         )
     )
-    told = float(message.split("torque capacity ")[1].split(" ")[0])
+    told = float(message.split("standing torque capacity ")[1].split(" ")[0])
     assert told == pytest.approx(-back, abs=5.01e-3)  # four digits are told
 
 
@@ -257,3 +263,68 @@ def test_short_crowned_contacts_are_named_as_their_drive_names_them():
         refuse_short_contacts(result)
     diagnostics.slices_hold = None  # cylinders
     refuse_short_contacts(result)
+
+
+#: By which keys a file states what presses its contacts, and what temperature and sizes do besides.
+PRESSED = {
+    "preload": ({'interference = "30 um"': 'preload = "800 N"'}, "load.preload", "N"),
+    "temperature": (
+        {
+            'sun = "52100"': 'sun = "440C"',
+            "# Friction of the": '[temperature]\nassembly = "20 degC"\nworking = "50 degC"\n# Friction of the',
+        },
+        "load.interference",
+        "um",
+    ),
+    "cam": (
+        {'interference = "30 um"': 'interference = "30 um"\ncam_force_per_torque = "20 N/Nm"'},
+        "load.interference",
+        "um",
+    ),
+    "branches": (
+        {
+            "[model]\n": '[[branch]]\nplanet_deviation = "0.5 um"\n\n[[branch]]\nplanet_deviation = "0 um"\n\n'
+            '[[branch]]\nplanet_deviation = "-0.2 um"\n\n[model]\n'
+        },
+        "load.interference",
+        "um",
+    ),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", PRESSED)
+def test_the_message_names_the_number_for_the_key_that_the_file_has(planar_case, kind):
+    """The file with that number carries the torque, with two hundredths less it does not."""
+    replaced, key, unit = PRESSED[kind]
+    replaced = replaced | {'output_torque = "10 N*m"': 'output_torque = "22 N*m"'}
+    with pytest.raises(InputError) as refused:
+        solved_case(planar_case("planetary", replaced=replaced))
+    stated, found = str(refused.value).split(f"({key}) to ")[1].split(",")[0].split(" ")
+    assert found == unit
+    name = key.removeprefix("load.")
+    old = next(text for text in ('preload = "800 N"', 'interference = "30 um"') if text.startswith(name))
+
+    def changed(number):
+        new = {text: put.replace(old, f'{name} = "{number!r} {unit}"') for text, put in replaced.items()}
+        return (
+            new
+            if any(old in put for put in replaced.values())
+            else new | {old: f'{name} = "{number!r} {unit}"'}
+        )
+
+    solved_case(planar_case("planetary", replaced=changed(float(stated))))
+    with pytest.raises(InputError, match="beyond the standing torque capacity"):
+        solved_case(planar_case("planetary", replaced=changed(0.98 * float(stated))))
+
+
+def test_a_torque_and_a_capacity_that_look_alike_get_more_digits(paper_joint):
+    """Both were 13.16 N·m."""
+    capacity = float(solve_joint(paper_joint()).standing_capacity.output_torque)
+    message = refusal(paper_joint(output_torque=capacity * (1.0 + 1e-6)))
+    torque, told = (
+        float(message.split(before)[1].split(" ")[0])
+        for before in ("output torque ", "standing torque capacity ")
+    )
+    assert torque > told
+    assert told == pytest.approx(capacity, rel=1e-6)

@@ -69,7 +69,7 @@ def test_thrust_and_loss_of_skewed_axes_by_hand(skewed_planetary):
 def test_at_the_capacity_in_rolling_a_skewed_contact_uses_all_that_skew_leaves(skewed_planetary):
     joint, solution, _ = skewed_planetary
     capacity = float(solution.rolling_capacity.output_torque)
-    assert capacity < 0.9 * float(solution.capacity.output_torque)
+    assert capacity < 0.9 * float(solution.standing_capacity.output_torque)
     rolling = solve_joint(dataclasses.replace(joint, output_torque=capacity)).result.rolling
     left = 0.08 * (1.0 - np.asarray(rolling.capacity_loss)) * np.asarray(rolling.normal)
     used = np.abs(np.asarray(rolling.tangential)) / left
@@ -146,12 +146,15 @@ def test_the_tables_name_contacts_members_and_bodies(planetary, tmp_path):
 def test_a_torque_beyond_the_capacity_is_refused(planar_case):
     slow = planar_case("planetary", replaced={'"10 N*m"': '"13 N*m"'})
     with pytest.raises(
-        InputError, match=r"13 N·m is beyond the torque capacity 12\.1\d N·m, at which contact sp slips"
+        InputError,
+        match=r"13 N·m is beyond the standing torque capacity 12\.1\d N·m, at which contact sp slips",
     ) as refused:
         solve_case(slow)
-    interference = str(refused.value).split("raise the interference to ")[1].split(",")[0]
+    interference = str(refused.value).split("raise the interference (load.interference) to ")[1].split(",")[0]
     tighter = planar_case("planetary", replaced={'"10 N*m"': '"13 N*m"', '"30 um"': f'"{interference}"'})
-    assert float(solve_case(tighter)[0].solution.capacity.output_torque) == pytest.approx(13.0, rel=0.01)
+    assert float(solve_case(tighter)[0].solution.standing_capacity.output_torque) == pytest.approx(
+        13.0, rel=0.01
+    )
 
 
 def test_an_interference_without_a_balance_is_told(planar_case):
@@ -163,7 +166,8 @@ def test_an_interference_without_a_balance_is_told(planar_case):
 def test_bodies_that_do_not_fit_are_refused(planar_case):
     fast = planar_case("planetary", replaced={'"1500 rpm"': '"60000 rpm"'})
     with pytest.raises(
-        InputError, match="at which contact sp lifts off; raise the preload, or lower the speed"
+        InputError,
+        match=r"at which contact sp lifts off; raise the interference \(load.interference\), or lower the speed",
     ):
         solve_case(fast)
     with pytest.raises(InputError, match=r"neighbours of planet overlap by 10 mm"):

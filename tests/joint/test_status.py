@@ -35,7 +35,7 @@ FAILURES = [
         "pin_too_thick_or_locked",
         "lock",
     ),
-    ({"load.output_torque": 20.0}, "beyond_torque_capacity", "beyond the torque capacity"),
+    ({"load.output_torque": 20.0}, "beyond_standing_capacity", "beyond the standing torque capacity"),
     ({"load.preload": 1e8, "load.friction_coefficient": 0.3}, "unbalanced", "no balance"),
 ]
 PLASTIC = {"surface.fractal_dimension": 1.2}
@@ -78,7 +78,7 @@ def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, ind
 @pytest.mark.slow
 def test_what_has_a_meaning_is_kept(codes):
     status, found = codes
-    slips = status == STATUS_NAMES.index("beyond_torque_capacity")
+    slips = status == STATUS_NAMES.index("beyond_standing_capacity")
     assert np.all(found["slip_ratio"][:, slips].max(axis=0) >= 1.0)
     assert np.all(np.isfinite(found["wedge_angle"][slips]))
     no_place = status == STATUS_NAMES.index("no_place_for_rollers")
@@ -95,7 +95,7 @@ def test_a_point_whose_spots_are_all_plastic_is_not_solved_and_keeps_its_forces(
         "contact_torsional_stiffness",
         "asperity_over_bulk_stiffness",
         "normal_force",
-        "torque_capacity",
+        "standing_torque_capacity",
         "wedge_angle",
         "bulk_normal_stiffness",
     )

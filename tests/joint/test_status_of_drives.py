@@ -49,7 +49,7 @@ def test_a_joint_that_works_is_solved(planetary):
                 "forces.balance_residual": jnp.array(NAN),
                 "forces.normal": jnp.array([100.0, 100.0]),
             },
-            "beyond_torque_capacity",
+            "beyond_standing_capacity",
         ),
         (
             {

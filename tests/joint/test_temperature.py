@@ -122,8 +122,8 @@ def test_it_is_the_joint_with_the_interference_that_is_left(planetary_at):
     assert float(np.interp(50.0, at, curves.stiffness)) == pytest.approx(
         float(found.assembly.stiffness.output), rel=2e-3
     )
-    assert float(np.interp(50.0, at, curves.torque_capacity)) == pytest.approx(
-        float(solution.capacity.output_torque), rel=1e-2
+    assert float(np.interp(50.0, at, curves.standing_torque_capacity)) == pytest.approx(
+        float(solution.standing_capacity.output_torque), rel=1e-2
     )
     # over 74.5 degC nothing is left; the axis ends at 70 degC
     assert np.all(np.asarray(curves.preload) > 0.0)

@@ -31,7 +31,9 @@ def test_there_is_stiffness_below_their_capacity(torque, limit):
             assembly=SimpleNamespace(stiffness=SimpleNamespace(output=3e4)),
         )
         limits = [SimpleNamespace(output_torque=limit - 0.1 * away) for limit in (7.0, 8.0)]
-        return SimpleNamespace(result=result, capacity=limits[0], reverse_capacity=limits[1])
+        return SimpleNamespace(
+            result=result, standing_capacity=limits[0], reverse_standing_capacity=limits[1]
+        )
 
     joint = SimpleNamespace(fit=Fit(0.0, 0.0, 20.0, 40.0), output_torque=torque, unlike=None)
     found = temperature_curves(joint, solved)
@@ -40,9 +42,9 @@ def test_there_is_stiffness_below_their_capacity(torque, limit):
     closed = temperature < 55.0
     np.testing.assert_allclose(found.preload, np.where(closed, 1250.0 - 10.0 * temperature, 0.0))
     own = (7.0 if torque > 0.0 else 8.0) - 0.1 * (temperature - 25.0)
-    np.testing.assert_allclose(found.torque_capacity, np.where(closed, own, np.nan))
+    np.testing.assert_allclose(found.standing_torque_capacity, np.where(closed, own, np.nan))
     np.testing.assert_array_equal(found.stiffness, np.where(closed & (own > 5.0), 3e4, np.nan))
-    assert np.interp(40.0, temperature, np.asarray(found.torque_capacity)) == pytest.approx(limit)
+    assert np.interp(40.0, temperature, np.asarray(found.standing_torque_capacity)) == pytest.approx(limit)
 
 
 @pytest.mark.long
@@ -60,7 +62,9 @@ def test_the_curve_goes_through_the_solved_joint(joint_text):
         return float(np.interp(32.0, np.asarray(curves.temperature), np.asarray(values)))
 
     assert at_work(curves.preload) == pytest.approx(float(solution.result.preload), rel=2e-3)
-    assert at_work(curves.torque_capacity) == pytest.approx(float(solution.capacity.output_torque), rel=2e-3)
+    assert at_work(curves.standing_torque_capacity) == pytest.approx(
+        float(solution.standing_capacity.output_torque), rel=2e-3
+    )
     stiffness = float(solution.result.assembly.stiffness.output)
     assert at_work(curves.stiffness) == pytest.approx(stiffness, rel=2e-3)
     cool = dataclasses.replace(joint.fit, working_temperature=joint.fit.assembly_temperature)
@@ -68,4 +72,4 @@ def test_the_curve_goes_through_the_solved_joint(joint_text):
     assert np.interp(20.0, curves.temperature, curves.preload) == pytest.approx(middle, rel=2e-3)
     loose = np.asarray(curves.preload) == 0.0
     assert np.any(loose)
-    assert np.all(np.isnan(np.asarray(curves.torque_capacity)[loose]))
+    assert np.all(np.isnan(np.asarray(curves.standing_torque_capacity)[loose]))

@@ -64,8 +64,8 @@ def test_equal_sectors_turn_and_live_as_the_joint(planetary, whole):
     sun, planet, ring = np.asarray(other.body)
     np.testing.assert_allclose(one.body, [sun, ring, planet, planet, planet], rtol=1e-8)
     np.testing.assert_allclose(one.contact, np.tile(other.contact, 3), rtol=1e-8)
-    assert float(found.capacity.output_torque) == pytest.approx(
-        float(expected.capacity.output_torque), rel=SAME
+    assert float(found.standing_capacity.output_torque) == pytest.approx(
+        float(expected.standing_capacity.output_torque), rel=SAME
     )
 
 
@@ -158,7 +158,7 @@ def test_two_opposed_planets_are_two_springs_side_by_side(opposed):
 def test_beyond_the_slip_of_one_planet_the_other_bears_the_rest(opposed):
     """The one that slips keeps what its friction holds, half of 43.0 N·m; the step in which it slips errs most."""
     own, alike = opposed
-    held = 0.5 * float(solve_joint(alike[1]).capacity.output_torque)
+    held = 0.5 * float(solve_joint(alike[1]).standing_capacity.output_torque)
     assert held == pytest.approx(21.49, abs=0.01)
     found = windup(own, largest_torque=47.0, level="assembly")
     other = windup(alike[0], largest_torque=2.0 * (47.0 - held), level="assembly")
@@ -171,7 +171,7 @@ def test_the_loop_of_unlike_sectors_is_divided_where_contacts_begin_to_slide(pla
     """Halfway from the first slip to the most that they carry: few steps have the loop of many."""
     joint = unfolded(planetary, np.array([1e-6, 0.0, -1e-6]))
     solution = solve_joint(joint)
-    first, last = (float(each.output_torque) for each in (solution.first_slip, solution.capacity))
+    first, last = (float(each.output_torque) for each in (solution.first_slip, solution.standing_capacity))
     assert first < 0.99 * last
     few, many = (
         windup(joint, largest_torque=0.5 * (first + last), level="assembly", steps=steps)

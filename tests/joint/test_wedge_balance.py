@@ -159,7 +159,7 @@ def test_a_torque_and_a_rotation_the_other_way_round_are_the_mirror_image(listed
     assert float(other.result.forces.input_torque) == pytest.approx(-float(one.result.forces.input_torque))
     assert float(other.result.rolling.speed_loss) == pytest.approx(float(one.result.rolling.speed_loss))
     assert float(other.result.rolling.power.loss) == pytest.approx(float(one.result.rolling.power.loss))
-    for name in ("capacity", "rolling_capacity", "first_slip"):
+    for name in ("standing_capacity", "rolling_capacity", "first_slip"):
         mine, image = getattr(one, name), getattr(other, f"reverse_{name}")
         assert float(image.output_torque) == pytest.approx(float(mine.output_torque), rel=1e-9)
 

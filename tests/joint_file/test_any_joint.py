@@ -34,7 +34,7 @@ NAMES = (
     "speed_ratio",
     "clearance",
 )
-CAPACITIES = ("torque_capacity", "rolling_torque_capacity", "torque_safety")
+CAPACITIES = ("standing_torque_capacity", "rolling_torque_capacity", "torque_capacity", "torque_safety")
 VARIABLES = ("load.output_torque", "drive.planet_radius", "load.interference", "surface.fractal_dimension")
 TORQUES = [5.0, 10.0, -10.0, 13.0, 10.0]
 PLANETS = [3.0, 3.0, 3.0, 3.0, 5.0]
@@ -77,7 +77,7 @@ def numbers_of(solution):
         "speed_loss": result.rolling.speed_loss,
         "drive_life": 3600.0 * result.rolling.life_hours.drive,
         "speed_ratio": result.speed_ratio,
-        "torque_capacity": solution.capacity.output_torque,
+        "standing_torque_capacity": solution.standing_capacity.output_torque,
         "rolling_torque_capacity": solution.rolling_capacity.output_torque,
     }
 
@@ -165,7 +165,7 @@ def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts
             "first_row_to_ring",
         )
         assert table["clearance"].row_names == pairs
-    assert table["limiting_contact"].categories == (*contacts, "none")
+    assert table["standing_limiting_contact"].categories == (*contacts, "none")
 
 
 @pytest.mark.slow

@@ -270,9 +270,9 @@ def test_what_has_no_derivatives_is_refused_with_all_that_helps(key, more, remed
 def test_beyond_the_capacity_it_is_not_known_what_the_contacts_feel(named):
     """Nor the capacity that follows from it, which had been that of heights at infinite widths."""
     torques = {"load.output_torque": np.array([2.0, 1e3])}
-    status, results = evaluate_points(si_values(named), torques, ("torque_capacity", "speed_ratio"))
-    assert STATUS_NAMES[status[1]] == "beyond_torque_capacity"
-    assert np.isfinite(results["torque_capacity"]).tolist() == [True, False]
+    status, results = evaluate_points(si_values(named), torques, ("standing_torque_capacity", "speed_ratio"))
+    assert STATUS_NAMES[status[1]] == "beyond_standing_capacity"
+    assert np.isfinite(results["standing_torque_capacity"]).tolist() == [True, False]
     assert np.isfinite(results["speed_ratio"]).all()
 
 

@@ -64,9 +64,9 @@ def judge(document):
     assert rest[:: len(rest) // 3] == pytest.approx([each["preload_N"] for each in branches["branches"]])
     for state in ("standing", "rolling"):
         assert sum(branches[state]["share"]) == pytest.approx(1.0)
-    capacity = document["torque_capacity"]
-    assert branches["torque_capacity"]["all_slip_Nm"] == capacity["output_torque_Nm"]
-    assert branches["torque_capacity"]["first_slip_Nm"] == capacity["first_slip"]["output_torque_Nm"]
+    capacity = document["standing_torque_capacity"]
+    assert branches["standing_torque_capacity"]["all_slip_Nm"] == capacity["output_torque_Nm"]
+    assert branches["standing_torque_capacity"]["first_slip_Nm"] == capacity["first_slip"]["output_torque_Nm"]
     json.dumps(document, allow_nan=False)
 
 
@@ -75,13 +75,13 @@ def test_branches_that_press_harder_are_a_larger_interference(planetary):
     """Planets 0.3 um larger all round are an interference 0.6 um larger; equal ones do not carry the torque."""
     stronger = solve_case(planetary([], 10.5, 5.0)).document
     assert not bool(stronger.get("branches"))
-    with pytest.raises(InputError, match="beyond the torque capacity"):
+    with pytest.raises(InputError, match="beyond the standing torque capacity"):
         solve_case(planetary([], 10.5))
     document = solve_case(planetary([0.3] * 3, 10.5)).document
     judge(document)
     # to 1e-3, because the laws of contacts are taken around the force of the nominal interference
-    assert document["torque_capacity"]["output_torque_Nm"] == pytest.approx(
-        stronger["torque_capacity"]["output_torque_Nm"], rel=2e-4
+    assert document["standing_torque_capacity"]["output_torque_Nm"] == pytest.approx(
+        stronger["standing_torque_capacity"]["output_torque_Nm"], rel=2e-4
     )
     for found, wanted in (
         (each["torsional_stiffness"]["assembly"]["output_Nm_per_rad"] for each in (document, stronger)),
@@ -108,8 +108,8 @@ def test_unlike_branches_carry_the_sum_of_what_their_friction_holds(planetary):
     judge(document)
     by_hand = 6.0 * 10e-3 * 0.08 * sum(each["preload_N"] for each in document["branches"]["branches"])
     # the torque takes 0.2 % of the forces
-    assert document["torque_capacity"]["output_torque_Nm"] == pytest.approx(by_hand, rel=5e-3)
-    with pytest.raises(InputError, match=r"16 N.m is beyond the torque capacity 1[12]\.\d+ N.m"):
+    assert document["standing_torque_capacity"]["output_torque_Nm"] == pytest.approx(by_hand, rel=5e-3)
+    with pytest.raises(InputError, match=r"16 N.m is beyond the standing torque capacity 1[12]\.\d+ N.m"):
         solved_case(planetary([0.1, 0.2, 0.5], 16.0))
 
 
@@ -120,10 +120,10 @@ def test_the_papers_drive_by_its_own_branches(papers):
     judge(document)
     preloads = sum(each["preload_N"] for each in document["branches"]["branches"])
     by_hand = 13.16 * preloads / 3000.0
-    assert document["branches"]["torque_capacity"]["all_slip_Nm"] == pytest.approx(by_hand, rel=1e-3)
+    assert document["branches"]["standing_torque_capacity"]["all_slip_Nm"] == pytest.approx(by_hand, rel=1e-3)
     for torque in (14.3, 40.0):
-        with pytest.raises(InputError, match=r"beyond the torque capacity 14\.19 N.m"):
+        with pytest.raises(InputError, match=r"beyond the standing torque capacity 14\.19 N.m"):
             solved_case(papers([0.2, 0.4, 0.5], torque))
     # equal ones would carry this one, weaker ones do not
-    with pytest.raises(InputError, match="beyond the torque capacity"):
+    with pytest.raises(InputError, match="beyond the standing torque capacity"):
         solved_case(papers([-0.2, -0.4, -0.5], 13.0))

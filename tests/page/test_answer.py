@@ -90,7 +90,7 @@ def test_without_a_torque_there_is_no_windup(joint_text):
 
 
 def test_the_curves_go_up_to_the_capacity_in_the_direction_of_the_torque(monkeypatch):
-    solved = SimpleNamespace(joint=None, capacity_of_direction=SimpleNamespace(output_torque=13.0))
+    solved = SimpleNamespace(joint=None, standing_capacity_of_direction=SimpleNamespace(output_torque=13.0))
 
     def curves(*, joint, torque_capacity):
         names = (
@@ -144,7 +144,7 @@ def test_a_joint_with_another_drive(zou_file):
     assert found["document"]["standing"]["forces"]["output_torque_Nm"] == -8.0
     curves = found["curves"]
     assert curves["torque_Nm"][-1] == pytest.approx(
-        -found["document"]["torque_capacity"]["reverse"]["output_torque_Nm"]
+        -found["document"]["standing_torque_capacity"]["reverse"]["output_torque_Nm"]
     )
     # a torque that drives: the output runs ahead
     assert curves["drift_rad_per_output_turn"][10] < 0.0

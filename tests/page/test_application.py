@@ -134,7 +134,7 @@ def test_units_are_those_of_the_files(solve):
 def test_curves_pass_through_the_joint(solve):
     answer = solve().json()
     curves, document = answer["curves"], answer["document"]
-    capacity = document["torque_capacity"]["output_torque_Nm"]
+    capacity = document["standing_torque_capacity"]["output_torque_Nm"]
     assert curves["torque_Nm"][-1] == pytest.approx(capacity, rel=1e-12)
     # the stiffness at 5 N·m lies between those of the neighbouring torques
     above = next(i for i, torque in enumerate(curves["torque_Nm"]) if torque > 5.0)
@@ -201,7 +201,7 @@ def test_a_wrong_value_is_said_at_its_key(solve, key, value, said):
 def test_an_impossible_joint_is_said_in_one_sentence(solve):
     response = solve(load__output_torque="50 N*m")
     assert response.status_code == 422
-    assert "beyond the torque capacity 13.16 N·m" in response.json()["error"]
+    assert "beyond the standing torque capacity 13.16 N·m" in response.json()["error"]
 
 
 @pytest.mark.parametrize(

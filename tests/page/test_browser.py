@@ -261,7 +261,7 @@ def test_a_wrong_value_is_said_at_its_field(page):
 
 def test_a_torque_beyond_the_capacity_is_said(page):
     write(page, "load.output_torque", "100 N*m")
-    assert "beyond the torque capacity" in page.locator("#error").inner_text()
+    assert "beyond the standing torque capacity" in page.locator("#error").inner_text()
 
 
 def test_undo_redo_and_back_to_the_file(page):
@@ -377,7 +377,7 @@ def test_a_chart_of_any_number_shows_where_there_is_no_result_and_why(page):
     assert "over preload" in drawn.get_attribute("aria-label")
     charted(page, lambda: page.locator("#chart-over").select_option("load.output_torque"))
     assert drawn.locator("rect.shade").count() >= 1
-    assert "beyond the torque capacity" in page.locator("#chart-figure").inner_text()
+    assert "beyond the standing torque capacity" in page.locator("#chart-figure").inner_text()
     page.get_by_role("button", name="Pin as baseline").click()
     charted(page, lambda: write(page, "load.preload", "2000 N"))
     assert drawn.locator("path.ghost").count() == 1

@@ -158,7 +158,7 @@ def test_a_design_runs_to_its_end_and_is_put_on_the_page(page, tmp_path):
     page.locator("#begin-design:enabled").click()
     page.wait_for_selector(".job[data-kind=design] .job-result a", timeout=900_000)
     said = page.locator(".job[data-kind=design]").inner_text()
-    assert "✓ all limits are met" in said
+    assert "✓ All limits are met" in said
     assert "Smallest mass of the rolling parts" in said
     assert "Warnings of this design" in said
     with page.expect_download() as waiting:

@@ -45,7 +45,7 @@ def test_a_chart_says_what_single_joints_say(asked, joint_text):
     assert found["curves"][0]["y"][3] is None
     assert found["curves"][0]["status"][:3] == [0, 0, 0]
     (reason,) = found["reasons"].values()
-    assert "beyond the torque capacity" in reason
+    assert "beyond the standing torque capacity" in reason
     here = solve_joint(joint_from_case(case))
     assert found["joint"]["x"] == 5.0
     assert found["joint"]["y"] == pytest.approx(float(here.result.published.output), rel=1e-9)

@@ -29,7 +29,7 @@ def document(**changes):
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 2.0 / TURN_AN_ARCMINUTE}},
         "standing": {"forces": {"output_torque_Nm": 5.0}},
         "input": {},
-        "torque_capacity": {"output_torque_Nm": 9.0, "reverse": {"output_torque_Nm": 9.0}},
+        "standing_torque_capacity": {"output_torque_Nm": 9.0, "reverse": {"output_torque_Nm": 9.0}},
     }
 
 

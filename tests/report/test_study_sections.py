@@ -100,14 +100,20 @@ def designed(case, monkeypatch):
     return DesignResult(
         problem=problem,
         feasible=True,
+        crossed=(),
+        allowed=(),
+        unknown=(),
         point={"load.preload": 2000.0},
+        optimum={"load.preload": 2000.0},
         at_bound={"load.preload": "upper"},
         objective_before=30000.0,
         objective_after=35000.0,
         objective_unrounded=None,
+        missed_before=(),
         summary_before=dict.fromkeys(SUMMARY, 1.0),
         summary_after=dict.fromkeys(SUMMARY, float("nan")),
         limits=(limit,),
+        diagnostics={"diagnostics": [], "life_hours": None, "no_result_because": None},
         optimality_residual=0.0,
         starts=(),
         evaluations=1,
@@ -157,7 +163,7 @@ def test_tolerances_say_how_many_joints_and_who_contributes(spread):
     )
     assert blocks[1].text.endswith("all other parts stay as they are, and adds to the interference.")
     intervals, shares = of(Table, blocks)
-    assert intervals.rows[1][0] == "torque_capacity of this drive, N·m"
+    assert intervals.rows[1][0] == "standing_torque_capacity of this drive, N·m"
     assert [row[1:] for row in intervals.rows][1] == ("2", "2.1", "0.1", "1.8", "2.4")
     assert intervals.rows[-1][-2:] == ("fails", "6.667e-4")  # 2.4 s in hours
     assert [row[:4] for row in shares.rows] == [

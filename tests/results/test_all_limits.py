@@ -36,8 +36,8 @@ def solved(pressures, *, slips=None, duty=DUTY, standing=(30.0, 3.0)):
         bent=(False, False),
         row_names=lambda axis: ("planet", "ring"),
         required_life=None,
-        capacity=forward,
-        reverse_capacity=back,
+        standing_capacity=forward,
+        reverse_standing_capacity=back,
     )
 
 

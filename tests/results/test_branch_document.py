@@ -15,7 +15,7 @@ def test_the_document_has_numbers_where_there_are_any(document_of_branches):
     assert document["standing"]["torques_Nm"] == {"sun": 1.5}
     assert document["rolling"] is None
     assert document_of_branches(math.inf)["sun_support_stiffness_N_per_m"] is None
-    assert document["torque_capacity"] == {
+    assert document["standing_torque_capacity"] == {
         "first_slip_Nm": 8.0,
         "first_branch": 2,
         "first_contact": "sp",

@@ -38,8 +38,8 @@ def test_it_is_json_and_says_of_which_direction_the_rolling_capacity_is(planetar
     _, solution, document = planetary
     assert json.loads(json.dumps(document, allow_nan=False)) == document
     assert document["rolling"]["torque_capacity_Nm"] == float(solution.rolling_capacity.output_torque)
-    assert document["torque_capacity"]["reverse"]["output_torque_Nm"] == float(
-        solution.reverse_capacity.output_torque
+    assert document["standing_torque_capacity"]["reverse"]["output_torque_Nm"] == float(
+        solution.reverse_standing_capacity.output_torque
     )
     names = [entry["name"] for entry in document["diagnostics"]]
     assert len(names) == len(document["diagnostics"]) > 5

@@ -84,13 +84,13 @@ def test_it_says_why_there_is_no_stiffness(joint_text):
 def test_the_capacity_in_numbers_and_words(document, solution):
     """The capacity of each direction with its own limit."""
     forward = dataclasses.replace(
-        solution.capacity, output_torque=np.asarray(13.0), limiting_contact=np.asarray(2)
+        solution.standing_capacity, output_torque=np.asarray(13.0), limiting_contact=np.asarray(2)
     )
     reverse = dataclasses.replace(
         forward, output_torque=np.asarray(np.inf), limit=np.asarray(0), limiting_contact=np.asarray(5)
     )
-    shown = dataclasses.replace(solution, capacity=forward, reverse_capacity=reverse)
-    stated = document(shown)["torque_capacity"]
+    shown = dataclasses.replace(solution, standing_capacity=forward, reverse_standing_capacity=reverse)
+    stated = document(shown)["standing_torque_capacity"]
     for found, torque, limit, contact, meaning in (
         (stated, 13.0, "gross_slip", "pwl", "contact pwl slips"),
         (stated["reverse"], None, "none", None, "no limit is reached at any torque"),

@@ -51,8 +51,8 @@ def test_clearances(value):
 
 def test_capacity_is_that_of_slip(value):
     """The sun's contact of 1000 N slips first: about 3 * 9 * 4 mm * 0.12 * 1000 N, more as the torque wedges."""
-    capacity = value("torque_capacity")
+    capacity = value("standing_torque_capacity")
     assert capacity == pytest.approx(27.0 * SUN * 120.0, rel=0.05)
-    limits = RESULTS["capacity_limit"].categories
-    assert limits[int(value("capacity_limit"))] == "gross_slip"
-    assert int(value("limiting_contact")) == 0
+    limits = RESULTS["standing_capacity_limit"].categories
+    assert limits[int(value("standing_capacity_limit"))] == "gross_slip"
+    assert int(value("standing_limiting_contact")) == 0

@@ -29,8 +29,20 @@ def test_rows_are_the_parts_of_the_drive(table):
     assert table["bearing_life"].row_names == ("disc_pin", "wheel", "carrier")
     assert table["pin_load"].row_names == ("disc",)
     assert "wedge_angle" not in table
-    assert table["limiting_contact"].categories == ("ab", "bc", "none")
-    assert "0" in table["limiting_contact"].note
+    assert table["standing_limiting_contact"].categories == ("ab", "bc", "none")
+    assert "0" in table["standing_limiting_contact"].note
+    parts = (
+        "ab",
+        "bc",
+        "wheel",
+        "disc",
+        "hoop",
+        "disc_pin_bearing",
+        "wheel_bearing",
+        "carrier_bearing",
+        "disc_pin",
+    )
+    assert table["limiting_place"].categories == (*parts, "none")
     assert table["speed_ratio"].highest_limit == math.inf
 
 

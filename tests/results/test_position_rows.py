@@ -19,7 +19,7 @@ def document(capacity=12.5, torque=5.0, both=(9.0, False, 8.0, False), slips=7.5
         },
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 2.0 / ARCMINUTE}},
         "standing": {"forces": {"output_torque_Nm": torque}},
-        "torque_capacity": {
+        "standing_torque_capacity": {
             "output_torque_Nm": forward,
             "is_lower_bound": lower,
             "first_slip": {"output_torque_Nm": slips},

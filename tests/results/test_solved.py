@@ -41,15 +41,17 @@ def test_each_direction_has_its_capacity(solved, planetary):
     joint, solution, _ = planetary
     normal = float(np.asarray(solution.result.forces.normal)[0])
     slip = 3.0 * 0.08 * normal * SUN * 2.0 * (SUN + PLANET) / SUN
-    assert float(solved.capacity.output_torque) == pytest.approx(slip, rel=0.01)
-    assert float(solved.capacity_of_direction.output_torque) == float(solved.capacity.output_torque)
+    assert float(solved.standing_capacity.output_torque) == pytest.approx(slip, rel=0.01)
+    assert float(solved.standing_capacity_of_direction.output_torque) == float(
+        solved.standing_capacity.output_torque
+    )
     apart = dataclasses.replace(  # capacities that differ, to tell the directions apart
         solution,
         **{
             name: dataclasses.replace(getattr(solution, name), output_torque=np.asarray(torque))
             for name, torque in (
-                ("capacity", 1.0),
-                ("reverse_capacity", 2.0),
+                ("standing_capacity", 1.0),
+                ("reverse_standing_capacity", 2.0),
                 ("rolling_capacity", 3.0),
                 ("reverse_rolling_capacity", 4.0),
             )
@@ -57,8 +59,10 @@ def test_each_direction_has_its_capacity(solved, planetary):
     )
     for torque, of_direction in ((5.0, 1.0), (-5.0, 2.0)):
         found = solved_with_capacities(dataclasses.replace(joint, output_torque=torque), apart)
-        assert float(found.capacity_of_direction.output_torque) == of_direction
-        assert [float(each.output_torque) for each in (found.capacity, found.reverse_capacity)] == [1.0, 2.0]
+        assert float(found.standing_capacity_of_direction.output_torque) == of_direction
+        assert [
+            float(each.output_torque) for each in (found.standing_capacity, found.reverse_standing_capacity)
+        ] == [1.0, 2.0]
         assert [float(found.rolling_capacity), float(found.reverse_rolling_capacity)] == [3.0, 4.0]
     assert float(found.preload) == pytest.approx(float(np.asarray(solution.result.rest.normal)[0]), rel=1e-9)
 

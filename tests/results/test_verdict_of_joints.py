@@ -48,7 +48,7 @@ def test_a_ring_that_turns_in_its_housing_fails_although_the_model_is_outside_it
 def test_a_torque_between_both_capacities_fails_in_rolling(solved):
     document = solved(('"10 N*m"', '"12 N*m"'))
     rolling = document["rolling"]["torque_capacity_Nm"]
-    assert rolling < 12.0 < document["torque_capacity"]["output_torque_Nm"]
+    assert rolling < 12.0 < document["standing_torque_capacity"]["output_torque_Nm"]
     assert document["drift_rad_per_output_turn"] is None
     verdict = document["verdict"]
     assert verdict["title"] == "Fails"

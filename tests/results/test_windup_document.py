@@ -27,7 +27,9 @@ def document(monkeypatch):
     monkeypatch.setattr(
         module,
         "capacities_document",
-        lambda one, other: CAPACITIES[one.capacity] | {"reverse": CAPACITIES[other.reverse_capacity]},
+        lambda one, other: (
+            CAPACITIES[one.standing_capacity] | {"reverse": CAPACITIES[other.reverse_standing_capacity]}
+        ),
     )
     monkeypatch.setattr(module, "unknown_because", lambda joint, result: [f"no {result.name}"])
     torque = np.linspace(-12.0, 12.0, 5)
@@ -49,13 +51,16 @@ def document(monkeypatch):
     solutions = tuple(object.__new__(Solution) for _ in range(2))
     for solution, name in zip(solutions, ("one", "other"), strict=True):
         result = SimpleNamespace(name=name, contact_names=CONTACT_NAMES)
-        vars(solution).update(capacity="forward", reverse_capacity="reverse", result=result)
+        vars(solution).update(standing_capacity="forward", reverse_standing_capacity="reverse", result=result)
     joint = SimpleNamespace(contact_names=CONTACT_NAMES, unlike=None)
     return windup_document(joint, curve, solutions, (onset, None), level="assembly")
 
 
 def test_figures_of_both_directions(document):
-    assert document["torque_capacity"] == {"output_torque_Nm": 13.0, "reverse": {"output_torque_Nm": 12.0}}
+    assert document["standing_torque_capacity"] == {
+        "output_torque_Nm": 13.0,
+        "reverse": {"output_torque_Nm": 12.0},
+    }
     figures = ("largest_torque_Nm", "windup_rad", "reverse_windup_rad", "hysteresis_rad", "lost_motion_rad")
     assert [document[name] for name in figures] == pytest.approx([12.0, 1.2e-3, 1.2e-3, 2e-5, 3e-5])
     assert document["dissipated_energy_J"] == 4e-3
@@ -119,4 +124,4 @@ def test_capacities_for_the_picture_leave_out_lower_bounds(forward, reverse, fou
     one, other = (
         dict(zip(("output_torque_Nm", "is_lower_bound"), each, strict=True)) for each in (forward, reverse)
     )
-    assert windup_capacities({"torque_capacity": {**one, "reverse": other}}) == found
+    assert windup_capacities({"standing_torque_capacity": {**one, "reverse": other}}) == found

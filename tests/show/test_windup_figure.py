@@ -75,11 +75,11 @@ def test_what_lies_beyond_the_capacity_is_shaded_where_it_is_near(onset):
         assert panel.get_xlim()[1] == pytest.approx(shaded.get_x() + shaded.get_width())
         assert panel.get_xlim()[0] == -panel.get_xlim()[1]
     named = [text.get_text() for text in stiffness.get_legend().get_texts()]
-    assert named.count("beyond the torque capacity") == 1
+    assert named.count("beyond the standing torque capacity") == 1
 
 
 @pytest.mark.parametrize(
-    ("capacities", "said"), [((9.0, 8.0), ["torque capacity 8 N·m"]), ((math.inf,) * 2, [])]
+    ("capacities", "said"), [((9.0, 8.0), ["standing torque capacity 8 N·m"]), ((math.inf,) * 2, [])]
 )
 def test_a_capacity_out_of_the_picture_is_said(capacities, said):
     _, deviation, stiffness, *_ = windup_figure(loop_of(), title="", capacities=capacities).axes

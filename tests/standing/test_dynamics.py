@@ -99,7 +99,7 @@ def test_a_joint_that_stands_has_no_creep(paper_joint):
 def test_over_torque_up_to_nearly_the_capacity(paper_joint, found):
     over = found.over_torque
     assert over.output_torque[0] == 0.0
-    capacity = float(solve_joint(paper_joint()).capacity.output_torque)
+    capacity = float(solve_joint(paper_joint()).standing_capacity.output_torque)
     assert over.output_torque[-1] == pytest.approx(0.98 * capacity, rel=1e-9)
     assert np.all(np.diff(over.locked_frequency) < 0.0)
     reverse = dynamics(dataclasses.replace(paper_joint(), output_torque=np.asarray(-5.0)), COUPLED)
@@ -118,7 +118,7 @@ def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
     paper_joint, monkeypatch, torque, limit, kind, largest
 ):
     """At 98 % of 7 N·m backwards, or at the torque itself where there is no limit."""
-    limits = {"capacity": limit, "reverse_capacity": 7.0}
+    limits = {"standing_capacity": limit, "reverse_standing_capacity": 7.0}
     known = {
         name: SimpleNamespace(output_torque=value, limit=LIMIT_KINDS.index(kind))
         for name, value in limits.items()
@@ -191,7 +191,7 @@ def test_a_response_without_losses_is_shown_beside_its_natural_frequencies(plana
     limit = SimpleNamespace(output_torque=13.0, limit=LIMIT_KINDS.index("gross_slip"))
     stiffness = SimpleNamespace(stiffness=SimpleNamespace(output=9000.0))
     solution = SimpleNamespace(
-        result=SimpleNamespace(assembly=stiffness), capacity=limit, reverse_capacity=limit
+        result=SimpleNamespace(assembly=stiffness), standing_capacity=limit, reverse_standing_capacity=limit
     )
     monkeypatch.setattr("asperity.standing.dynamics.solve_joint", lambda _: solution)
     monkeypatch.setattr("asperity.standing.dynamics.springs_over_torque", lambda *_: known)
@@ -209,7 +209,7 @@ def test_a_response_without_losses_is_shown_beside_its_natural_frequencies(plana
 
 @pytest.mark.slow
 def test_a_joint_that_slips_is_refused(paper_joint):
-    with pytest.raises(AsperityError, match="beyond the torque capacity"):
+    with pytest.raises(AsperityError, match="beyond the standing torque capacity"):
         dynamics(paper_joint(output_torque=50.0), COUPLED)
 
 
@@ -223,7 +223,7 @@ def test_the_axis_ends_at_the_capacity_or_where_the_model_does():
     ):
         known = LIMIT_KINDS.index(kind)
         solution = SimpleNamespace(
-            capacity=SimpleNamespace(output_torque=limit, limit=known),
-            reverse_capacity=SimpleNamespace(output_torque=7.0, limit=known),
+            standing_capacity=SimpleNamespace(output_torque=limit, limit=known),
+            reverse_standing_capacity=SimpleNamespace(output_torque=7.0, limit=known),
         )
         assert _limit(solution, torque) == pytest.approx(end, rel=1e-12)

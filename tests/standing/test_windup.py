@@ -108,7 +108,9 @@ def test_the_joint_agrees_with_a_trapezoidal_integration_of_its_own_stiffness(jo
 
 @pytest.mark.slow
 def test_past_the_capacity_is_refused_with_the_torque(paper_joint):
-    with pytest.raises(InputError, match=r"14 N·m is beyond the torque capacity: contact sp slips at 1[34]"):
+    with pytest.raises(
+        InputError, match=r"14 N·m is beyond the standing torque capacity: contact sp slips at 1[34]"
+    ):
         windup(
             paper_joint(ring_wall_thickness=60e-3),
             largest_torque=14.0,

@@ -99,7 +99,7 @@ def test_every_axis_has_a_coordinate_with_a_meaning(table):
 
 @pytest.fixture
 def small(case):
-    status = np.array([[0, STATUS_NAMES.index("beyond_torque_capacity")], [0, 0]], dtype=np.int8)
+    status = np.array([[0, STATUS_NAMES.index("beyond_standing_capacity")], [0, 0]], dtype=np.int8)
     stiffness = np.array([[1.0, np.nan], [3.0, 4.0]])
     forces = np.arange(20.0).reshape(5, 2, 2)
     return dataset(
@@ -128,7 +128,12 @@ def test_csv_names_units_and_reasons(small, tmp_path):
     with (tmp_path / "s.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert [row["load.preload [N]"] for row in rows] == ["900.0", "900.0", "1000.0", "1000.0"]
-    assert [row["status_meaning"] for row in rows] == ["solved", "beyond_torque_capacity", "solved", "solved"]
+    assert [row["status_meaning"] for row in rows] == [
+        "solved",
+        "beyond_standing_capacity",
+        "solved",
+        "solved",
+    ]
     assert [row["published_stiffness_output [N*m/rad]"] for row in rows] == ["1.0", "", "3.0", "4.0"]
     assert [row["normal_force_pwr [N]"] for row in rows] == ["4.0", "5.0", "6.0", "7.0"]
     assert list(tmp_path.iterdir()) == [tmp_path / "s.csv"]

@@ -26,6 +26,7 @@ MAIN_RESULTS = (
     "slip_ratio",
     "torque_capacity",
     "reverse_torque_capacity",
+    "standing_torque_capacity",
     "rolling_torque_capacity",
     "torque_safety",
     "drift",

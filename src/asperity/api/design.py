@@ -15,7 +15,7 @@ from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.results import RESULTS, known_result
 from asperity.study.design.design import design as search
 from asperity.study.design.design_file import read_design
-from asperity.study.design.design_result import DesignResult, shortcoming
+from asperity.study.design.design_result import DesignResult, bounds_words, shortcoming
 from asperity.study.parameters import long_name
 from asperity.units import format_quantity
 
@@ -120,7 +120,9 @@ class DesignedJoint(Shown):
             for path in self.keys()
         ]
         return [
-            f"{result.problem.goal} (worst case): {before} -> {after}; all limits are met",
+            f"{result.problem.goal} (worst case): {before} -> {after}",
+            result.met_words,
+            *(f"held by: {words}" for words in [bounds_words(result)] if words),
             Table(("free number", "design", "at bound"), numbers),
             "\n".join(limit.text for limit in result.limits),
         ]

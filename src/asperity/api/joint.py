@@ -210,7 +210,7 @@ class DescribedJoint(Shown):
         Raises
         ------
         InputError
-            If the rollers do not fit, or the output torque is beyond the torque capacity.
+            If the rollers do not fit, or the output torque is beyond the standing torque capacity.
         NoSolutionError
             If the force balance does not close.
         """

@@ -40,7 +40,7 @@ def roll(joint: DescribedJoint) -> JointRolling:
     Raises
     ------
     InputError
-        If the rollers do not fit, or the output torque is beyond the torque capacity.
+        If the rollers do not fit, or the output torque is beyond the standing torque capacity.
     NoSolutionError
         If the force balance does not close, or the joint does not roll steadily.
     """

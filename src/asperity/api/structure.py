@@ -14,7 +14,7 @@ from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.section_build import inertias_from_case
 from asperity.joint_file.solved_document import solved_case
 from asperity.results.dynamics_document import dynamics_document, response_columns
-from asperity.results.loads_document import bearing_entries, loads_document, shown_rows
+from asperity.results.loads_document import bearing_entries, loads_document, shown_rows, state_of_case
 from asperity.standing.dynamics import Dynamics
 from asperity.standing.dynamics import dynamics as solved_dynamics
 from asperity.unit_table import Dimension
@@ -54,7 +54,7 @@ def loads(joint: DescribedJoint, *, mounting_gap: str | NamedQuantity = "0 um") 
     Raises
     ------
     InputError
-        If the rollers do not fit, or the output torque is beyond the torque capacity.
+        If the rollers do not fit, or the output torque is beyond the standing torque capacity.
     NoSolutionError
         If the force balance does not close.
     """
@@ -131,11 +131,11 @@ class JointLoads(Shown):
 
 
 def _case_title(case: Document, line: str) -> str:
-    """Title of a column: the load, its torque and the speed of the input."""
+    """Title of a column: the load, whether it rolls or stands, its torque and the speed of the input."""
     if case["name"] == "without torque":
-        return str(case["name"])
+        return state_of_case(case)
     torque, speed = case["output_torque_Nm"], case["sun_speed_rad_per_s"]
-    return f"{case['name']}{line}{format_quantity(torque, 'N*m')}{line}{format_quantity(speed, 'rpm')}"
+    return f"{state_of_case(case)}{line}{format_quantity(torque, 'N*m')}{line}{format_quantity(speed, 'rpm')}"
 
 
 def _words(name: str) -> str:

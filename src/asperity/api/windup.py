@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 #: Figures of a wind-up: name, what it is, what it measures, unit of display.
 _FIGURES = (
-    ("torque_capacity", "torque capacity", Dimension.TORQUE, "N*m"),
+    ("standing_torque_capacity", "standing torque capacity", Dimension.TORQUE, "N*m"),
     ("largest_torque", "largest torque of the curve", Dimension.TORQUE, "N*m"),
     ("windup", "wind-up at the largest torque", Dimension.ANGLE, "arcmin"),
     ("hysteresis", "width of the loop at zero torque", Dimension.ANGLE, "arcmin"),
@@ -118,11 +118,11 @@ class JointWindup(Shown):
     ) -> None:
         self.joint, self.curve, self.onset, self.document = joint, curve, onset, document
         self.level: StiffnessLevel = document["level"]
-        capacity = document["torque_capacity"]["output_torque_Nm"]
+        capacity = document["standing_torque_capacity"]["output_torque_Nm"]
         values = {
             **vars(curve),
             **{f"K{n}": curve.stage_stiffness[n - 1] for n in (1, 2, 3)},
-            "torque_capacity": np.inf if capacity is None else capacity,
+            "standing_torque_capacity": np.inf if capacity is None else capacity,
             "largest_torque": curve.torque[-1],
             "windup": curve.angle[-1],
         }

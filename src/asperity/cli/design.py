@@ -189,8 +189,10 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
 
 
 def _show(result: DesignResult) -> None:
+    from asperity.cli.document_text import print_wrapped
     from asperity.cli.terminal import console
     from asperity.results import RESULTS
+    from asperity.study.design.design_result import bounds_words
     from asperity.units import format_quantity
 
     target, problem = console(), result.problem
@@ -202,9 +204,15 @@ def _show(result: DesignResult) -> None:
     worst = f", worst case of {' and '.join(cases)}" if cases else ""
     before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
     target.print(f"{problem.goal}{worst}:")
-    target.print(
-        f"  {before} in {problem.joint_file} -> {after} ({'all limits met' if result.feasible else 'limits not met'})"
-    )
+    said = [f"{before} in {problem.joint_file} -> {after}"]
+    said.append(result.met_words)
+    if result.missed_before:
+        missed = "; ".join(limit.text for limit in result.missed_before)
+        said.append(f"The joint of the file misses: {missed}")
+    if words := bounds_words(result):
+        said.append(f"The design is held by: {words}")
+    for text in said:
+        print_wrapped(target, f"  {text}", indent=4)
     if result.objective_unrounded is not None:
         target.print(
             f"  {format_quantity(result.objective_unrounded, unit)} before rounding to the stated steps"
@@ -219,14 +227,14 @@ def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
     from asperity.cli.document_text import show_law_range, show_warnings
     from asperity.cli.terminal import console
-    from asperity.study.design.design_result import joint_diagnostics, not_limited
+    from asperity.study.design.design_result import not_limited
 
-    diagnostics = joint_diagnostics(result.joint_text)
+    diagnostics = result.diagnostics
     if diagnostics["diagnostics"] is None:
         because = diagnostics["no_result_because"]
         click.echo(f"The designed joint has no result under the output torque of its file: {because}")
         return
-    if line := not_limited(result, diagnostics):
+    if line := not_limited(result):
         console().print(line, markup=False)
     show_warnings(console(), diagnostics)
     show_law_range(console(), diagnostics)

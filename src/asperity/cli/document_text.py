@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.cli.terminal import console, show_table, table
 from asperity.joint.temperature_limits import limit_words
+from asperity.joint.torque_limits import standing_words
 from asperity.results.branch_document import deviations, force_size
 from asperity.results.document import crossed_limits, input_member, law_range_words, verdict_words
 from asperity.units import format_quantity
@@ -88,25 +89,33 @@ def show_heading(target: Console, document: Document, source: str) -> None:
 def show_verdict(target: Console, document: Document) -> None:
     """Whether the joint works and what limits it, its numbers of use, its size."""
     print_wrapped(target, verdict_words(document["verdict"]), indent=2, style="bold")
-    capacity = document["torque_capacity"]
-    if document["standing"]["forces"]["output_torque_Nm"] < 0.0:
-        capacity = capacity["reverse"]
     numbers = (
         ("stiffness", document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"], "N*m/arcmin"),
         ("drift per output turn", document["drift_rad_per_output_turn"], "arcmin"),
-        ("torque capacity", capacity["output_torque_Nm"], "N*m"),
     )
     shown = [f"{label} {'-' if value is None else in_unit(value, unit)}" for label, value, unit in numbers]
     efficiency, life = document["efficiency"], document["life_hours"]
     shown.append(f"efficiency {'-' if efficiency is None else scaled(efficiency, 100.0) + ' %'}")
     shown.append(f"life {'-' if life is None else number(life) + ' h'}")
     print_wrapped(target, ", ".join(shown), indent=2)
+    print_wrapped(target, f"torque capacity {_capacity(document)}", indent=2)
     ratio = number(abs(document["geometry"]["speed_ratio"]))
     mass, diameter = in_unit(document["mass_kg"], "kg"), in_unit(document["envelope_diameter_m"], "mm")
     print_wrapped(
         target, f"ratio {ratio}, mass of the rolling parts {mass}, outside diameter {diameter}", indent=2
     )
     target.print()
+
+
+def _capacity(document: Document) -> str:
+    """The torque capacity in the direction of the torque, what limits it, and where the joint that stands slips."""
+    capacity, standing = document["torque_capacity"], document["standing_torque_capacity"]
+    if document["standing"]["forces"]["output_torque_Nm"] < 0.0:
+        capacity, standing = capacity["reverse"], standing["reverse"]
+    torque, meaning = capacity["output_torque_Nm"], capacity["meaning"]
+    text = meaning if torque is None else f"{in_unit(torque, 'N*m')} ({meaning})"
+    same = torque is not None and torque == standing["output_torque_Nm"]
+    return "; ".join(filter(None, [text, "" if same else standing_words(standing)]))
 
 
 def temperatures(document: Document) -> str:

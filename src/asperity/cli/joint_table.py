@@ -153,7 +153,7 @@ def _show_crowns(target: Console, contacts: Document) -> None:
 
 
 def _show_drive(target: Console, document: Document) -> None:
-    forces, capacity = document["standing"]["forces"], document["torque_capacity"]
+    forces, standing = document["standing"]["forces"], document["standing_torque_capacity"]
     ends = (
         in_unit(torque, "N*m")
         for torque in (
@@ -165,8 +165,9 @@ def _show_drive(target: Console, document: Document) -> None:
     torque = "output {}; input {} without rolling losses, {} with all losses".format(*ends)
     common = (
         ("torque", torque),
-        ("capacity", capacity_text(capacity)),
-        *(("first slip", text) for text in first_slip_words(capacity)),
+        ("capacity", capacity_text(document["torque_capacity"])),
+        ("standing", capacity_text(standing)),
+        *(("first slip", text) for text in first_slip_words(standing)),
         ("rolling", _rolling_capacity(document)),
     )
     before, after = _drive_rows(document)
@@ -196,7 +197,7 @@ def _drive_rows(document: Document) -> tuple[Rows, Rows]:
         before.append(
             ("angles", ", ".join(f"{name} {in_unit(geometry[key], 'deg', 6)}" for name, key in angles))
         )
-    after = [*((("pin force", pins),) if pins else ()), *_strength(document), ("mass", masses)]
+    after = [*((("pin force", f"standing, {pins}"),) if pins else ()), *_strength(document), ("mass", masses)]
     after += [
         ("roughness", _roughness(surface, of_all=len(document["surfaces"]) == 1))
         for surface in document["surfaces"]
@@ -248,7 +249,7 @@ def _rolling_capacity(document: Document) -> str:
         return "not limited by friction"
     if capacity <= 0.0:
         return "slips without a torque"
-    at_least = " at least" if may_carry_more(document["torque_capacity"], capacity) else ""
+    at_least = " at least" if may_carry_more(document["standing_torque_capacity"], capacity) else ""
     return f"up to {in_unit(capacity, 'N*m')}{at_least} without gross slip"
 
 

@@ -20,6 +20,7 @@ _SHOWN = (
     "series_with_bulk_stiffness_output",
     "published_stiffness_output",
     "torque_capacity",
+    "standing_torque_capacity",
 )
 _MOST_COLUMNS = 24
 _MOST_NAMES = 8

@@ -30,8 +30,9 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--results",
-    default="all",
-    show_default=True,
+    multiple=True,
+    default=("all",),
+    show_default="all",
     metavar="NAMES",
     help="Results or groups of them, separated by commas: stiffness, assembly, series, published, forces, contacts, "
     "diagnostics, geometry, size, residuals, capacity, rolling, losses, life, loads, bearings, seats, stresses, or all "
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--units",
+    multiple=True,
     metavar="UNITS",
     help="Units of what is printed and of the file, separated by commas, e.g. 'N*m/arcmin,um,MPa'; each for everything "
     "that it measures. By default a file is in SI units. A folder .zarr always is.",
@@ -74,9 +76,9 @@ if TYPE_CHECKING:
 def sweep(
     file: str,
     axes: tuple[str, ...],
-    results: str,
+    results: tuple[str, ...],
     out: str | None,
-    units: str | None,
+    units: tuple[str, ...],
     overwrite: bool,
     plot: str | None,
     plot_result: str | None,
@@ -113,7 +115,7 @@ def sweep(
     names = _listed(results)
     computed = [table[name] for name in chosen_results(names, table=table)]
     streamed = out is not None and Path(out).suffix == ".zarr"
-    if units is not None and streamed:
+    if units and streamed:
         raise InputError("--units: a folder .zarr is in SI units; write .nc, .parquet or .csv for others")
     shown_units = asked_units(_listed(units), axes=grid, results=computed)
     if out is not None and not streamed:
@@ -160,9 +162,9 @@ def sweep(
         say_written(out)
 
 
-def _listed(text: str | None) -> list[str]:
-    """Words between commas."""
-    return [word.strip() for word in (text or "").split(",") if word.strip()]
+def _listed(texts: tuple[str, ...]) -> list[str]:
+    """Words between commas, of an option that may be repeated."""
+    return [word.strip() for text in texts for word in text.split(",") if word.strip()]
 
 
 def _check_plot_result(

@@ -30,7 +30,10 @@ if TYPE_CHECKING:
     "'normal K sigma' (the tolerance is K standard deviations).",
 )
 @click.option(
-    "--results", metavar="NAMES", help="Results or groups of them, separated by commas, as for sweep."
+    "--results",
+    multiple=True,
+    metavar="NAMES",
+    help="Results or groups of them, separated by commas, as for sweep.",
 )
 @click.option(
     "--branches",
@@ -49,7 +52,7 @@ def uncertainty(
     samples: int,
     seed: int,
     distribution: str | None,
-    results: str | None,
+    results: tuple[str, ...],
     branches: int | None,
     as_json: bool,
     plot: str | None,
@@ -75,7 +78,7 @@ def uncertainty(
             scattered = _unlike_branches(case, otherwise, branches, seed)
         _show_branches(scattered, branches, as_json)
         return
-    names = None if results is None else [n.strip() for n in results.split(",") if n.strip()]
+    names = [name.strip() for text in results for name in text.split(",") if name.strip()] or None
     with progress_bar("samples") as report, about(file):
         dataset = propagate(
             case, results=names, distribution=otherwise, samples=samples, seed=seed, report=report

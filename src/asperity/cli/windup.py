@@ -140,8 +140,8 @@ def _show(document: dict[str, Any], file: str) -> None:
     target.print(f"{file}: wind-up at the output, input locked, {document['level']} stiffness{whose}\n")
     same = math.isclose(document["windup_rad"], document["reverse_windup_rad"], rel_tol=1e-9)
     summary = table(target, "Figures", "quantity", "value")
-    summary.add_row("torque capacity", capacity_text(document["torque_capacity"]))
-    for text in first_slip_words(document["torque_capacity"]):
+    summary.add_row("standing torque capacity", capacity_text(document["standing_torque_capacity"]))
+    for text in first_slip_words(document["standing_torque_capacity"]):
         summary.add_row("first slip", text)
     summary.add_row("largest torque of the curve", format_quantity(document["largest_torque_Nm"], "N*m"))
     if same:

@@ -27,7 +27,7 @@ from asperity.joint.description import (
 )
 from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
-from asperity.joint.torque_limits import TorqueCapacity, named_capacity
+from asperity.joint.torque_limits import TorqueCapacity, limit_entries, named_capacity
 from asperity.rolling.creep import capacity_loss
 from asperity.types import Real, namespace
 
@@ -93,13 +93,13 @@ def under_torque(
     the flags are those of :func:`asperity.drive.state.states.loaded_state`. For
     :func:`asperity.compilation.compile_fast`.
     """
-    return _loading(in_motion(joint), without_torque)(jnp.asarray(torque), rolls, holds)
+    return loading(in_motion(joint), without_torque)(jnp.asarray(torque), rolls, holds)
 
 
-def _loading(
+def loading(
     joint: Joint, without_torque: Pressed
 ) -> Callable[[Array, Array | bool, Array | bool], UnderTorque]:
-    """The joint under torques, from its assembled state."""
+    """The joint under torques, from its assembled state: of a torque and the flags of :func:`under_torque`."""
     drive, laws = joint.drive, without_torque.laws
     contacts = dataclasses.replace(joint_contacts(joint), rims=laws.rims)
     limits = (smaller_sizes(joint), *_widths_of_walls(joint))
@@ -162,7 +162,7 @@ def excesses_of(state: DriveState, normal_at_rest: Array, slip: Array, *sizes: A
     )
 
 
-def _first_guess(joint: Joint, rest: DriveState) -> Real:
+def first_guess(joint: Joint, rest: DriveState) -> Real:
     """The torque at which all contacts of one kind would slip [N·m]."""
     drive, xp = joint.drive, namespace(joint, rest)
     friction = contact_values(joint, joint.friction_coefficients)
@@ -170,9 +170,14 @@ def _first_guess(joint: Joint, rest: DriveState) -> Real:
     return xp.min(friction * rest.normal) * orbit * drive.sectors
 
 
-def _named(joint: Joint, limit: FirstLimit) -> TorqueCapacity:
+def limits_of(joint: Joint) -> tuple[tuple[str, int], ...]:
+    """Kind and contact of each of the excesses of :class:`UnderTorque`."""
     walls = joint.cam is not None and joint.body_model != "springs"
-    return named_capacity(limit, contacts=len(joint.drive.contacts), walls=walls)
+    return limit_entries(contacts=len(joint.drive.contacts), walls=walls)
+
+
+def _named(joint: Joint, limit: FirstLimit) -> TorqueCapacity:
+    return named_capacity(limit, limits_of(joint), contacts=len(joint.drive.contacts))
 
 
 def torque_capacities(
@@ -209,7 +214,7 @@ def torque_capacity(
         under_torque = under(np.asarray(direction * torque), np.asarray(rolls), np.asarray(holds))
         return np.asarray(under_torque.excesses)
 
-    guess = _first_guess(joint, without_torque.rest)
+    guess = first_guess(joint, without_torque.rest)
     capacity = _named(joint, first_limit_of_numbers(excesses=excesses, first_guess=guess))
     return jax.tree.map(np.asarray, capacity)
 
@@ -229,8 +234,8 @@ def limiting_torques(
 ) -> TorqueCapacity:
     """Largest output torques that keep every limit: signs, and as of :func:`under_torque`, shape (searches,) [N·m]."""
     joint = in_motion(joint)
-    loaded = _loading(joint, Pressed(laws, rest))
-    guess = jnp.asarray(_first_guess(joint, rest))
+    loaded = loading(joint, Pressed(laws, rest))
+    guess = jnp.asarray(first_guess(joint, rest))
 
     def search(given: tuple[Array, Array]) -> FirstLimit:
         sign, hold = given

@@ -27,26 +27,28 @@ from asperity.joint.loading_cam import mean_preload
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.precision import require_double_precision
-from asperity.units import format_quantity
+from asperity.units import format_apart, format_quantity
 
 _TRIES = 12  # of a preload that carries a torque
+_SETTLINGS = 4  # of the forces around which the laws of unlike sectors are taken
 
 
 class Solution(eqx.Module):
     """A joint's result beside the torque that it can pass.
 
     ``result``: forces, contacts, stiffness, diagnostics and rolling; ``laws`` of its contacts, around their forces
-    without torque; ``states`` of the drive: assembled, standing and rolling. ``capacity`` and ``reverse_capacity``:
-    largest positive and largest negative output torque, standing [N·m], and what limits them; ``rolling_capacity`` and
-    ``reverse_rolling_capacity``, the same in rolling; ``first_slip`` and ``reverse_first_slip``: output torques at
-    which the first contact slides while the joint stands, likewise.
+    without torque; ``states`` of the drive: assembled, standing and rolling. ``standing_capacity`` and
+    ``reverse_standing_capacity``: largest positive and largest negative output torque, standing [N·m], and what limits
+    them; ``rolling_capacity`` and ``reverse_rolling_capacity``, the same in rolling; ``first_slip`` and
+    ``reverse_first_slip``: output torques at which the first contact slides while the joint stands, likewise. None of
+    them knows the limits of damage, which :mod:`asperity.results.torque_capacity` does.
     """
 
     result: JointResult
     laws: ContactLaws
     states: DriveStates
-    capacity: TorqueCapacity
-    reverse_capacity: TorqueCapacity
+    standing_capacity: TorqueCapacity
+    reverse_standing_capacity: TorqueCapacity
     rolling_capacity: TorqueCapacity
     reverse_rolling_capacity: TorqueCapacity
     first_slip: TorqueCapacity
@@ -218,7 +220,7 @@ def _given(joint: Joint) -> str:
 
 def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
     result, torque = solution.result, float(joint.output_torque)
-    capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
+    capacity = solution.reverse_standing_capacity if torque < 0.0 else solution.standing_capacity
     limit, kind = float(capacity.output_torque), LIMIT_KINDS[int(capacity.limit)]
     if (
         _is_pressed(result.rest)
@@ -238,14 +240,14 @@ def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
         return
     if bool(result.solved) or (math.isfinite(limit) and abs(torque) >= limit):
         words = limit_words(capacity, contacts=result.contact_names)
-        remedy = "raise the preload, or lower the speed"
+        remedy = f"raise {_press_words(joint)}, or lower the speed"
         if limit > 0.0:
             pressed = _press_that_carries(joint, torque)
-            change = "" if pressed else "preload, "
+            change = "" if pressed else f"{_press_words(joint)}, "
             remedy = f"lower the torque{pressed}, or change {change}friction coefficient or contact lengths"
+        shown, most = format_apart(torque, math.copysign(limit, torque), "N*m")
         raise InputError(
-            f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity "
-            f"{format_quantity(math.copysign(limit, torque), 'N*m')}, at which {words}; {remedy}"
+            f"the output torque {shown} is beyond the standing torque capacity {most}, at which {words}; {remedy}"
         )
     residual = float(result.forces.balance_residual)
     left = f" (residual {residual:.3g})" if math.isfinite(residual) else ""
@@ -254,30 +256,69 @@ def _refuse_unsolved(joint: Joint, solution: Solution) -> None:
     )
 
 
+def _press_words(joint: Joint) -> str:
+    """What presses the contacts of a joint without torque, with its key in the joint file."""
+    key = "preload" if joint.interference is None else "interference"
+    return f"the {key} (load.{key})"
+
+
 def _press_that_carries(joint: Joint, torque: float) -> str:
     """The preload or interference that carries a torque, in words; "" where none is known.
 
-    It is scaled by the missing share of the capacity to a thousandth, rounded up to three digits, and tried.
+    It is scaled by the missing share of the capacity to a thousandth, rounded up to three digits, and tried; from the
+    second trial on by the line through the last two, since temperature and sizes add to an interference.
     """
     key, unit = ("preload", "N") if joint.interference is None else ("interference", "um")
-    if joint.cam is not None or joint.fit is not None or joint.unlike is not None:
-        return ""
-    size = float(np.asarray(getattr(joint, key)))
+    size, tried = float(np.asarray(getattr(joint, key))), list[tuple[float, float]]()
     for _ in range(_TRIES):
         if not 0.0 < size < math.inf:
             return ""
         step = 10.0 ** (math.floor(math.log10(size)) - 2)
         rounded = step * math.ceil(size / step - 1e-9)
-        change: dict[str, Any] = {key: np.asarray(rounded)}
-        solution = solution_of(dataclasses.replace(joint, **change))
-        capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
+        capacity = _standing_capacity(_pressed_with(joint, key, rounded), -1.0 if torque < 0.0 else 1.0)
         limit = float(capacity.output_torque)
         if LIMIT_KINDS[int(capacity.limit)] not in ("gross_slip", "lift_off", "none") or not limit > 0.0:
             return ""
         if abs(torque) < limit < 1.01 * abs(torque) + step / size * limit:
-            return f", raise the {key} to {format_quantity(rounded, unit)}"
-        size = rounded * abs(torque) / limit * (1.0 + 1e-3)
+            return f", raise {_press_words(joint)} to {format_quantity(rounded, unit)}"
+        tried.append((rounded, limit))
+        size = _next_size(tried, abs(torque) * (1.0 + 1e-3))
     return ""
+
+
+def _next_size(tried: list[tuple[float, float]], torque: float) -> float:
+    """The size at which a capacity that grows as it does between the last trials is that torque [N·m]."""
+    (size, limit), before = tried[-1], tried[-2:-1]
+    for other, smaller in before:
+        slope = (limit - smaller) / (size - other) if size != other else 0.0
+        if slope > 0.0:
+            return size + (torque - limit) / slope
+    return size * torque / limit
+
+
+def _pressed_with(joint: Joint, key: str, size: float) -> Joint:
+    """The same joint with another preload [N] or interference [m], of unlike sectors with the forces that it makes."""
+    changes: dict[str, Any] = {key: np.asarray(size)}
+    if joint.fit is not None:
+        scaled: Any = joint.fit.interference * (size / np.asarray(joint.interference))
+        changes["fit"] = dataclasses.replace(joint.fit, interference=scaled)
+    joint = dataclasses.replace(joint, **changes)
+    unlike = joint.unlike
+    for _ in range(0 if unlike is None else _SETTLINGS):
+        assert unlike is not None
+        rest = compile_fast(assembled_joint, in_motion(joint))(in_motion(joint)).rest
+        unlike = dataclasses.replace(unlike, reference_force=rest.normal)
+        joint = jax.tree.map(np.asarray, dataclasses.replace(joint, unlike=unlike))
+    return joint
+
+
+def _standing_capacity(joint: Joint, direction: float) -> TorqueCapacity:
+    """Capacity of one joint, standing, in one direction, 1 or −1."""
+    joint = in_motion(joint)
+    programs = _programs(joint)
+    without_torque: Pressed = jax.tree.map(np.asarray, programs.assembled(joint))
+    under = programs.under_torque.with_first(joint, without_torque)
+    return torque_capacity(joint, without_torque, under, direction=direction, rolls=False, holds=False)
 
 
 def refuse_not_pressed(joint: Joint, *assembled: DriveState) -> None:
@@ -299,7 +340,7 @@ def _beyond_what_is_computed(joint: Joint, solution: Solution, capacity: TorqueC
     torque, limit = float(joint.output_torque), float(capacity.output_torque)
     cam = float(joint.cam.force_per_torque)
     least = float(mean_preload(joint, solution.result.rest.normal))
-    shown = [format_quantity(moment, "N*m") for moment in (torque, math.copysign(limit, torque))]
+    shown = format_apart(torque, math.copysign(limit, torque), "N*m")
     forces = [format_quantity(least + cam * abs(moment), "N") for moment in (torque, limit)]
     return (
         f"under the output torque {shown[0]} the loading cam presses with {forces[0]}; the joint is computed up to "
@@ -319,11 +360,12 @@ def refuse_no_rolling(joint: Joint, solution: Solution) -> None:
         )
     torque = float(joint.output_torque)
     capacity = solution.reverse_rolling_capacity if torque < 0.0 else solution.rolling_capacity
+    shown, most = format_apart(torque, math.copysign(float(capacity.output_torque), torque), "N*m")
     raise NoSolutionError(
-        f"no steady rolling under {format_quantity(torque, 'N*m')}: the joint rolls up to "
-        f"{format_quantity(math.copysign(float(capacity.output_torque), torque), 'N*m')}, at which "
+        f"no steady rolling under {shown}: the joint rolls up to {most}, at which "
         f"{limit_words(capacity, contacts=solution.result.contact_names)}; lower the torque"
-        f"{'' if joint.rolling.skew is None else ' or the skew'}, or raise the preload or the friction coefficient"
+        f"{'' if joint.rolling.skew is None else ' or the skew'}, or raise {_press_words(joint)} or the friction "
+        "coefficient"
     )
 
 

@@ -25,7 +25,7 @@ STATUSES: dict[str, str] = {
     "solved": "solved",
     "pin_too_thick_or_locked": "a loading roller's pin is as thick as the roller, or locks by friction",
     "contact_too_wide": "a contact strip is too wide for line-contact theory or for the wall of its body",
-    "beyond_torque_capacity": "the output torque is beyond the torque capacity: a contact slips",
+    "beyond_standing_capacity": "the output torque is beyond the standing torque capacity: a contact slips",
     "unbalanced": "the force balance did not close",
     "out_of_range": "a number is outside its allowed range",
     "all_spots_plastic": "every spot of a loaded contact is plastic, where the contact law gives it no stiffness",

@@ -105,18 +105,18 @@ class TemperatureCurves(eqx.Module):
     """One joint over its working temperature [degC]; shape (n,), nan where it has no value.
 
     ``preload`` is the normal force of the first contact at rest, the mean of unlike sectors [N], 0 where the joint is
-    loose; ``stiffness``, that of the assembly at the output under the joint's torque [N·m/rad]; ``torque_capacity``, in
-    the direction of its torque [N·m].
+    loose; ``stiffness``, that of the assembly at the output under the joint's torque [N·m/rad];
+    ``standing_torque_capacity``, in the direction of its torque [N·m].
     """
 
     temperature: Array
     preload: Array
     stiffness: Array
-    torque_capacity: Array
+    standing_torque_capacity: Array
 
 
 def temperature_curves(joint: Joint, solved_at: Callable[[float], Solution | None]) -> TemperatureCurves:
-    """Preload, assembled stiffness and torque capacity of a joint at 41 temperatures around those of its file.
+    """Preload, assembled stiffness and standing torque capacity of a joint at 41 temperatures around those of its file.
 
     ``solved_at`` gives the solution at a working temperature [degC], None where the joint is loose. An ``InputError``
     is raised if temperature does not change the preload.
@@ -134,14 +134,16 @@ def temperature_curves(joint: Joint, solved_at: Callable[[float], Solution | Non
 
 
 def _of_drive(joint: Joint, solutions: list[Solution | None]) -> tuple[np.ndarray, ...]:
-    """Preload, assembled stiffness and torque capacity, one temperature after the other."""
+    """Preload, assembled stiffness and standing torque capacity, one temperature after the other."""
     torque, rows = float(joint.output_torque), []
     for solution in solutions:
         if solution is None:
             rows.append((0.0, math.nan, math.nan))
             continue
         result = solution.result
-        limit = (solution.reverse_capacity if torque < 0.0 else solution.capacity).output_torque
+        limit = (
+            solution.reverse_standing_capacity if torque < 0.0 else solution.standing_capacity
+        ).output_torque
         assembled = bool(np.all(result.rest.normal > 0.0)) and bool(np.isfinite(result.rest.residual))
         holds = assembled and bool(result.solved) and abs(torque) < float(limit)
         rows.append(

@@ -1,4 +1,4 @@
-"""Torque capacity of a joint: the largest output torque before its first limit, and which limit that is (A9)."""
+"""Torque capacity of a joint that stands or rolls: its first slip, lift-off or width; damage does not count (A9)."""
 
 from __future__ import annotations
 
@@ -50,28 +50,39 @@ class TorqueCapacity(eqx.Module):
     limiting_contact: Array
 
 
-def named_capacity(limit: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
-    """The capacity with its kind of limit and contact, from the first of many limits."""
+def limit_entries(*, contacts: int, walls: bool = False) -> tuple[tuple[str, int], ...]:
+    """Kind and contact of every limit of a number of contacts, in the order of their excesses.
+
+    The number of contacts for a limit that is not a contact's; ``walls``: whether the walls at the contacts have one.
+    """
     limits_of_contact = (*_PER_CONTACT, "wall_too_thin") if walls else _PER_CONTACT
-    names = [
-        "none",
-        "pins_lock",
-        *(name for name in limits_of_contact for _ in range(contacts)),
-        "no_solution",
-    ]
-    kinds = [LIMIT_KINDS.index(name) for name in names]
-    places = [contacts, contacts, *list(range(contacts)) * len(limits_of_contact), contacts]
+    return (
+        ("pins_lock", contacts),
+        *((name, contact) for name in limits_of_contact for contact in range(contacts)),
+        ("no_solution", contacts),
+    )
+
+
+def named_capacity(
+    limit: FirstLimit, entries: tuple[tuple[str, int], ...], *, contacts: int
+) -> TorqueCapacity:
+    """The capacity with its kind of limit and contact, from the first of many limits, :func:`limit_entries`."""
+    kinds, places = zip(("none", contacts), *entries, strict=True)
     xp = namespace(limit)
     return TorqueCapacity(
         output_torque=limit.value,
-        limit=xp.asarray(kinds)[1 + limit.which],
+        limit=xp.asarray([LIMIT_KINDS.index(kind) for kind in kinds])[1 + limit.which],
         limiting_contact=xp.asarray(places)[1 + limit.which],
     )
 
 
 def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...]) -> str:
     """What limits the capacity of one joint in one direction, for example "contact sp slips"."""
-    contact = (*contacts, "none")[int(capacity.limiting_contact)]
+    return kind_words(LIMIT_KINDS[int(capacity.limit)], (*contacts, "none")[int(capacity.limiting_contact)])
+
+
+def kind_words(kind: str, contact: str) -> str:
+    """What happens where a limit of :data:`LIMIT_KINDS` is reached, at the contact of a name."""
     texts = {
         "none": "no limit is reached at any torque",
         "gross_slip": f"contact {contact} slips",
@@ -82,7 +93,7 @@ def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...]) -> str:
         "pins_lock": "the pins of the loading rollers lock",
         "no_solution": "the force balance has no solution",
     }
-    return texts[LIMIT_KINDS[int(capacity.limit)]]
+    return texts[kind]
 
 
 def capacity_document(
@@ -131,3 +142,15 @@ def first_slip_words(both: dict[str, Any]) -> list[str]:
     if back != torque:
         way = f" (reverse {back} at {other})"
     return [f"{torque} at {contact}{way}; others carry the rest"]
+
+
+def standing_words(standing: dict[str, Any]) -> str:
+    """Up to which torque one joint stands, whatever damage it does: of one direction of its document; or nothing.
+
+    For a line behind the torque capacity itself, which may be less.
+    """
+    torque, kind = standing["output_torque_Nm"], standing["limit"]
+    if kind == "none":
+        return "standing, no contact slips at any torque"
+    what = {"gross_slip": "slips", "lift_off": "lifts off"}.get(kind)
+    return "" if what is None else f"{what} at {format_quantity(torque, 'N*m')}"

@@ -13,6 +13,7 @@ from pydantic import BaseModel
 from tomlkit.items import AoT, Table
 
 from asperity.joint_file.model import Case
+from asperity.joint_file.old_comments import without_old_comments
 from asperity.joint_file.open_radius import radii_of
 from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
@@ -36,22 +37,28 @@ from asperity.joint_file.si_tables import (
 from asperity.unit_table import Dimension
 from asperity.units import from_si, parse_quantity
 
+#: What a change of units and back costs a number: two units in the last place.
+_UNIT_ROUNDING = 5e-16
+
 #: Two numbers are the same if they differ by less: conversion to a unit and back costs a few units in the last place.
 _ROUNDING = 1e-12
 
 
 #: What earlier designs said at the head of the file: it holds for their numbers only.
 _EARLIER_VERDICTS = re.compile(
-    r"\A((?:#:schema.*\n)?)(?:# Designed by asperity from .*\n# (?:All|NOT all) limits are met.*\n)+"
+    r"\A((?:#:schema.*\n)?)"
+    r"(?:# Designed by asperity from .*\n# (?:(?:All|NOT all) limits .*are met|No limit ).*\n)+"
 )
 
 
 def exact_text(value_si: float, key: Key) -> str:
-    """A quantity as text that reads back as the same number to rounding."""
+    """A quantity as text that reads back as the same number, to the rounding of a change of units."""
     texts = [
         f"{from_si(value_si, key.unit):.{digits}g} {key.unit}".removesuffix(" 1") for digits in (15, 16, 17)
     ]
-    return next((text for text in texts if parse_quantity(text, key.dimension) == value_si), texts[-1])
+    read = (parse_quantity(text, key.dimension) for text in texts)
+    same = (math.isclose(number, value_si, rel_tol=_UNIT_ROUNDING, abs_tol=0.0) for number in read)
+    return next((text for text, alike in zip(texts, same, strict=True) if alike), texts[-1])
 
 
 def joint_file_text(
@@ -59,7 +66,8 @@ def joint_file_text(
 ) -> str:
     """The TOML of a joint file with its comments, where some numbers are replaced: dotted path → new value [SI].
 
-    A number that has a tolerance keeps it, with its distribution. An entry of a library file of the user's is replaced
+    A number that has a tolerance keeps it, with its distribution. Comments that state a number which is no longer there
+    are left out. An entry of a library file of the user's is replaced
     by its numbers, because its path would be wrong in another folder, and where numbers change, an Rz by the range of
     Ra that it was read as. ``comment``: lines for the head of the file, without the comment sign. ``words``: choices
     and materials by their paths, which are for the caller to check.
@@ -80,6 +88,8 @@ def joint_file_text(
     # a layout that cannot be edited in place: the same content without comments
     if not words and not _says(text, wanted):
         text = _edited(tomlkit.dumps(plain), case, written, {})
+    if case.text:
+        text = without_old_comments(text, original)
     return _with_head(text, comment)
 
 
@@ -95,7 +105,7 @@ def _written(key: Key, value: float, stated: NumericKey | None) -> float | str:
     """A new value as it stands in the file."""
     tolerance = stated.tolerance if stated else 0.0
     if key.dimension is Dimension.DIMENSIONLESS and not tolerance:
-        return int(value) if key.integer else float(value)
+        return int(value) if key.integer else float(exact_text(value, key))
     text = exact_text(value, key)
     if stated is None or not tolerance:
         return text

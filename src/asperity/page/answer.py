@@ -125,7 +125,7 @@ def plain_numbers(values: Any) -> list[float | None]:
 
 
 def _curves(solved: SolvedJoint) -> Answer:
-    capacity = float(solved.capacity_of_direction.output_torque)
+    capacity = float(solved.standing_capacity_of_direction.output_torque)
     curves = torque_curves(joint=solved.joint, torque_capacity=capacity)
     return {
         "torque_Nm": plain_numbers(curves.torque),

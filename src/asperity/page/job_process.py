@@ -107,7 +107,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     from asperity.page.joint_request import MEASUREMENT_FILE
     from asperity.study.design.design import design
     from asperity.study.design.design_file import read_design
-    from asperity.study.design.design_result import design_document, joint_diagnostics, shortcoming
+    from asperity.study.design.design_result import design_document, shortcoming
 
     problem = read_design(file)
     if len(problem.objectives) > 1:
@@ -119,11 +119,11 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     if problem.case.measured is not None:  # in a folder that is gone when the page shows it
         text = with_measurement(text, MEASUREMENT_FILE)
     document = {**design_document(result), "conflict": shortcoming(result) or None, "joint_text": text}
-    return document | joint_diagnostics(result.joint_text) | {"shown": design_words(result)}
+    return document | {"shown": design_words(result)}
 
 
 def design_words(result: DesignResult) -> dict[str, Any]:
-    """Numbers of a design as people read them, with their units."""
+    """Numbers of a design as people read them, with their units, and whether it meets its limits."""
     from asperity.joint_file.part_names import type_of
     from asperity.joint_file.si_tables import key_at, numeric_keys, si_values
     from asperity.units import format_quantity
@@ -137,6 +137,7 @@ def design_words(result: DesignResult) -> dict[str, Any]:
 
     return {
         "goal": problem.goal,
+        "met": result.met_words,
         "before": format_quantity(result.objective_before, unit),
         "after": format_quantity(result.objective_after, unit),
         "variables": {

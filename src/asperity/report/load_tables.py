@@ -8,7 +8,7 @@ from typing import Any
 
 from asperity.report.content import Block, Bullets, Heading, Paragraph, Table, number, quantity
 from asperity.results.branch_document import deviations, force_size
-from asperity.results.loads_document import shown_rows
+from asperity.results.loads_document import shown_rows, state_of_case
 
 Document = dict[str, Any]
 _MISES = (
@@ -38,9 +38,9 @@ def loads(document: Document) -> Iterator[Block]:
 
 def _column(case: Document) -> str:
     if case["name"] == "without torque":
-        return str(case["name"])
+        return state_of_case(case)
     torque = quantity(case["output_torque_Nm"], "N*m")
-    return f"{case['name']}\n{torque}\n{quantity(case['sun_speed_rad_per_s'], 'rpm')}"
+    return f"{state_of_case(case)}\n{torque}\n{quantity(case['sun_speed_rad_per_s'], 'rpm')}"
 
 
 def _bearings(entries: list[Document]) -> Table:

@@ -47,7 +47,15 @@ def summary(document: Document) -> Table:
         ),
         ("torque capacity", _capacity(document["torque_capacity"])),
         ("torque capacity, negative torques", _capacity(document["torque_capacity"]["reverse"])),
-        *(("first slip, standing", words) for words in first_slip_words(document["torque_capacity"])),
+        ("standing torque capacity", _capacity(document["standing_torque_capacity"])),
+        (
+            "standing torque capacity, negative torques",
+            _capacity(document["standing_torque_capacity"]["reverse"]),
+        ),
+        *(
+            ("first slip, standing", words)
+            for words in first_slip_words(document["standing_torque_capacity"])
+        ),
         ("efficiency", percent(document["efficiency"])),
         ("rating life in hours", number(document["life_hours"])),
         ("rating life in turns of the output", number(document["rolling"]["life_output_turns"])),

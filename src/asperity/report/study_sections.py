@@ -14,7 +14,7 @@ from asperity.report.content import Block, Heading, Listing, Paragraph, Picture,
 from asperity.report.figures import figure_svg
 from asperity.results import RESULTS
 from asperity.study.design.design_problem import SUMMARY
-from asperity.study.design.design_result import DesignResult, shortcoming
+from asperity.study.design.design_result import DesignResult, bounds_words, shortcoming
 from asperity.study.tolerances.documents import TOLERANCES_OF_PARTS, failures
 from asperity.units import from_si
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray
 
 #: Results of the sections on sensitivities and tolerances.
-STUDIED = ("assembly_stiffness_output", "torque_capacity", "drift", "efficiency", "drive_life")
+STUDIED = ("assembly_stiffness_output", "standing_torque_capacity", "drift", "efficiency", "drive_life")
 #: Of them those with a picture.
 DRAWN = ("assembly_stiffness_output", "drift")
 _ROWS = 20
@@ -153,9 +153,10 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
     over = f" over {torques} torques, each result at its worst" if torques > 1 else ""
     yield Heading("Design")
     yield Paragraph(f"{name} asks for the {problem.goal}{over}: {before} before, {after} as designed.")
-    yield Paragraph(
-        f"{_sentence(shortcoming(result))}." if shortcoming(result) else "All limits are met.", strong=True
-    )
+    met = _sentence(shortcoming(result)) or result.met_words
+    yield Paragraph(f"{met}.", strong=True)
+    if words := bounds_words(result):
+        yield Paragraph(f"The design is held by: {words}.")
     stated = numeric_keys(result.problem.case)
     rows = []
     for free in result.problem.variables:
@@ -218,7 +219,7 @@ def _short(name: str) -> str:
     """Head of a narrow column."""
     heads = {
         "assembly_stiffness_output": "stiffness,\nassembled",
-        "torque_capacity": "torque\ncapacity",
+        "standing_torque_capacity": "standing\ntorque\ncapacity",
         "drive_life": "life",
     }
     return heads.get(name, name)

@@ -83,7 +83,7 @@ def _does_not_carry(solved: SolvedJoint, point: DutyPoint, slip_ratio: float) ->
     if float(point.sun_speed) > 0.0:
         return not slip_ratio < 1.0
     torque = float(point.output_torque)
-    capacity = solved.reverse_capacity if torque < 0.0 else solved.capacity
+    capacity = solved.reverse_standing_capacity if torque < 0.0 else solved.standing_capacity
     return not abs(torque) < float(capacity.output_torque)
 
 

@@ -31,9 +31,9 @@ def branch_document(branches: AssembledBranches, solution: Solution) -> Document
     reverse, sizes = float(branches.joint.output_torque) < 0.0, unequal.sizes
     support = sizes.sun_support_stiffness
     first, last, rolling = (
-        (solution.reverse_first_slip, solution.reverse_capacity, solution.reverse_rolling_capacity)
+        (solution.reverse_first_slip, solution.reverse_standing_capacity, solution.reverse_rolling_capacity)
         if reverse
-        else (solution.first_slip, solution.capacity, solution.rolling_capacity)
+        else (solution.first_slip, solution.standing_capacity, solution.rolling_capacity)
     )
     return {
         "branch_is": unequal.noun,
@@ -51,7 +51,7 @@ def branch_document(branches: AssembledBranches, solution: Solution) -> Document
         "without_torque": _sums(unequal.rest),
         "standing": _state(unequal.standing, result.diagnostics.slip_ratio),
         "rolling": _state(unequal.rolling, result.rolling.slip_ratio),
-        "torque_capacity": _capacity(branches, first) | {"all_slip_Nm": _number(last.output_torque)},
+        "standing_torque_capacity": _capacity(branches, first) | {"all_slip_Nm": _number(last.output_torque)},
         "rolling_torque_capacity": _capacity(branches, rolling),
     }
 

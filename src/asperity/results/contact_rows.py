@@ -97,7 +97,7 @@ ROWS = (
     ),
     _newtons(
         "pin_force",
-        "force of a roller on its pin along the push",
+        "force of a roller on its pin along the push, standing",
         value="result.forces.pins",
         axis="pin",
         positive=False,

@@ -33,6 +33,7 @@ from asperity.results.loads_document import bearing_entries, rim_entry
 from asperity.results.margins import margins, verdict_document
 from asperity.results.notes import Note
 from asperity.results.solved import SolvedJoint
+from asperity.results.torque_capacity import torque_capacity_document
 from asperity.rolling.document import losses, rolling_document
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
 from asperity.units import format_quantity, from_si
@@ -376,7 +377,8 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
                 },
                 "contacts": contact_documents(solved),
             },
-            "torque_capacity": capacities_document(solution, solution),
+            "torque_capacity": torque_capacity_document(solved),
+            "standing_torque_capacity": capacities_document(solution, solution),
             "surfaces": surface_averages(joint, inputs.get("surface", {})),
             "bearings": bearing_entries(solved),
             "rims": rims,
@@ -415,12 +417,12 @@ def _wedge_document(drive: Drive) -> Document:
 
 
 def capacities_document(forward: Solution, reverse: Solution) -> Document:
-    """Torque capacity of a joint that stands, in both directions."""
+    """Torque capacity of a joint that stands, in both directions, whatever damage it does."""
     names = forward.result.contact_names
     return {
-        **capacity_document(forward.capacity, contacts=names, first_slip=forward.first_slip),
+        **capacity_document(forward.standing_capacity, contacts=names, first_slip=forward.first_slip),
         "reverse": capacity_document(
-            reverse.reverse_capacity, contacts=names, first_slip=reverse.reverse_first_slip
+            reverse.reverse_standing_capacity, contacts=names, first_slip=reverse.reverse_first_slip
         ),
     }
 

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 from typing import Any
 
 from asperity.drive.layout.wedge import wedge_angles
 from asperity.joint.torque_limits import LIMIT_KINDS
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
+from asperity.results.torque_capacity import CAPACITY_LIMITS, PLACE_AXES, torque_capacity, torque_safety
 from asperity.unit_table import Dimension
 
 _geometry = functools.partial(Result, group="geometry", needs="geometry")
 _size = functools.partial(Result, group="size", needs="geometry")
 _capacity = functools.partial(Result, group="capacity", needs="geometry")
+_torque = functools.partial(_capacity, dimension=Dimension.TORQUE, display_unit="N*m")
+_code = functools.partial(
+    _capacity, dimension=Dimension.DIMENSIONLESS, display_unit="1", differentiable=False, positive=False
+)
 _LENGTH, _MASS = Dimension.LENGTH, Dimension.MASS
 
 
@@ -24,6 +30,62 @@ def _angle(name: str, label: str) -> Result:
         return getattr(wedge_angles(solved.joint.drive), name)
 
     return _geometry(f"{name}_angle", label, Dimension.ANGLE, "deg", value, needs_wedges=True)
+
+
+def _capacities(reverse: bool, prefix: str, way: str, words: str) -> tuple[Result, ...]:
+    """The capacities in one direction: that of the joint, and those of slip alone."""
+
+    def part(name: str) -> Callable[[SolvedJoint], Any]:
+        return lambda solved: getattr(torque_capacity(solved, reverse=reverse), name)
+
+    return (
+        _torque(
+            f"{prefix}torque_capacity",
+            f"{way}torque capacity",
+            value=part("output_torque"),
+            note=f"the largest {words} output torque before the first limit of function or damage, standing or in "
+            "rolling; 0 where one is crossed without torque",
+        ),
+        _code(
+            f"{prefix}capacity_limit",
+            f"limit of the {way}torque capacity",
+            value=part("limit"),
+            categories=CAPACITY_LIMITS,
+            note=f"its number in the order {', '.join(CAPACITY_LIMITS)}, from 0",
+        ),
+        _code(
+            f"{prefix}limiting_place",
+            f"contact or part that limits the {way}torque capacity",
+            value=part("place"),
+            categories=(*PLACE_AXES, "none"),
+        ),
+        _torque(
+            f"{prefix}standing_torque_capacity",
+            f"{way}torque capacity standing, of slip alone",
+            value=f"{prefix}standing_capacity.output_torque",
+            note=f"the largest {words} output torque that the joint passes while it stands, whatever damage it does",
+        ),
+        _code(
+            f"{prefix}standing_capacity_limit",
+            f"limit of the {way}torque capacity standing",
+            value=f"{prefix}standing_capacity.limit",
+            categories=LIMIT_KINDS,
+            note=f"its number in the order {', '.join(LIMIT_KINDS)}, from 0",
+        ),
+        _code(
+            f"{prefix}standing_limiting_contact",
+            f"contact that limits the {way}torque capacity standing",
+            value=f"{prefix}standing_capacity.limiting_contact",
+            categories=("contact", "none"),
+        ),
+        _torque(
+            f"{prefix}rolling_torque_capacity",
+            f"{way}torque capacity in rolling, of slip alone",
+            value=f"{prefix}rolling_capacity",
+            note=f"the largest {words} output torque under which the joint rolls without gross slip, whatever damage "
+            "it does; below the capacity standing where equal creep loads the weaker side of a planet more",
+        ),
+    )
 
 
 ROWS = (
@@ -93,46 +155,20 @@ ROWS = (
     _size("body_mass", "mass of a body", _MASS, "g", "result.masses", axis="body"),
     *(
         row
-        for prefix, words in (("", "positive"), ("reverse_", "negative"))
-        for row in (
-            _capacity(
-                f"{prefix}torque_capacity",
-                f"{prefix.replace('_', ' ')}torque capacity",
-                Dimension.TORQUE,
-                "N*m",
-                f"{prefix}capacity.output_torque",
-                note=f"the largest {words} output torque before the first limit",
-            ),
-            _capacity(
-                f"{prefix}capacity_limit",
-                f"limit of the {prefix.replace('_', ' ')}torque capacity",
-                Dimension.DIMENSIONLESS,
-                "1",
-                f"{prefix}capacity.limit",
-                differentiable=False,
-                positive=False,
-                categories=LIMIT_KINDS,
-                note=f"its number in the order {', '.join(LIMIT_KINDS)}, from 0",
-            ),
-            _capacity(
-                f"{prefix}limiting_contact",
-                f"contact that limits the {prefix.replace('_', ' ')}torque capacity",
-                Dimension.DIMENSIONLESS,
-                "1",
-                f"{prefix}capacity.limiting_contact",
-                differentiable=False,
-                positive=False,
-                categories=("none",),
-            ),
-            _capacity(
-                f"{prefix}rolling_torque_capacity",
-                f"{prefix.replace('_', ' ')}torque capacity in rolling",
-                Dimension.TORQUE,
-                "N*m",
-                f"{prefix}rolling_capacity",
-                note=f"the largest {words} output torque under which the joint rolls without gross slip; below the "
-                "capacity standing where equal creep loads the weaker side of a planet more",
-            ),
-        )
+        for reverse, prefix, words in ((False, "", "positive"), (True, "reverse_", "negative"))
+        for row in _capacities(reverse, prefix, prefix.replace("_", " "), words)
+    ),
+    Result(
+        "torque_safety",
+        "safety factor of the torque",
+        Dimension.DIMENSIONLESS,
+        "1",
+        torque_safety,
+        group="diagnostics",
+        needs="geometry",
+        lowest_limit=1.0,
+        used=("torque", "capacity"),
+        note="torque capacity in the direction of the output torque, over that torque; at least this where the limit "
+        "is contact_too_wide or wall_too_thin, standing or in rolling, at which only what is computed ends",
     ),
 )

@@ -5,8 +5,6 @@ from __future__ import annotations
 import functools
 import math
 
-import jax.numpy as jnp
-
 from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS, Surface
 from asperity.drive.layout.wedge import self_locking_ratio
 from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE
@@ -104,6 +102,7 @@ ROWS = (
             "the Hertz pressure exceeds first yield, 1.67 times the yield strength: the bodies deform plastically",
             "choose a material of higher yield strength, longer contact lines or less preload",
             highest=1.0,
+            beyond="beyond first yield",
         ),
     ),
     _spot_ratio(
@@ -183,18 +182,6 @@ ROWS = (
         "safety factor against yield",
         value=lambda solved: 1.0 / solved.result.diagnostics.pressure_over_first_yield,
         note="first yield, 1.67 times the yield strength, over Hertz pressure",
-    ),
-    _ratio(
-        "torque_safety",
-        "safety factor of the torque",
-        value=lambda solved: (
-            solved.capacity_of_direction.output_torque / jnp.abs(jnp.asarray(solved.joint.output_torque))
-        ),
-        needs="geometry",
-        lowest_limit=1.0,
-        used=("torque", "capacity"),
-        note="torque capacity in the direction of the output torque, over that torque; at least this where the limit "
-        "is contact_too_wide or wall_too_thin, at which only what is computed ends",
     ),
     _residual(
         "balance_residual",

@@ -173,6 +173,7 @@ ROWS = (
             "choose more interference in the housing, a wider seat, or a key",
             lowest=1.0,
             inclusive=True,  # without a torque it holds infinitely often
+            beyond="turns in its housing",
         ),
     ),
     _seat(
@@ -223,6 +224,7 @@ ROWS = (
             "the housing yields at its bore and loses part of the fit",
             "choose less interference in the housing, or a thicker or stronger housing",
             lowest=1.0,
+            beyond="makes its housing yield",
         ),
     ),
     _bearing(
@@ -253,6 +255,7 @@ ROWS = (
             "choose a larger bearing or more of them, or lower preload or torque",
             lowest=1.0,
             inclusive=True,
+            beyond="beyond its static rating",
             unknown=_NO_BEARING_LOAD,
         ),
     ),
@@ -302,6 +305,7 @@ ROWS = (
             "a ring or hollow roller yields at a rim, away from the contacts",
             _REMEDY,
             lowest=1.0,
+            beyond="yields at a rim",
         ),
     ),
     _safety(
@@ -317,6 +321,7 @@ ROWS = (
             "a ring or hollow roller fails by fatigue at a rim, away from the contacts",
             _REMEDY,
             lowest=1.0,
+            beyond="breaks by fatigue at a rim",
         ),
     ),
 )

@@ -248,6 +248,13 @@ def case_entry(
     }
 
 
+def state_of_case(case: Document) -> str:
+    """The name of a load, and whether its forces are those of the joint that rolls or that stands, in words."""
+    if case["name"] == "without torque":
+        return str(case["name"])
+    return f"{case['name']}, {'in rolling' if case['sun_speed_rad_per_s'] else 'standing'}"
+
+
 def document_of_rows(
     cases: list[Document],
     rows: Iterable[Row],

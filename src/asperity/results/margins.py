@@ -128,6 +128,7 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     table = results_of_joint(solved).values()
     judged = [with_pins(row, solved) for row in table if row.limit or row.name in _MUST_EXCEED]
     requirements = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
+    requirements = [margin for margin in requirements if not _repeats(margin)]
     requirements += map(_further, further_checks(solved))
     by_name: dict[str, list[Note]] = {}
     for note in solved.notes:
@@ -167,6 +168,16 @@ def _worst_note(notes: list[Note]) -> Margin:
         note.name, note.label, note.dimension, note.display_unit, note.name, limit=rule, used=note.used
     )
     return Margin(row, note.contact or "", note.value, lowest, highest, note.ok, note.severity)
+
+
+def _closeness(margin: Margin) -> tuple[float, bool]:
+    """How near a margin is to its bound; of two alike, the limit itself rather than the capacity that it ends."""
+    return round(margin.utilisation, 9), margin.result.name != "torque_safety"
+
+
+def _repeats(margin: Margin) -> bool:
+    """Whether a margin only repeats others: each limit that ends the torque capacity is a requirement by itself."""
+    return margin.result.name == "torque_safety" and not margin.passes
 
 
 def _worst(row: Result, rows: dict[str, float]) -> Margin:
@@ -217,7 +228,7 @@ def verdict_document(
         missing + _fatigue_checks(bodies, materials),
     )
     used = [m for m in judged if m.severity in _JUDGED and m.passes and math.isfinite(m.utilisation)]
-    nearest = max(used, key=lambda margin: margin.utilisation, default=None)
+    nearest = max(used, key=_closeness, default=None)
     return {
         "title": title,
         "works": works,

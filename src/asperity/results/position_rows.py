@@ -66,7 +66,10 @@ def _comes_back(document: Document) -> PositionRow:
 
 def _beyond(document: Document) -> str:
     """Words for what ends the rolling beyond its capacity, and the capacity at rest."""
-    capacity, torque = document["torque_capacity"], _finite(document["rolling"]["torque_capacity_Nm"])
+    capacity, torque = (
+        document["standing_torque_capacity"],
+        _finite(document["rolling"]["torque_capacity_Nm"]),
+    )
     if torque is None:
         ends = "not limited by friction"
     elif may_carry_more(capacity, torque):
@@ -85,6 +88,6 @@ def _finite(value: float | None) -> float | None:
 
 def _in_its_direction(document: Document) -> Document:
     """The capacity of the joint that stands, in the direction of its torque."""
-    capacity: Document = document["torque_capacity"]
+    capacity: Document = document["standing_torque_capacity"]
     reverse: Document = capacity["reverse"]
     return reverse if document["standing"]["forces"]["output_torque_Nm"] < 0.0 else capacity

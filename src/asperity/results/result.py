@@ -12,6 +12,7 @@ import numpy as np
 
 from asperity.joint.status import Needs
 from asperity.results.notes import Severity
+from asperity.types import namespace
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
@@ -27,7 +28,8 @@ class Limit:
     ``remedy``: what to do where it is crossed. The result must lie between ``lowest`` and ``highest`` [SI], bounds that
     are allowed themselves if ``inclusive``. ``unknown``: what it means that the result is not known, nan; ``state``, of
     severity "state": in which state the joint is where the limit is crossed, in a few words. ``missing``: what a value
-    between the bounds still lacks, in a few words; such a limit may be crossed, but it is never kept.
+    between the bounds still lacks, in a few words; such a limit may be crossed, but it is never kept. ``beyond``: what
+    is beyond the limit said of the contact or body, in a few words that follow its name, such as "yields at a rim".
     """
 
     severity: Severity
@@ -40,6 +42,25 @@ class Limit:
     unknown: str = "no value: the contact slips, has lifted off or has plastic spots only"
     state: str = ""
     missing: str = ""
+    beyond: str = ""
+
+    def excess(self, value: Any) -> Any:
+        """By how much an array of values exceeds the limit: negative where it is kept, 0 at a bound [-].
+
+        Relative to the bound, of a lower one as the bound over the value: with a force a safety falls as its inverse.
+        Absolute for a bound of 0; nan where the value is.
+        """
+        xp = namespace(value)
+        excess = xp.where(xp.isnan(value), xp.nan, -xp.inf)
+        if math.isfinite(self.highest):
+            over = value / self.highest - 1.0 if self.highest > 0.0 else value - self.highest
+            excess = xp.maximum(excess, over)
+        if math.isfinite(self.lowest):
+            positive = value > 0.0
+            share = self.lowest / xp.where(positive, value, 1.0) - 1.0
+            under = xp.where(positive, share, xp.inf) if self.lowest > 0.0 else self.lowest - value
+            excess = xp.maximum(excess, under)
+        return excess
 
     def is_kept(self, value: float) -> bool:
         """Whether a value keeps the limit; nan never does, and no value that still lacks something."""

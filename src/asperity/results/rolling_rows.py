@@ -200,6 +200,7 @@ ROWS = (
             "the Hertz pressure exceeds the shakedown limit: the surface flows further at every passage",
             "choose a material of higher yield strength, longer contact lines, less preload or less traction",
             highest=1.0,
+            beyond="above its shakedown limit",
         ),
     ),
     _per_contact(

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar
 
 import equinox as eqx
 import jax
@@ -42,6 +42,8 @@ from asperity.joint.temperature_limits import AtTemperature, TemperatureLimit, t
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
 from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes, skew_notes
+
+_Found = TypeVar("_Found")
 
 
 class JointSize(eqx.Module):
@@ -126,6 +128,13 @@ class SolvedJoint:
         self.branches = branches
         self.notes = notes
         self.laws = laws
+        self._found: dict[Callable[..., Any], Any] = {}
+
+    def once(self, find: Callable[[SolvedJoint], _Found]) -> _Found:
+        """What a function finds of this joint, which is looked for once."""
+        if find not in self._found:
+            self._found[find] = find(self)
+        return self._found[find]
 
     @functools.cached_property
     def bearings(self) -> BearingLives:
@@ -165,18 +174,18 @@ class SolvedJoint:
         return jax.tree.map(lambda leaf: leaf[index], self._rolling if rolls else self._standing)
 
     @functools.cached_property
-    def capacity(self) -> TorqueCapacity:
-        """Torque capacity of positive torques, and what limits it."""
+    def standing_capacity(self) -> TorqueCapacity:
+        """Torque capacity of positive torques, standing, and what limits it; damage does not count."""
         return self._capacity(rolls=False, index=0)
 
     @functools.cached_property
-    def reverse_capacity(self) -> TorqueCapacity:
-        """Torque capacity of negative torques, and what limits it."""
+    def reverse_standing_capacity(self) -> TorqueCapacity:
+        """Torque capacity of negative torques, likewise."""
         return self._capacity(rolls=False, index=1)
 
     @functools.cached_property
-    def capacity_of_direction(self) -> TorqueCapacity:
-        """Torque capacity in the direction of the output torque."""
+    def standing_capacity_of_direction(self) -> TorqueCapacity:
+        """Torque capacity in the direction of the output torque, likewise."""
         backwards = (jnp.asarray(self.joint.output_torque) < 0.0).astype(int)
         return self._capacity(rolls=False, index=backwards)
 
@@ -303,7 +312,7 @@ def solved_with_capacities(
     solved._standing, solved._rolling = (
         jax.tree.map(lambda *leaves: np.stack(leaves), *both)
         for both in (
-            (solution.capacity, solution.reverse_capacity),
+            (solution.standing_capacity, solution.reverse_standing_capacity),
             (solution.rolling_capacity, solution.reverse_rolling_capacity),
         )
     )

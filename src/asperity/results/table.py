@@ -16,6 +16,7 @@ from asperity.errors import InputError
 from asperity.results import contact_rows, drive_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
+from asperity.results.torque_capacity import place_labels
 
 if TYPE_CHECKING:
     from asperity.standing.windup import StiffnessLevel
@@ -69,6 +70,8 @@ RENAMED = {
         for body, rows in (("ring", "ring"), ("planet", "planet"), ("loading_roller", "right_loading_roller"))
         for kind in ("stress", "stress_at_rest", "stress_amplitude", "yield_safety", "fatigue_safety")
     },
+    "limiting_contact": "limiting_place",
+    "reverse_limiting_contact": "reverse_limiting_place",
     "life_hours": "drive_life",
     "contact_life_hours": "contact_life",
     "body_life_hours": "body_life",
@@ -193,8 +196,9 @@ def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
 
 
 def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:
-    if row.categories == ("none",):  # the contacts of the drive before it
-        places = (*names["contact"], *row.categories)
+    if row.categories[-1:] == ("none",):  # the contacts or all parts of the drive before it
+        of_contacts = row.categories == ("contact", "none")
+        places = (*names["contact"], "none") if of_contacts else place_labels(names)
         row = dataclasses.replace(
             row, categories=places, note=f"its number in the order {', '.join(places)}, from 0"
         )

@@ -75,7 +75,7 @@ def windup_document(
     return {
         "level": level,
         "of_own_branches": joint.unlike is not None,
-        "torque_capacity": capacities_document(*solutions),
+        "standing_torque_capacity": capacities_document(*solutions),
         "largest_torque_Nm": float(curve.torque[-1]),
         "windup_rad": float(curve.angle[-1]),
         "reverse_windup_rad": -float(curve.angle[0]),
@@ -97,11 +97,11 @@ def windup_document(
 
 
 def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
-    """Torque capacities of both directions as positive torques [N·m], of :func:`windup_document`.
+    """Torque capacities standing of both directions as positive torques [N·m], of :func:`windup_document`.
 
     Infinite where there are none, or where the joint may carry more than what is computed.
     """
-    capacity = document["torque_capacity"]
+    capacity = document["standing_torque_capacity"]
     forward, reverse = (
         math.inf
         if direction["output_torque_Nm"] is None or direction["is_lower_bound"]

@@ -170,7 +170,7 @@ def draw_temperatures(
     panels = (
         ("preload [N]", np.asarray(curves.preload)),
         ("assembled stiffness [N·m/arcmin]", np.asarray(curves.stiffness) * _PER_ARCMINUTE),
-        ("torque capacity [N·m]", np.asarray(curves.torque_capacity)),
+        ("standing torque capacity [N·m]", np.asarray(curves.standing_torque_capacity)),
     )
     first = {entry["side"]: entry for entry in reversed(limits)}
     marks = (

@@ -85,7 +85,7 @@ def _shade_beyond(panel: Axes, capacities: tuple[float, float]) -> None:
     """What the joint does not carry, as far as it is near; a legend says where it begins."""
     ends = panel.get_xlim()
     reach = _NEAR * max(map(abs, ends))
-    label = "beyond the torque capacity"
+    label = "beyond the standing torque capacity"
     for sign, limit in zip((1.0, -1.0), capacities, strict=True):
         if limit < reach:
             panel.axvspan(
@@ -95,7 +95,7 @@ def _shade_beyond(panel: Axes, capacities: tuple[float, float]) -> None:
     if label.startswith("_"):
         panel.set_xlim(-reach, reach)
     elif math.isfinite(min(capacities)):
-        panel.plot([], [], " ", label=f"torque capacity {min(capacities):.4g} N·m")
+        panel.plot([], [], " ", label=f"standing torque capacity {min(capacities):.4g} N·m")
 
 
 def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:

@@ -231,7 +231,7 @@ def two_inertias(joint: Joint, inertias: Inertias | None, solution: Solution) ->
 
 def _limit(solution: Solution, torque: float) -> float:
     """Capacity in the direction of a torque [N·m]; where only what is computed ends there, at most twice the torque."""
-    capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
+    capacity = solution.reverse_standing_capacity if torque < 0.0 else solution.standing_capacity
     limit = float(capacity.output_torque)
     ends = LIMIT_KINDS[int(capacity.limit)] in MODEL_LIMITS and torque != 0.0
     return min(limit, 2.0 * abs(torque) / _NEAR_CAPACITY) if ends else limit

@@ -36,7 +36,7 @@ from asperity.precision import require_double_precision
 from asperity.standing import STAGE_SHARES
 from asperity.standing.standing import Standing, standing_at
 from asperity.types import Real
-from asperity.units import format_quantity
+from asperity.units import format_apart, format_quantity
 
 StiffnessLevel = Literal["published", "series_with_bulk", "assembly"]
 
@@ -303,7 +303,7 @@ def windup(
     Raises
     ------
     InputError
-        If the torque or the stages are out of range, or beyond the torque capacity.
+        If the torque or the stages are out of range, or beyond the standing torque capacity.
     NoSolutionError
         If the force balance does not close somewhere.
 
@@ -385,7 +385,8 @@ def _refuse(standing: Standing, values: np.ndarray, largest: float, names: tuple
     if not np.all(standing.holds):
         first = np.abs(np.where(standing.holds, np.inf, values)).argmin()
         contact = names[int(standing.slip_ratio[:, first].argmax())]
+        shown, slips = format_apart(largest, float(values[first]), "N*m")
         raise InputError(
-            f"the largest torque {shown} is beyond the torque capacity: contact {contact} slips at "
-            f"{format_quantity(values[first], 'N*m')} or less; lower the torque, or raise preload or friction"
+            f"the largest torque {shown} is beyond the standing torque capacity: contact {contact} slips at "
+            f"{slips} or less; lower the torque, or raise preload or friction"
         )

@@ -22,11 +22,18 @@ from asperity.study.design.design_file import design_from_tables, read_design
 from asperity.study.design.design_problem import Constraint, Objective
 from asperity.study.design.design_result import conflict, shortcoming
 
+#: The steel of the paper yields under its own preload: its designs need leave to.
+ALLOWED = {"pressure_over_first_yield": {"at_most": 10.0}, "shakedown_ratio": {"at_most": 10.0}}
+
+
+def tables_of(text):
+    """Tables of a design file that allows damage as far as it does not limit it itself."""
+    tables = tomllib.loads(text)
+    return tables | {"constraints": ALLOWED | tables.get("constraints", {})}
+
 
 def run(zou_file, text):
-    return design(
-        design_from_tables(tomllib.loads('joint = "zou2025.toml"\n' + text), folder=zou_file.parent)
-    )
+    return design(design_from_tables(tables_of('joint = "zou2025.toml"\n' + text), folder=zou_file.parent))
 
 
 def result_at(values, name, changes):
@@ -48,8 +55,8 @@ def test_best_dimension_against_exhaustive_search(zou_file, values):
     grid = np.linspace(1.84, 1.86, 201)  # the paper's peak
     stiffness = result_at(values, "published_stiffness_output", {"surface.fractal_dimension": grid})[0]
     assert 0 < np.argmax(stiffness) < grid.size - 1
-    assert found.point["surface.fractal_dimension"] == pytest.approx(grid[np.argmax(stiffness)], abs=2e-4)
-    assert found.objective_after >= stiffness.max() * (1.0 - 1e-9)
+    assert found.optimum["surface.fractal_dimension"] == pytest.approx(grid[np.argmax(stiffness)], abs=2e-4)
+    assert found.objective_after >= stiffness.max() * (1.0 - 1e-3)
     assert found.feasible
     assert found.optimality_residual < 1e-3
 
@@ -65,12 +72,16 @@ def test_smallest_preload_against_bisection(zou_file, values):
     def excess(preload):
         return result_at(values, "slip_ratio", {"load.preload": np.array([preload])}).max() - 0.8
 
-    assert found.point["load.preload"] == pytest.approx(brentq(excess, 300.0, 1000.0, xtol=1e-9), rel=1e-6)
+    assert found.optimum["load.preload"] == pytest.approx(brentq(excess, 300.0, 1000.0, xtol=1e-9), rel=1e-6)
+    assert (
+        found.optimum["load.preload"] <= found.point["load.preload"] <= 1.001 * found.optimum["load.preload"]
+    )
     # without the normal forces' small rise: T_sp/(0.8 mu), T_sp = T_out/(9 * 3 R_s)
     assert found.point["load.preload"] == pytest.approx(5.0 / (9 * 3 * 0.004) / (0.8 * 0.12), rel=0.02)
     slip = next(limit for limit in found.limits if limit.name == "slip_ratio")
     assert (slip.row, slip.active) == ("sp", True)
-    assert slip.value == pytest.approx(0.8, rel=1e-7)
+    assert slip.value == pytest.approx(0.8, rel=1e-3)
+    assert slip.value <= 0.8 * (1.0 + 1e-7)
     # relaxing the limit by 1 % lowers the preload by nearly 1 %
     assert slip.multiplier == pytest.approx(1.0, rel=0.1)
 
@@ -81,7 +92,7 @@ def test_a_safety_factor_is_the_reciprocal_limit(zou_file):
     text += "[constraints]\n{limit}\n[search]\nstarts = 1"
     ratio = run(zou_file, text.format(limit="slip_ratio = { at_most = 0.8 }"))
     safety = run(zou_file, text.format(limit="slip_safety = { at_least = 1.25 }"))
-    assert safety.point["load.preload"] == pytest.approx(ratio.point["load.preload"], rel=1e-7)
+    assert safety.optimum["load.preload"] == pytest.approx(ratio.optimum["load.preload"], rel=1e-7)
 
 
 @pytest.mark.long
@@ -96,13 +107,14 @@ def test_limits_of_speed_ratio_and_pressure_against_closed_forms(zou_file):
     assert found.feasible
     # omega_s/omega_c = -(R_o - R_s)/R_s: the largest sun, which lowers the pressure, has R_s = 40 mm/10.5
     sun = 40e-3 / 10.5
-    assert found.point["drive.sun_radius"] == pytest.approx(sun, rel=1e-6)
+    assert found.optimum["drive.sun_radius"] == pytest.approx(sun, rel=1e-6)
     # Hertz: p0^2 = N E*/(pi B R), with the normal force that the design itself has
     radius = sun * 13.5e-3 / (sun + 13.5e-3)
     force = 1500e6**2 * np.pi * 5e-3 * radius / (206e9 / (2.0 * (1.0 - 0.3**2)))
     normal = nominal_results(found.joint_text, ("normal_force",))["normal_force"]
-    assert normal[0] == pytest.approx(force, rel=1e-6)
-    assert found.summary_after["speed_ratio"] == pytest.approx(-9.5, rel=1e-6)
+    assert normal[0] == pytest.approx(force, rel=2e-3)  # as rounded
+    assert found.summary_after["speed_ratio"] == pytest.approx(-9.5, rel=1e-3)
+    assert found.summary_after["speed_ratio"] <= -9.5 * (1.0 - 1e-7)
     assert found.summary_before["speed_ratio"] == pytest.approx(-9.0, rel=1e-12)
     assert found.summary_before["hertz_pressure"] == pytest.approx(1.53e9, rel=5e-3)  # the model's own figure
 
@@ -142,7 +154,11 @@ def test_written_file_says_what_the_search_saw(zou_file):
     names = ("assembly_stiffness_output", "pressure_over_first_yield")
     again = nominal_results(found.joint_text, names)
     assert again["assembly_stiffness_output"][0] == pytest.approx(found.objective_after, rel=1e-12)
-    assert again["pressure_over_first_yield"].max() == pytest.approx(1.6, rel=1e-7)
+    assert again["pressure_over_first_yield"].max() == pytest.approx(1.6, rel=1e-3)
+    assert again["pressure_over_first_yield"].max() <= 1.6 * (1.0 + 1e-7)
+    assert (
+        "Hertz pressure over first yield 1.6" in found.joint_text.splitlines()[1]
+    )  # which the limit of 1.6 allows
 
 
 @pytest.mark.long
@@ -156,8 +172,8 @@ def test_worst_case_over_torques_and_tolerances(tmp_path, zou_file):
     plain = run(zou_file, text.split("[worst_case]")[0])
     robust = run(tmp_path / "zou2025.toml", text)
     # 50 N less must still do; the objective itself is the larger corner
-    assert robust.point["load.preload"] == pytest.approx(plain.point["load.preload"] + 50.0, rel=1e-7)
-    assert robust.objective_after == pytest.approx(plain.point["load.preload"] + 100.0, rel=1e-7)
+    assert robust.optimum["load.preload"] == pytest.approx(plain.optimum["load.preload"] + 50.0, rel=1e-7)
+    assert robust.objective_after == pytest.approx(robust.point["load.preload"] + 50.0, rel=1e-7)
 
 
 @pytest.mark.long
@@ -177,10 +193,10 @@ def test_conflict_is_named_with_its_size(zou_file, values):
     assert set(missed) == {"assembly_stiffness_output", "preload"}
     # the least violation shares the burden: both limits are missed by the same factor
     factor = missed["preload"].value / 600.0
-    assert missed["assembly_stiffness_output"].value == pytest.approx(1e5 / factor, rel=1e-6)
+    assert missed["assembly_stiffness_output"].value == pytest.approx(1e5 / factor, rel=2e-3)
     # each limit is missed by a share of itself, and the largest share is told
     assert missed["preload"].missed_by == pytest.approx(factor - 1.0, rel=1e-9)
-    assert missed["assembly_stiffness_output"].missed_by == pytest.approx(1.0 - 1.0 / factor, rel=1e-6)
+    assert missed["assembly_stiffness_output"].missed_by == pytest.approx(1.0 - 1.0 / factor, rel=1e-2)
     assert found.violation == missed["preload"].missed_by
     assert f"misses a limit by {100.0 * (factor - 1.0):.3g} %" in conflict(found)
     assert "These limits conflict: torsional stiffness at the output" in conflict(found)
@@ -219,8 +235,8 @@ def test_without_any_joint_that_exists_there_is_no_design(zou_file):
 
 
 @pytest.mark.long
-def test_a_surface_of_plastic_spots_only_has_no_design_for_stiffness(zou_file, tmp_path):
-    """At D = 1.2 the contact law has no stiffness, the volume alone has a design."""
+def test_a_surface_of_plastic_spots_only_has_no_design(zou_file, tmp_path):
+    """At D = 1.2 the contact law has no stiffness."""
     text = zou_file.read_text()
     plastic = tmp_path / "plastic.toml"
     plastic.write_text(re.sub(r"(?m)^fractal_dimension = .*", "fractal_dimension = 1.2", text))
@@ -230,7 +246,7 @@ def test_a_surface_of_plastic_spots_only_has_no_design_for_stiffness(zou_file, t
         "[constraints]\nslip_ratio = { at_most = 0.9 }\n"
     )
     with pytest.raises(
-        NoSolutionError, match="no value of assembly_stiffness_output: every spot of a contact is"
+        NoSolutionError, match=r"no value of .*assembly_stiffness_output.*: every spot of a contact"
     ):
         design(
             design_from_tables(
@@ -238,9 +254,9 @@ def test_a_surface_of_plastic_spots_only_has_no_design_for_stiffness(zou_file, t
                 folder=plastic.parent,
             )
         )
-    found = design(design_from_tables(tomllib.loads(problem + "[search]\nstarts = 1"), folder=plastic.parent))
-    assert found.point["drive.contact_length"] == pytest.approx(4e-3)
-    assert np.isfinite(found.summary_after["slip_ratio"])
+    # nor for the volume alone: without creep it is not known whether the surface flows
+    with pytest.raises(NoSolutionError, match="no value of shakedown_ratio: every spot of a contact is"):
+        design(design_from_tables(tables_of(problem + "[search]\nstarts = 1"), folder=plastic.parent))
 
 
 @pytest.mark.long
@@ -261,12 +277,12 @@ def test_the_lightest_planetary_is_that_of_an_exhaustive_search(zou_file):
         & (at_points["hertz_pressure"].max(axis=0) <= 1.4e9)
     )
     best = np.flatnonzero(allowed)[np.argmin(at_points["mass"][allowed])]
-    assert found.objective_after <= at_points["mass"][best] * (1.0 + 1e-9)
+    assert found.objective_after <= at_points["mass"][best] * (1.0 + 1e-3)
     assert (wall, length) == pytest.approx(
         (points["drive.ring_wall_thickness"][best], points["drive.contact_length"][best]), abs=0.25e-3
     )
     limits = {(each.name, each.row): each for each in found.limits}
-    assert limits["slip_ratio", "sp"].value == pytest.approx(0.8, rel=1e-6)
+    assert limits["slip_ratio", "sp"].value == pytest.approx(0.8, rel=1e-3)
     assert limits["clearance", "planet_to_planet"].value == pytest.approx(60e-3 * np.sin(np.pi / 3.0) - 40e-3)
 
 
@@ -286,11 +302,11 @@ def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_fil
     assert found.feasible
     limit = next(each for each in found.limits if each.name == "rim_yield_safety")
     assert (limit.row, limit.active) == ("ring", True)
-    assert limit.value == pytest.approx(2.0, rel=1e-7)
+    assert 2.0 * (1.0 - 1e-7) <= limit.value < 2.0 * (1.0 + 1e-3)
     solved = parse_case(found.joint_text, source="designed")
     joint = joint_from_case(solved)
     again = solved_with_capacities(joint, solve_joint(joint)).rims
-    assert float(again.yield_safety[2]) == pytest.approx(2.0, rel=1e-6)
+    assert float(again.yield_safety[2]) == pytest.approx(limit.value, rel=1e-9)
     # moment P R/2 (1/a - cot a) under each force, a = 60 degrees; in plane strain
     wall, force, angle = found.point["drive.ring_wall_thickness"], 850.0, np.pi / 3.0
     radius = 50e-3 + 0.5 * wall
@@ -305,7 +321,7 @@ def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_fil
 def known(evaluator, monkeypatch):
     """Designs of least mass of the made-up joint: 100 L, pressure 2 MPa sqrt(P/L), slip 50 M/P; the file has 8 mm."""
 
-    def of(*constraints, torques=(), without_stiffness=False):
+    def of(*constraints, torques=(), without_stiffness=False, diagnostics=()):
         made = evaluator((Objective("mass", 1.0),), constraints, torques=torques)
         given = design_evaluation.derivatives_at
         stated = {"load.preload": 1000.0, "drive.contact_length": 8e-3, "load.output_torque": 5.0}
@@ -325,6 +341,8 @@ def known(evaluator, monkeypatch):
         monkeypatch.setattr(design_evaluation, "derivatives_at", filled)
         monkeypatch.setattr(module, "derivatives_at", filled)
         monkeypatch.setattr(module, "DesignEvaluator", lambda problem: made)
+        told = {"diagnostics": list(diagnostics), "life_hours": None, "no_result_because": None}
+        monkeypatch.setattr(module, "joint_diagnostics", lambda text: told)
         return design(made.problem)
 
     return of
@@ -338,11 +356,16 @@ def test_a_design_between_two_limits_by_hand(known):
         Constraint("clearance", False, 0.0, (0, 1)),
     )
     assert seen.feasible
-    assert seen.point == pytest.approx({"load.preload": 312.5, "drive.contact_length": 5e-3}, rel=1e-6)
-    assert (seen.objective_before, seen.objective_after) == pytest.approx((0.8, 0.5), rel=1e-6)
+    assert seen.optimum == pytest.approx({"load.preload": 312.5, "drive.contact_length": 5e-3}, rel=1e-6)
+    # four digits, on the side of the limits
+    assert seen.point["load.preload"] in (312.5, 312.6)
+    assert seen.point["drive.contact_length"] in (5e-3, pytest.approx(5.001e-3), pytest.approx(5.002e-3))
+    assert (seen.objective_before, seen.objective_after) == pytest.approx((0.8, 0.5), rel=1e-3)
     assert seen.at_bound == {}
     pressure, slip, clearance = seen.limits
-    assert (pressure.value, slip.value) == pytest.approx((5e8, 0.8), rel=1e-6)
+    assert (pressure.value, slip.value) == pytest.approx((5e8, 0.8), rel=1e-3)
+    assert pressure.value <= 5e8 * (1.0 + 1e-7)
+    assert slip.value <= 0.8 * (1.0 + 1e-7)
     assert (pressure.row, slip.output_torque) == ("sp", 5.0)
     assert (pressure.missed_by, slip.missed_by) == (0.0, 0.0)
     assert (pressure.active, slip.active, clearance.active) == (True, True, False)
@@ -377,7 +400,7 @@ def test_a_limit_without_a_value_anywhere_is_not_met_and_says_so(known):
     seen = known(Constraint("published_stiffness_output", False, 1.0, (0,)), without_stiffness=True)
     assert not seen.feasible
     assert np.isnan(seen.violation)
-    assert "asperities alone at least 1 N·m/rad (no value there, none of any design, at 5 N·m)" in conflict(
+    assert "asperities alone at least 1 N·m/rad (no value there; no design has one, at 5 N·m)" in conflict(
         seen
     )
     assert "nan" not in conflict(seen)
@@ -412,7 +435,7 @@ def test_a_limit_is_missed_by_a_share_of_itself_or_where_it_is_zero_by_what_lack
     rows = [Constraint(*limit, (0, 1)) for limit in limits] + [Constraint("preload", True, 160.0, (0,))]
     make = evaluator((Objective("mass", 1.0),), rows)
     found = make(make.scaled({"load.preload": 200.0, "drive.contact_length": 5e-3}))
-    reports = module._limits(make, found, np.zeros(len(make.rows)))
+    reports = module._limits(make, found, np.zeros(len(make.rows)), module._tight(make, found))
     assert [report.missed_by for report in reports] == pytest.approx([1.0, 1e-4, 0.0, 0.25], rel=1e-9)
     assert [report.value for report in reports] == pytest.approx([4e8, -1e-4, 1.25, 200.0], rel=1e-9)
     # what is missed the most holds the design back, and rollers that overlap, which cannot exist

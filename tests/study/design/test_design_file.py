@@ -35,12 +35,14 @@ def test_good_file(zou_file):
     assert roughness.from_unit(0.5) == pytest.approx(1e-11, rel=1e-9, abs=0.0)
     assert roughness.to_unit(1e-11) == pytest.approx(0.5)
     assert found.level == "assembly"
-    assert {(c.name, c.limit, c.implied) for c in found.constraints} == {
+    assert {(c.name, round(c.limit, 5), c.implied) for c in found.constraints} == {
         ("slip_ratio", 0.8, False),
         ("envelope_diameter", 0.21, False),
         ("slip_ratio", 1.0, True),
-        ("clearance", 0.0, True),
+        ("clearance", 0.2e-3, True),
         ("normal_force_over_preload", 0.0, True),
+        ("pressure_over_first_yield", 1.0, True),
+        ("shakedown_ratio", 1.0, True),
     }
     states = scenarios(found)
     assert states.torques == pytest.approx(
@@ -207,6 +209,10 @@ def test_limits_of_another_drive_have_its_names(zou_file):
         "hertz_pressure": (0, 1),
         "clearance": (0,),
         "normal_force_over_preload": (0, 1),
+        "pressure_over_first_yield": (0, 1),
+        "shakedown_ratio": (0, 1),
+        "rim_yield_safety": (2,),
+        "rim_fatigue_safety": (2,),
     }
     bounds = '{ lower = "4 mm", upper = "14 mm" }'
     text = f'joint = "planetary.toml"\n[variables]\n"VARIABLE" = {bounds}\n[objective]\nminimise = "GOAL"'

@@ -49,8 +49,8 @@ def test_one_panel_a_variable_with_the_margin_below_it(preload_figure):
     assert above.get_xscale() == "log"
     assert [text.get_text() for text in above.get_legend().get_texts()] == [
         "a limit is violated",
-        "all limits met",
-        "design: all limits met",
+        "limits of the design met",
+        "design: limits of the design met",
         "no joint exists",
     ]
     assert (
@@ -117,7 +117,7 @@ def test_an_optimum_in_a_corner_of_the_limits_is_drawn_as_the_search_judged_it(c
     np.testing.assert_array_equal(np.isfinite(y), x < 800.0)
     assert np.isfinite(below.get_lines()[0].get_ydata()).tolist() == (x < 800.0).tolist()
     assert x[np.isfinite(allowed.get_ydata())].tolist() == pytest.approx([400.0])
-    assert design.get_label() == "design: all limits met"
+    assert design.get_label() == "design: limits of the design met"
     assert above.patches  # grey where no joint exists
     assert min(patch.get_x() for patch in above.patches) == pytest.approx(800.0, rel=0.1)
 

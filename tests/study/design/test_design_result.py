@@ -14,10 +14,13 @@ from asperity.study.design.design_result import (
     DesignResult,
     LimitReport,
     StartReport,
+    bounds_words,
     conflict,
+    crossed_limits,
     design_document,
     front_diagnostics,
     joint_diagnostics,
+    met_words,
     not_limited,
 )
 
@@ -26,8 +29,8 @@ def limit(name, *, at_most, limit, value, missed_by=0.0, active=True, row="", la
     return LimitReport(name, label or name, row, at_most, limit, value, missed_by, active, 0.5, False, 5.0)
 
 
-def result(limits, at_bound=()):
-    found = SimpleNamespace(limits=limits, at_bound=dict(at_bound), feasible=False)
+def result(limits, at_bound=(), crossed=()):
+    found = SimpleNamespace(limits=limits, at_bound=dict(at_bound), feasible=False, crossed=crossed)
     found.violation = DesignResult.violation.fget(found)
     return found
 
@@ -69,13 +72,20 @@ def test_a_conflict_names_the_active_limits_and_the_bounds():
     assert DesignResult.violation.fget(SimpleNamespace(feasible=True)) == 0.0
 
 
-@pytest.fixture
-def judged(monkeypatch):
-    """The designed joint is judged without solving it."""
-    told = {"diagnostics": [{"name": "slip_ratio", "ok": True, "value": math.nan}], "no_result_because": None}
-    monkeypatch.setattr(
-        "asperity.study.design.design_result.joint_diagnostics", lambda text: told if text == "text" else {}
-    )
+#: What a document says of a joint and of a limit that it crosses.
+TOLD = {"diagnostics": [{"name": "slip_ratio", "ok": True, "value": math.nan}], "no_result_because": None}
+CROSSED = {
+    "name": "duty_shakedown_ratio",
+    "label": "shakedown of the duty",
+    "contact": "load 2",
+    "shown": "1.2",
+    "limit_shown": "1",
+    "ok": False,
+    "known": True,
+    "meaning": "it flows",
+    "severity": "damage",
+    "value": 1.2,
+}
 
 
 def design(sign, **changes):
@@ -87,11 +97,16 @@ def design(sign, **changes):
             table={"mass": SimpleNamespace(label="mass of two discs")},
         ),
         "feasible": False,
+        "crossed": (),
+        "allowed": (CROSSED,),
+        "unknown": (),
         "point": {"load.preload": 900.0},
+        "optimum": {"load.preload": 900.1},
         "at_bound": {"load.preload": "lower"},
         "objective_before": 2.0,
         "objective_after": 1.5,
         "objective_unrounded": None,
+        "missed_before": (limit,),
         "summary_before": {"drift": math.nan},
         "summary_after": {"drift": 1e-3},
         "limits": (limit,),
@@ -99,13 +114,14 @@ def design(sign, **changes):
         "starts": (StartReport(**start),),
         "evaluations": 12,
         "joint_text": "text",
+        "diagnostics": TOLD,
         "nominal": {"slip_ratio": np.array([0.4, math.nan])},
     }
     return DesignResult(**(numbers | changes))
 
 
 @pytest.mark.parametrize(("sign", "sense"), [(1.0, "minimise"), (-1.0, "maximise")])
-def test_plain_data(judged, sign, sense):
+def test_plain_data(sign, sense):
     document = json.loads(json.dumps(design_document(design(sign)), allow_nan=False))
     assert document["objective"] == {
         "result": "mass",
@@ -122,11 +138,14 @@ def test_plain_data(judged, sign, sense):
     assert document["limits"][0]["value"] == 0.55
     assert document["limits"][0]["label"] == "slip ratio"
     assert document["evaluations"] == 12
+    assert document["variables_unrounded"] == {"load.preload": 900.1}
+    assert document["allowed"] == [CROSSED]
+    assert document["missed_before"][0]["name"] == "slip_ratio"
     assert document["diagnostics"] == [{"name": "slip_ratio", "ok": True, "value": None}]
     assert document["no_result_because"] is None
 
 
-def test_a_design_that_meets_its_limits_violates_none(judged):
+def test_a_design_that_meets_its_limits_violates_none():
     assert design_document(design(1.0, feasible=True))["violation"] == 0.0
 
 
@@ -163,24 +182,73 @@ def test_all_limits_of_a_design_or_why_there_are_none(solved, case):
 
 
 def test_what_no_limit_was_asked_for_is_said_in_a_line():
-    entry = {"name": "pressure_over_first_yield", "ok": False, "value": 1.2}
-    told = {"diagnostics": [entry, entry | {"value": 1.25}, entry | {"value": None}], "life_hours": 137.0}
-
-    def line(*names, **changes):
+    def line(*names, life=137.0):
         limits = tuple(limit(name, at_most=True, limit=1.0, value=0.5) for name in names)
-        return not_limited(
-            design(1.0, limits=limits, summary_after={"hertz_pressure": 2.663e9}), told | changes
-        )
+        return not_limited(design(1.0, limits=limits, diagnostics=TOLD | {"life_hours": life}))
 
-    life, pressure = "a rating life of 137 h", "a pressure of 2663 MPa, up to 1.25 times first yield"
     assert (
-        line("slip_ratio")
-        == f"The design file sets no limit for yield and life: the design has {pressure} and {life}."
+        line("slip_ratio") == "The design file sets no limit for life: the design has a rating life of 137 h."
     )
-    assert line("hertz_pressure") == f"The design file sets no limit for life: the design has {life}."
-    assert line("drive_life", "hertz_pressure") == ""
-    assert line("duty_life", diagnostics=[entry | {"ok": True}]) == ""
-    assert line("slip_ratio", diagnostics=None, life_hours=None) == ""
+    assert line("drive_life", "hertz_pressure") == line("duty_life") == line("slip_ratio", life=None) == ""
+
+
+def test_which_crossed_limits_the_design_file_allows():
+    """A wider limit for a result is leave for it; a life is required under a name of its own; notes are no damage."""
+    entries = [
+        CROSSED,
+        CROSSED | {"name": "shakedown_ratio"},
+        CROSSED | {"name": "required_drive_life"},
+        CROSSED | {"name": "rim_yield_safety"},
+        CROSSED | {"name": "film_ratio", "severity": "state"},
+        CROSSED | {"name": "kept", "ok": True},
+        CROSSED | {"name": "open", "known": False},
+    ]
+    constraints = [
+        SimpleNamespace(name="shakedown_ratio", implied=False),
+        SimpleNamespace(name="drive_life", implied=False),
+        SimpleNamespace(name="rim_yield_safety", implied=True),
+    ]
+    found = crossed_limits(SimpleNamespace(constraints=constraints), {"diagnostics": entries})
+    crossed, allowed, unknown = found
+    assert [entry["name"] for entry in crossed] == ["duty_shakedown_ratio", "rim_yield_safety"]
+    assert [entry["name"] for entry in allowed] == ["shakedown_ratio", "required_drive_life"]
+    assert [entry["name"] for entry in unknown] == ["open"]
+    assert crossed_limits(SimpleNamespace(constraints=[]), {"diagnostics": None}) == ((), (), ())
+
+
+def test_all_limits_are_met_is_said_only_where_they_are():
+    assert met_words(feasible=True, allowed=()) == "All limits are met"
+    assert met_words(feasible=False, allowed=(CROSSED,)) == "NOT all limits are met"
+    assert met_words(feasible=True, allowed=(CROSSED,)) == (
+        "All limits of the design file are met, which allows: shakedown of the duty 1.2 at load 2, limit 1"
+    )
+    assert met_words(feasible=True, allowed=(), unknown=(CROSSED,)) == (
+        "No limit is crossed; not known: shakedown of the duty at load 2 (it flows)"
+    )
+
+
+def test_what_the_search_does_not_follow_is_a_shortcoming():
+    """All limits of the search are kept, but a load of the duty makes the surface flow."""
+    kept = limit("preload", at_most=False, limit=400.0, value=410.0, active=False)
+    text = conflict(result((kept,), crossed=(CROSSED,)))
+    assert "crosses: shakedown of the duty 1.2 at load 2, limit 1. Change the duty" in text
+    missed = limit("slip_ratio", at_most=True, limit=0.5, value=0.55, missed_by=0.1)
+    text = conflict(result((missed,), crossed=(CROSSED, CROSSED | {"name": "slip_ratio", "label": "twice"})))
+    assert "It also misses: shakedown of the duty 1.2" in text
+    assert "twice" not in text
+
+
+def test_what_holds_a_design_is_said():
+    """Bounds of variables and limits that are reached; a limit that is missed is said elsewhere."""
+    reached = limit("hertz_pressure", at_most=True, limit=1.4e9, value=1.4e9, row="sp", label="pressure")
+    least = limit("preload", at_most=False, limit=400.0, value=400.0)
+    missed = limit("slip_ratio", at_most=True, limit=0.5, value=0.55, missed_by=0.1)
+    idle = limit("mass", at_most=True, limit=1.0, value=0.5, active=False)
+    found = result((reached, least, missed, idle), {"load.preload": "lower"})
+    assert bounds_words(found) == (
+        "load.preload at its lower bound; pressure at sp at its largest, 1400 MPa; preload at its smallest, 400 N"
+    )
+    assert bounds_words(result((idle,))) == ""
 
 
 def test_crossed_limits_of_a_front_design_by_design(solved, case):

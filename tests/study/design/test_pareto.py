@@ -23,6 +23,8 @@ maximise = "stiffness"
 minimise = "preload"
 [constraints]
 slip_ratio = { at_most = 0.8 }
+pressure_over_first_yield = { at_most = 10.0 }
+shakedown_ratio = { at_most = 10.0 }
 """
 #: Smallest preload for a slip ratio of 0.8 at the sun, with the force at rest: T_sp/(0.8 mu).
 PRELOAD = 5.0 / (9 * 3 * 0.004) / (0.8 * 0.12)

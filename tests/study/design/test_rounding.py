@@ -36,17 +36,17 @@ PRELOAD, LENGTH = "load.preload", "drive.contact_length"
 FREE = np.zeros(2, dtype=bool)
 
 
-def test_a_design_gets_seven_digits_and_keeps_its_bound(evaluator):
+def test_a_design_gets_four_digits_and_keeps_its_bound(evaluator):
     """The mass is 100 L; the pressure sqrt(P/L) leaves room."""
     make = evaluator((Objective("mass", 1.0),), (Constraint("hertz_pressure", True, 1e10, (0, 1)),))
     scaled = make.scaled({PRELOAD: 1000.0 / 3.0, LENGTH: 2e-3})
     point, place = shortened_design(make, scaled, FREE)
-    assert point == {PRELOAD: 333.3333, LENGTH: 2e-3}
+    assert point == {PRELOAD: 333.3, LENGTH: 2e-3}
     assert make.point(place) == pytest.approx(point, rel=1e-15)
 
 
-def test_a_limit_that_rounding_would_cross_gets_more_digits(evaluator):
-    """The smallest P under a limit of the slip ratio 50 M/P, whose seven digits are too small by 1.4e-7."""
+def test_a_limit_that_rounding_would_cross_is_kept_by_rounding_the_other_way(evaluator):
+    """The smallest P under a limit of the slip ratio 50 M/P: 250.3 N would cross it, 250.4 N keep it."""
     exact = 250.33333349
     limit = 50.0 * 5.0 / exact
     make = evaluator(
@@ -54,8 +54,32 @@ def test_a_limit_that_rounding_would_cross_gets_more_digits(evaluator):
     )
     point, place = shortened_design(make, make.scaled({PRELOAD: exact, LENGTH: 5e-3}), FREE)
     assert make(place).violation <= FEASIBLE
-    assert point[PRELOAD] == pytest.approx(exact, rel=FEASIBLE)
-    assert point[PRELOAD] == float(f"{point[PRELOAD]:.9g}")
+    assert point[PRELOAD] == 250.4
+
+
+def test_between_two_limits_there_are_more_digits(evaluator):
+    """From 250.32 N for a slip ratio to at most 250.34 N: 250.3 and 250.4 N miss one of them."""
+    limits = (
+        Constraint("slip_ratio", True, 250.0 / 250.32, (0, 1)),
+        Constraint("preload", True, 250.34, (0,)),
+    )
+    make = evaluator((Objective("mass", 1.0),), limits, torques=(5.0,))
+    point, place = shortened_design(make, make.scaled({PRELOAD: 250.3333333, LENGTH: 2e-3}), FREE)
+    assert make(place).violation <= FEASIBLE
+    assert point[PRELOAD] in (250.33, 250.34)
+
+
+def test_many_variables_are_rounded_one_after_the_other(evaluator, monkeypatch):
+    """As above, with the way of each that keeps the limits."""
+    monkeypatch.setattr("asperity.study.design.rounding._COMBINED", 1)
+    make = evaluator(
+        (Objective("preload", 1.0),),
+        (Constraint("slip_ratio", True, 250.0 / 250.33333349, (0, 1)),),
+        torques=(5.0,),
+    )
+    point, place = shortened_design(make, make.scaled({PRELOAD: 250.33333349, LENGTH: 5e-3}), FREE)
+    assert make(place).violation <= FEASIBLE
+    assert point == {PRELOAD: 250.4, LENGTH: 5e-3}
 
 
 def test_sizes_with_a_step_keep_their_value(evaluator):
@@ -65,11 +89,11 @@ def test_sizes_with_a_step_keep_their_value(evaluator):
     assert point[LENGTH] == pytest.approx(7.0 * 25.4e-3 / 64.0, rel=1e-14)
 
 
-def test_an_objective_that_may_be_negative_changes_by_a_millionth_of_itself(evaluator):
-    """The speed ratio -P/100: seven digits of 1234.56789 N change its 12 by a ten-millionth of it."""
+def test_an_objective_that_may_be_negative_changes_by_a_thousandth_of_itself(evaluator):
+    """The speed ratio -P/100, to be made small: four digits of 1234.56789 N change its 12 by less than that."""
     make = evaluator((Objective("speed_ratio", 1.0),), (Constraint("hertz_pressure", True, 1e10, (0, 1)),))
     point, _ = shortened_design(make, make.scaled({PRELOAD: 1234.56789, LENGTH: 5e-3}), FREE)
-    assert point[PRELOAD] == 1234.568
+    assert point[PRELOAD] == 1235.0
 
 
 @pytest.mark.parametrize(("step", "length"), [(1e-3, 5e-3), (0.15e-3, 4.65e-3)])
@@ -85,3 +109,12 @@ def test_sizes_are_rounded_to_the_side_that_keeps_the_limits(evaluator, step, le
     assert make.point(rounded)[LENGTH] == pytest.approx(length, rel=1e-12)
     assert make(rounded).violation <= FEASIBLE
     assert told[-1] == (2, 2)
+
+
+def test_a_design_that_misses_a_limit_still_exists_when_it_is_rounded(evaluator):
+    """At 300.004 N rollers have a clearance of 4 nm; 300 N leave none, 299.9 N would overlap."""
+    limits = (Constraint("preload", True, 200.0, (0,)), Constraint("clearance", False, 0.2e-3, (0, 1)))
+    make = evaluator((Objective("mass", 1.0),), limits)
+    point, place = shortened_design(make, make.scaled({PRELOAD: 300.004, LENGTH: 5e-3}), FREE)
+    assert point[PRELOAD] > 300.0
+    assert make.nonexistence(make(place)) <= FEASIBLE

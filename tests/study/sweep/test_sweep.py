@@ -64,7 +64,7 @@ def test_dataset_says_what_it_holds(in_memory):
     meanings = in_memory["status"].attrs["flag_meanings"].split()
     code = int(in_memory["status"].sel({"load.output_torque": 20.0}).max())
     flag = in_memory["status"].attrs["flag_values"].index(code)
-    assert meanings[flag] == "beyond_torque_capacity"
+    assert meanings[flag] == "beyond_standing_capacity"
 
 
 @pytest.mark.long

@@ -48,7 +48,7 @@ def test_each_reason_of_failure_has_its_hatch_and_sentence(swept):
     figure = sweep_figure(swept)
     said = legend(figure)
     assert said[:2] == [
-        "no solution: the output torque is beyond the torque capacity: a contact slips",
+        "no solution: the output torque is beyond the standing torque capacity: a contact slips",
         "no solution: every spot of a loaded contact is plastic, where the contact law gives it no stiffness",
     ]
     hatches = [each.hatches for each in figure.axes[0].collections if getattr(each, "hatches", [None])[0]]

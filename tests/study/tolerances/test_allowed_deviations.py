@@ -195,7 +195,7 @@ def test_a_drive_and_its_listed_twin_are_allowed_the_same(case, listed_case):
     one, other = (
         allowed(
             each,
-            "torque_capacity >= 10.5 N*m",
+            "standing_torque_capacity >= 10.5 N*m",
             share=0.98,
             samples=500,
             distribution=Distribution("uniform", 0.0),
@@ -228,7 +228,7 @@ def test_the_planetary_keeps_its_capacity(case):
     """The interference at the contacts is sun + 2 planets - bore: their influences are as 1 : 2 : 1."""
     found = allowed(
         case,
-        "torque_capacity >= 10.5 N*m",
+        "standing_torque_capacity >= 10.5 N*m",
         share=0.98,
         samples=500,
         distribution=Distribution("uniform", 0.0),

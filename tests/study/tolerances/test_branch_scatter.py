@@ -31,7 +31,7 @@ class Sectors:
 @pytest.fixture
 def sectors(planar_case, monkeypatch):
     capacity = SimpleNamespace(output_torque=12.0)
-    solution = SimpleNamespace(capacity=capacity, reverse_capacity=capacity)
+    solution = SimpleNamespace(standing_capacity=capacity, reverse_standing_capacity=capacity)
     monkeypatch.setattr(module, "solve_joint", lambda joint: solution)
 
     def of(name, changes, draws=400, loaded=None):

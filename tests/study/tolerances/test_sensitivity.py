@@ -42,7 +42,7 @@ def test_elasticities_obey_the_dimensions(homogeneous, found, base):
         [entry.key.dimension.exponents[base] for entry in numeric_keys(homogeneous).values()]
     )
     for name in DEFAULT_RESULTS[:4]:
-        dimension = Dimension.TORQUE if name == "torque_capacity" else Dimension.TORSIONAL_STIFFNESS
+        dimension = Dimension.TORQUE if name == "standing_torque_capacity" else Dimension.TORSIONAL_STIFFNESS
         total = float(found["elasticity"].sel(result=name).values @ exponents)
         assert total == pytest.approx(dimension.exponents[base], abs=1e-9), name
 
@@ -88,9 +88,9 @@ def test_closed_forms(of_the_paper):
     slope = float(found["derivative"].sel(result="self_locking_ratio", input="load.friction_coefficient"))
     assert slope == pytest.approx(-np.tan(np.radians(13.1582) / 2.0) / 0.12**2, rel=1e-5)
     # every branch carries its share: capacity is proportional to the number of planets
-    assert float(found["elasticity"].sel(result="torque_capacity", input="drive.planets")) == pytest.approx(
-        1.0, abs=1e-9
-    )
+    assert float(
+        found["elasticity"].sel(result="standing_torque_capacity", input="drive.planets")
+    ) == pytest.approx(1.0, abs=1e-9)
     # Hertz: p0 ~ sqrt(N E/(R B)); yield strength enters the first yield pressure alone
     pressure = found.sel(result="pressure_over_first_yield_sp")
     ratio = float(pressure["result_value"])
@@ -99,7 +99,7 @@ def test_closed_forms(of_the_paper):
 
 
 def test_ranking_is_by_influence(of_the_paper):
-    ranked = ranking(of_the_paper, "torque_capacity")
+    ranked = ranking(of_the_paper, "standing_torque_capacity")
     size = np.abs(ranked["elasticity"].values)
     assert np.all(np.diff(size) <= 0.0)
     assert "surface.fractal_dimension" not in ranked["input"].values[:10]
@@ -109,7 +109,7 @@ def test_ranking_is_by_influence(of_the_paper):
 
 @pytest.mark.long
 def test_a_joint_that_slips_has_no_sensitivities(joint_text):
-    with pytest.raises(InputError, match="beyond the torque capacity"):
+    with pytest.raises(InputError, match="beyond the standing torque capacity"):
         sensitivity(
             parse_case(joint_text.replace('"5 N*m"', '"50 N*m"').replace('"printed"', '"unity"'), source="x")
         )
@@ -121,9 +121,11 @@ def test_where_all_spots_are_plastic_only_the_stiffness_has_no_sensitivities(joi
     with pytest.raises(
         NoSolutionError, match=r"every spot of sp, pwr, .* is plastic.* raise fractal_dimension"
     ):
-        sensitivity(plastic, ("torque_capacity", "assembly_stiffness_output"))
-    found = sensitivity(plastic, ("torque_capacity",))
-    share = float(found["elasticity"].sel(result="torque_capacity", input="surface.fractal_dimension"))
+        sensitivity(plastic, ("standing_torque_capacity", "assembly_stiffness_output"))
+    found = sensitivity(plastic, ("standing_torque_capacity",))
+    share = float(
+        found["elasticity"].sel(result="standing_torque_capacity", input="surface.fractal_dimension")
+    )
     assert share == 0.0
 
 

@@ -18,7 +18,10 @@ SEARCH_TOLERANCE = 1e-13
 #: Share of the first guess below which a drive has no capacity at all.
 SMALLEST_SHARE = 1e-12
 
-_MOST_STEPS = 150  # forty doublings reach 10^12 times the guess, ninety halvings any interval's last digit
+#: How far a search goes beyond its first guess: forty doublings, 10^12 times the guess.
+FARTHEST = 2.0**40
+
+_MOST_STEPS = 150  # with ninety halvings, which reach any interval's last digit
 _NUDGE = 0.2  # of the square of the relative width
 _ALL_BUT_REACHED = 1e-6
 
@@ -91,28 +94,29 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
 _Loop = Callable[[Callable[[_Search], Array], Callable[[_Search], _Search], _Search], _Search]
 
 
-def _searched(excesses: Callable[[Array], Array], start: Array, loop: _Loop) -> _Search:
-    """The interval of the first limit, narrowed to its last digits."""
+def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real, loop: _Loop) -> _Search:
+    """The interval of the first limit, narrowed to its last digits; none beyond so many times the start."""
     xp = namespace(start)
 
     def unfinished(state: _Search) -> Array:
         wide = (state.upper - state.lower > SEARCH_TOLERANCE * state.upper) & (
             state.upper > SMALLEST_SHARE * start
         )
-        searching = ~state.bracketed & (state.upper < 2.0**40 * start) | state.bracketed & wide
+        searching = ~state.bracketed & (state.upper <= farthest * start) | state.bracketed & wide
         return xp.any(searching) & (state.steps < _MOST_STEPS)
 
     def narrow(state: _Search) -> _Search:
-        """Double the upper bound until a limit is reached there, then narrow the interval."""
+        """Next to nothing, then the first guess, doubled until a limit is reached; then narrow the interval."""
         trial = xp.where(state.bracketed, _within(state), state.upper)
         excess = excesses(trial)
         beyond = excess >= 0.0
         reached = xp.any(beyond, axis=0)
         known = xp.where(xp.isnan(excess), -1.0, excess)
         largest = xp.max(known, axis=0)
+        further = xp.where(state.steps == 0, start, 2.0 * state.upper)
         return _Search(
             lower=xp.where(reached, state.lower, trial),
-            upper=xp.where(reached, trial, xp.where(state.bracketed, state.upper, 2.0 * state.upper)),
+            upper=xp.where(reached, trial, xp.where(state.bracketed, state.upper, further)),
             below=xp.where(reached, state.below, largest),
             above=xp.where(reached, largest, state.above),
             bracketed=state.bracketed | reached,
@@ -126,7 +130,7 @@ def _searched(excesses: Callable[[Array], Array], start: Array, loop: _Loop) -> 
     nothing = xp.zeros_like(start)
     first = _Search(
         lower=nothing,
-        upper=start,
+        upper=SMALLEST_SHARE * start,
         below=nothing - 1.0,
         above=nothing,
         bracketed=nowhere,
@@ -150,10 +154,15 @@ def _step_by_step(
     return state
 
 
-def first_limit_of_numbers(*, excesses: Callable[[Any], Any], first_guess: Real) -> FirstLimit:
-    """That of :func:`first_limit`, without derivatives, of compiled functions of NumPy's arrays."""
+def first_limit_of_numbers(
+    *, excesses: Callable[[Any], Any], first_guess: Real, farthest: Real = FARTHEST
+) -> FirstLimit:
+    """That of :func:`first_limit`, without derivatives, of compiled functions of NumPy's arrays.
+
+    Limits are looked for up to ``farthest`` times the first guess [-]: up to it with 1, not at all with 0.
+    """
     start: Any = np.asarray(first_guess, dtype=float)
-    last = _searched(excesses, start, _step_by_step)
+    last = _searched(excesses, start, farthest, _step_by_step)
     at_once = last.bracketed & (last.upper <= SMALLEST_SHARE * start)
     value: Any = np.where(last.bracketed, np.where(at_once, 0.0, last.lower), np.inf)
     which: Any = np.where(last.bracketed, last.which, -1)
@@ -180,30 +189,52 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
 
     Notes
     -----
-    Doubling until a limit is reached; then the interval shrinks by chords that are nudged to the other side of the root
-    and bounded, so that it never takes more steps than halving and one. A limit that jumps instead of passing through
-    zero has no implicit derivative; 0 is returned for it.
+    A first look next to zero, for limits that are reached at once; doubling from the guess until one is reached; then
+    the interval shrinks by chords that are nudged to the other side of the root and bounded, so that it never takes
+    more steps than halving and one. A limit that jumps instead of passing through zero has no implicit derivative; 0 is
+    returned for it.
 
     References
     ----------
     Equation (A9) of :doc:`/equations`. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2021) 5.
     """
-    start = jnp.asarray(first_guess)
     excesses = jax.jit(excesses)  # traced once for the search and for the derivative
-    last = jax.lax.stop_gradient(_searched(excesses, start, jax.lax.while_loop))
-    lower, upper, bracketed, index = last.lower, last.upper, last.bracketed, last.which
-    at_once = bracketed & (upper <= SMALLEST_SHARE * start)
-    fixed = ~bracketed | at_once
+    found = searched_limit(excesses=excesses, first_guess=first_guess)
+    return with_derivative(excesses=excesses, limit=found)
+
+
+def searched_limit(
+    *, excesses: Callable[[Array], Array], first_guess: Real, farthest: Real = FARTHEST
+) -> FirstLimit:
+    """That of :func:`first_limit`, without derivatives, which are not traced either."""
+    start, farthest = jax.lax.stop_gradient((jnp.asarray(first_guess), jnp.asarray(farthest)))
+    program = jax.make_jaxpr(jax.jit(excesses))(start)
+    fixed = jax.lax.stop_gradient(program.consts)
+
+    def excesses_of(value: Array) -> Array:
+        (excess,) = jax.core.eval_jaxpr(program.jaxpr, fixed, value)
+        return excess
+
+    last = _searched(excesses_of, start, farthest, jax.lax.while_loop)
+    at_once = last.bracketed & (last.upper <= SMALLEST_SHARE * start)
+    value = jnp.where(last.bracketed, jnp.where(at_once, 0.0, last.lower), jnp.inf)
+    return jax.lax.stop_gradient(FirstLimit(value, jnp.where(last.bracketed, last.which, -1)))
+
+
+def with_derivative(*, excesses: Callable[[Array], Array], limit: FirstLimit) -> FirstLimit:
+    """A limit that is known, with its implicit derivative; none where it is reached at once, or never."""
+    reached = (limit.which >= 0) & (limit.value > 0.0)
+    known = jnp.where(reached, limit.value, 1.0)
 
     def excess(value: Array) -> Array:
-        chosen = jnp.take_along_axis(excesses(value), index[None], axis=0)[0]
-        return jnp.where(fixed, value - lower, chosen)
+        at = jnp.where(reached, limit.which, 0)
+        chosen = jnp.take_along_axis(excesses(value), at[None], axis=0)[0]
+        return jnp.where(reached, chosen, value - known)
 
     def divide(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
         slope = linear(jnp.ones_like(right_side))
         return right_side / jnp.where(slope == 0.0, 1.0, slope)
 
     # the root is known: the search returns it, and implicit_root gives it the implicit derivative
-    root = implicit_root(excess, lower, lambda _, known_root: known_root, divide)
-    value = jnp.where(bracketed, jnp.where(at_once, 0.0, root), jnp.inf)
-    return FirstLimit(value=value, which=jnp.where(bracketed, index, -1))
+    root = implicit_root(excess, known, lambda _, known_root: known_root, divide)
+    return FirstLimit(jnp.where(reached, root, limit.value), limit.which)

@@ -163,7 +163,7 @@ export class JobList {
     const take = element("button", { type: "button" }, "Put this design on the page");
     take.addEventListener("click", () => this.takeOver({ name: item.state.name, toml: found.joint_text }));
     return [
-      element("p", { class: found.conflict ? "fail" : "pass" }, !found.conflict ? "✓ all limits are met" : `✗ ${found.conflict}`),
+      element("p", { class: found.conflict ? "fail" : "pass" }, found.conflict ? `✗ ${found.conflict}` : `✓ ${found.shown.met}`),
       element("p", {}, `${shown.goal[0].toUpperCase()}${shown.goal.slice(1)}: ${shown.after}, before ${shown.before}.`),
       scrolled("Free numbers", ["number", "before", "design", "bound"], rows),
       ...(limits.length ? [scrolled("Limits", ["limit", "actual", "required", "result"], limits)] : []),

@@ -70,15 +70,15 @@ function card(name, value, unit, detail, difference) {
   );
 }
 
-/** The capacity in the direction of the torque. */
-const capacityOf = (found) => (found.standing.forces.output_torque_Nm < 0 ? found.torque_capacity.reverse : found.torque_capacity);
+/** One of both directions: that of the torque. */
+const inItsDirection = (found, both) => (found.standing.forces.output_torque_Nm < 0 ? both.reverse : both);
 
-/** Torque capacity of a joint, and in words what limits it and where a first contact slips. */
+/** Torque capacity of a joint, and in words what limits it, and where the joint that stands slips. */
 function capacityWords(found) {
-  const capacity = capacityOf(found);
-  const first = capacity.first_slip;
-  if (!first || !(first.output_torque_Nm < (1 - 1e-6) * capacity.output_torque_Nm)) return [capacity.output_torque_Nm, capacity.meaning];
-  return [capacity.output_torque_Nm, `${capacity.meaning}; contact ${first.contact} slips at ${number(first.output_torque_Nm)} N·m`];
+  const capacity = inItsDirection(found, found.torque_capacity);
+  const standing = inItsDirection(found, found.standing_torque_capacity).output_torque_Nm;
+  if (standing === null || standing === capacity.output_torque_Nm) return [capacity.output_torque_Nm, capacity.meaning];
+  return [capacity.output_torque_Nm, `${capacity.meaning}; passes up to ${number(standing)} N·m standing`];
 }
 
 function cards(found, before) {

@@ -17,7 +17,15 @@ from asperity.results import RESULTS
 from asperity.study.batch import DERIVATIVE_BATCH, derivatives_at
 from asperity.study.design.design_evaluation import FARTHEST, DesignEvaluator, EvaluatedDesign
 from asperity.study.design.design_problem import SUMMARY, DesignProblem
-from asperity.study.design.design_result import OPTIMAL, DesignResult, LimitReport, StartReport
+from asperity.study.design.design_result import (
+    OPTIMAL,
+    DesignResult,
+    LimitReport,
+    StartReport,
+    crossed_limits,
+    joint_diagnostics,
+    met_words,
+)
 from asperity.study.design.design_search import (
     ACTIVE,
     FEASIBLE,
@@ -143,19 +151,24 @@ def _result(
 ) -> DesignResult:
     problem, goal = evaluator.problem, evaluator.problem.objectives[0]
     residual, multipliers = optimality(evaluator, best, fixed=fixed)
+    exact, reached = evaluator.point(best), _tight(evaluator, evaluator(best))
     point, best = shortened_design(evaluator, best, fixed)
     optimum = evaluator(best)
-    feasible = optimum.violation <= FEASIBLE
     starts = tuple(
         StartReport(evaluator.point(end), _worst_objective(evaluator, reached), reached.violation, converged)
         for end, reached, converged in ended
     )
-    verdict = "All limits are met." if feasible else "NOT all limits are met: this is the smallest violation."
-    if feasible and residual >= OPTIMAL and not any(start.converged for start in starts):
-        verdict = "All limits are met, but no search converged: this is no optimum."
-    head = f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}"
-    text = joint_file_text(problem.case, point, comment=head)
     _refuse_without_result(evaluator, optimum)
+    diagnostics = joint_diagnostics(joint_file_text(problem.case, point, comment=""))
+    judged = crossed_limits(problem, diagnostics)
+    feasible = optimum.violation <= FEASIBLE and not judged.crossed
+    verdict = met_words(feasible=feasible, allowed=judged.allowed, unknown=judged.unknown)
+    if not feasible and optimum.violation > FEASIBLE:
+        verdict += ": this is the smallest violation"
+    if feasible and residual >= OPTIMAL and not any(start.converged for start in starts):
+        verdict += ", but no search converged: this is no optimum"
+    head = f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}."
+    text = joint_file_text(problem.case, point, comment=head)
     status, before, _ = derivatives_at(
         evaluator.values, evaluator.scenarios.changes({}), evaluator.results, block=evaluator.block
     )
@@ -163,22 +176,26 @@ def _result(
     return DesignResult(
         problem=problem,
         feasible=feasible,
+        **judged._asdict(),
         point=point,
+        optimum=exact,
         at_bound={
             variable.path: "lower" if place < 0.5 else "upper"
-            for variable, place in zip(evaluator.variables, best, strict=True)
+            for variable, place in zip(evaluator.variables, evaluator.scaled(exact), strict=True)
             if not 1e-7 < place < 1.0 - 1e-7
         },
         objective_before=float(goal.sign * worst_before.max()),
         objective_after=_worst_objective(evaluator, optimum),
         objective_unrounded=unrounded,
+        missed_before=_missed(evaluator, before),
         summary_before=_summary(evaluator, status, before),
         summary_after=_summary(evaluator, optimum.status, optimum.values),
-        limits=tuple(_limits(evaluator, optimum, multipliers)),
+        limits=tuple(_limits(evaluator, optimum, multipliers, reached)),
         optimality_residual=residual,
         starts=starts,
         evaluations=evaluator.evaluations,
         joint_text=text,
+        diagnostics=diagnostics,
         nominal=nominal_results(text, evaluator.results, evaluator.block),
     )
 
@@ -239,10 +256,24 @@ def nominal_results(
     return {name: value[:, 0] for name, value in result_values.items()}
 
 
-def _limits(evaluator: DesignEvaluator, best: EvaluatedDesign, multipliers: np.ndarray) -> list[LimitReport]:
-    reports = []
+def _missed(evaluator: DesignEvaluator, values: dict[str, np.ndarray]) -> tuple[LimitReport, ...]:
+    """The limits that the joint of the file misses, from its results in all scenarios [SI]."""
+    margins = np.concatenate(evaluator.margins_of(values))
+    given = EvaluatedDesign(np.zeros(0), np.zeros(0), margins, np.zeros(0), np.zeros(0), values)
+    reports = _limits(evaluator, given, np.zeros(margins.size), _tight(evaluator, given))
+    return tuple(report for report in reports if not report.met)
+
+
+def _tight(evaluator: DesignEvaluator, best: EvaluatedDesign) -> np.ndarray:
+    """Which limits restrict a design, before its numbers are rounded to few digits."""
     tight = best.margins < ACTIVE - (best.violation if best.violation > FEASIBLE else 0.0)
-    tight |= best.margins + evaluator.existence_slack < ACTIVE
+    return tight | (best.margins + evaluator.existence_slack < ACTIVE)
+
+
+def _limits(
+    evaluator: DesignEvaluator, best: EvaluatedDesign, multipliers: np.ndarray, tight: np.ndarray
+) -> list[LimitReport]:
+    reports = []
     for constraint, (_, nearest) in zip(evaluator.problem.constraints, evaluator.nearest, strict=True):
         mine = [index for index, row in enumerate(evaluator.rows) if row.constraint is constraint]
         worst = min(mine, key=lambda index: best.margins[index])

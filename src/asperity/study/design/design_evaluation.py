@@ -199,6 +199,13 @@ class DesignEvaluator:
         self._last = (mark, design)
         return design
 
+    def margins_of(self, results: dict[str, np.ndarray]) -> list[np.ndarray]:
+        """Margins of each limit from results in all scenarios [SI], rows first, in the scenarios that count."""
+        return [
+            self._margins(limit, results[limit.name][np.ix_(np.array(limit.rows), self.counted)]).reshape(-1)
+            for limit in self.problem.constraints
+        ]
+
     def many(self, scaled: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Worst objectives and worst margins of many designs over the scenarios, without derivatives.
 

@@ -20,13 +20,13 @@ from asperity.reading import read_toml
 from asperity.results import LEVELS, RESULTS, Result, known_result, name_at_level
 from asperity.standing.windup import StiffnessLevel
 from asperity.study.design.design_problem import (
-    EXISTENCE,
     Constraint,
     DesignProblem,
     Objective,
     Variable,
     WorstCase,
 )
+from asperity.study.design.implied_limits import implied_limits
 from asperity.study.design.rounding import MOST_STEPPED
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, parse_quantity
@@ -126,7 +126,7 @@ def design_from_tables(
         level=level,
         variables=tuple(variables),
         objectives=objectives,
-        constraints=(*constraints, *_implied(constraints, known)),
+        constraints=(*constraints, *implied_limits(constraints, case, values, known)),
         worst_case=worst_case,
         starts=starts,
         seed=seed,
@@ -345,16 +345,6 @@ def _refuse_other_sense(values: Values, limit: float, written: str) -> None:
             f"{written} is not allowed; input and output of this drive turn in {turn}, its speed_ratio is {ratio:.4g}; "
             "limit absolute_speed_ratio, which has no sign"
         )
-
-
-def _implied(stated: Sequence[Constraint], results: Mapping[str, Result]) -> Iterator[Constraint]:
-    """Limits of existence, :data:`EXISTENCE`, without those that are stated for all contacts."""
-    for (name, at_most), bound in EXISTENCE.items():
-        if name not in results:
-            continue
-        rows = tuple(range(len(results[name].row_names)))
-        if not any(c.name == name and c.at_most == at_most and c.rows == rows for c in stated):
-            yield Constraint(name, at_most, bound, rows, implied=True)
 
 
 def _worst_case(table: dict[str, Any]) -> WorstCase:

@@ -92,7 +92,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
             outside = np.where(joint, margin, np.nan)
             if np.nanmin(outside, initial=np.inf) < -FEASIBLE:
                 axes.contourf(x, y, outside, levels=[-np.inf, -FEASIBLE], colors=["white"])
-        keys.append(Patch(facecolor="#cfe3f1", edgecolor="0.5", label="all limits met"))
+        keys.append(Patch(facecolor="#cfe3f1", edgecolor="0.5", label="limits of the design met"))
     if np.nanmin(values, initial=np.inf) < np.nanmax(values, initial=-np.inf):
         lines = axes.contour(x, y, values.reshape(count, count), levels=8, colors="0.55", linewidths=0.8)
         axes.clabel(lines, fmt=plain_number, fontsize="x-small")
@@ -106,7 +106,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
         colour, line = _LINES[drawn % len(_LINES)]
         drawn += 1
         keys.append(draw_limit(axes, x, y, field, colour, line, label=limit_text(constraint, problem.table)))
-    judged = "all limits met" if result.feasible else "a limit is violated"
+    judged = "limits of the design met" if result.feasible else "a limit is violated"
     keys.append(
         Line2D([], [], color="C3", marker="o", markersize=8, linestyle="none", label=f"design: {judged}")
     )

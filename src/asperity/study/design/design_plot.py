@@ -57,9 +57,9 @@ def design_figure(result: DesignResult, *, width: float | None = None) -> Figure
         fine = joint & (least >= -FEASIBLE)
         fine[place] = result.feasible  # as the search has judged it
         here = from_si(result.point[variable.path], key.unit)
-        judged = "all limits met" if result.feasible else "a limit is violated"
+        judged = "limits of the design met" if result.feasible else "a limit is violated"
         axes.plot(x, y, color="0.65", lw=1.5, label="a limit is violated")
-        axes.plot(x, np.where(fine, y, np.nan), color="C0", lw=2.5, label="all limits met")
+        axes.plot(x, np.where(fine, y, np.nan), color="C0", lw=2.5, label="limits of the design met")
         axes.plot(
             here,
             from_si(result.objective_after, objective.display_unit),

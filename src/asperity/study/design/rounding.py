@@ -20,10 +20,13 @@ from asperity.units import from_si, parse_quantity
 MOST_STEPPED = 6
 
 #: Significant digits with which the rounding of the other variables begins, in the unit of the joint file.
-FEWEST_DIGITS = 7
+FEWEST_DIGITS = 4
 
 #: Relative change of the objective that their rounding may cause.
-_SAME = 1e-6
+_SAME = 1e-3
+
+#: Variables that are rounded up and down in every combination; of more, one after the other.
+_COMBINED = 6
 
 #: Combinations of rounded values for which the other variables are optimised again: the most promising ones.
 _REFINED = 8
@@ -77,40 +80,97 @@ def rounded_design(
             tried.append(local_optimum(evaluator, design, fixed=fixed)[0])
             count.step()
 
-    def rank(design: np.ndarray) -> tuple[float, float, float]:
-        lack, violation = violation_rank(evaluator, design)
-        return lack, max(violation, FEASIBLE), float(evaluator(design).objective[0].max())
-
-    return min(tried, key=rank), fixed
+    return min(tried, key=lambda design: _rank(evaluator, design)), fixed
 
 
 def shortened_design(
     evaluator: DesignEvaluator, scaled: np.ndarray, fixed: np.ndarray
 ) -> tuple[dict[str, float], np.ndarray]:
-    """The same design with as few digits as it needs, shape (n,) [SI]."""
-    exact, point = evaluator(scaled), evaluator.point(scaled)
-    kind = type_of(evaluator.values)
-    keys = [key_at(variable.path, kind) for variable in evaluator.variables]
-    positive = np.array([RESULTS[goal.name].positive for goal in evaluator.problem.objectives])[:, None]
-    size = np.where(positive, 1.0, np.abs(exact.objective))  # of positive results it is the logarithm
+    """The same design with as few digits as keep its limits, each number rounded up or down, shape (n,) [SI].
+
+    Four digits or more, so that the objective changes by no more than a thousandth; so may the violation of a design
+    that misses a limit, which exists before and after.
+    """
+    exact = evaluator(scaled)
+    allowed = FEASIBLE if exact.violation <= FEASIBLE else exact.violation + _SAME
+    objectives = np.array([np.max(goal) for goal in exact.objective])
+    positive = np.array([RESULTS[goal.name].positive for goal in evaluator.problem.objectives])
+    size = np.where(positive, 1.0, np.abs(objectives))  # of positive results it is the logarithm
     for digits in range(FEWEST_DIGITS, 16):
-        shorter = {
-            variable.path: point[variable.path]
-            if keep
-            else min(max(_rounded(point[variable.path], key, digits), variable.lower), variable.upper)
-            for variable, key, keep in zip(evaluator.variables, keys, fixed, strict=True)
-        }
-        place = evaluator.scaled(shorter)
-        rounded = evaluator(place)
-        if rounded.violation <= max(FEASIBLE, exact.violation) and np.all(
-            np.abs(rounded.objective - exact.objective) <= _SAME * size
-        ):
-            return shorter, place
-    return point, scaled
+        places = _rounded_places(evaluator, scaled, fixed, digits)
+        for place in sorted(places, key=lambda place: _rank(evaluator, place)):
+            rounded = evaluator(place)
+            changed = np.array([np.max(goal) for goal in rounded.objective]) - objectives
+            lack = evaluator.nonexistence(rounded) - evaluator.nonexistence(exact)
+            if rounded.violation <= allowed and lack <= FEASIBLE and np.all(changed <= _SAME * size):
+                return _stated(evaluator, place, fixed, digits), place
+    return evaluator.point(scaled), scaled
 
 
-def _rounded(value: float, key: Key, digits: int) -> float:
-    """A value [SI] that has few digits in the unit of its key."""
-    return parse_quantity(
-        f"{from_si(value, key.unit):.{digits}g} {key.unit}".removesuffix(" 1"), key.dimension
-    )
+def _rounded_places(
+    evaluator: DesignEvaluator, scaled: np.ndarray, fixed: np.ndarray, digits: int
+) -> list[np.ndarray]:
+    """The most promising designs whose free variables are rounded up or down to so many digits."""
+    point, kind = evaluator.point(scaled), type_of(evaluator.values)
+    choices = []
+    for variable, place, keep in zip(evaluator.variables, scaled, fixed, strict=True):
+        ways = _both_ways(point[variable.path], key_at(variable.path, kind), digits)
+        within = [variable.to_unit(min(max(value, variable.lower), variable.upper)) for value in ways]
+        if abs(within[1] - place) < abs(within[0] - place):
+            within.reverse()
+        choices.append([float(place)] if keep else list(dict.fromkeys(within)))
+    if len(choices) > _COMBINED:
+        return [_one_by_one(evaluator, choices)]
+    combinations = np.clip(np.array(list(itertools.product(*choices))), 0.0, 1.0)
+    worst, margins = evaluator.many(combinations)
+    order = np.lexsort((worst[:, 0], np.maximum(-margins.min(axis=1), FEASIBLE)))
+    return [combinations[k] for k in order[:3]]
+
+
+def _one_by_one(evaluator: DesignEvaluator, choices: list[list[float]]) -> np.ndarray:
+    """All variables rounded to the nearest, then those the other way that lessens the violation."""
+    place = np.clip(np.array([nearest[0] for nearest in choices]), 0.0, 1.0)
+    for index, ways in enumerate(choices):
+        for way in ways[1:]:
+            other = place.copy()
+            other[index] = np.clip(way, 0.0, 1.0)
+            place = min(place, other, key=lambda design: _rank(evaluator, design))
+    return place
+
+
+def _rank(evaluator: DesignEvaluator, place: np.ndarray) -> tuple[float, float, float]:
+    """Lack of existence, violation, objective, to be compared."""
+    lack, violation = violation_rank(evaluator, place)
+    return lack, max(violation, FEASIBLE), float(evaluator(place).objective[0].max())
+
+
+def _stated(
+    evaluator: DesignEvaluator, place: np.ndarray, fixed: np.ndarray, digits: int
+) -> dict[str, float]:
+    """Values of a rounded design, exactly those of the texts with so many digits [SI]."""
+    point, kind = evaluator.point(place), type_of(evaluator.values)
+    return {
+        variable.path: point[variable.path]
+        if keep or point[variable.path] in (variable.lower, variable.upper)
+        else _nearest(point[variable.path], key_at(variable.path, kind), digits)
+        for variable, keep in zip(evaluator.variables, fixed, strict=True)
+    }
+
+
+def _both_ways(value: float, key: Key, digits: int) -> tuple[float, float]:
+    """The values [SI] below and above, or the value itself, that have so few digits in the unit of a key."""
+    shown = from_si(value, key.unit)
+    if shown == 0.0:
+        return value, value
+    step = 10.0 ** (math.floor(math.log10(abs(shown))) - digits + 1)
+    low, high = (way(round(shown / step, 6)) * step for way in (math.floor, math.ceil))
+    return _read(low, key, digits), _read(high, key, digits)
+
+
+def _nearest(value: float, key: Key, digits: int) -> float:
+    """The value [SI] that has so few digits in the unit of a key."""
+    return _read(from_si(value, key.unit), key, digits)
+
+
+def _read(shown: float, key: Key, digits: int) -> float:
+    return parse_quantity(f"{shown:.{digits}g} {key.unit}".removesuffix(" 1"), key.dimension)

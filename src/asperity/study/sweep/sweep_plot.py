@@ -29,6 +29,7 @@ _PREFERRED = (
     "series_with_bulk_stiffness_output",
     "published_stiffness_output",
     "torque_capacity",
+    "standing_torque_capacity",
     "slip_ratio",
 )
 _CURVES = 6

@@ -99,7 +99,7 @@ def branch_scatter(
         added += (quantiles(entry, scatter, uniform) - entry.value)[:, :, None] * track.per_size
     solution = solve_joint(joint)
     forward = float(joint.output_torque) >= 0.0
-    capacity = solution.capacity if forward else solution.reverse_capacity
+    capacity = solution.standing_capacity if forward else solution.reverse_standing_capacity
     rows = []
     for index in range(draws):
         rows.append(_one(joint, dataclasses.replace(base, added=added[index])))

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 _BARS = 14
 _TITLE = 30  # characters in a line above a panel
-_PANELS = ("assembly_stiffness_output", "published_stiffness_output", "torque_capacity")
+_PANELS = ("assembly_stiffness_output", "published_stiffness_output", "standing_torque_capacity")
 _POSITIVE, _NEGATIVE = "#2f6fb0", "#c8553d"
 
 

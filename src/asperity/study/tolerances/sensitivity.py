@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 #: Results that are differentiated unless others are asked for, where the drive has them.
 DEFAULT_RESULTS = (
     *(f"{level}_stiffness_output" for level in LEVELS),
-    "torque_capacity",
+    "standing_torque_capacity",
     "slip_ratio",
     "pressure_over_first_yield",
     "self_locking_ratio",

@@ -1,0 +1,374 @@
+"""Torque capacity of a joint: the largest torque before its first limit of function or damage, standing or rolling.
+
+The limits are those of the search for slip (:mod:`asperity.joint.capacity`), standing and in rolling, and every row of
+the tables of results that is judged as function or damage: a new row of that kind limits the capacity by itself.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any, NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.drive.layout.wedge import wedges
+from asperity.drive.state.first_limit import (
+    FARTHEST,
+    FirstLimit,
+    first_limit_of_numbers,
+    searched_limit,
+    with_derivative,
+)
+from asperity.drive.state.states import DriveStates
+from asperity.joint.assembled import Pressed
+from asperity.joint.capacity import first_guess, limits_of, loading
+from asperity.joint.description import Joint, in_motion
+from asperity.joint.evaluation import joint_result
+from asperity.joint.solve import joint_state
+from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, kind_words
+from asperity.results import contact_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
+from asperity.results.notes import Severity
+from asperity.results.result import Result
+from asperity.results.solved import SolvedJoint
+from asperity.types import namespace
+
+#: Severities of the limits that a torque must keep.
+JUDGED: tuple[Severity, ...] = ("function", "damage")
+
+#: Judged rows whose limit the search for slip finds by itself, and the kind of limit that it is there.
+FOUND_BY_SEARCH = {
+    "slip_ratio": "gross_slip",
+    "normal_force_over_preload": "lift_off",
+    "balance_residual": "no_solution",
+    "closure_residual": "no_solution",
+}
+
+#: All other judged rows, of any drive.
+JUDGED_ROWS: tuple[Result, ...] = tuple(
+    row
+    for rows in (stiffness_rows, contact_rows, limit_rows, rolling_rows, load_rows)
+    for row in rows.ROWS
+    if row.limit is not None and row.limit.severity in JUDGED and row.name not in FOUND_BY_SEARCH
+)
+
+#: What a limit of the search is called where it is reached in rolling.
+_IN_ROLLING = "rolling_"
+
+#: Limits of a torque capacity, by the codes of :class:`JointCapacity`: of the search standing, in rolling, of rows.
+CAPACITY_LIMITS = (
+    *LIMIT_KINDS,
+    *(f"{_IN_ROLLING}{kind}" for kind in LIMIT_KINDS[1:]),
+    *(row.name for row in JUDGED_ROWS),
+)
+
+#: Share of the torque at which a contact slips up to which rows are looked at: at it, their states need not exist.
+_BELOW = 1.0 - 1e-9
+
+#: Parts of a drive at which a limit can be reached: axes of results, in the order of the codes of places.
+PLACE_AXES = ("contact", "body", "bearing", "pin")
+
+
+class JointCapacity(eqx.Module):
+    """The torque capacity of a joint in one direction, or in both along the first axis.
+
+    ``output_torque``: the largest that keeps every limit of function and damage, standing and in rolling [N·m]; 0 where
+    one is crossed without torque, infinite where none is ever reached. ``limit``: code of the first one in
+    :data:`CAPACITY_LIMITS`; ``place``: number of its contact, body, bearing or pin in :func:`place_names`.
+    """
+
+    output_torque: Array
+    limit: Array
+    place: Array
+
+
+class _Entry(NamedTuple):
+    """One limit at one place: its code and that of the place."""
+
+    limit: int
+    place: int
+
+
+def place_names(solved: SolvedJoint) -> tuple[str, ...]:
+    """Names of the places at which a limit can be reached, by their codes; the last one is none of them."""
+    return place_labels({axis: solved.row_names(axis) for axis in PLACE_AXES})
+
+
+def place_labels(names: dict[str, tuple[str, ...]]) -> tuple[str, ...]:
+    """The same from the names of the parts of a drive: bearings and pins say that they are, bodies have those names."""
+    endings = {"bearing": "_bearing", "pin": "_pin"}
+    labels = [f"{name}{endings.get(axis, '')}" for axis in PLACE_AXES for name in names[axis]]
+    return (*labels, "none")
+
+
+def torque_capacities(solved: SolvedJoint) -> JointCapacity:
+    """Torque capacities of a joint for positive and negative torques, as positive numbers, along the first axis.
+
+    Equation (A9) of :doc:`/equations`. Of a joint that was solved by itself from the programs that solved it; of one in
+    a program with derivatives.
+    """
+    return solved.once(_of_numbers if "solution" in vars(solved) else _of_program)
+
+
+def torque_capacity(solved: SolvedJoint, *, reverse: bool = False) -> JointCapacity:
+    """The same for positive torques, or for negative ones."""
+    both = torque_capacities(solved)
+    return jax.tree.map(lambda leaf: leaf[int(reverse)], both)
+
+
+def capacity_of_direction(solved: SolvedJoint) -> JointCapacity:
+    """The same in the direction of the output torque."""
+    both, torque = torque_capacities(solved), solved.joint.output_torque
+    xp = namespace(both, torque)
+    return jax.tree.map(lambda leaf: xp.where(torque < 0.0, leaf[1], leaf[0]), both)
+
+
+def torque_safety(solved: SolvedJoint) -> Any:
+    """Torque capacity over the torque, both in the direction of the torque [-]; 0 where there is no capacity."""
+    capacity = jnp.asarray(capacity_of_direction(solved).output_torque)
+    return jnp.where(capacity > 0.0, capacity / jnp.abs(jnp.asarray(solved.joint.output_torque)), 0.0)
+
+
+def excesses_of_rows(solved: SolvedJoint) -> Array:
+    """By how much the judged rows of a joint exceed their limits, in the order of the rows' entries [-]."""
+    excesses = []
+    for row in _rows_of(solved):
+        assert row.limit is not None
+        value = row.of(solved)
+        if isinstance(value, list | tuple):
+            value = jnp.stack(jnp.broadcast_arrays(*value))
+        excess = row.limit.excess(namespace(value).asarray(value, dtype=float))
+        excesses.append(namespace(excess).atleast_1d(excess)[np.array(_places_of(row, solved))])
+    xp = namespace(*excesses)
+    together: Array = xp.concatenate([*excesses, xp.zeros(0)])
+    return together
+
+
+def _rows_of(solved: SolvedJoint) -> list[Result]:
+    """The judged rows that a joint has."""
+    of_drive = [row for row in JUDGED_ROWS if not row.needs_wedges or wedges(solved.joint.drive)]
+    return [row for row in of_drive if _places_of(row, solved)]
+
+
+def _places_of(row: Result, solved: SolvedJoint) -> list[int]:
+    """Which rows of a result a joint has, by number."""
+    count = 1 if row.axis == "one" else len(solved.row_names(row.axis))
+    present = (True,) * count if row.present is None else row.present(solved)
+    return [number for number, exists in enumerate(present) if exists]
+
+
+def _entries_of_search(solved: SolvedJoint, prefix: str) -> list[_Entry]:
+    """The limits of the search for slip, standing or with the prefix of rolling, in the order of their excesses."""
+    contacts, nowhere = len(solved.row_names("contact")), len(place_names(solved)) - 1
+    return [
+        _Entry(CAPACITY_LIMITS.index(f"{prefix}{kind}"), contact if contact < contacts else nowhere)
+        for kind, contact in limits_of(solved.joint)
+    ]
+
+
+def _entries_of_rows(solved: SolvedJoint) -> list[_Entry]:
+    """The limits of the judged rows, in the order of their excesses."""
+    counts = [len(solved.row_names(axis)) for axis in PLACE_AXES]
+    starts = dict(zip(PLACE_AXES, np.cumsum([0, *counts]).tolist(), strict=False))
+    return [
+        _Entry(
+            CAPACITY_LIMITS.index(row.name),
+            starts[row.axis] + number if row.axis in starts else sum(counts),
+        )
+        for row in _rows_of(solved)
+        for number in _places_of(row, solved)
+    ]
+
+
+def _named(solved: SolvedJoint, limit: FirstLimit, entries: list[_Entry]) -> JointCapacity:
+    nothing = _Entry(CAPACITY_LIMITS.index("none"), len(place_names(solved)) - 1)
+    codes, places = zip(nothing, *entries, strict=True)
+    xp = namespace(limit)
+    return JointCapacity(limit.value, xp.asarray(codes)[1 + limit.which], xp.asarray(places)[1 + limit.which])
+
+
+def _under(solved: SolvedJoint, torque: float) -> SolvedJoint:
+    """One joint, solved, under another output torque [N·m]; what its duty does to its bearings is not that torque's."""
+    there: Any = np.asarray(torque, dtype=float)
+    joint = dataclasses.replace(solved.joint, output_torque=there)
+    under = SolvedJoint(joint, joint_state(joint), solved.laws)
+    if joint.rolling.duty and any(under.has_bearings):
+        under.bearings = SolvedJoint(_without_duty(joint), under.result, solved.laws).bearings
+    return under
+
+
+def _without_duty(joint: Joint) -> Joint:
+    return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
+
+
+def _of_numbers(solved: SolvedJoint) -> JointCapacity:
+    """Both directions of one joint, of NumPy's numbers, whose slip is known: the rows are looked at below it."""
+    solution, entries = solved.solution, _entries_of_rows(solved)
+    of_slip = (
+        ((solution.first_slip, ""), (solution.rolling_capacity, _IN_ROLLING)),
+        ((solution.reverse_first_slip, ""), (solution.reverse_rolling_capacity, _IN_ROLLING)),
+    )
+    both = [
+        _in_direction(solved, sign, [_slip(solved, *slip) for slip in slips], entries)
+        for sign, slips in zip((1.0, -1.0), of_slip, strict=True)
+    ]
+    return jax.tree.map(lambda *ways: np.stack(ways), *both)
+
+
+def _slip(solved: SolvedJoint, capacity: TorqueCapacity, prefix: str) -> JointCapacity:
+    """A capacity of the search for slip as one of all limits."""
+    kind, contact = LIMIT_KINDS[int(capacity.limit)], int(capacity.limiting_contact)
+    code = CAPACITY_LIMITS.index(kind if kind == "none" else f"{prefix}{kind}")
+    place = contact if contact < len(solved.joint.drive.contacts) else len(place_names(solved)) - 1
+    numbers: list[Any] = [np.asarray(number) for number in (capacity.output_torque, code, place)]
+    return JointCapacity(*numbers)
+
+
+def _in_direction(
+    solved: SolvedJoint, sign: float, slips: list[JointCapacity], entries: list[_Entry]
+) -> JointCapacity:
+    """The capacity of one joint in the direction of a sign: slip, unless a row exceeds its limit below."""
+    slip = min(slips, key=lambda capacity: float(capacity.output_torque))
+
+    def excesses(torque: Any) -> Any:
+        return np.asarray(excesses_of_rows(_under(solved, sign * float(torque))))
+
+    if not entries:
+        return slip
+    guess = first_guess(solved.joint, solved.result.rest)
+    found = first_limit_of_numbers(excesses=excesses, **_up_to(slip.output_torque, guess))
+    return _named(solved, found, entries) if np.isfinite(found.value) else slip
+
+
+def _up_to(slip: Any, guess: Any) -> dict[str, Any]:
+    """Where the search for a limit of the rows begins, and how far it goes: to the torque at which a contact slips."""
+    xp = namespace(slip, guess)
+    known = xp.isfinite(slip) & (slip > 0.0)
+    return {
+        "first_guess": xp.where(known, _BELOW * xp.where(known, slip, 1.0), guess),
+        "farthest": xp.where(slip > 0.0, xp.where(known, 1.0, FARTHEST), 0.0),
+    }
+
+
+def _of_program(solved: SolvedJoint) -> JointCapacity:
+    """Both directions of a joint inside a program, with derivatives."""
+    joint = _without_duty(in_motion(solved.joint))
+    assert solved.laws is not None
+    without_torque = Pressed(solved.laws, solved.result.rest)
+    loaded, guess = loading(joint, without_torque), jnp.asarray(first_guess(joint, solved.result.rest))
+    at_rest, in_rolling = (_entries_of_search(solved, prefix) for prefix in ("", _IN_ROLLING))
+    before_rows = len(at_rest) + len(in_rolling)
+
+    @jax.jit  # traced once for the search and for the derivative
+    def excesses(torque: Array) -> Array:
+        """Of the search, standing and in rolling, then of the rows; every contact that stands holds."""
+        standing, rolling = _both(
+            jax.lax.map(lambda rolls: loaded(torque, rolls, ~rolls), jnp.array([False, True]))
+        )
+        pressed = None if joint.cam is None else standing.pressed
+        states = DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
+        there = dataclasses.replace(joint, output_torque=torque)
+        result = joint_result(there, without_torque.laws, states)
+        rows = excesses_of_rows(SolvedJoint(there, result, without_torque.laws))
+        return jnp.concatenate([standing.excesses, rolling.excesses, jnp.asarray(rows)])
+
+    def slip_of(given: tuple[Array, Array]) -> FirstLimit:
+        """Where the first contact slips standing, or in rolling."""
+        sign, rolls = given
+        return searched_limit(
+            excesses=lambda torque: loaded(sign * torque, rolls, ~rolls).excesses, first_guess=guess
+        )
+
+    def first_of(given: tuple[Array, FirstLimit]) -> FirstLimit:
+        """The slip, unless a row exceeds its limit below it."""
+        sign, slip = given
+        rows = searched_limit(
+            excesses=lambda torque: excesses(sign * torque)[before_rows:], **_up_to(slip.value, guess)
+        )
+        rows = rows._replace(which=before_rows + rows.which)
+        first = jax.tree.map(lambda *leaves: jnp.where(jnp.isfinite(rows.value), *leaves), rows, slip)
+        return with_derivative(excesses=lambda torque: excesses(sign * torque), limit=first)
+
+    ways = jnp.array([1.0, -1.0])
+    slips = jax.lax.map(slip_of, (jnp.tile(ways, 2), jnp.repeat(jnp.array([False, True]), 2)))
+    standing, rolling = _both(jax.tree.map(lambda leaf: leaf.reshape(2, 2), slips))
+    rolling = rolling._replace(which=jnp.where(rolling.which < 0, -1, len(at_rest) + rolling.which))
+    stands = standing.value <= rolling.value
+    slip = jax.tree.map(lambda *leaves: jnp.where(stands, *leaves), standing, rolling)
+    entries = [*at_rest, *in_rolling, *_entries_of_rows(solved)]
+    return _named(solved, jax.lax.map(first_of, (ways, slip)), entries)
+
+
+def _both(pair: Any) -> tuple[Any, Any]:
+    """The two parts of arrays along their first axis."""
+    first, second = (jax.tree.map(lambda leaf, i=i: leaf[i], pair) for i in range(2))
+    return first, second
+
+
+def capacity_words(solved: SolvedJoint, capacity: JointCapacity) -> str:
+    """What limits the torque capacity of one joint in one direction, and how: "contact sp slips, in rolling"."""
+    limit = CAPACITY_LIMITS[int(capacity.limit)]
+    if limit == "none":
+        return kind_words(limit, "none")
+    if limit == f"{_IN_ROLLING}no_solution":
+        return "no steady rolling is found" + " without torque" * (float(capacity.output_torque) == 0.0)
+    state, place = _state(solved, limit), int(capacity.place)
+    if limit in LIMIT_KINDS or limit.startswith(_IN_ROLLING):
+        contact = (*solved.row_names("contact"), "none")[min(place, len(solved.row_names("contact")))]
+        said = kind_words(limit.removeprefix(_IN_ROLLING), contact)
+    else:
+        (row,) = (row for row in JUDGED_ROWS if row.name == limit)
+        assert row.limit is not None
+        where = _place_words(solved, place)
+        said = (
+            f"{where} {row.limit.beyond}" if row.limit.beyond else f"{row.label} beyond its limit at {where}"
+        )
+    return f"{said} without torque" if float(capacity.output_torque) == 0.0 else f"{said}, {state}"
+
+
+def _state(solved: SolvedJoint, limit: str) -> str:
+    """Whether a limit is one of the joint that stands, or that rolls: loads are those of rolling where it turns."""
+    works = "in rolling" if float(solved.joint.input_speed) != 0.0 else "standing"
+    by_row = {row.name: row.value for row in JUDGED_ROWS}
+    if limit in LIMIT_KINDS:
+        return "standing"
+    if limit not in by_row:
+        return "in rolling"
+    value = by_row[limit]
+    if isinstance(value, str) and value.startswith("result."):
+        return "in rolling" if value.startswith("result.rolling.") else "standing"
+    return works
+
+
+def _place_words(solved: SolvedJoint, place: int) -> str:
+    for axis in PLACE_AXES:
+        names = solved.row_names(axis)
+        if place < len(names):
+            name = names[place] if axis == "contact" else names[place].replace("_", " ")
+            return name if axis == "body" else f"{axis} {name}"
+        place -= len(names)
+    return "the drive"
+
+
+def torque_capacity_document(solved: SolvedJoint) -> dict[str, Any]:
+    """The torque capacity of one joint in both directions as a part of its JSON document [N·m]."""
+    forward, reverse = (_document(solved, torque_capacity(solved, reverse=way)) for way in (False, True))
+    return {**forward, "reverse": reverse}
+
+
+def _document(solved: SolvedJoint, capacity: JointCapacity) -> dict[str, Any]:
+    torque, limit = float(capacity.output_torque), CAPACITY_LIMITS[int(capacity.limit)]
+    place = place_names(solved)[int(capacity.place)]
+    at_least = limit.removeprefix(_IN_ROLLING) in MODEL_LIMITS
+    return {
+        "output_torque_Nm": torque if math.isfinite(torque) else None,
+        "limit": limit,
+        "limiting_place": None if place == "none" else place,
+        "state": None if limit == "none" else _state(solved, limit),
+        "meaning": capacity_words(solved, capacity) + ("; the joint may carry more" if at_least else ""),
+        "is_lower_bound": at_least,
+    }
