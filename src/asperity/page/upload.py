@@ -10,7 +10,7 @@ from typing import Any, Literal
 from asperity.errors import InputError, printable, quoted
 from asperity.joint_file.reader import parse_case
 from asperity.page.answer import stated_values
-from asperity.page.child import Child, file_name
+from asperity.page.child import LONGEST_END, Child, file_name
 from asperity.page.computation import Computations
 from asperity.page.joint_request import LONGEST_NAME, refuse_named_files
 from asperity.reading import LARGEST_FILE, parse_toml
@@ -128,10 +128,11 @@ class Measurements:
         self._child = child
 
     def close(self) -> None:
-        """End the measurement that runs, and drop those that wait."""
+        """End the measurement that runs, whose folder is gone then, and drop those that wait."""
         self._waiting.close()
         if self._child is not None:
             self._child.stop()
+        self._waiting.close(longest=LONGEST_END)
 
 
 def measured_upload(
