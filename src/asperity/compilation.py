@@ -178,6 +178,8 @@ def _compiled(function: Callable[..., Any], options: tuple[Any, ...], structure:
             ctypes.CDLL(None).malloc_trim(0)
     request = Request(function, options, structure, kinds)
     known = kept(request, _COMPILE_FAST)
+    if known is not None and not known.is_as_stated:
+        known = None
     traced = _traced(request) if known is None else None
     compiled = _compilers().submit(_ready, request, _COMPILE_FAST, known, traced)
     outcome = known or traced
