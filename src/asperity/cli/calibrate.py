@@ -11,11 +11,11 @@ from asperity.cli.terminal import (
     json_option,
     prepare_computation,
     print_json,
+    read_option,
     save_image,
     say_written,
 )
 from asperity.unit_table import Dimension
-from asperity.units import parse_quantity
 from asperity.writing import check_file, check_image, write_text
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def calibrate(
     check_file(out, file, *data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
-    error_of_model = parse_quantity(model_error, Dimension.DIMENSIONLESS)
+    error_of_model = read_option("model-error", model_error, Dimension.DIMENSIONLESS)
     case = read_case_of_branches(file)
     prepare_computation()
     from asperity.study.calibration.calibrate import calibrate_files, calibrated_text

@@ -115,7 +115,10 @@ def sweep(
     streamed = out is not None and Path(out).suffix == ".zarr"
     if units is not None and streamed:
         raise InputError("--units: a folder .zarr is in SI units; write .nc, .parquet or .csv for others")
-    shown_units = asked_units(_listed(units), axes=grid, results=computed)
+    try:
+        shown_units = asked_units(_listed(units), axes=grid, results=computed)
+    except InputError as error:
+        raise InputError(f"--units: {error}") from None
     if out is not None and not streamed:
         check_table_path(out, overwrite=overwrite)
     check_image(plot)

@@ -64,6 +64,14 @@ def _loosening(housing: Housing, ring: Material, seat_radius: Real) -> Real:
     return 2.0 * seat_radius * (housing.material.thermal_expansion - ring.thermal_expansion)
 
 
+def housing_room(joint: Joint) -> Array:
+    """Wall of the housing around each ring that it holds, shape (rings,) [m]; not above 0 where it lies inside it."""
+    held = [_parts(joint, number) for number, holds in enumerate(seated(joint)) if holds]
+    return jnp.stack(
+        [jnp.asarray(housing.outer_radius - seat) for housing, _, _, seat in held] or [jnp.ones(())]
+    )
+
+
 def refuse_housing(joint: Joint) -> None:
     """Refuse a housing that lies inside one of its rings."""
     for number in (number for number, holds in enumerate(seated(joint)) if holds):

@@ -92,6 +92,8 @@ class Result:
         What else has to be said about it.
     present : callable or None
         Which of its rows a joint has; the others are not judged. None: all of them.
+    only : str
+        What has it, in a sentence, where ``present`` is stated: why the other rows are absent.
     needs_wedges : bool
         Whether only a drive with wedges between planets and ring has it.
     rows : tuple of str
@@ -115,6 +117,7 @@ class Result:
     categories: tuple[str, ...] = ()
     note: str = ""
     present: Callable[[SolvedJoint], tuple[bool, ...]] | None = None
+    only: str = ""
     needs_wedges: bool = False
     rows: tuple[str, ...] = ()
 
@@ -122,6 +125,16 @@ class Result:
     def si_unit(self) -> str:
         """SI unit; ``"1"`` for a ratio."""
         return self.dimension.si_unit
+
+    @property
+    def has_none(self) -> str:
+        """Where it has no value although the joint has a solution, by its note; empty where that says nothing.
+
+        As in ``"without lubrication.viscosity or where the input stands"``.
+        """
+        return " or ".join(
+            part.removeprefix("nan ") for part in self.note.split("; ") if part.startswith("nan ")
+        )
 
     @property
     def of_rims(self) -> bool:

@@ -51,6 +51,10 @@ class JointSize(eqx.Module):
         return 0.25 * jnp.pi * self.envelope_diameter**2 * self.envelope_length
 
 
+#: Why contacts lack what :func:`has_spots` says they have.
+ONLY_SPOTS = "only contacts whose law is zou_2025, that of fractal_dimension and fractal_roughness, have it"
+
+
 def has_spots(solved: SolvedJoint) -> tuple[bool, ...]:
     """Which contacts have a law that knows their spots: those of fractal surfaces."""
     return (isinstance(solved.joint.surfaces[0], Surface),) * len(solved.joint.drive.contacts)

@@ -201,6 +201,8 @@ def _refuse_without_result(evaluator: DesignEvaluator, optimum: EvaluatedDesign)
         )
     goal = problem.objectives[0].name
     if goal in unknown:
+        if np.all(status == 0) and (none := RESULTS[goal].has_none):
+            raise NoSolutionError(f"the nearest design found has no value of {goal}: there is none {none}")
         raise NoSolutionError(
             f"the nearest design found has no value of {goal}: its joint slips, lifts off or is not carried; widen the "
             "bounds, or lower the torque"
