@@ -2,6 +2,7 @@
 
 import ast
 import io
+import json
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,7 @@ from rich.console import Console
 
 from asperity import errors
 from asperity.cli.commands import asperity
-from asperity.cli.terminal import WIDEST, about, console, progress_bar, table
+from asperity.cli.terminal import WIDEST, about, console, print_json, progress_bar, table
 from asperity.errors import InputError, MissingExtraError, NoSolutionError
 
 
@@ -179,3 +180,11 @@ def test_every_option_that_a_message_names_exists():
     named.discard("-unit")  # the end of two of them
     assert len(named) > 10
     assert named <= known
+
+
+def test_a_document_has_no_half_characters(capsys):
+    """Names of files that are not UTF-8 hold them; JSON of control characters is JSON."""
+    print_json({"one": "we\x07lle\udcfc", "\udcfc": ["µ\U0001f600", 1.5, None, ("\udcff",)]})
+    read = json.loads(capsys.readouterr().out)
+    assert read == {"one": "we\x07lle\\udcfc", "\\udcfc": ["µ\U0001f600", 1.5, None, ["\\udcff"]]}
+    json.dumps(read, ensure_ascii=False).encode()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import json_option, read_option, save_image
+from asperity.cli.terminal import in_unicode, json_option, read_option, save_image
 from asperity.writing import check_file, check_image, replacing
 
 if TYPE_CHECKING:
@@ -168,7 +168,7 @@ def measure(
         shown, direction = measured.topographies, measured.direction
         save_image(measurement_figure(surfaces=shown, fit=measured.fit, direction=direction), plot)
     if as_json:
-        click.echo(json.dumps(files_document(measured), indent=2))
+        click.echo(json.dumps(in_unicode(files_document(measured)), indent=2))
     else:
         _print(measured)
     if measured.spectrum is None and isinstance(measured.fit, str):
@@ -428,7 +428,7 @@ def combine(first: Path, second: Path, as_json: bool) -> None:
 
     both = two_bodies(read_roughness(path=first), read_roughness(path=second))
     if as_json:
-        click.echo(json.dumps(roughness_document(both), indent=2))
+        click.echo(json.dumps(in_unicode(roughness_document(both)), indent=2))
         return
     click.echo(f"{both.source}")
     if both.fractal is None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 import asperity
-from asperity.errors import InputError, quoted
+from asperity.errors import InputError, one_line, quoted
 from asperity.export.content import ExportContent, fitted_elements, heading
 from asperity.writing import check_file, replacing
 
@@ -110,6 +110,7 @@ def mat_file(content: ExportContent) -> bytes:
     target = io.BytesIO()
     vectors = {name: values[:, None] for name, values in table_columns(content).items()}
     savemat(target, {"about": np.array(table_text(content), dtype=object)[:, None], **vectors})
-    made = f"MATLAB 5.0 MAT-file, asperity {asperity.__version__}, {Path(content.source).name}"  # without the date
+    name = one_line(Path(content.source).name)
+    made = f"MATLAB 5.0 MAT-file, asperity {asperity.__version__}, {name}"  # without the date
     text = made.encode("ascii", "replace")[:_MAT_TEXT].ljust(_MAT_TEXT)
     return text + target.getvalue()[_MAT_TEXT:]

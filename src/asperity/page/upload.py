@@ -7,12 +7,12 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
-from asperity.errors import InputError, printable, quoted
+from asperity.errors import InputError, quoted
 from asperity.joint_file.reader import parse_case
 from asperity.page.answer import stated_values
 from asperity.page.child import LONGEST_END, Child, file_name
 from asperity.page.computation import Computations
-from asperity.page.joint_request import LONGEST_NAME, refuse_named_files
+from asperity.page.joint_request import refuse_named_files, shown_name
 from asperity.reading import LARGEST_FILE, parse_toml
 from asperity.surface.file_formats import signed_format
 from asperity.surface.height_spectrum import LAYS
@@ -95,11 +95,6 @@ def opened_design(content: bytes, name: str) -> dict[str, Any]:
     text = _text(content, name)
     parse_toml(text, source=name)
     return {"name": name, "design": text}
-
-
-def shown_name(name: str) -> str:
-    """The name of a joint file as messages show it."""
-    return printable(name)[:LONGEST_NAME] or "joint.toml"
 
 
 def _text(content: bytes, name: str) -> str:
