@@ -15,6 +15,7 @@ from asperity.cli.terminal import (
     save_image,
     say_written,
 )
+from asperity.made_files import CALIBRATED_BY, MADE_JOINT
 from asperity.unit_table import Dimension
 from asperity.writing import check_file, check_image, write_text
 
@@ -71,9 +72,9 @@ def calibrate(
     from asperity.cli.terminal import about, progress_bar, read_case_of_branches
     from asperity.errors import InputError
 
-    check_image(plot)
-    check_image(plot_posterior)
-    check_file(out, file, *data)
+    check_image(plot, file, *data)
+    check_image(plot_posterior, file, *data)
+    check_file(out, file, *data, kind=MADE_JOINT)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
     error_of_model = read_option("model-error", model_error, Dimension.DIMENSIONLESS)
@@ -96,8 +97,8 @@ def calibrate(
     if out is not None:  # files first: whoever reads the tables may close the pipe
         measured = [curve.measurement for curve in calibration.curves]
         fitted = [f"{level} stiffness" if curve.drift is None else "drift" for curve in measured]
-        comment = f"Calibrated by asperity: {file} from {' and '.join(data)}, {' and '.join(fitted)}."
-        write_text(calibrated_text(calibration, case, comment=comment), out)
+        comment = f"{CALIBRATED_BY}: {file} from {' and '.join(data)}, {' and '.join(fitted)}."
+        write_text(calibrated_text(calibration, case, comment=comment), out, kind=MADE_JOINT)
         say_written(out)
     from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure
 

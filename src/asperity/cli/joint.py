@@ -39,7 +39,7 @@ def joint(file: str, as_json: bool, in_full: bool, surfaces: tuple[str, ...], pl
     """
     from asperity.joint_file.reader import read_case
 
-    check_image(plot_file)
+    check_image(plot_file, file, *surfaces)
     case = read_case(file, measured=not surfaces)
     prepare_computation()
     from asperity.joint.measured_surface import measured_surface

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from asperity.cli.terminal import in_unicode, json_option, read_option, save_image
+from asperity.made_files import refuse_existing
 from asperity.writing import check_file, check_image, replacing
 
 if TYPE_CHECKING:
@@ -153,7 +154,7 @@ def measure(
     from asperity.precision import use_double_precision
     from asperity.surface.measure_files import files_document, measured_files
 
-    check_image(plot)
+    check_image(plot, *files)
     use_double_precision()
     measured = measured_files(files, **{ARGUMENTS.get(name, name): value for name, value in options.items()})
     if hardness is not None:
@@ -366,6 +367,7 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
     if output.suffix not in ((".npy",) if kind == "map" else (".npy", ".csv")):
         raise InputError(f"{output}: write a .npy file, or a .csv file of a profile")
     check_file(output)
+    refuse_existing(output)
     use_double_precision()
     D, G = validated_fractal(
         fractal_dimension=options["fractal_dimension"], fractal_roughness=options["fractal_roughness"]

@@ -14,6 +14,7 @@ from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import Joint
 from asperity.joint.play import Play
 from asperity.joint.solve import Solution
+from asperity.made_files import WRITTEN_BY
 from asperity.results.windup_document import examined_windup
 from asperity.rolling.document import unknown_because
 from asperity.standing.dynamics import Inertias
@@ -153,7 +154,7 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
     torque = format_quantity(content.largest_torque, "N*m")
     unlike = content.joint.unlike is not None
     lines = [
-        f"{what} of the joint in {one_line(content.source)}, written by asperity {asperity.__version__}",
+        f"{what} of the joint in {one_line(content.source)}, {WRITTEN_BY} {asperity.__version__}",
         "SI units: N*m, rad, kg*m^2, s. Angles and torques are those of the output unless a name says otherwise.",
         f"Stiffness at {torque}, {content.ends[0]} locked, level {content.level}: {content.stiffness:.6g} N*m/rad "
         f"({format_quantity(content.stiffness, 'N*m/arcmin')})",

@@ -12,6 +12,7 @@ from asperity.joint.status import ALL_PLASTIC, UNBALANCED, has_value
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
+from asperity.made_files import DESIGNED_BY
 from asperity.precision import require_double_precision
 from asperity.results import RESULTS
 from asperity.study.batch import DERIVATIVE_BATCH, derivatives_at
@@ -153,7 +154,7 @@ def _result(
     verdict = "All limits are met." if feasible else "NOT all limits are met: this is the smallest violation."
     if feasible and residual >= OPTIMAL and not any(start.converged for start in starts):
         verdict = "All limits are met, but no search converged: this is no optimum."
-    head = f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}"
+    head = f"{DESIGNED_BY} from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}"
     text = joint_file_text(problem.case, point, comment=head)
     _refuse_without_result(evaluator, optimum)
     status, before, _ = derivatives_at(
