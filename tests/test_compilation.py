@@ -1,4 +1,7 @@
+import hashlib
+import json
 import os
+import threading
 from pathlib import Path
 
 import jax
@@ -76,6 +79,20 @@ def test_a_program_of_many_points_needs_none_of_its_options(monkeypatch):
     np.testing.assert_array_equal(compile_for_many(squares, table)(table), (table**2).sum(axis=1))
 
 
+def test_no_signal_waits_for_a_program_of_many_points(monkeypatch):
+    """A signal reaches the main thread only between two steps of Python, of which XLA makes none while it compiles."""
+    compiled_in, before = [], compilation._compiled_with
+
+    def compiled_with(*given):
+        compiled_in.append(threading.current_thread())
+        return before(*given)
+
+    monkeypatch.setattr(compilation, "_compiled_with", compiled_with)
+    compile_for_many(lambda table: 2.0 * table, np.arange(3.0))
+    assert compiled_in != [threading.main_thread()]
+    assert len(compiled_in) == 1
+
+
 def test_elimination_is_written_out_for_processors_only(monkeypatch):
     shapes = [jax.ShapeDtypeStruct(shape, np.float64) for shape in ((4, 3, 3), (4, 3))]
 
@@ -124,6 +141,47 @@ def test_a_program_that_cannot_be_loaded_is_made_again(cache, monkeypatch):
 
     monkeypatch.setattr(compilation.KeptProgram, "load", of_another_machine)
     assert compile_fast(_twice, numbers)(numbers)["e"] == 4.0
+
+
+def _rewritten(file, change):
+    """A program with another head or machine code, and the digest of what it now is."""
+    head, _, machine_code = file.read_bytes()[32:].partition(b"\n")
+    head, machine_code = change(json.loads(head), machine_code)
+    content = json.dumps(head).encode() + b"\n" + machine_code
+    file.write_bytes(hashlib.sha256(content).digest() + content)
+
+
+@pytest.mark.parametrize(
+    "kinds", [[[[10**9], "float64"]], [[[4], "float64"]], [[[3], "float32"]], [[[], "float64"]]]
+)
+def test_a_program_with_other_shapes_than_its_machine_code_is_made_again(cache, kinds):
+    """Programs that take its results are made before its machine code is loaded."""
+    numbers = {"e": np.arange(3.0)}
+    compile_fast(_twice, numbers)(numbers)
+    (file,) = _programs(cache)
+    _rewritten(file, lambda head, machine_code: (head | {"kinds": kinds}, machine_code))
+    compilation._compiled.cache_clear()
+    program = compile_fast(_twice, numbers)
+    following = compile_fast(_twice, program.results)
+    np.testing.assert_array_equal(following(program(numbers))["e"], [0.0, 4.0, 8.0])
+    compilation._compiled.cache_clear()
+    assert kept_programs.kept(program._request, compilation._COMPILE_FAST).is_as_stated  # it was made good
+
+
+def _thrice(numbers):
+    return {name: 3.0 * value for name, value in numbers.items()}
+
+
+def test_machine_code_of_another_program_with_the_same_shapes_is_not_used(cache):
+    numbers = {"e": np.arange(3.0)}
+    compile_fast(_twice, numbers)(numbers)
+    (file,) = _programs(cache)
+    compile_fast(_thrice, numbers)(numbers)
+    (other,) = set(_programs(cache)) - {file}
+    _, _, foreign = other.read_bytes()[32:].partition(b"\n")
+    _rewritten(file, lambda head, machine_code: (head, foreign))
+    compilation._compiled.cache_clear()
+    np.testing.assert_array_equal(compile_fast(_twice, numbers)(numbers)["e"], [0.0, 2.0, 4.0])
 
 
 def test_closures_of_one_name_never_share_a_program(cache):

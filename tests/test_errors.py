@@ -3,6 +3,7 @@
 import ast
 import re
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -14,6 +15,7 @@ from asperity.errors import (
     NoSolutionError,
     PrecisionError,
     nearest,
+    one_line,
     printable,
     quoted,
 )
@@ -44,6 +46,19 @@ def test_no_message_carries_a_character_that_a_terminal_obeys():
         message = str(kind(f"joint.toml: {HOSTILE}"))
         assert message.isprintable()
         assert message == (r"joint.toml: a\x1b[31m\x07\x9b2J\u202e\u2066\u200b\ud800\u2028\r\nb\tc\x7f")
+
+
+def test_a_name_is_one_line_that_every_document_can_hold():
+    name = one_line(f"µ {HOSTILE}\n  next\ufffe\U0001f600")
+    assert (
+        name
+        == r"µ a\x1b[31m\x07\x9b2J\u202e\u2066\u200b\ud800\u2028\r\nb\tc\x7f\n  next\ufffe" + "\U0001f600"
+    )
+    assert name.isprintable()
+    root = ElementTree.fromstring(
+        f"<name>{name}</name>".encode()
+    )  # XML 1.0 knows no control characters at all
+    assert root.text == name
 
 
 def test_lists_of_errors_keep_their_lines_and_text_its_letters():

@@ -278,6 +278,19 @@ def test_programs_that_nobody_uses_are_removed_after_three_months(cache):
     assert len(_programs(cache)) == 3
 
 
+def test_what_an_ended_process_left_half_written_is_removed_after_an_hour(cache):
+    old, new = cache / "asperity-0.program.1.1.part", cache / "asperity-1.program.1.1.part"
+    for file, minutes in ((old, 61), (new, 59)):
+        file.touch()
+        then = time.time() - 60.0 * minutes
+        os.utime(file, (then, then))
+    request = _request({"x": np.arange(3.0)})
+    keep(request, FAST, *_compiled(request))
+    assert not old.exists()
+    assert new.exists()
+    assert len(_programs(cache)) == 1
+
+
 def test_a_fingerprint_stands_for_all_that_the_code_depends_on(monkeypatch):
     def fingerprint(**other):
         return _request({"x": np.arange(3.0)}, **other).fingerprint

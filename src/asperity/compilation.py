@@ -136,7 +136,9 @@ def compile_for_many(function: Callable[..., Any], *arguments: Any) -> Any:
     if jax.default_backend() != "cpu":  # it has kernels of its own, and threads for one program
         return jax.jit(function).lower(*arguments).compile()
     with optimised():
-        return _compiled_with(jax.jit(function).lower(*arguments), _FOR_MANY)
+        lowered = jax.jit(function).lower(*arguments)
+    # no signal reaches a thread while XLA compiles in it: an interruption would wait for the end
+    return _compilers().submit(_compiled_with, lowered, _FOR_MANY).result()
 
 
 def _kind(leaf: Any) -> tuple[tuple[int, ...], np.dtype[Any]]:
@@ -176,6 +178,8 @@ def _compiled(function: Callable[..., Any], options: tuple[Any, ...], structure:
             ctypes.CDLL(None).malloc_trim(0)
     request = Request(function, options, structure, kinds)
     known = kept(request, _COMPILE_FAST)
+    if known is not None and not known.is_as_stated:
+        known = None
     traced = _traced(request) if known is None else None
     compiled = _compilers().submit(_ready, request, _COMPILE_FAST, known, traced)
     outcome = known or traced

@@ -40,6 +40,17 @@ def printable(text: str) -> str:
     return "\n  ".join("".join(map(_escaped, line)) for line in lines)
 
 
+def one_line(text: str) -> str:
+    r"""The same in one line, such as the name of a file: every document can hold it, and text in UTF-8 or XML, too.
+
+    Examples
+    --------
+    >>> print(one_line("shaft\n  \udcfc.toml"))
+    shaft\n  \udcfc.toml
+    """
+    return "".join(map(_escaped, text))
+
+
 def _escaped(letter: str) -> str:
     return letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii")
 

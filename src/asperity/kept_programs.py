@@ -18,10 +18,8 @@ import contextlib
 import dataclasses
 import functools
 import hashlib
-import io
 import json
 import os
-import pickle
 import platform
 import sys
 import threading
@@ -35,6 +33,7 @@ import jax
 import jaxlib
 import numpy as np
 
+from asperity.machine_code import check_names, said
 from asperity.own_folder import read_own, write_own
 
 _PACKAGE = __name__.partition(".")[0]
@@ -42,6 +41,9 @@ _PREFIX = "asperity-"
 _DIGEST_SIZE = 32
 #: Time after which a program that is no longer used is removed [s].
 _KEPT_FOR = 90 * 24 * 3600.0
+#: Time after which nobody writes a half-written file on any more [s]: its process has been ended.
+_WRITTEN_WITHIN = 3600.0
+_PART = ".part"
 #: Options of XLA, the preferred ones first.
 Choices = tuple[dict[str, Any], ...]
 _PLAIN = (str, int, float, bool, type(None))
@@ -96,20 +98,36 @@ class Request:
 class KeptProgram:
     """A program that an earlier process has compiled, in the file format of JAX.
 
-    ``results`` is what it returns, each leaf with its ``shape`` and ``dtype``; ``argument_count``, the number of leaves
-    of its arguments; ``needs_lapack``, whether it may call functions of linear algebra.
+    ``name`` is that of its request; ``results``, what it returns, each leaf with its ``shape`` and ``dtype``;
+    ``argument_count``, the number of leaves of its arguments; ``needs_lapack``, whether it may call functions of linear
+    algebra.
     """
 
+    name: str
     results: Any
     machine_code: bytes
     argument_count: int
     needs_lapack: bool
 
+    @functools.cached_property
+    def is_as_stated(self) -> bool:
+        """Whether the machine code is that of the program of this name, with results of these shapes and types.
+
+        Other programs are traced for these results before the machine code is loaded, which takes a hundred times as
+        long as to look at what it says.
+        """
+        code = said(self.machine_code)
+        return (
+            code is not None
+            and self.name in code.name
+            and code.kinds == _kinds(jax.tree.leaves(self.results))
+        )
+
     def load(self) -> Callable[..., Any]:
         """The program as a function of the list of the leaves, which returns the list of the leaves of the results."""
         from jax.experimental import serialize_executable
 
-        _Names(io.BytesIO(self.machine_code)).load()
+        check_names(self.machine_code)
         if self.needs_lapack:
             _load_lapack()
         arguments = jax.tree.structure((([0] * self.argument_count,), {}))
@@ -118,32 +136,6 @@ class KeptProgram:
         if _kinds(jax.tree.leaves(program.out_info)) != _kinds(jax.tree.leaves(self.results)):
             raise ValueError("the machine code is that of another program")
         return program
-
-
-class _Unmade:
-    """What a pickle makes where only its names are looked at."""
-
-    def __new__(cls, *arguments: Any, **named: Any) -> _Unmade:
-        return object.__new__(cls)
-
-    def __setstate__(self, state: Any) -> None:
-        pass
-
-
-class _Names(pickle.Unpickler):
-    """A pickle of which nothing is made; ValueError if it names more than classes of JAX and what JAX reads them by."""
-
-    def find_class(self, module: str, name: str) -> Any:
-        named = getattr(sys.modules.get(module), name, None)
-        of_jax = getattr(named, "__module__", "").partition(".")[0] in ("jax", "jaxlib")
-        if named is not np.dtype and not (
-            of_jax and (isinstance(named, type) or name.startswith("_unpickle_"))
-        ):
-            raise ValueError(f"{module}.{name} is no part of machine code")
-        return _Unmade
-
-    def persistent_load(self, pid: Any) -> Any:
-        return None
 
 
 @functools.cache
@@ -169,7 +161,7 @@ def kept(request: Request, choices: Choices) -> KeptProgram | None:
             jax.ShapeDtypeStruct(tuple(map(int, shape)), np.dtype(kind)) for shape, kind in known["kinds"]
         ]
         tree = jax.tree.unflatten(jax.tree.structure(of_outline(known["results"])), results)
-        return KeptProgram(tree, machine_code, len(request.kinds), bool(known["needs_lapack"]))
+        return KeptProgram(request.name, tree, machine_code, len(request.kinds), bool(known["needs_lapack"]))
     except (ValueError, TypeError, LookupError, AttributeError, RecursionError):  # not written by this module
         return None
 
@@ -193,6 +185,8 @@ def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> Non
             return
     except ValueError:
         return
+    if said(machine_code) is None:  # it would never be used
+        return
     known = {
         "file": file.name,
         "results": stated,
@@ -204,7 +198,7 @@ def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> Non
 
 def _write(file: Path, content: bytes) -> None:
     """Write a file of the folder with its digest, at once; remove those that nobody has used for long."""
-    part = file.with_name(f"{file.name}.{os.getpid()}.{threading.get_ident()}.part")
+    part = file.with_name(f"{file.name}.{os.getpid()}.{threading.get_ident()}{_PART}")
     try:
         write_own(part, hashlib.sha256(content).digest() + content)
         part.replace(file)
@@ -268,9 +262,10 @@ def _file(request: Request, choices: Choices) -> Path | None:
 
 
 def _remove_unused(folder: Path) -> None:
-    """Programs of earlier releases, and of joints that nobody asks for any more."""
+    """Programs of earlier releases, of joints that nobody asks for any more, and what an ended process left behind."""
     for file in folder.glob(f"{_PREFIX}*"):
-        if time.time() - file.stat().st_mtime > _KEPT_FOR:
+        longest = _WRITTEN_WITHIN if file.suffix == _PART else _KEPT_FOR
+        if time.time() - file.stat().st_mtime > longest:
             file.unlink(missing_ok=True)
 
 

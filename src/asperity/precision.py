@@ -5,10 +5,12 @@ and the examples call :func:`use_double_precision`; a library user calls it once
 :func:`require_double_precision` and raise an error otherwise, instead of switching it on without notice.
 """
 
+import contextlib
 import functools
 import logging
 import os
 import threading
+from collections.abc import Iterator
 from typing import Any
 
 from asperity.errors import PrecisionError, printable
@@ -36,6 +38,20 @@ def require_double_precision() -> None:
             "JAX is set to single precision (32-bit floats), in which the contact law cannot be solved; call "
             "asperity.precision.use_double_precision() first, or set the environment variable JAX_ENABLE_X64=1"
         )
+
+
+@contextlib.contextmanager
+def compiled_for_one_use() -> Iterator[None]:
+    """Let XLA leave out, in a block, what makes programs fast to run and slow to compile, as it does for commands."""
+    import jax
+
+    name = "jax_disable_most_optimizations"
+    before = jax.config.read(name)
+    jax.config.update(name, True)
+    try:
+        yield
+    finally:
+        jax.config.update(name, before)
 
 
 def use_compilation_cache() -> None:

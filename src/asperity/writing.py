@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from asperity.errors import InputError
+from asperity.made_files import IMAGE, MARK, Kind
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,7 +22,12 @@ if TYPE_CHECKING:
 #: Endings of images.
 IMAGE_SUFFIXES = (".png", ".svg", ".pdf")
 _DOTS_PER_INCH = 150
-_NO_DATE = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+#: Ending → metadata of an image: what has made it, and no date.
+_METADATA: dict[str, dict[str, str | None]] = {
+    ".png": {"Software": MARK},
+    ".svg": {"Creator": MARK, "Date": None},
+    ".pdf": {"Creator": MARK, "CreationDate": None},
+}
 
 
 def cannot_write(path: str | Path, error: OSError) -> InputError:
@@ -43,30 +49,36 @@ def check_folder(path: str | Path | None) -> None:
         raise cannot_write(path, error) from None
 
 
-def check_file(path: str | Path | None, *inputs: str | Path) -> None:
-    """Raise an ``InputError`` unless a file, None for none, can be written here and is not one of the input files."""
+def check_file(path: str | Path | None, *inputs: str | Path, kind: Kind | None = None) -> None:
+    """Raise an ``InputError`` unless a file, None for none, can be written here.
+
+    It is not one of the input files, by whatever name or link; and where something is there already, this is a file of
+    the same kind that this package has made. Without a kind any regular file may be replaced.
+    """
     if path is not None and Path(path).exists():
         if not Path(path).is_file():
             raise InputError(f"{path}: this exists and is not a regular file; give another name")
         if any(Path(input_file).exists() and Path(path).samefile(input_file) for input_file in inputs):
             raise InputError(f"{path}: this is the file that is read; give another name")
+        if kind is not None:
+            kind.refuse_other(path)
     check_folder(path)
 
 
-def check_image(path: str | Path | None) -> None:
+def check_image(path: str | Path | None, *inputs: str | Path) -> None:
     """Raise an ``InputError`` unless an image can be written here: its ending is known, and as :func:`check_file`."""
     if path is not None and Path(path).suffix.lower() not in IMAGE_SUFFIXES:
         raise InputError(f"{path}: the name of an image must end in .png, .svg or .pdf")
-    check_file(path)
+    check_file(path, *inputs, kind=IMAGE)
 
 
 @contextmanager
-def replacing(path: str | Path) -> Iterator[Path]:
+def replacing(path: str | Path, *, kind: Kind | None = None) -> Iterator[Path]:
     """A temporary file that replaces a file in one step when it is complete, and is deleted otherwise; the same ending.
 
     An ``InputError`` as by :func:`check_file`, or if the system refuses.
     """
-    check_file(path)
+    check_file(path, kind=kind)
     file = Path(path).resolve()
     part = file.with_name(f".{uuid.uuid4().hex}{file.suffix}")
     try:
@@ -98,9 +110,9 @@ def interrupted_afterwards() -> Iterator[None]:
         signal.raise_signal(kept)
 
 
-def write_text(text: str, path: str | Path) -> None:
+def write_text(text: str, path: str | Path, *, kind: Kind | None = None) -> None:
     """Write a text file in UTF-8; line ends are not changed. An ``InputError`` if it cannot be written."""
-    with replacing(path) as part:
+    with replacing(path, kind=kind) as part:
         part.write_text(text, encoding="utf-8", newline="")
 
 
@@ -111,25 +123,25 @@ def write_image(figure: Figure, path: str | Path) -> None:
     """
     from matplotlib import rc_context
 
-    with replacing(path) as part, rc_context({"svg.hashsalt": "asperity"}):
-        figure.savefig(part, dpi=_DOTS_PER_INCH, metadata=_NO_DATE.get(Path(path).suffix.lower()))
+    with replacing(path, kind=IMAGE) as part, rc_context({"svg.hashsalt": MARK}):
+        figure.savefig(part, dpi=_DOTS_PER_INCH, metadata=_METADATA.get(Path(path).suffix.lower()))
 
 
 def write_pages(figures: Sequence[Figure], path: str | Path) -> None:
     """Write figures as the pages of one PDF file; the same figures make the same file."""
     from matplotlib.backends.backend_pdf import PdfPages
 
-    with replacing(path) as part, PdfPages(part, metadata=_NO_DATE[".pdf"]) as pages:
+    with replacing(path, kind=IMAGE) as part, PdfPages(part, metadata=_METADATA[".pdf"]) as pages:
         for figure in figures:
             pages.savefig(figure)
 
 
-def write_columns(columns: Mapping[str, Any], path: str) -> None:
+def write_columns(columns: Mapping[str, Any], path: str, *, kind: Kind | None = None) -> None:
     """Write columns of one length, header with its unit → numbers, completely or not at all."""
     import numpy as np
 
     rows = np.column_stack([np.asarray(column) for column in columns.values()])
-    with replacing(path) as part, part.open("w", newline="") as target:
+    with replacing(path, kind=kind) as part, part.open("w", newline="") as target:
         writer = csv.writer(target)
         writer.writerow(columns)
         writer.writerows([repr(float(value)) for value in row] for row in rows)

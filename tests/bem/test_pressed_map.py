@@ -116,6 +116,22 @@ def test_a_map_is_pressed_once(tmp_path, monkeypatch):
         jax.config.update("jax_compilation_cache_dir", before)
 
 
+@pytest.mark.parametrize("changes", [{"hardness": 0.04}, {"hardness": HARDNESS, "rms_height": [2e-7, 2e-7]}])
+def test_kept_numbers_of_another_map_are_not_used(monkeypatch, changes):
+    surface = self_affine_map(points=64, spacing=2e-6)
+
+    class ComputedError(Exception):
+        pass
+
+    def computes(*_, **__):
+        raise ComputedError
+
+    monkeypatch.setattr(module, "kept_numbers", lambda asked: numbers(**changes))
+    monkeypatch.setattr(module, "loaded_state", computes)
+    with pytest.raises(ComputedError):
+        pressed_map(surface, rolling="x", hardness=HARDNESS)
+
+
 def test_patches_are_square_and_lose_a_plane():
     """Of a map three times as long as wide, six by two patches of which four are taken."""
     y, x = np.mgrid[0:128, 0:384]
@@ -207,6 +223,7 @@ def test_numbers_between_the_loads_and_beyond():
         {"pressure": [1e-2, 1e-3]},
         {"hardness": -1.0},
         {"hardness": None},
+        {"hardness": 10**400},
         {"tangential_ratios": [[0.5, 0.4]]},
         {"decay_ratios": [[[0.5, 0.4], [0.5, 0.4]], [[None, None], [0.5, 0.4]]]},
         {"decay_ratios": [[[0.5, 0.4], [0.5, 0.4]], [[0.0, None], [0.1, None]]]},

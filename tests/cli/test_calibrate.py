@@ -152,3 +152,24 @@ def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
     (found,) = json.loads(result.stdout)["estimates"]
     assert found["value"] == pytest.approx(0.08, rel=1e-6)
     assert read_case(out).load.friction_coefficient.value == pytest.approx(found["value"], rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("stated", "says"),
+    [
+        ("-5 %", "the error of the model must be from 0 to 1, got -0.05 (option --model-error)"),
+        ("5 mm", "--model-error: expected a dimensionless number (e.g. '0.12'), got a length 'mm' in '5 mm'"),
+    ],
+)
+def test_a_wrong_error_of_the_model_is_named_by_its_option(call, tmp_path, joint_file, stated, says):
+    data = tmp_path / "data.csv"
+    data.write_text("torque [N*m],angle [mrad]\n0,0\n1,1\n2,2\n")
+    told = call("calibrate", joint_file(), data, "-u", "load.preload", "--model-error", stated)
+    assert (told.code, told.out) == (2, "")
+    assert says in told.err
+
+
+def test_an_option_with_another_dash_has_a_near_name(call, joint_file):
+    told = call("calibrate", joint_file(), "data.csv", "-u", "load.preload", "--model_error", "5 %")
+    assert told.code == 2
+    assert "--model-error" in told.err.splitlines()[-1]

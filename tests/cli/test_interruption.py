@@ -27,14 +27,22 @@ if {collecting}:
     gc.callbacks.append(lambda *_: "jax._src.lax" in sys.modules and strike())
 else:
     when({event!r}, {word!r})
+{patch}
 from asperity.cli import main
 main()
 """
+#: XLA compiles for longer than any test waits, and the signal comes meanwhile.
+COMPILING = """
+import time
+from asperity import compilation
+compilation._compiled_with = lambda *_: strike() or time.sleep(1000.0)
+print("before")
+"""
 
 
-def interrupted(folder, *command, number="SIGINT", event="", word="", collecting=False):
+def interrupted(folder, *command, number="SIGINT", event="", word="", collecting=False, patch=""):
     """The ended process of a command to which the signal is sent; its folder of temporary files is in the folder."""
-    program = PROGRAM.format(number=number, event=event, word=word, collecting=collecting)
+    program = PROGRAM.format(number=number, event=event, word=word, collecting=collecting, patch=patch)
     temporary = folder / "temporary"
     temporary.mkdir()
     ended = subprocess.run(
@@ -87,4 +95,24 @@ def test_an_interrupted_command_leaves_no_folder(tmp_path, number, code, says):
         tmp_path, "reproduce", "--out", "a/folder", number=number, event="os.mkdir", word="folder"
     )
     assert answer(ended) == (code, "", f"asperity: {says}")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("number", "code", "says"),
+    [("SIGINT", 130, "interrupted"), pytest.param("SIGTERM", 143, "terminated", marks=pytest.mark.slow)],
+)
+def test_the_end_does_not_wait_for_what_is_compiled(tmp_path, number, code, says):
+    """What has been printed before still comes out."""
+    command = ("joint", EXAMPLES / "planetary.toml")
+    ended = interrupted(tmp_path, *command, number=number, patch=COMPILING)
+    assert answer(ended) == (code, "before\n", f"asperity: {says}")
+
+
+@pytest.mark.slow
+def test_a_sweep_of_many_points_ends_while_its_program_is_compiled(tmp_path):
+    over = ("--over", "load.preload=500 N:900 N:30000", "--results", "published_stiffness_output")
+    command = ("sweep", EXAMPLES / "planetary.toml", *over, "--out", "sweep.csv")
+    ended = interrupted(tmp_path, *command, patch=COMPILING)
+    assert answer(ended) == (130, "before\n", "asperity: interrupted")
     assert not list(tmp_path.iterdir())

@@ -58,3 +58,17 @@ def test_a_wrong_file_opens_nothing(call, served, joint_file):
     assert outcome.code == 2
     assert "load.preload" in outcome.err
     assert (asked, opened) == ({}, [])
+
+
+@pytest.mark.parametrize(
+    ("name", "shown"), [("we\x07lle\udcfc.toml", r"we\x07lle\udcfc.toml"), ("a\n  b.toml", r"a\n  b.toml")]
+)
+def test_any_name_of_a_file_is_shown(call, served, joint_file, name, shown):
+    asked, _ = served
+    file = joint_file()
+    try:
+        file = file.rename(file.with_name(name))
+    except OSError:
+        pytest.skip("this system has no such names")
+    assert call("serve", file, "--no-browser").code == 0
+    assert asked["start"].name == shown

@@ -1,11 +1,16 @@
 """A bar on a terminal, silence elsewhere."""
 
+import ast
 import io
+import json
+from pathlib import Path
 
 import pytest
 from rich.console import Console
 
-from asperity.cli.terminal import WIDEST, about, console, progress_bar, table
+from asperity import errors
+from asperity.cli.commands import asperity
+from asperity.cli.terminal import WIDEST, about, console, print_json, progress_bar, table
 from asperity.errors import InputError, MissingExtraError, NoSolutionError
 
 
@@ -149,3 +154,37 @@ def test_a_number_that_a_study_asks_for_and_the_file_lacks_is_refused_by_the_nam
         found = call(*command)
         assert found.code == 2
         assert found.err.splitlines()[0].startswith(f"asperity: error: {file}: {said}")
+
+
+def _all_options(command):
+    below = (
+        [command.get_command(None, name) for name in command.list_commands(None)]
+        if hasattr(command, "commands")
+        else []
+    )
+    own = {word.lstrip("-") for option in command.params for word in option.opts if word.startswith("--")}
+    return own.union(*map(_all_options, below))
+
+
+def test_every_option_that_a_message_names_exists():
+    """Named in errors without its dashes, it is written there as on the command line."""
+    known = _all_options(asperity)
+    named = set()
+    for file in Path(errors.__file__).parent.rglob("*.py"):
+        for call in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(call, ast.Call) and getattr(call.func, "id", "").endswith("Error"):
+                given = [keyword.value for keyword in call.keywords if keyword.arg == "options"]
+                named |= {
+                    text.value for each in given for text in ast.walk(each) if isinstance(text, ast.Constant)
+                }
+    named.discard("-unit")  # the end of two of them
+    assert len(named) > 10
+    assert named <= known
+
+
+def test_a_document_has_no_half_characters(capsys):
+    """Names of files that are not UTF-8 hold them; JSON of control characters is JSON."""
+    print_json({"one": "we\x07lle\udcfc", "\udcfc": ["µ\U0001f600", 1.5, None, ("\udcff",)]})
+    read = json.loads(capsys.readouterr().out)
+    assert read == {"one": "we\x07lle\\udcfc", "\\udcfc": ["µ\U0001f600", 1.5, None, ["\\udcff"]]}
+    json.dumps(read, ensure_ascii=False).encode()

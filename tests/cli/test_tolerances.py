@@ -57,7 +57,11 @@ def test_one_document(asked):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--keep", "torque_capacity>=1 N*m", "--share", "100 %"), "at least 50 % and below 100 %"),
+        (
+            ("--keep", "torque_capacity>=1 N*m", "--share", "100 %"),
+            "--share: the share of the drives must be at least 50 % and below",
+        ),
+        (("--keep", "torque_capacity>=1 N*m", "--share", "9 mm"), "--share: expected a dimensionless number"),
         (("--keep", "torque_capacity>1 N*m"), "expected RESULT>=VALUE"),
         (("--keep", "torque_capacity>=1 N*m", "--distribution", "square"), "can be distributed as"),
     ],

@@ -41,6 +41,44 @@ def test_shift_is_the_integral_of_the_creepage(q):
     np.testing.assert_allclose(found, expected, atol=0.02)
 
 
+# Missing creep over half of the rolling-in length, in steps of an eighth of that length, by boundary elements
+# (``examples/rolling_contact.py``): mean over q = 0.1, 0.2, … 0.8, 200 and 300 cells extrapolated to infinitely many.
+BY_ELEMENTS = np.array([
+    0.1233, 0.2430, 0.3589, 0.4709, 0.5783, 0.6810, 0.7783, 0.8697, 0.9546, 1.0317, 1.0996, 1.1507, 1.1781, 1.1754,
+    1.1388, 1.0747, 1.0289, 1.0009, 0.9839, 0.9747, 0.9709, 0.9710, 0.9739, 0.9786, 0.9846, 0.9911, 0.9978,
+])  # fmt: skip
+
+
+def missing(distance, q=0.0):
+    """Missing creep over half of the rolling-in length, at a distance over that length."""
+    length = (1.0 - q) ** (2.0 / 3.0)
+    shift = rolling_in_shift(rolled_distance=distance * length, half_width=1.0, slip_ratio=q, creepage=1.0)
+    return (distance * length - np.asarray(shift)) / (0.5 * length)
+
+
+@pytest.mark.parametrize("q", [0.0, 0.4])
+def test_every_entry_of_the_table_is_that_of_boundary_elements(q):
+    """To 2e-3 at the entries, in the middle between them to 4e-3, behind the peak to 9e-3."""
+    distance = 0.125 * np.arange(1, 28)
+    close = np.where(np.arange(1, 28) % 2 == 0, 2e-3, np.where(distance == 1.875, 9e-3, 4e-3))
+    assert np.all(np.abs(missing(distance, q) - BY_ELEMENTS) < close)
+    np.testing.assert_allclose(missing(np.array([3.5, 4.0, 10.0]), q), 1.0, rtol=1e-12)
+
+
+@pytest.mark.long
+def test_the_table_of_boundary_elements_recomputed(load_example):
+    example, distance, found = load_example("rolling_contact"), 0.125 * np.arange(1, 28), []
+    for cells in (200, 300):
+        contact, each = example.LineContact(cells), []
+        for q in np.arange(1, 9) / 10.0:
+            rolled, shift = contact.rolled(np.ones(round(3.6 / contact.pixel), dtype=int), q)
+            length = (1.0 - q) ** (2.0 / 3.0)
+            lag = rolled - (shift - shift[0]) / example.carter(q)
+            each.append(np.interp(distance * length, rolled, lag) / (0.5 * length))
+        found.append(np.mean(each, axis=0))
+    np.testing.assert_allclose(3.0 * found[1] - 2.0 * found[0], BY_ELEMENTS, atol=2e-4)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("q", [0.02, 0.3, 0.6, 0.9])
 def test_shift_against_boundary_elements(q):
@@ -181,6 +219,55 @@ def test_share_against_boundary_elements(rolled, q, stroke):
     found = share_of_last(rolled(swings(stroke), q), stroke, q)
     model = float(swing_drift_share(stroke=stroke * PIXEL, half_width=1.0, slip_ratio=q))
     assert model == pytest.approx(found, abs=0.03)
+
+
+#: Drift of strokes over that of steady rolling by boundary elements of 300 cells (``examples/rolling_swing.py``, whose
+# CELLS and STEPS were 300 and 3000): a row for each slip ratio, a column for each stroke over a (1 - q).
+SWINGING = {
+    0.02: [0.0, 0.0001, 0.0002, 0.0034, 0.0245, 0.3561, 0.5451, 0.6246, 0.6766, 0.7090, 0.7440],
+    0.1: [0.0, 0.0001, 0.0005, 0.0174, 0.2075, 0.3656, 0.5254, 0.6149, 0.6729, 0.7051, 0.7373],
+    0.2: [0.0, 0.0, 0.0006, 0.1062, 0.2346, 0.3456, 0.4965, 0.5997, 0.6674, 0.7007, 0.7297],
+    0.3: [0.0, 0.0, 0.0263, 0.1309, 0.2311, 0.3213, 0.4627, 0.5787, 0.6600, 0.6965, 0.7234],
+    0.4: [0.0, 0.0, 0.0487, 0.1363, 0.2199, 0.2963, 0.4244, 0.5522, 0.6492, 0.6919, 0.7185],
+    0.5: [0.0, 0.0, 0.0586, 0.1333, 0.2047, 0.2713, 0.3866, 0.5158, 0.6327, 0.6853, 0.7146],
+    0.6: [0.0, 0.0006, 0.0614, 0.1260, 0.1881, 0.2464, 0.3499, 0.4735, 0.6068, 0.6737, 0.7097],
+    0.7: [0.0, 0.0060, 0.0599, 0.1160, 0.1701, 0.2215, 0.3140, 0.4281, 0.5658, 0.6503, 0.6992],
+    0.8: [0.0, 0.0087, 0.0554, 0.1039, 0.1511, 0.1959, 0.2777, 0.3817, 0.5135, 0.6064, 0.6710],
+    0.9: [0.0023, 0.0090, 0.0486, 0.0896, 0.1293, 0.1680, 0.2386, 0.3287, 0.4501, 0.5396, 0.6092],
+    0.95: [0.0021, 0.0084, 0.0442, 0.0806, 0.1165, 0.1514, 0.2143, 0.2983, 0.4082, 0.4946, 0.5620],
+}
+STROKE = np.array([1.5, 1.6, 1.7, 1.8, 1.9, 2.0, 2.2, 2.5, 3.0, 3.5, 4.0])
+
+
+@pytest.mark.parametrize("q", SWINGING)
+def test_every_entry_of_the_table_of_swings_is_that_of_boundary_elements(q):
+    """To a unit of the last digit; at both ends of the table, where a pixel more is another stroke, to 2.5e-3."""
+    found = swing_drift_share(stroke=STROKE * (1.0 - q), half_width=1.0, slip_ratio=q)
+    np.testing.assert_allclose(found, SWINGING[q], atol=1e-3 if 0.02 < q < 0.9 else 2.5e-3)
+
+
+@pytest.mark.parametrize("low", [0.1, 0.3, 0.6])
+def test_between_the_entries_the_table_of_swings_is_straight(low):
+    high = low + 0.1
+    middle = 0.5 * (low + high)
+    near, far = (np.array(SWINGING[min(SWINGING, key=lambda q, at=at: abs(q - at))]) for at in (low, high))
+    found = swing_drift_share(stroke=STROKE * (1.0 - middle), half_width=1.0, slip_ratio=middle)
+    np.testing.assert_allclose(found, 0.5 * (near + far), atol=1e-3)
+    halves = 0.5 * (STROKE[1:] + STROKE[:-1])
+    found = swing_drift_share(stroke=halves * (1.0 - low), half_width=1.0, slip_ratio=low)
+    np.testing.assert_allclose(found, 0.5 * (near[1:] + near[:-1]), atol=1e-3)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("q", "column"), [(0.02, 6), (0.3, 7), (0.6, 10), (0.95, 8)])
+def test_the_table_of_swings_recomputed(load_example, monkeypatch, q, column):
+    example = load_example("rolling_swing")
+    for name, value in (("CELLS", 300), ("STEPS", 3000), ("PIXEL", 2.0 / 300)):
+        monkeypatch.setattr(example, name, value)
+    exact = STROKE[column] * (1.0 - q) / example.PIXEL
+    pixels = np.array([int(np.floor(exact)), int(np.ceil(exact + 1e-9))])
+    shares = [example.drift_share(q, int(pixel)) for pixel in pixels]
+    assert np.interp(exact, pixels, shares) == pytest.approx(SWINGING[q][column], abs=3e-3)
 
 
 @pytest.mark.slow

@@ -1,6 +1,10 @@
-"""Targets by name, endings of files, refusals."""
+"""Targets by name, endings of files, refusals; whatever the name of the joint file, other programs read the file."""
 
+import dataclasses
 import io
+import re
+import zipfile
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -41,7 +45,8 @@ def test_every_target_writes_every_ending(content, tmp_path):
             file = tmp_path / f"{to}{suffix.upper()}"
             check_target(to, file)
             made = exported(content, to=to, suffix=file.suffix)
-            write_exported(made, file)
+            for _ in range(2):  # the second one replaces the first
+                write_exported(made, file)
             assert file.read_bytes() == made.data == exported(content, to=to, suffix=suffix).data
 
 
@@ -92,3 +97,39 @@ def test_mat_file_reads_back_and_has_no_date(content):
     assert "Stiffness at 5 N*m" in "\n".join(cell[0] for cell in found["about"][:, 0])
     assert data == mat_file(content)
     assert data[:19] == b"MATLAB 5.0 MAT-file"
+
+
+#: What a file may be called: not UTF-8, with control characters, with what formats give a meaning, or without letters.
+NAMES = [
+    "we\x07lle\udcfc.toml",
+    "a\n  9,9,9\u202e\ufffe]]>--y*\"q'%c$z{b}<&$E\\.toml",
+    "größe–\u2028.toml",
+    "\x1b.toml",
+]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_whatever_its_name_the_file_is_read(content, read_table, name):
+    named = dataclasses.replace(content, source=name)
+    plain = table_columns(content)
+    assert read_table(csv_file(named)).keys() == plain.keys()
+    table = loadmat(io.BytesIO(mat_file(named)))
+    np.testing.assert_array_equal(table["torque_Nm"].ravel(), plain["torque_Nm"])
+    assert mat_file(named)[:116].decode("ascii").isprintable()
+
+    model = ElementTree.fromstring(exported(named, to="mujoco", suffix=".xml").data)
+    with zipfile.ZipFile(io.BytesIO(exported(named, to="fmu", suffix=".fmu").data)) as fmu:
+        description = ElementTree.fromstring(fmu.read("modelDescription.xml"))
+        header = fmu.read("sources/joint_data.h").decode("ascii")
+    assert model.get("model") == description.get("modelName") == named.name
+    assert named.name.isprintable()
+    identifier = description.find("CoSimulation").get("modelIdentifier")
+    assert re.fullmatch(r"[A-Za-z]\w*", identifier, flags=re.ASCII)
+    comment, _, rest = header.partition("*/")
+    assert comment.startswith("/*")
+    assert rest.startswith("\n#define GUID")
+
+    lines = exported(named, to="modelica", suffix=".mo").data.decode("ascii").splitlines()
+    (package,) = (line for line in lines if line.startswith("package "))
+    assert all(line.startswith("//") for line in lines[: lines.index(package)])
+    assert lines[-1] == f"end {package.split()[1]};"

@@ -11,13 +11,16 @@ import pytest
 
 from asperity.drive.layout.expansion import ring_expansion
 from asperity.errors import InputError
-from asperity.joint.housing import heating, ring_fit, seated, seats
+from asperity.joint.housing import heating, housing_room, ring_fit, seated, seats
 from asperity.joint.rims import bends, joint_rims
 from asperity.joint.solve import refuse_impossible_joint
+from asperity.joint.status import STATUS_NAMES
 from asperity.joint.temperature import contact_expansion
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.si_tables import si_values
 from asperity.results import RESULTS
+from asperity.study.batch import evaluate_points
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HOUSED = """
@@ -236,6 +239,25 @@ def test_a_housing_inside_its_ring():
         InputError, match=r"housing\.outer_diameter 110 mm: the outer diameter of the ring is 116 mm"
     ):
         refuse_impossible_joint(joint_from_case(_case(outer="110 mm")))
+    warm = '\n[temperature]\nassembly = "20 degC"\nworking = "60 degC"\n'
+    with pytest.raises(
+        InputError, match=r"110 mm: the outer diameter of the ring is 116 mm; make the housing larger"
+    ):
+        refuse_impossible_joint(
+            joint_from_case(_case(outer="110 mm", support="elastic_housing", more=warm))
+        )  # what temperature does to the fit is not known
     inside = joint_from_case(_case(outer="110 mm", support="elastic_housing"))  # a point of a study
+    assert float(housing_room(inside).min()) == pytest.approx(-3e-3)
     assert np.isnan(inside.shapes[_ring(inside)].housing_stiffness)
     assert np.isnan(_seats(inside).torque_safety[_ring(inside)])
+
+
+@pytest.mark.slow
+def test_a_point_of_a_study_with_a_housing_inside_its_ring_says_so():
+    values = si_values(_case(support="elastic_housing"))
+    status, found = evaluate_points(
+        values, {"housing.outer_diameter": np.array([0.110, 0.116, 0.117])}, ("seat_force",)
+    )
+    assert [STATUS_NAMES[code] for code in status] == ["housing_inside_ring", "housing_inside_ring", "solved"]
+    assert np.isnan(found["seat_force"][:, :2]).all()
+    assert np.isfinite(found["seat_force"][_ring(joint_from_case(_case())), 2])

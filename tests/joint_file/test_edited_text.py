@@ -15,6 +15,17 @@ def test_unchanged_file_says_the_same(zou_file):
     assert si_values(again) == si_values(case)
 
 
+def test_a_comment_with_the_name_of_any_file_is_one(zou_file):
+    """TOML allows no control characters in a comment, and UTF-8 no lone surrogates."""
+    case = read_case(zou_file)
+    text = joint_file_text(
+        case, {"load.preload": 900.0}, comment="Calibrated: we\x07lle\udcfc\r[x]\n  b.toml."
+    )
+    assert text.startswith("# Calibrated: we\\x07lle\\udcfc\n# [x]\n#   b.toml.\n")
+    again = parse_case(text.encode().decode(), source="test")
+    assert numeric_keys(again)["load.preload"].value == 900.0
+
+
 def test_every_digit_survives(zou_file):
     case = read_case(zou_file)
     changes = {

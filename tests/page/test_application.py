@@ -14,6 +14,8 @@ pytest.importorskip("httpx2")
 from starlette.testclient import TestClient
 
 from asperity.joint_file.case_types import WedgeCase
+from asperity.joint_file.schema import joint_schema
+from asperity.page import application as application_module
 from asperity.page import joint_request
 from asperity.page.application import ASSETS, application
 from asperity.page.computation import Computations
@@ -331,6 +333,30 @@ def test_a_pdf_without_its_package_says_how_to_get_it(client, solve, monkeypatch
     assert response.status_code == 422
     assert "typst" in response.json()["error"]
     assert "[report]" in response.json()["error"]
+
+
+def test_what_is_always_the_same_is_made_once(monkeypatch, joint_text):
+    """A client that asks for it again and again, without waiting, kept others waiting for half a minute."""
+    made = []
+    for name in ("joint_schema", "openapi", "_asset", "JSONResponse"):
+        whole = getattr(application_module, name)
+        monkeypatch.setattr(
+            application_module,
+            name,
+            lambda *given, whole=whole, name=name: made.append(name) or whole(*given),
+        )
+    idle = Computations(longest=600.0), Computations(longest=600.0)
+    start = JointRequest(name="zou2025.toml", text=joint_text)
+    app = application(start, hosts=[HOST], computations=idle[0], charts=idle[1])
+    asking = TestClient(
+        app, base_url=f"http://{HOST}"
+    )  # without what runs from the start to the end of a server
+    paths = ["/api/schema", "/openapi.json", "/api/description", "/", "/main.js"]
+    answers = [[asking.get(path) for path in paths] for _ in range(3)]
+    assert all(answer.status_code == 200 for each in answers for answer in each)
+    assert [answer.content for answer in answers[0]] == [answer.content for answer in answers[2]]
+    assert answers[0][0].json() == joint_schema()
+    assert sorted(made) == ["JSONResponse"] * 3 + ["_asset"] * 2 + ["joint_schema", "openapi"]
 
 
 def test_the_description_covers_every_number_of_the_file(client, joint_text):

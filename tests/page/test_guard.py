@@ -5,7 +5,8 @@ import json
 
 import pytest
 
-from asperity.page.guard import SECURITY_HEADERS, Guard, errors_by_key
+from asperity.errors import InputError
+from asperity.page.guard import SECURITY_HEADERS, Guard, errors_by_key, parsed
 
 HOST = "127.0.0.1:8642"
 
@@ -174,3 +175,11 @@ def test_messages_are_found_by_key():
         "bodies.ring": "there is no material 'x'",
     }
     assert errors_by_key("the output torque is too large: lower it", source="a.toml") == {}
+
+
+def test_half_a_character_is_no_text():
+    """No answer could repeat it: UTF-8 has no lone surrogates."""
+    assert parsed(b'{"a": "\\ud83d\\ude00", "b": "\\\\ud800"}') == {"a": "\U0001f600", "b": "\\ud800"}
+    for body in (b'{"name": "\\ud800"}', b'[["\\uDCFC"]]', b'{"\\udfff": 1}'):
+        with pytest.raises(InputError, match="the body is not valid JSON: a lone surrogate"):
+            parsed(body)

@@ -177,3 +177,24 @@ def test_a_wrong_joint_is_refused_at_once(joint_text):
     body = {"toml": joint_text, "changes": {"load.preload": "1 mm"}, "job": {"kind": "sensitivity"}}
     with pytest.raises(InputError, match="expected a force"):
         job_request(body)
+
+
+def test_a_job_has_cleared_up_when_all_are_ended(monkeypatch):
+    """Its folder is removed after its process has ended."""
+    cleared = []
+
+    class Untidy(Slow):
+        running = 0
+
+        def run(self, report):
+            try:
+                return super().run(report)
+            finally:
+                time.sleep(0.2)
+                cleared.append(self.kind)
+
+    monkeypatch.setattr(module, "Child", Untidy)
+    jobs = Jobs()
+    until(begin(jobs), "running")
+    jobs.close()
+    assert cleared == ["study"]

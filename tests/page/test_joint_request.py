@@ -10,7 +10,7 @@ from asperity.joint_file.choices import CHOICES, choices_of_case
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import si_values
 from asperity.page.jobs import job_request
-from asperity.page.joint_request import JointRequest, joint_request
+from asperity.page.joint_request import LONGEST_NAME, JointRequest, joint_request, shown_name
 
 
 def test_changes_are_those_of_the_file(joint_text):
@@ -343,3 +343,10 @@ def test_a_surface_that_is_no_measurement_is_refused(joint_text):
         deep = {"a": deep}
     with pytest.raises(InputError, match="nested too deeply"):
         joint_request({"toml": joint_text, "surfaces": [deep]})
+
+
+def test_the_name_of_a_joint_is_one_printable_line(joint_text):
+    request = joint_request({"toml": joint_text, "name": "we\x07lle\n  b.toml"})
+    assert request.name == shown_name("we\x07lle\n  b.toml") == r"we\x07lle\n  b.toml"
+    assert shown_name("") == "joint.toml"
+    assert len(shown_name("\x07" * 120)) == LONGEST_NAME

@@ -3,6 +3,7 @@
 import contextlib
 import http.client
 import json
+import os
 import re
 import signal
 import socket
@@ -111,6 +112,47 @@ def test_an_interruption_during_a_computation_says_that_it_stopped_and_no_more(j
         assert server.stderr.read().split() == ["asperity:", "stopped"]
         asking.join()
     assert server.returncode == 0
+
+
+#: A server that is about to compile something for an hour, for whatever reason, and whose computations are done.
+COMPILING = """
+import sys, time
+from asperity import compilation
+from asperity.page import application
+def answer(request):
+    compilation._compilers().submit(time.sleep, 3600.0)
+    print("computed", file=sys.stderr, flush=True)
+    return {}
+application.joint_answer = answer
+from asperity.cli import main
+main()
+"""
+
+
+def test_a_server_that_has_nothing_to_compute_does_not_wait_for_what_is_compiled():
+    command = [sys.executable, "-c", COMPILING, "serve", "--port", "0", "--no-browser"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as server:
+        assert "computed" in server.stderr.readline() + server.stderr.readline()
+        server.send_signal(signal.SIGINT)
+        assert server.stderr.read().split() == ["asperity:", "stopped"]
+        server.wait(timeout=100)
+    assert server.returncode == 0
+
+
+@pytest.mark.slow
+def test_the_folder_of_a_job_is_gone_when_the_server_has_ended(tmp_path, joint_text):
+    command = [sys.executable, "-c", COMPILING, "serve", "--port", "0", "--no-browser"]
+    environment = {**os.environ, "TMPDIR": str(tmp_path)}
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=environment) as server:
+        address = re.search(r"http://\S+", server.stderr.readline() + server.stderr.readline()).group()
+        body = json.dumps({"toml": joint_text, "job": {"kind": "sensitivity"}}).encode()
+        kind = {"content-type": "application/json"}
+        urllib.request.urlopen(urllib.request.Request(f"{address}api/jobs", body, kind), timeout=60).close()
+        while not list(tmp_path.glob("asperity-page-*/*")):
+            time.sleep(0.01)
+        server.send_signal(signal.SIGINT)
+        server.wait(timeout=100)
+    assert list(tmp_path.glob("asperity-page-*")) == []
 
 
 async def _application(scope, receive, send):

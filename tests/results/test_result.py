@@ -77,3 +77,15 @@ def test_a_value_is_a_path_or_a_function():
     assert (path.row_shape, path.si_unit) == ((), "kg")
     assert dataclasses.replace(RESULTS["slip_ratio"], rows=("a", "b")).row_shape == (2,)
     assert np.isfinite(path.rows_of(solved)[""])
+
+
+def test_where_a_result_has_no_value_is_said_by_its_note():
+    assert RESULTS["drift_rate"].has_none == "where the input stands"
+    assert RESULTS["bearing_duty_life"].has_none == (
+        "without a duty or without a section for its ratings, such as [pin_bearing]"
+    )
+    assert RESULTS["mass"].has_none == RESULTS["slip_safety"].has_none == ""
+
+
+def test_whatever_some_joints_lack_says_what_has_it():
+    assert all(bool(row.only) == (row.present is not None) for row in RESULTS.values())

@@ -1,5 +1,8 @@
 """The figure of a measurement: heights, spectrum and structure function with the law, or why there is none."""
 
+import io
+from xml.etree import ElementTree
+
 import numpy as np
 import pytest
 
@@ -69,3 +72,12 @@ def test_figure_of_a_map_is_an_image_with_its_size():
     (image,) = axes.get_images()
     np.testing.assert_allclose(np.asarray(image.get_array()), 1e6 * z)
     assert image.get_extent() == pytest.approx([0, 90, 0, 140])
+
+
+def test_any_name_of_a_file_is_a_title():
+    """Without control characters, which XML does not know, and not as a formula."""
+    heights = 1e-7 * np.random.default_rng(0).standard_normal(500)
+    named = Topography(heights, 1e-6, source="we\x07lle\udcfc$a{b$")
+    target = io.BytesIO()
+    measurement_figure(surfaces=[named], fit="none", direction="x").savefig(target, format="svg")
+    assert "welle" not in ElementTree.fromstring(target.getvalue()).itertext()

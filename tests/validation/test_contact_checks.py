@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.contact import carter, hertz_line, rolling_fatigue
+from asperity.contact import carter, hertz_line, rolling_fatigue, rolling_in, shakedown, stress_peaks
 from asperity.validation import contact_checks
 
 
@@ -16,6 +16,9 @@ from asperity.validation import contact_checks
         (hertz_line, "half_width", contact_checks.hertz),
         (hertz_line, "peak_pressure", contact_checks.hertz),
         (rolling_fatigue, "line_contact_life", contact_checks.fatigue),
+        (rolling_fatigue, "spectrum_life", contact_checks.fatigue),
+        (rolling_fatigue, "damage_shares", contact_checks.fatigue),
+        (shakedown, "shakedown_limit", contact_checks.stresses),
     ],
 )
 def test_a_function_that_is_off_by_a_thousandth_is_found(monkeypatch, module, name, group):
@@ -23,6 +26,24 @@ def test_a_function_that_is_off_by_a_thousandth_is_found(monkeypatch, module, na
     honest = getattr(module, name)
     monkeypatch.setattr(module, name, lambda *args, **given: honest(*args, **given) * 1.001)
     assert not all(check.passed for check in group())
+
+
+def test_stresses_that_are_off_are_found(monkeypatch):
+    honest = stress_peaks.full_slip_stress
+
+    def deeper(**given):
+        return honest(**given | {"depth": 1.01 * given["depth"]})
+
+    monkeypatch.setattr(stress_peaks, "full_slip_stress", deeper)
+    assert [check.passed for check in contact_checks.stresses()] == [False, False, False, True]
+
+
+@pytest.mark.parametrize(("name", "failing"), [("rolling_in_lag", 2), ("rolling_in_shift", 1)])
+def test_an_onset_of_rolling_that_is_off_is_found(monkeypatch, name, failing):
+    assert all(check.passed for check in contact_checks.onset())
+    honest = getattr(rolling_in, name)
+    monkeypatch.setattr(rolling_in, name, lambda **given: honest(**given) * 1.05)
+    assert sum(not check.passed for check in contact_checks.onset()) == failing
 
 
 @pytest.mark.slow

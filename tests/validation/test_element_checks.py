@@ -33,3 +33,13 @@ def test_a_compliance_that_is_off_by_a_thousandth_is_found(monkeypatch):
     check, _ = element_checks.discs()
     assert not check.passed
     assert check.deviation == pytest.approx(1e-3, rel=0.5)
+
+
+@pytest.mark.slow
+def test_a_ring_that_is_off_by_a_ten_thousandth_is_found(monkeypatch):
+    assert [check for check in element_checks.rings() if not check.passed] == []
+    honest = element_checks._matrix
+    monkeypatch.setattr(element_checks, "_matrix", lambda *args, **given: honest(*args, **given) * 1.0001)
+    assert [check.passed for check in element_checks.rings()] == [False, False, True, True]
+    monkeypatch.setattr(element_checks, "_matrix", lambda *args, **given: honest(*args, **given) * 1.005)
+    assert not any(check.passed for check in element_checks.rings())

@@ -27,3 +27,14 @@ def test_a_bearing_with_another_exponent_is_found(monkeypatch):
 
     monkeypatch.setitem(bearing_lives.LIFE_EXPONENTS, "roller", 3.0)
     assert [check.passed for check in roller_checks.bearings()] == [True, False, True]
+
+
+def test_a_tilted_line_that_is_off_is_found(monkeypatch):
+    assert [check for check in roller_checks.tilted() if not check.passed] == []
+    honest = roller_checks.tilted_line.profiled_line
+    monkeypatch.setattr(
+        roller_checks.tilted_line,
+        "profiled_line",
+        lambda **given: honest(**given | {"gap": 1.001 * given["gap"]}),
+    )
+    assert [check.passed for check in roller_checks.tilted()] == [False]

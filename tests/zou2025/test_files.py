@@ -68,6 +68,30 @@ def test_a_folder_that_cannot_be_created_is_an_input_error(tmp_path: Path) -> No
         pass
 
 
+def test_an_earlier_run_is_replaced_and_nothing_else(curves: Curves, folder: Path) -> None:
+    panel = next(p for p in all_panels(curves) if p.name == "5b")
+    (folder / "notes.txt").write_text("mine")
+    for _ in range(2):
+        with output_folder(folder):
+            write_panel(panel, folder)
+    (folder / "claims.json").unlink()  # as an interrupted run leaves it, in a folder that was there before
+    for table in ("table_1.csv", "table_2.csv"):
+        (folder / table).unlink()
+    with output_folder(folder):
+        write_panel(panel, folder)
+    (folder / "figure_5b.png").write_bytes(b"\x89PNG of mine")
+    with pytest.raises(InputError, match=r"figure_5b\.png is of no earlier run"), output_folder(folder):
+        pass
+    (folder / "figure_5b.png").unlink()
+    with pytest.raises(InputError, match=r"figure_5b\.csv is of no earlier run"), output_folder(folder):
+        pass
+    (folder / "figure_5b.csv").unlink()
+    (folder / "claims.json").symlink_to(folder / "notes.txt")
+    with pytest.raises(InputError, match=r"claims\.json is of no earlier run"), output_folder(folder):
+        pass
+    assert (folder / "notes.txt").read_text() == "mine"
+
+
 def test_what_was_created_for_an_unfinished_folder_is_removed_and_nothing_else(tmp_path: Path) -> None:
     def interrupted(path: Path, *others: Path) -> None:
         with output_folder(path) as folder:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.errors import InputError
+from asperity.made_files import DRAWING, IMAGE, REPORT
 from asperity.writing import IMAGE_SUFFIXES, check_file, replacing, write_image, write_pages, write_text
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ def draw(
     joint : DescribedJoint
         From :func:`asperity.load`.
     path : str or Path
-        The file, .svg, .pdf, .png or .dxf; an existing one is replaced.
+        The file, .svg, .pdf, .png or .dxf; an earlier drawing is replaced.
     forces : bool, optional
         Draw the forces of one branch too, and no section.
     parts : bool, optional
@@ -66,26 +67,26 @@ def draw(
 
     require_joint(joint)
     out = Path(path)
-    check_drawing(out)
+    check_drawing(out, joint.source)
     sheets = _sheets(joint, forces, parts, stated_title(title or {}), notice)
     if out.suffix.lower() == ".pdf" and parts:
         write_pages([sheet_figure(sheet) for sheet in sheets.values()], out)
         return [out]
     files = {out.with_stem(out.stem + name): sheet for name, sheet in sheets.items()}
     for file in files:
-        check_file(file, joint.source)
+        check_drawing(file, joint.source)
     for file, sheet in files.items():
         if file.suffix.lower() == ".dxf":
             from asperity.show.sheet_dxf import sheet_dxf
 
-            write_text(sheet_dxf(sheet), file)
+            write_text(sheet_dxf(sheet), file, kind=DRAWING)
         else:
             write_image(sheet_figure(sheet), file)
     return list(files)
 
 
-def check_drawing(path: str | Path) -> None:
-    """Raise unless a drawing can have this name, before anything is computed."""
+def check_drawing(path: str | Path, *inputs: str | Path) -> None:
+    """Raise unless a drawing can have this name and replaces nothing but a drawing, before anything is computed."""
     suffix = Path(path).suffix.lower()
     if suffix not in (*IMAGE_SUFFIXES, ".dxf"):
         raise InputError(f"{path}: the name of a drawing must end in .svg, .pdf, .png or .dxf")
@@ -93,6 +94,7 @@ def check_drawing(path: str | Path) -> None:
         from asperity.show.sheet_dxf import require_ezdxf
 
         require_ezdxf()
+    check_file(path, *inputs, kind=DRAWING if suffix == ".dxf" else IMAGE)
 
 
 def _sheets(
@@ -166,7 +168,7 @@ def write_report(
     joint : DescribedJoint
         From :func:`asperity.load`.
     path : str or Path
-        The file, .html or .pdf; an existing one is replaced.
+        The file, .html or .pdf; an earlier report is replaced.
     surfaces : sequence of str or Path, optional
         JSON documents of ``asperity surface measure``: the joint with this surface on both bodies of every contact, or
         with two of them, one for each body.
@@ -234,21 +236,21 @@ def write_report(
         from asperity.report.pdf import report_pdf
 
         content = report_pdf(made)
-        with replacing(out) as part:
+        with replacing(out, kind=REPORT) as part:
             part.write_bytes(content)
     else:
         from asperity.report.html import report_html
 
-        write_text(report_html(made), out)
+        write_text(report_html(made), out, kind=REPORT)
     return out
 
 
 def check_report(path: str | Path, *inputs: str | Path) -> None:
-    """Raise unless a report can have this name and replaces none of the inputs, before anything is computed."""
+    """Raise unless a report can have this name and replaces nothing but a report, before anything is computed."""
     suffix = Path(path).suffix.lower()
     if suffix not in (".html", ".pdf"):
         raise InputError(f"{path}: the name of a report must end in .html or .pdf")
-    check_file(path, *inputs)
+    check_file(path, *inputs, kind=REPORT)
     if suffix == ".pdf":
         from asperity.report.pdf import require_typst
 

@@ -33,7 +33,7 @@ def export_joint(
     to : str
         The program, as ``asperity export --help`` names it, such as ``"table"``.
     out : str or Path
-        The file; an existing one is replaced.
+        The file; an earlier export is replaced.
     torque : str or NamedQuantity, optional
         Largest output torque with its unit, such as ``"5 N*m"``; by default the output torque of the file.
     level : {"assembly", "series_with_bulk", "published"}, optional

@@ -153,8 +153,9 @@ class JointSolution(Shown):
         A notebook shows the figure; elsewhere call its ``savefig``.
         """
         from asperity.show.compliance_figure import compliance_figure
+        from asperity.show.style import plain_title
 
-        return displayed(compliance_figure(self._solved, title=self._summary))
+        return displayed(compliance_figure(self._solved, title=plain_title(self._summary)))
 
     def _parts(self) -> list[str | Table]:
         return [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import math
@@ -21,7 +22,7 @@ from asperity.errors import InputError
 from asperity.kept_programs import keep_numbers, kept_numbers
 from asperity.surface.levelling import levelled
 from asperity.surface.measure_files import MeasuredFiles
-from asperity.surface.pressed_map import PressedMap, pressed_map_from_document
+from asperity.surface.pressed_map import PressedMap, plain_numbers, pressed_map_from_document
 from asperity.surface.topography import Topography
 
 #: Nominal pressures on steel [Pa]; those on other bodies are as many times their contact modulus.
@@ -143,12 +144,13 @@ def pressed_map(
     patches, cell = map_patches(topography, points=points)
     asked = json.dumps([list(cell), rolling, hardness, [patch.shape for patch in patches]]).encode()
     asked = hashlib.sha256(asked + b"".join(patch.tobytes() for patch in patches)).digest()
+    rms = np.array([heights.std() for heights in patches])
     kept = kept_numbers(asked)
     if kept is not None:
-        try:
-            return pressed_map_from_document(kept)
-        except InputError:  # written by somebody else
-            pass
+        with contextlib.suppress(InputError):  # written by somebody else
+            found = pressed_map_from_document(kept)
+            if plain_numbers([hardness, *rms]) == plain_numbers([found.hardness, *found.rms_height]):
+                return found
     pair = steel_pair()
     modulus = float(pair.contact_modulus)
     half_space = PeriodicHalfSpace(
@@ -170,7 +172,6 @@ def pressed_map(
                     row[n] = state
                 solved()
     area, normal, tangential = np.moveaxis(np.where(np.isinf(states), np.nan, states), -1, 0)
-    rms = np.array([heights.std() for heights in patches])
     pressures = np.array(PRESSURES_ON_STEEL)
     ratio = pressures * nominal / normal / rms[:, None]
     if not np.isfinite(ratio).all(axis=1).any(axis=-1).all():

@@ -11,7 +11,7 @@ import sys
 import threading
 import time
 from types import FrameType
-from typing import Any
+from typing import Any, NoReturn
 
 #: Objects that are made before Python looks for garbage. Imports and tracing make many objects and hardly any garbage;
 #: with Python's own 700, looking through them takes a fifth of the time of a short command.
@@ -55,10 +55,17 @@ class Interruptions:
             self.said = ("terminated", 143) if isinstance(error, Terminated) else ("interrupted", 130)
         return self.said is not None
 
-    def leave(self) -> None:
-        """End the process without taking it to pieces, which XLA does not always survive in the middle of its work."""
-        if self.said is not None:
-            os._exit(self.said[1])
+    def leave(self, code: int) -> NoReturn:
+        """End the process now, once what it has said is out: Python's own end waits for XLA, and takes it to pieces.
+
+        What is still being compiled would hold the prompt for minutes, and XLA does not always survive to be taken to
+        pieces in the middle of its work. Another signal, where the output is not taken, ends it at once.
+        """
+        self._over = True
+        for stream in (sys.stdout, sys.stderr):
+            with contextlib.suppress(OSError, ValueError, AttributeError):  # it is closed, or there is none
+                stream.flush()
+        os._exit(code)
 
     def _asked(self, number: int, frame: FrameType | None) -> None:
         line = ("terminated", 143) if number == signal.SIGTERM else ("interrupted", 130)
@@ -93,7 +100,6 @@ def main() -> None:
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS)
     code = 0
     with Interruptions() as interruptions:
-        atexit.register(interruptions.leave)  # the last of these functions, since it is the first
         atexit.register(gc.freeze)  # a process that ends need not look through its objects once more
         from asperity.cli.commands import run
 
@@ -102,4 +108,5 @@ def main() -> None:
         line, code = interruptions.said
         with contextlib.suppress(OSError):
             print(f"asperity: {line}", file=sys.stderr, flush=True)
+        interruptions.leave(code)
     sys.exit(code)

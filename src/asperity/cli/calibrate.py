@@ -11,11 +11,12 @@ from asperity.cli.terminal import (
     json_option,
     prepare_computation,
     print_json,
+    read_option,
     save_image,
     say_written,
 )
+from asperity.made_files import CALIBRATED_BY, MADE_JOINT
 from asperity.unit_table import Dimension
-from asperity.units import parse_quantity
 from asperity.writing import check_file, check_image, write_text
 
 if TYPE_CHECKING:
@@ -74,12 +75,12 @@ def calibrate(
     from asperity.cli.terminal import about, progress_bar, read_case_of_branches
     from asperity.errors import InputError
 
-    check_image(plot)
-    check_image(plot_posterior)
-    check_file(out, file, *data)
+    check_image(plot, file, *data)
+    check_image(plot_posterior, file, *data)
+    check_file(out, file, *data, kind=MADE_JOINT)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
-    error_of_model = parse_quantity(model_error, Dimension.DIMENSIONLESS)
+    error_of_model = read_option("model-error", model_error, Dimension.DIMENSIONLESS)
     case = read_case_of_branches(file)
     prepare_computation()
     from asperity.study.calibration.calibrate import calibrate_files, calibrated_text
@@ -99,8 +100,8 @@ def calibrate(
     if out is not None:  # files first: whoever reads the tables may close the pipe
         measured = [curve.measurement for curve in calibration.curves]
         fitted = [f"{level} stiffness" if curve.drift is None else "drift" for curve in measured]
-        comment = f"Calibrated by asperity: {file} from {' and '.join(data)}, {' and '.join(fitted)}."
-        write_text(calibrated_text(calibration, case, comment=comment), out)
+        comment = f"{CALIBRATED_BY}: {file} from {' and '.join(data)}, {' and '.join(fitted)}."
+        write_text(calibrated_text(calibration, case, comment=comment), out, kind=MADE_JOINT)
         say_written(out)
     from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -16,6 +17,7 @@ from asperity.cli.terminal import (
     show_table,
 )
 from asperity.errors import InputError
+from asperity.made_files import MADE_JOINT, Kind, header
 from asperity.writing import check_file, check_image, write_text
 
 if TYPE_CHECKING:
@@ -23,6 +25,18 @@ if TYPE_CHECKING:
 
     from asperity.study.design.design_problem import DesignProblem
     from asperity.study.design.design_result import DesignResult, StartReport
+
+
+def _is_front(file: Path) -> bool:
+    """Whether a table has columns of results, and of numbers of a joint file, and no others."""
+    from asperity.results import RESULTS
+
+    names = header(file)
+    return any(name in RESULTS for name in names) and all(name in RESULTS or "." in name for name in names)
+
+
+#: Tables of Pareto fronts.
+FRONT = Kind("the table of a Pareto front", _is_front)
 
 
 @click.command()
@@ -77,18 +91,17 @@ def design(
     the command says which of them conflict and by how much, and ends with exit code 3.
     """
     from asperity.cli.terminal import progress_bar
-
-    check_image(plot)
-    check_image(map_file)
-    check_file(out, file)
     from asperity.study.design.design_file import read_design
 
     problem = read_design(file)
-    check_file(out, problem.joint_file)
+    front = len(problem.objectives) > 1
+    for image in (plot, map_file):
+        check_image(image, file, problem.joint_file)
+    check_file(out, file, problem.joint_file, kind=FRONT if front else MADE_JOINT)
     prepare_computation()
     if map_file is not None or map_over is not None:
         _check_map(problem, map_file, map_over)
-    if len(problem.objectives) > 1:
+    if front:
         _front(problem, out, plot, as_json, population, generations)
         return
     from asperity.study.design.design import design as search
@@ -97,7 +110,7 @@ def design(
     with progress_bar("searches") as report:
         result = search(problem, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
-        write_text(result.joint_text, out)
+        write_text(result.joint_text, out, kind=MADE_JOINT)
         say_written(out)
     if plot is not None:
         from asperity.study.design.design_plot import design_figure
@@ -153,7 +166,11 @@ def _front(
     if out is not None:
         head = ",".join(f"{name} [{front[name].attrs['units']}]" for name in names)
         rows = zip(*(front[name].values for name in names), strict=True)
-        write_text("\n".join([head, *(",".join(repr(float(v)) for v in row) for row in rows)]) + "\n", out)
+        write_text(
+            "\n".join([head, *(",".join(repr(float(v)) for v in row) for row in rows)]) + "\n",
+            out,
+            kind=FRONT,
+        )
         say_written(out)
     if plot is not None:
         from asperity.study.design.design_plot import pareto_figure

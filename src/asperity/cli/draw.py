@@ -5,7 +5,6 @@ from __future__ import annotations
 import click
 
 from asperity.cli.terminal import about, check_title, prepare_computation, say, say_written, title_options
-from asperity.writing import check_file
 
 
 @click.command()
@@ -40,9 +39,8 @@ def draw(file: str, out: str, forces: bool, parts: bool, **stated: str) -> None:
     from asperity.cli.terminal import read_case_of_branches
     from asperity.joint_file.reader import read_case
 
-    check_drawing(out)
+    check_drawing(out, file)
     check_title(stated)
-    check_file(out, file)
     case = read_case_of_branches(file) if forces else read_case(file)
     prepare_computation()
     from asperity.api.documents import draw as drawn

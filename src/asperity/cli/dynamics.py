@@ -13,7 +13,12 @@ from asperity.cli.terminal import (
     save_image,
     say_written,
 )
+from asperity.made_files import table_with
 from asperity.writing import check_file, check_image, write_columns
+
+RESPONSE = table_with(
+    "a frequency response", "frequency_Hz", "standing_load_rad_per_Nm", "turning_load_phase_deg"
+)
 
 
 @click.command()
@@ -34,8 +39,8 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     """
     from asperity.cli.terminal import read_case_of_branches
 
-    check_image(plot_file)
-    check_file(csv_file, file)
+    check_image(plot_file, file)
+    check_file(csv_file, file, kind=RESPONSE)
     case = read_case_of_branches(file)
     prepare_computation()
     from asperity.api.joint import DescribedJoint
@@ -44,7 +49,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     with about(file):
         solved = dynamics_of(DescribedJoint(case, file))
     if csv_file:
-        write_columns(solved.response(), csv_file)
+        write_columns(solved.response(), csv_file, kind=RESPONSE)
         say_written(csv_file)
     if plot_file:
         save_image(solved.plot(), plot_file)

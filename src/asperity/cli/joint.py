@@ -48,7 +48,7 @@ def joint(
     """
     from asperity.joint_file.reader import read_case
 
-    check_image(plot_file)
+    check_image(plot_file, file, *surfaces)
     refuse_lonely_measurement_of(surfaces, measurement_of)
     case = read_case(file, measured=not surfaces)
     prepare_computation()

@@ -16,10 +16,13 @@ from asperity.cli.terminal import (
     read_option,
     say_written,
 )
+from asperity.made_files import table_with
 from asperity.writing import check_file, replacing
 
 if TYPE_CHECKING:
     from asperity.api.structure import JointLoads
+
+LOADS = table_with("a table of loads", "part", "position", "load", "unit")
 
 
 @click.command()
@@ -43,7 +46,7 @@ def loads(file: str, mounting_gap: str, csv_file: str | None, as_json: bool) -> 
     from asperity.unit_table import Dimension
 
     read_option("mounting-gap", mounting_gap, Dimension.LENGTH)  # refuses what is no length
-    check_file(csv_file, file)
+    check_file(csv_file, file, kind=LOADS)
     case = read_case(file)
     prepare_computation()
     from asperity.api.joint import DescribedJoint
@@ -65,7 +68,7 @@ def loads(file: str, mounting_gap: str, csv_file: str | None, as_json: bool) -> 
 def _write(carried: JointLoads, path: str) -> None:
     """The table as a CSV file: one row a load, one column a case."""
     columns = carried.columns()
-    with replacing(path) as part, part.open("w", newline="", encoding="utf-8") as stream:
+    with replacing(path, kind=LOADS) as part, part.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream)
         writer.writerow(columns)
         for row in zip(*columns.values(), strict=True):

@@ -23,7 +23,7 @@ def roll(file: str, plot_file: str | None, as_json: bool, in_full: bool) -> None
     """
     from asperity.joint_file.reader import read_case
 
-    check_image(plot_file)
+    check_image(plot_file, file)
     case = read_case(file)
     prepare_computation()
     from asperity.api.joint import DescribedJoint

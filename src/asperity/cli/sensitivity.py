@@ -46,7 +46,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     table = results_of(si_values(case))
     rows = differentiable_rows(table)
     asked = rows[known_result(result, among=tuple(rows))]
-    check_image(plot)
+    check_image(plot, file)
     others = [name for name in DEFAULT_RESULTS if name in table] if as_json or plot is not None else []
     names = tuple(dict.fromkeys((*others, asked)))
     with about(file):

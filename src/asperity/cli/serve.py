@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import prepare_computation, say
+from asperity.cli.terminal import in_unicode, prepare_computation, say
 
 if TYPE_CHECKING:
     from asperity.page.joint_request import JointRequest
@@ -79,14 +79,14 @@ def _start(file: str) -> JointRequest:
     """A joint file with its measured surface; entries of a library file of the user's are replaced by their numbers."""
     from asperity.joint_file.edited_text import joint_file_text, with_measurement
     from asperity.joint_file.reader import read_case
-    from asperity.page.joint_request import MEASUREMENT_FILE, JointRequest
+    from asperity.page.joint_request import MEASUREMENT_FILE, JointRequest, shown_name
 
     case = read_case(file)
-    name, text = Path(file).name, joint_file_text(case, {}, comment="")
+    name, text = shown_name(Path(file).name), joint_file_text(case, {}, comment="")
     if case.measured is None:
         return JointRequest(name, text)
     return JointRequest(
-        name, with_measurement(text, MEASUREMENT_FILE), surfaces=(json.loads(case.measured.text),)
+        name, with_measurement(text, MEASUREMENT_FILE), surfaces=(in_unicode(json.loads(case.measured.text)),)
     )
 
 

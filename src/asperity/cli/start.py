@@ -40,6 +40,8 @@ def init(file: str, kind: str, force: bool) -> None:
         return
     if Path(file).exists() and not force:
         raise InputError(f"{file} already exists; choose another name, or overwrite it with --force")
+    if Path(file).is_symlink():
+        raise InputError(f"{file}: this is a link; give the name of the file itself")
     write_text(text, file)
     say(f"wrote {file}; next: asperity joint {file}")
 

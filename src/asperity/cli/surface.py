@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import json_option, read_option, save_image
+from asperity.cli.terminal import in_unicode, json_option, read_option, save_image
+from asperity.made_files import refuse_existing
 from asperity.writing import check_file, check_image, replacing
 
 if TYPE_CHECKING:
@@ -158,7 +159,7 @@ def measure(
     from asperity.precision import use_double_precision
     from asperity.surface.measure_files import files_document, measured_files
 
-    check_image(plot)
+    check_image(plot, *files)
     use_double_precision()
     measured = measured_files(files, **{ARGUMENTS.get(name, name): value for name, value in options.items()})
     if hardness is not None:
@@ -173,7 +174,7 @@ def measure(
         shown, direction = measured.topographies, measured.direction
         save_image(measurement_figure(surfaces=shown, fit=measured.fit, direction=direction), plot)
     if as_json:
-        click.echo(json.dumps(files_document(measured), indent=2))
+        click.echo(json.dumps(in_unicode(files_document(measured)), indent=2))
     else:
         _print(measured)
     if measured.spectrum is None and isinstance(measured.fit, str):
@@ -371,6 +372,7 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
     if output.suffix not in ((".npy",) if kind == "map" else (".npy", ".csv")):
         raise InputError(f"{output}: write a .npy file, or a .csv file of a profile")
     check_file(output)
+    refuse_existing(output)
     use_double_precision()
     D, G = validated_fractal(
         fractal_dimension=options["fractal_dimension"], fractal_roughness=options["fractal_roughness"]
@@ -433,7 +435,7 @@ def combine(first: Path, second: Path, as_json: bool) -> None:
 
     both = two_bodies(read_roughness(path=first), read_roughness(path=second))
     if as_json:
-        click.echo(json.dumps(roughness_document(both), indent=2))
+        click.echo(json.dumps(in_unicode(roughness_document(both)), indent=2))
         return
     click.echo(f"{both.source}")
     if both.fractal is None:

@@ -9,7 +9,7 @@ import click
 
 from asperity.cli.terminal import plot_option_of, prepare_computation, save_image, say, say_written
 from asperity.errors import InputError
-from asperity.writing import check_image
+from asperity.writing import check_file, check_image
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -105,7 +105,7 @@ def sweep(
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values
     from asperity.results import chosen_results
-    from asperity.study.datasets import asked_units, check_table_path, in_units, write_table
+    from asperity.study.datasets import SWEEP_TABLES, asked_units, check_table_path, in_units, write_table
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
     from asperity.study.sweep.sweep_map import parse_limit
@@ -117,10 +117,14 @@ def sweep(
     streamed = out is not None and Path(out).suffix == ".zarr"
     if units and streamed:
         raise InputError("--units: a folder .zarr is in SI units; write .nc, .parquet or .csv for others")
-    shown_units = asked_units(_listed(units), axes=grid, results=computed)
+    try:
+        shown_units = asked_units(_listed(units), axes=grid, results=computed)
+    except InputError as error:
+        raise InputError(f"--units: {error}") from None
     if out is not None and not streamed:
         check_table_path(out, overwrite=overwrite)
-    check_image(plot)
+        check_file(out, file, kind=SWEEP_TABLES[Path(out).suffix])
+    check_image(plot, file)
     if plot_result is not None:
         _check_plot_result(plot_result, names, table, drawn=plot is not None)
     drawn = [parse_limit(text) for text in limits]

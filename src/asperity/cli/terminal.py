@@ -319,7 +319,16 @@ def print_json(document: dict[str, Any]) -> None:
     """Print one JSON document, which has no number that JSON does not know."""
     import json
 
-    click.echo(json.dumps(document, indent=2, allow_nan=False))
+    click.echo(json.dumps(in_unicode(document), indent=2, allow_nan=False))
+
+
+def in_unicode(document: Any) -> Any:
+    """A JSON document in which lone surrogates, which names of files that are not UTF-8 have, are escape sequences."""
+    if isinstance(document, str):
+        return document.encode("utf-8", "backslashreplace").decode("utf-8")
+    if isinstance(document, dict):
+        return {in_unicode(name): in_unicode(value) for name, value in document.items()}
+    return [in_unicode(value) for value in document] if isinstance(document, list | tuple) else document
 
 
 def json_option(text: str = "Print one JSON document in SI units instead of tables.") -> Callable[..., Any]:

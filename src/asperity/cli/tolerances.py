@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import json_option, prepare_computation, print_json
+from asperity.cli.terminal import json_option, prepare_computation, print_json, read_option
 
 if TYPE_CHECKING:
     from asperity.study.tolerances.allowed_deviations import AllowedDeviations
@@ -48,11 +48,12 @@ def tolerances(
     from asperity.errors import InputError
     from asperity.joint_file.quantity_key import parse_distribution
     from asperity.unit_table import Dimension
-    from asperity.units import parse_quantity
 
-    kept_share = parse_quantity(share, Dimension.DIMENSIONLESS)
+    kept_share = read_option("share", share, Dimension.DIMENSIONLESS)
     if not 0.5 <= kept_share < 1.0:
-        raise InputError(f"the share of the drives must be at least 50 % and below 100 %, got '{share}'")
+        raise InputError(
+            f"--share: the share of the drives must be at least 50 % and below 100 %, got '{share}'"
+        )
     case = read_case_of_branches(file)
     prepare_computation()
     from asperity.study.tolerances.allowed_deviations import allowed_deviations, limits_from_text

@@ -72,7 +72,7 @@ def uncertainty(
     from asperity.cli.terminal import progress_bar
     from asperity.study.tolerances.uncertainty import uncertainty as propagate
 
-    check_image(plot)
+    check_image(plot, file)
     if branches is not None:
         with about(file):
             scattered = _unlike_branches(case, otherwise, branches, seed)

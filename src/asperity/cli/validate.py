@@ -30,12 +30,14 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
 
     from asperity.cli.terminal import progress_bar
     from asperity.errors import InputError
+    from asperity.made_files import DOCUMENT, REPORT
     from asperity.writing import check_file, replacing, write_text
 
     suffix = Path(out).suffix.lower() if out is not None else ""
     if out is not None and suffix not in {".pdf", ".html", ".json"}:
         raise InputError(f"--out {out}: the name must end in .pdf, .html or .json")
-    check_file(out)
+    kind = DOCUMENT if suffix == ".json" else REPORT
+    check_file(out, kind=kind)
     if suffix == ".pdf":
         from asperity.report.pdf import require_typst
 
@@ -53,12 +55,13 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
         if suffix == ".pdf":
             from asperity.report.pdf import report_pdf
 
-            with replacing(out) as part:
+            with replacing(out, kind=kind) as part:
                 part.write_bytes(report_pdf(validation_report(document)))
         else:
             from asperity.report.html import report_html
 
-            write_text(text + "\n" if suffix == ".json" else report_html(validation_report(document)), out)
+            made = text + "\n" if suffix == ".json" else report_html(validation_report(document))
+            write_text(made, out, kind=kind)
         say_written(out)
     if as_json:
         click.echo(text)

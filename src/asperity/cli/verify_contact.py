@@ -127,7 +127,7 @@ def verify_contact(
     """
     from asperity.units import Dimension
 
-    check_image(plot_file)
+    check_image(plot_file, *([surface_file] if surface_file else []))
     _refuse_options(context, _OF_KNOWN if surface_file else _OF_MAPS, surface_file)
     if surface_file:
         _verify_map(

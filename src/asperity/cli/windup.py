@@ -17,9 +17,12 @@ from asperity.cli.terminal import (
     save_image,
     say_written,
 )
+from asperity.made_files import table_with
 from asperity.standing import STAGE_SHARES
 from asperity.writing import check_file, check_image, write_columns
 
+WINDUP_CURVES = table_with("the curves of a wind-up", "torque_Nm", "loading_angle_rad", "reloading_angle_rad")
+ROLLING_CURVES = table_with("the curve beyond a wind-up", "angle_behind_rad", "drift_per_swing_rad")
 LEVELS = ("assembly", "series_with_bulk", "published")
 
 
@@ -82,9 +85,9 @@ def windup(
     from asperity.cli.terminal import read_case_of_branches
     from asperity.errors import InputError
 
-    check_file(csv_file, file)
-    check_file(rolling_file, file)
-    check_image(plot_file)
+    check_file(csv_file, file, kind=WINDUP_CURVES)
+    check_file(rolling_file, file, kind=ROLLING_CURVES)
+    check_image(plot_file, file)
     case = read_case_of_branches(file)
     if torque is not None:
         from asperity.unit_table import Dimension
@@ -109,12 +112,12 @@ def windup(
             creep_share=creep_share,
         )
     if csv_file:
-        write_columns(windup_columns(wound.curve), csv_file)
+        write_columns(windup_columns(wound.curve), csv_file, kind=WINDUP_CURVES)
         say_written(csv_file)
     if rolling_file:
         if wound.onset is None:
             raise InputError(f"--rolling-csv: {wound.document['rolling']['unknown_because'][0]}")
-        write_columns(rolling_columns(wound.onset), rolling_file)
+        write_columns(rolling_columns(wound.onset), rolling_file, kind=ROLLING_CURVES)
         say_written(rolling_file)
     if plot_file:
         save_image(wound.plot(), plot_file)

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 import asperity
 from asperity.drive.layout.drive import speed_ratio
-from asperity.errors import InputError, printable
+from asperity.errors import InputError, one_line
 from asperity.joint.description import Joint
 from asperity.joint.play import Play
 from asperity.joint.solve import Solution
+from asperity.made_files import WRITTEN_BY
 from asperity.results.windup_document import examined_windup
 from asperity.rolling.document import unknown_because
 from asperity.standing.dynamics import Inertias, two_inertias
@@ -55,6 +57,11 @@ class ExportContent:
     curves: BothSenses
     parts: MovingParts
     no_drift_because: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """Name of the joint: that of its file, without the ending, in one printable line."""
+        return one_line(Path(self.source).stem)
 
     @property
     def largest_torque(self) -> float:
@@ -137,7 +144,7 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
     torque = format_quantity(content.largest_torque, "N*m")
     unlike = content.joint.unlike is not None
     lines = [
-        f"{what} of the joint in {printable(content.source)}, written by asperity {asperity.__version__}",
+        f"{what} of the joint in {one_line(content.source)}, {WRITTEN_BY} {asperity.__version__}",
         "SI units: N*m, rad, kg*m^2, s. Angles and torques are those of the output unless a name says otherwise.",
         f"Stiffness at {torque}, {content.ends[0]} locked, level {content.level}: {content.stiffness:.6g} N*m/rad "
         f"({format_quantity(content.stiffness, 'N*m/arcmin')})",

@@ -9,7 +9,6 @@ import re
 import zipfile
 from dataclasses import dataclass
 from importlib.resources import files
-from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
@@ -87,7 +86,7 @@ def fmu_parts(content: ExportContent) -> FmuParts:
     guid = hashlib.sha256((source + plain + "".join(map(str, variables))).encode()).hexdigest()[:32]
     comment = "\n".join(f" * {line.replace('*/', '* /')}" for line in heading(content, what="FMU"))
     data = f'/*\n{comment}\n */\n#define GUID "{guid}"\n{plain}'
-    identifier = re.sub(r"\W", "_", Path(content.source).stem, flags=re.ASCII)
+    identifier = re.sub(r"\W", "_", content.name, flags=re.ASCII)
     identifier = identifier if re.match("[A-Za-z]", identifier) else f"joint_{identifier}"
     return FmuParts(
         identifier, _description(content, identifier, guid, variables), data, _sentences(content, slip)
@@ -185,7 +184,7 @@ def _description(content: ExportContent, identifier: str, guid: str, variables: 
     units = dict.fromkeys(variable.unit for variable in variables)
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
-        f'<fmiModelDescription fmiVersion="2.0" modelName={quoteattr(Path(content.source).stem)} guid="{guid}"',
+        f'<fmiModelDescription fmiVersion="2.0" modelName={quoteattr(content.name)} guid="{guid}"',
         f'  generationTool="asperity {escape(asperity.__version__)}" variableNamingConvention="structured"',
         f"  description={quoteattr(said)}>",
         f'  <CoSimulation modelIdentifier="{identifier}" canHandleVariableCommunicationStepSize="true"',

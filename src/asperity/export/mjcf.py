@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -29,7 +28,7 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
     ]
     old = _tendon(content, "spring", stiffness=np.array([fitted.linear_stiffness]), damping=damping)
     friction = f' frictionloss="{content.friction:.9g}"' if content.friction > 0.0 else ""
-    name = quoteattr(Path(content.source).stem)
+    name = quoteattr(content.name)
     axis = math.copysign(1.0, content.speed_ratio)
     lines = [
         f"<mujoco model={name}>",

@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 
 import asperity
-from asperity.errors import InputError, quoted
+from asperity.errors import InputError, one_line, quoted
 from asperity.export.content import ExportContent, fitted_elements, heading
+from asperity.made_files import EXPORTS
 from asperity.writing import check_file, replacing
 
 #: Endings of the files of each target.
@@ -44,7 +45,7 @@ def check_target(to: str, path: str | Path, *inputs: str | Path) -> None:
         raise InputError(f"there is no export to {quoted(to)}; known are {', '.join(SUFFIXES)}")
     if Path(path).suffix.lower() not in SUFFIXES[to]:
         raise InputError(f"{path}: the name of a file for '{to}' must end in {' or '.join(SUFFIXES[to])}")
-    check_file(path, *inputs)
+    check_file(path, *inputs, kind=EXPORTS[Path(path).suffix.lower()])
 
 
 def exported(content: ExportContent, *, to: str, suffix: str) -> Exported:
@@ -66,7 +67,7 @@ def exported(content: ExportContent, *, to: str, suffix: str) -> Exported:
 
 def write_exported(made: Exported, path: str | Path) -> None:
     """Write the file of a target, completely or not at all; an ``InputError`` if it cannot be written."""
-    with replacing(path) as part:
+    with replacing(path, kind=EXPORTS[Path(path).suffix.lower()]) as part:
         part.write_bytes(made.data)
 
 
@@ -110,6 +111,7 @@ def mat_file(content: ExportContent) -> bytes:
     target = io.BytesIO()
     vectors = {name: values[:, None] for name, values in table_columns(content).items()}
     savemat(target, {"about": np.array(table_text(content), dtype=object)[:, None], **vectors})
-    made = f"MATLAB 5.0 MAT-file, asperity {asperity.__version__}, {Path(content.source).name}"  # without the date
+    name = one_line(Path(content.source).name)
+    made = f"MATLAB 5.0 MAT-file, asperity {asperity.__version__}, {name}"  # without the date
     text = made.encode("ascii", "replace")[:_MAT_TEXT].ljust(_MAT_TEXT)
     return text + target.getvalue()[_MAT_TEXT:]

@@ -70,15 +70,17 @@ def refuse_loose(fit: Fit | None) -> None:
     """Refuse a joint whose working temperature has left no interference."""
     if fit is None or float(fit.interference) + float(fit.thermal_change) > 0.0:
         return
-    loose = float(loose_temperature(fit))
-    side = "above" if loose > float(fit.assembly_temperature) else "below"
+    loose, assembly = float(loose_temperature(fit)), float(fit.assembly_temperature)
+    left = ""
+    if math.isfinite(loose):
+        side = "above" if loose > assembly else "below"
+        left = f"; nothing is left {side} {format_quantity(loose, 'degC')}"
     raise InputError(
         f"the joint is loose at its working temperature {format_quantity(float(fit.working_temperature), 'degC')}: of "
         f"{format_quantity(float(fit.interference), 'um')} of interference at the assembly, "
         f"{format_quantity(abs(float(fit.temperature_rise)), 'K')} take "
-        f"{format_quantity(-float(fit.thermal_change), 'um')}; nothing is left {side} "
-        f"{format_quantity(loose, 'degC')}. Choose more interference, materials of more equal expansion, or a preload "
-        "by spring (load.preload)"
+        f"{format_quantity(-float(fit.thermal_change), 'um')}{left}. Choose more interference, materials of more equal "
+        "expansion, or a preload by spring (load.preload)"
     )
 
 

@@ -80,6 +80,14 @@ def loosening_temperatures(joint: Joint, assembly: float) -> list[float]:
     return temperatures
 
 
+def housing_room(joint: Joint) -> Array:
+    """Wall of the housing around each ring that it holds, shape (rings,) [m]; not above 0 where it lies inside it."""
+    held = [_parts(joint, number) for number, holds in enumerate(seated(joint)) if holds]
+    return jnp.stack(
+        [jnp.asarray(housing.outer_radius - seat) for housing, _, _, seat in held] or [jnp.ones(())]
+    )
+
+
 def refuse_housing(joint: Joint) -> None:
     """Refuse a housing that lies inside one of its rings."""
     for number in (number for number, holds in enumerate(seated(joint)) if holds):

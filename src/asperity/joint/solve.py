@@ -167,8 +167,8 @@ def refuse_impossible_joint(joint: Joint) -> Joint:
     """The joint with NumPy's numbers, unless its parts do not fit; nothing is compiled."""
     joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_impossible(joint.drive)
+    refuse_housing(joint)  # first: what temperature does to the fit is not known without it
     refuse_loose(joint.fit)
-    refuse_housing(joint)
     refuse_pins(joint)
     refuse_bores(joint)
     refuse_short_pins(joint)

@@ -15,6 +15,7 @@ from asperity.joint.bores import overhang, pin_room
 from asperity.joint.capacity import smaller_sizes
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.housing import housing_room
 
 #: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
 #: contact slips.
@@ -33,14 +34,15 @@ STATUSES: dict[str, str] = {
     "no_place_for_rollers": "the rollers do not fit: they overlap, or have no place where they touch",
     "output_stands_still": "the output stands still whatever the input does: the ratio is infinite",
     "pin_too_short": "a roller is longer than the free length of its pin",
+    "housing_inside_ring": "the housing lies inside a ring that it holds",
 }
 
 #: Short names and meanings in the order of the codes.
 STATUS_NAMES, STATUS_MEANINGS = tuple(STATUSES), tuple(STATUSES.values())
 
 LOCKED = STATUS_NAMES.index("pin_too_thick_or_locked")
-TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE, SHORT = range(
-    LOCKED + 1, LOCKED + 10
+TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE, SHORT, INSIDE = range(
+    LOCKED + 1, LOCKED + 11
 )
 
 
@@ -96,6 +98,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         (output_share(drive) < LEAST_OUTPUT_SHARE, IDLE),
         (locked, LOCKED),
         (jnp.any(overhang(joint) > 1.0), SHORT),
+        (jnp.any(housing_room(joint) <= 0.0), INSIDE),
         (loose, LOOSE),
         (~at_rest, UNBALANCED),
         (jnp.any(wide) | ~result.walls_hold, TOO_WIDE),

@@ -26,6 +26,7 @@ from asperity.contact.roller_pairs import (
 from asperity.errors import InputError, nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Key
+from asperity.made_files import table_with
 from asperity.materials import ContactPair, contact_modulus, tangential_contact_modulus
 from asperity.reading import open_text
 from asperity.unit_table import Dimension
@@ -77,6 +78,7 @@ OUTPUT_COLUMNS: dict[str, tuple[str, str]] = {
 }
 
 
+_RESULTS = table_with("a table of results", *OUTPUT_COLUMNS)
 #: What the contact law does not give where every spot is plastic.
 _STIFFNESSES = ("Kt_N_per_mm", "Kn_N_per_mm")
 
@@ -98,7 +100,7 @@ def convert_contact_table(
     progress: Callable[[int], None] = lambda rows: None,
 ) -> Summary:
     """Read a table of roller pairs and write it again with the results behind each row."""
-    check_file(target, source)
+    check_file(target, source, kind=_RESULTS)
     with open_text(source) as stream:
         try:
             return _convert(stream, str(source), Path(target), frequency_ratio, asperity_base, progress)
@@ -122,7 +124,7 @@ def _convert(
     _check_header(header, source)
     kept = [index for index, name in enumerate(header) if name not in OUTPUT_COLUMNS]
     rows = plastic_rows = 0
-    with replacing(target) as part, part.open("x", encoding="utf-8", newline="") as made:
+    with replacing(target, kind=_RESULTS) as part, part.open("x", encoding="utf-8", newline="") as made:
         writer = csv.writer(made, lineterminator="\n")
         writer.writerow([*(header[index] for index in kept), *OUTPUT_COLUMNS])
         for lines, cells in _chunks(reader, lines_read, header, source):

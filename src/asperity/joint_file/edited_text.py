@@ -12,6 +12,7 @@ import tomlkit
 from pydantic import BaseModel
 from tomlkit.items import AoT, Table
 
+from asperity.errors import one_line
 from asperity.joint_file.model import Case
 from asperity.joint_file.old_comments import without_old_comments
 from asperity.joint_file.open_radius import radii_of
@@ -94,7 +95,8 @@ def joint_file_text(
 
 
 def _with_head(text: str, comment: str) -> str:
-    head = "".join(f"# {line}".rstrip() + "\n" for line in comment.splitlines())
+    # names of files stand there, and TOML allows no control characters in a comment
+    head = "".join(f"# {one_line(line)}".rstrip() + "\n" for line in comment.splitlines())
     if not text.startswith("#:schema"):  # editors look for this in the first line
         return head + text
     first, _, rest = text.partition("\n")
@@ -166,7 +168,7 @@ def with_measurement(text: str, name: str, *, comment: str = "") -> str:
     """The TOML of a joint file with the measured surface of a file of this name in place of its surfaces."""
     document, table = tomlkit.parse(text), tomlkit.table()
     if comment:
-        table.add(tomlkit.comment(comment))
+        table.add(tomlkit.comment(one_line(comment)))
     table.add("measurement", name)
     del document["surface"]
     document.add("surface", table)

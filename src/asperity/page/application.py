@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import json
 import re
 from collections.abc import AsyncIterator, Callable, Iterable
@@ -85,21 +86,23 @@ def application(
                 faster.add(called)
         return answer[1]
 
-    async def asset(request: Request) -> Response:
-        name, kind = ASSETS[request.url.path]
-        return Response(files("asperity.page").joinpath("static", name).read_bytes(), media_type=kind)
+    constant: dict[str, Callable[[], Response]] = {
+        **{path: functools.partial(_asset, *asset) for path, asset in ASSETS.items()},
+        "/openapi.json": lambda: JSONResponse(openapi()),
+        "/api/description": lambda: JSONResponse(described),
+        "/api/schema": lambda: JSONResponse(joint_schema()),
+    }
 
-    async def describe(request: Request) -> Response:
-        return JSONResponse(described)
+    @functools.cache
+    def made(path: str) -> Response:
+        return constant[path]()
 
-    async def interface(request: Request) -> Response:
-        return JSONResponse(openapi())
+    async def always_the_same(request: Request) -> Response:
+        # made once: whoever asks again and again would keep others waiting
+        return made(request.url.path)
 
     async def results(request: Request) -> Response:
         return JSONResponse(await readers.run(chart_results, joint_request(await _body(request))))
-
-    async def schema(request: Request) -> Response:
-        return JSONResponse(joint_schema())
 
     async def computed(
         joints: list[JointRequest], worker: Computations, compute: Callable[..., Any], *asked: Any
@@ -153,11 +156,8 @@ def application(
         jobs.close()
 
     routes = [
-        *(Route(path, asset, methods=["GET"]) for path in ASSETS),
-        Route("/openapi.json", interface, methods=["GET"]),
-        Route("/api/description", describe, methods=["GET"]),
+        *(Route(path, always_the_same, methods=["GET"]) for path in constant),
         Route("/api/results", results, methods=["POST"]),
-        Route("/api/schema", schema, methods=["GET"]),
         Route("/api/joint", joint, methods=["POST"]),
         Route("/api/chart", chart, methods=["POST"]),
         Route("/api/compare", comparison, methods=["POST"]),
@@ -169,6 +169,11 @@ def application(
     limits = {} if longest_body is None else {"longest_body": longest_body}
     large = {"/api/measure": LARGEST_SURFACE, "/api/open": LARGEST_SURFACE}
     return Guard(app, hosts=hosts, larger_bodies=large, **limits)  # type: ignore[arg-type]
+
+
+def _asset(name: str, kind: str) -> Response:
+    """A file of the page."""
+    return Response(files("asperity.page").joinpath("static", name).read_bytes(), media_type=kind)
 
 
 async def _body(request: Request) -> Any:

@@ -17,6 +17,8 @@ from asperity.errors import AsperityError, InputError, NoSolutionError
 LONGEST_FILE_NAME = 80
 #: Largest answer of a process [byte].
 LARGEST_ANSWER = 20_000_000
+#: Time that a stopped one has to remove its folder before the server ends [s].
+LONGEST_END = 5.0
 _PROGRAM = "from asperity.page.job_process import main; main()"
 
 

@@ -13,7 +13,7 @@ import threading
 import weakref
 from collections import OrderedDict
 from collections.abc import Callable, Iterable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from typing import Any, TypeVar
 
 from asperity.compilation import Program
@@ -40,27 +40,22 @@ class Computations:
     def __init__(self, *, longest: float, threads: int = 1) -> None:
         self._longest = longest
         self._pool = ThreadPoolExecutor(threads, thread_name_prefix="asperity-computation")
-        self._waiting = 0
+        self._left: set[Future[Any]] = set()
         self._lock = threading.Lock()
-
-    @property
-    def idle(self) -> bool:
-        """Whether nothing runs and nothing waits."""
-        return self._waiting == 0
 
     def submit(self, function: Callable[..., Computed], *arguments: Any) -> Future[Computed]:
         """Result of a computation put at the end of the queue; :class:`BusyError` if the queue is full."""
         with self._lock:
-            if self._waiting >= MOST_WAITING:
+            if len(self._left) >= MOST_WAITING:
                 raise BusyError(f"{MOST_WAITING} computations are waiting already; try again in a moment")
-            self._waiting += 1
-        future = self._pool.submit(function, *arguments)
+            future = self._pool.submit(function, *arguments)
+            self._left.add(future)
         future.add_done_callback(self._done)
         return future
 
     def _done(self, future: Future[Any]) -> None:
         with self._lock:
-            self._waiting -= 1
+            self._left.discard(future)
 
     async def run(self, function: Callable[..., Computed], *arguments: Any) -> Computed:
         """What a computation returns, of a function and its arguments, once its turn has come.
@@ -75,9 +70,12 @@ class Computations:
                 f"no answer within {self._longest:g} s; a first start compiles the programs, try again"
             ) from None
 
-    def close(self) -> None:
-        """Drop what waits, and finish what runs."""
+    def close(self, *, longest: float = 0.0) -> None:
+        """Drop what waits, and finish what runs, for which it waits no longer than ``longest`` [s]."""
         self._pool.shutdown(wait=False, cancel_futures=True)
+        with self._lock:
+            left = list(self._left)
+        wait(left, timeout=longest)
 
 
 class FasterPrograms:

@@ -187,11 +187,18 @@ def require_type(request: Request, *allowed: str) -> None:
 
 
 def parsed(body: bytes) -> Any:
-    """What the JSON document of a body says; an ``InputError`` if it is not JSON."""
+    """What the JSON document of a body says; an ``InputError`` if it is not JSON of Unicode texts."""
     try:
-        return json.loads(body, parse_constant=_no_constant)
+        document = json.loads(body, parse_constant=_no_constant)
+        if b"\\ud" in body.lower():  # by such an escape, a text may hold half of a character
+            json.dumps(document, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        raise InputError(
+            "the body is not valid JSON: a lone surrogate, half of a character, is no text"
+        ) from None
     except (ValueError, RecursionError) as error:
         raise InputError(f"the body is not valid JSON: {error}") from None
+    return document
 
 
 def _no_constant(name: str) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 from asperity.errors import AsperityError, InputError, quoted
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import parse_distribution
-from asperity.page.child import Child, StoppedError, file_name
+from asperity.page.child import LONGEST_END, Child, StoppedError, file_name
 from asperity.page.computation import BusyError
 from asperity.page.joint_request import JointRequest, joint_request
 from asperity.reading import parse_toml
@@ -72,6 +72,7 @@ class Jobs:
         self._jobs: OrderedDict[str, Job] = OrderedDict()
         self._lock = threading.Lock()
         self._working = False
+        self._worker: threading.Thread | None = None
         self._closed = False
 
     def begin(self, kind: str, name: str, files: Mapping[str, bytes], options: Mapping[str, Any]) -> Job:
@@ -90,7 +91,8 @@ class Jobs:
                 del self._jobs[old.identity]
             if not self._working:
                 self._working = True
-                threading.Thread(target=self._work, name="asperity-jobs", daemon=True).start()
+                self._worker = threading.Thread(target=self._work, name="asperity-jobs", daemon=True)
+                self._worker.start()
         return job
 
     def get(self, identity: str) -> Job | None:
@@ -105,13 +107,15 @@ class Jobs:
         job.child.stop()
 
     def close(self) -> None:
-        """End all jobs."""
+        """End all jobs, whose folders are gone then."""
         with self._lock:
             self._closed = True
-            jobs = list(self._jobs.values())
+            jobs, worker = list(self._jobs.values()), self._worker
         for job in jobs:
             if job.state not in ENDED:
                 self.stop(job)
+        if worker is not None:
+            worker.join(LONGEST_END)
 
     def _next(self) -> Job | None:
         with self._lock:

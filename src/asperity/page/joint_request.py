@@ -11,7 +11,7 @@ from typing import Any
 
 import tomlkit
 
-from asperity.errors import InputError, quoted
+from asperity.errors import InputError, one_line, quoted
 from asperity.joint_file.case_types import CASES, WedgeCase
 from asperity.joint_file.choices import FINISH, choices_of
 from asperity.joint_file.edited_text import entered_key_at, leave_out, set_texts, set_words, with_measurement
@@ -218,6 +218,11 @@ def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
             )
 
 
+def shown_name(name: str) -> str:
+    """The name of a joint file as messages and documents show it."""
+    return one_line(name)[:LONGEST_NAME] or "joint.toml"
+
+
 def joint_request(body: Any) -> JointRequest:
     """The joint that the JSON body of a request asks about.
 
@@ -255,4 +260,6 @@ def joint_request(body: Any) -> JointRequest:
         )
     for tree in (tables, *surfaces):
         check_depth(tree, name)
-    return JointRequest(name=name, text=text, changes=changes, tables=tables, surfaces=tuple(surfaces))
+    return JointRequest(
+        name=shown_name(name), text=text, changes=changes, tables=tables, surfaces=tuple(surfaces)
+    )

@@ -119,9 +119,7 @@ def serve(
         server.run(sockets=[listening])
     except KeyboardInterrupt as interruption:
         stopped = interruption
-    if computations.idle and charts.idle and faster.idle:
-        raise stopped
-    # a computation cannot be interrupted, and the interpreter would wait for it
+    # a computation cannot be interrupted, nor can XLA, and the interpreter would wait for both
     stopping(stopped)
     sys.stderr.flush()
     os._exit(0 if type(stopped) is KeyboardInterrupt else 143)

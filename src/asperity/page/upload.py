@@ -7,12 +7,12 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
-from asperity.errors import InputError, printable, quoted
+from asperity.errors import InputError, quoted
 from asperity.joint_file.reader import parse_case
 from asperity.page.answer import stated_values
-from asperity.page.child import Child, file_name
+from asperity.page.child import LONGEST_END, Child, file_name
 from asperity.page.computation import Computations
-from asperity.page.joint_request import LONGEST_NAME, refuse_named_files
+from asperity.page.joint_request import refuse_named_files, shown_name
 from asperity.reading import LARGEST_FILE, parse_toml
 from asperity.surface.file_formats import signed_format
 from asperity.surface.height_spectrum import LAYS
@@ -109,11 +109,6 @@ def opened_design(content: bytes, name: str) -> dict[str, Any]:
     return {"name": name, "design": text}
 
 
-def shown_name(name: str) -> str:
-    """The name of a joint file as messages show it."""
-    return printable(name)[:LONGEST_NAME] or "joint.toml"
-
-
 def _text(content: bytes, name: str) -> str:
     if len(content) > LARGEST_FILE:
         raise InputError(
@@ -140,10 +135,11 @@ class Measurements:
         self._child = child
 
     def close(self) -> None:
-        """End the measurement that runs, and drop those that wait."""
+        """End the measurement that runs, whose folder is gone then, and drop those that wait."""
         self._waiting.close()
         if self._child is not None:
             self._child.stop()
+        self._waiting.close(longest=LONGEST_END)
 
 
 def measured_upload(

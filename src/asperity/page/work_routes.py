@@ -17,7 +17,8 @@ from asperity.errors import AsperityError
 from asperity.page.computation import Computations
 from asperity.page.guard import parsed, problem, require_type
 from asperity.page.jobs import ENDED, Job, Jobs, job_request
-from asperity.page.upload import Measurements, opened_design, opened_joint, recognised, shown_name
+from asperity.page.joint_request import shown_name
+from asperity.page.upload import Measurements, opened_design, opened_joint, recognised
 
 #: Pause between two looks at a job that is watched [s], and the longest silence towards the browser [s].
 LOOK, SILENCE = 0.1, 10.0

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Sequence
 
 from asperity.errors import printable
+from asperity.made_files import MARK
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 
 _STYLE = """
@@ -52,6 +53,7 @@ def report_html(report: Report) -> str:
         '<html lang="en"><head><meta charset="utf-8">',
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f'<meta name="generator" content="{MARK}">',
         f"<title>{title}</title><style>{_STYLE}</style></head><body>",
         f"<h1>{title}</h1>{contents}<main>",
     ]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from asperity.errors import printable
 from asperity.extras import optional_module
+from asperity.made_files import MARK
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 
 _LONGEST_LINE = 128  # letters of a listing
@@ -34,7 +35,7 @@ def typst_source(report: Report, *, pictures: list[str]) -> str:
     """Write a report as typst."""
     title, names = literal(report.title), iter(pictures)
     parts = [
-        f"#set document(title: {title}, date: none)\n{_HEAD}",
+        f"#set document(title: {title}, keywords: ({literal(MARK)},), date: none)\n{_HEAD}",
         f'#text(size: 16pt, weight: "bold", {title})',
     ]
     parts += _parts(report.blocks, names)

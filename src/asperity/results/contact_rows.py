@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from asperity.results.result import Result
-from asperity.results.solved import SolvedJoint, has_spots
+from asperity.results.solved import ONLY_SPOTS, SolvedJoint, has_spots
 from asperity.types import namespace
 from asperity.unit_table import Dimension
 
@@ -18,7 +18,9 @@ _newtons = functools.partial(_force, dimension=Dimension.FORCE, display_unit="N"
 _contact_force = functools.partial(_newtons, axis="contact")
 _contact = functools.partial(Result, group="contacts", axis="contact")
 _bulk = functools.partial(_contact, dimension=Dimension.STIFFNESS, display_unit="N/um")
-_spot = functools.partial(_contact, present=has_spots, note="nan for surfaces by their rms_height")
+_spot = functools.partial(
+    _contact, present=has_spots, only=ONLY_SPOTS, note="nan for surfaces by their rms_height"
+)
 
 _FORCE, _TORQUE, _STIFFNESS = Dimension.FORCE, Dimension.TORQUE, Dimension.STIFFNESS
 _AREA, _NUMBER = Dimension.AREA, Dimension.DIMENSIONLESS

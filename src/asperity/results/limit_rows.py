@@ -10,12 +10,12 @@ from asperity.drive.layout.wedge import self_locking_ratio
 from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE
 from asperity.joint.description import contact_values
 from asperity.results.result import Limit, Result
-from asperity.results.solved import SolvedJoint, has_spots
+from asperity.results.solved import ONLY_SPOTS, SolvedJoint, has_spots
 from asperity.unit_table import Dimension
 
 _ratio = functools.partial(Result, dimension=Dimension.DIMENSIONLESS, display_unit="1", group="diagnostics")
 _contact_ratio = functools.partial(_ratio, axis="contact")
-_spot_ratio = functools.partial(_contact_ratio, present=has_spots)
+_spot_ratio = functools.partial(_contact_ratio, present=has_spots, only=ONLY_SPOTS)
 _residual = functools.partial(
     Result,
     dimension=Dimension.DIMENSIONLESS,

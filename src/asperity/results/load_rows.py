@@ -22,8 +22,13 @@ _STATE = "in rolling where the input turns, standing under the torque where it s
 _HOUSED = "nan without a section [housing]"
 _NEEDS = "nan without a section for its ratings, such as [pin_bearing]"
 _bearing = functools.partial(
-    Result, group="bearings", axis="bearing", present=lambda solved: solved.has_bearings
+    Result,
+    group="bearings",
+    axis="bearing",
+    present=lambda solved: solved.has_bearings,
+    only=f"the joint file gives no ratings of a bearing: {_NEEDS.removeprefix('nan without ')}",
 )
+_BENDS = "only free rings and hollow rollers, of one track each, have it, and rings in an elastic or described housing"
 _bearing_life = functools.partial(_bearing, dimension=Dimension.TIME, display_unit="h")
 _bearing_ratio = functools.partial(_bearing, dimension=Dimension.DIMENSIONLESS, display_unit="1")
 _stress = functools.partial(
@@ -34,6 +39,7 @@ _stress = functools.partial(
     axis="body",
     positive=False,
     present=lambda solved: bends(solved.joint),
+    only=_BENDS,
     note="tension positive, the larger of both rims, away from the contacts; nan for bodies that do not bend",
 )
 _mounting = functools.partial(
@@ -41,8 +47,15 @@ _mounting = functools.partial(
     axis="body",
     needs="geometry",
     present=lambda solved: tuple(shape.kind == "ring" for shape in solved.joint.shapes),
+    only="only rings have it",
 )
-_seat = functools.partial(Result, group="seats", axis="body", present=lambda solved: seated(solved.joint))
+_seat = functools.partial(
+    Result,
+    group="seats",
+    axis="body",
+    present=lambda solved: seated(solved.joint),
+    only="only rings in a housing that a section [housing] of the joint file describes have it",
+)
 _seat_pressure = functools.partial(_seat, dimension=Dimension.PRESSURE, display_unit="MPa")
 _safety = functools.partial(
     Result, group="stresses", dimension=Dimension.DIMENSIONLESS, display_unit="1", axis="body"
@@ -291,6 +304,7 @@ ROWS = (
         value=lambda solved: solved.rims.stress[0],
         note="tension positive, under the pressure of the pin too; nan without bearings.pin_diameter",
         present=_pressed,
+        only="only hollow rollers of one track on pins of a stated diameter, bearings.pin_diameter, have it",
     ),
     _safety(
         "rim_yield_safety",
@@ -299,6 +313,7 @@ ROWS = (
         note="yield strength over the largest Mises stress of both rims of a ring or hollow roller, without torque and "
         "under it, in plane strain up to 12 % above that at the faces of a short body; nan for bodies that do not bend",
         present=lambda solved: bends(solved.joint),
+        only=_BENDS,
         limit=Limit(
             "damage",
             "the rims of rings and hollow rollers stay elastic",
@@ -315,6 +330,7 @@ ROWS = (
         note="of a ring or hollow roller; nan for bodies that do not bend, and without fatigue_strength of the "
         "material",
         present=_tires,
+        only=f"{_BENDS}, where their material states fatigue_strength",
         limit=Limit(
             "damage",
             "the rims of rings and hollow rollers survive the stress cycles of the passing contacts",

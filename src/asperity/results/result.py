@@ -126,6 +126,8 @@ class Result:
         result itself and its limit.
     present : callable or None
         Which of its rows a joint has; the others are not judged. None: all of them.
+    only : str
+        What has it, in a sentence, where ``present`` is stated: why the other rows are absent.
     needs_wedges : bool
         Whether only a drive with wedges between planets and ring has it.
     rows : tuple of str
@@ -150,6 +152,7 @@ class Result:
     note: str = ""
     used: tuple[str, str] | tuple[()] = ()
     present: Callable[[SolvedJoint], tuple[bool, ...]] | None = None
+    only: str = ""
     needs_wedges: bool = False
     rows: tuple[str, ...] = ()
 
@@ -157,6 +160,16 @@ class Result:
     def si_unit(self) -> str:
         """SI unit; ``"1"`` for a ratio."""
         return self.dimension.si_unit
+
+    @property
+    def has_none(self) -> str:
+        """Where it has no value although the joint has a solution, by its note; empty where that says nothing.
+
+        As in ``"without lubrication.viscosity or where the input stands"``.
+        """
+        return " or ".join(
+            part.removeprefix("nan ") for part in self.note.split("; ") if part.startswith("nan ")
+        )
 
     @property
     def of_rims(self) -> bool:

@@ -74,6 +74,10 @@ def _without_torque(joint: Joint, result: JointResult) -> tuple[Joint, JointResu
     return standing, dataclasses.replace(result, forces=forces, diagnostics=diagnostics)
 
 
+#: Why contacts lack what :func:`has_spots` says they have.
+ONLY_SPOTS = "only contacts whose law is zou_2025, that of fractal_dimension and fractal_roughness, have it"
+
+
 def has_spots(solved: SolvedJoint) -> tuple[bool, ...]:
     """Which contacts have a law that knows their spots: those of fractal surfaces."""
     return (isinstance(solved.joint.surfaces[0], Surface),) * len(solved.joint.drive.contacts)

@@ -9,6 +9,7 @@ from collections.abc import Container, Iterable
 from typing import TYPE_CHECKING, Any
 
 from asperity.extras import optional_module
+from asperity.made_files import MARK
 from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, Circle, Dimension, Item, Line, Sheet, Style, Text
 from asperity.show.sheet_figure import arrowheads
 
@@ -53,6 +54,7 @@ def sheet_dxf(sheet: Sheet) -> str:
                 linetype="CENTER" if style == "axis" else "CONTINUOUS",
             )
         document.layers.add(_TEXT_LAYER, color=_BLACK, lineweight=18)
+        document.header.custom_vars.append("Generator", MARK)
         document.header["$LTSCALE"] = 4.0 / sheet.scale
         space = document.modelspace()
         _draw(space, sheet.items, sheet.scale, {item for of in sheet.dimensions for item in of.items})

@@ -13,6 +13,7 @@ from asperity.errors import InputError
 from asperity.extras import optional_module
 from asperity.joint.status import STATUS_NAMES, flag_attributes
 from asperity.joint_file.si_tables import key_at
+from asperity.made_files import Kind, table_with
 from asperity.results import RESULTS, Result, row_name
 from asperity.study.parameters import SweepAxis, long_name
 from asperity.unit_table import Dimension
@@ -191,6 +192,29 @@ def number_or_null(value: Any) -> float | None:
     return number if np.isfinite(number) else None
 
 
+def _is_netcdf(file: Path) -> bool:
+    with require("h5py").File(file) as stored:
+        source = stored.attrs["source"]
+    return str(source.decode() if isinstance(source, bytes) else source).startswith("asperity ")
+
+
+def _is_parquet(file: Path) -> bool:
+    require("pyarrow")
+    import pyarrow.parquet
+
+    return set(_STATUS) <= {name.partition(" [")[0] for name in pyarrow.parquet.read_schema(file).names}
+
+
+#: Columns of every table of points.
+_STATUS = ("status", "status_meaning")
+#: Ending → tables of sweeps.
+SWEEP_TABLES = {
+    ".csv": table_with("the table of a sweep", *_STATUS),
+    ".parquet": Kind("the table of a sweep", _is_parquet),
+    ".nc": Kind("the dataset of a sweep", _is_netcdf),
+}
+
+
 def check_table_path(path: str | Path, *, overwrite: bool) -> None:
     """Raise unless a table can be written here, before anything is computed."""
     file = Path(path)
@@ -237,7 +261,7 @@ def _header(name: str, variable: xarray.DataArray) -> str:
 def write_table(dataset: xarray.Dataset, path: str | Path) -> None:
     """Write a dataset to one file, completely or not at all."""
     file = Path(path)
-    with replacing(file) as part:
+    with replacing(file, kind=SWEEP_TABLES.get(file.suffix)) as part:
         if file.suffix == ".nc":
             part.write_bytes(dataset.to_netcdf(engine="h5netcdf"))  # on a full disk HDF5 ends the process
         elif file.suffix == ".parquet":

@@ -170,9 +170,19 @@ def check_axes(case: AnyCase, axes: Sequence[SweepAxis]) -> None:
 def check_paths(case: AnyCase, paths: Sequence[str]) -> None:
     """Raise unless these numbers of a joint file can be varied independently."""
     values = si_values(case)
-    seen: list[tuple[str, str, str | None]] = []
     for path in paths:
         replace_values(values, {path: 1.0})  # raises if this joint has no such number
+    refuse_twice(case, paths, named="axes")
+
+
+def refuse_twice(case: AnyCase, paths: Sequence[str], *, named: str) -> None:
+    """Raise where two paths stand for one number of a joint file, or for two of which a file states one.
+
+    ``named``: what the paths are, in the plural.
+    """
+    values = si_values(case)
+    seen: list[tuple[str, str, str | None]] = []
+    for path in paths:
         generic, contact = _generic(paths_of_track(values, path)[0])
         section, _, name = generic.rpartition(".")
         alike = {generic, *(f"{section}.{other}" for other in counterparts(name))}
@@ -181,7 +191,7 @@ def check_paths(case: AnyCase, paths: Sequence[str]) -> None:
                 contact == other_contact or contact is None or other_contact is None
             ):
                 both = path if other == path else f"{other} and {path}"
-                raise InputError(f"{both}: two axes for the same number; vary it once")
+                raise InputError(f"{both}: two {named} for the same number; vary it once")
         seen.append((path, generic, contact))
 
 

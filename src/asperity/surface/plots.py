@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from asperity.errors import one_line
 from asperity.surface import conventions
 from asperity.surface.fractal_fit import FractalFit
 from asperity.surface.measure import pooled_profiles
@@ -73,7 +74,7 @@ def _heights(axes: Any, figure: Figure, surface: Topography, profiles: np.ndarra
         stride = max(1, z.size // 20000)
         axes.plot(1e6 * spacing * np.arange(z.size)[::stride], 1e6 * z[::stride], linewidth=0.6)
         axes.set(xlabel="x [µm]", ylabel="height z [µm]")
-    axes.set_title(surface.source, fontsize=9)
+    axes.set_title(one_line(surface.source).replace("$", r"\$"), fontsize=9)  # no formula of matplotlib
 
 
 def _power_laws(axes: Any, fit: FractalFit, spacing: float) -> None:

@@ -99,7 +99,7 @@ def pressed_map_from_document(entry: Any) -> PressedMap:
             and bool(np.isfinite(made.decay_ratios).all(axis=1).any(axis=-1).all())
             and not any(np.isinf(number).any() for number in numbers.values())
         )
-    except (KeyError, TypeError, ValueError):
+    except (KeyError, TypeError, ValueError, OverflowError):
         valid = False
     if not valid:
         raise InputError("the boundary elements of the measurement are damaged: measure again")

@@ -10,8 +10,16 @@ from pathlib import Path
 from typing import Any
 
 import asperity
-from asperity.precision import require_double_precision
-from asperity.validation import contact_checks, drive_checks, element_checks, paper_checks, roller_checks
+from asperity.precision import compiled_for_one_use, require_double_precision
+from asperity.validation import (
+    contact_checks,
+    drive_checks,
+    element_checks,
+    machine_checks,
+    paper_checks,
+    roller_checks,
+    standing_checks,
+)
 from asperity.validation.check import Check, failed
 
 #: Name of a group of checks → what computes it.
@@ -21,16 +29,24 @@ GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
     "contact law": contact_checks.contact_law,
     "Hertz": contact_checks.hertz,
     "creep": contact_checks.creep,
+    "onset of rolling": contact_checks.onset,
     "crowned rollers": roller_checks.crowns,
+    "tilted rollers": roller_checks.tilted,
     "skewed rollers": roller_checks.skewed,
+    "asperities in rolling": machine_checks.layers,
+    "oil": machine_checks.oil,
     "stresses": contact_checks.stresses,
     "fatigue": contact_checks.fatigue,
     "discs": element_checks.discs,
     "rings": element_checks.rings,
+    "fits and temperature": machine_checks.fits,
+    "cam and pins": machine_checks.structure,
     "kinematics": drive_checks.ratios,
     "drive": drive_checks.states,
     "unlike branches": drive_checks.unlike,
     "rolling bearings": roller_checks.bearings,
+    "wind-up and its models": standing_checks.windup,
+    "vibrations": standing_checks.vibrations,
     "half-space": element_checks.half_space,
     "partial slip": element_checks.sliding,
     "rolling": element_checks.rolling,
@@ -42,12 +58,13 @@ def run_checks(report: Callable[[int, int], Any] = lambda done, total: None) -> 
     """Every check, one group after the other."""
     require_double_precision()
     checks: list[Check] = []
-    for done, (name, group) in enumerate(GROUPS.items()):
-        report(done, len(GROUPS))
-        try:
-            checks += list(group())
-        except Exception as error:  # whatever is broken in this installation is a finding, not an end
-            checks.append(failed(name, error))
+    with compiled_for_one_use():
+        for done, (name, group) in enumerate(GROUPS.items()):
+            report(done, len(GROUPS))
+            try:
+                checks += list(group())
+            except Exception as error:  # whatever is broken in this installation is a finding, not an end
+                checks.append(failed(name, error))
     report(len(GROUPS), len(GROUPS))
     return checks
 

@@ -15,17 +15,23 @@ import numpy as np
 
 from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.errors import InputError
+from asperity.made_files import IMAGE, Kind
 from asperity.writing import write_image, write_text
 from asperity.zou2025.criteria import CRITERIA, Claim
 from asperity.zou2025.curves import Curves
 from asperity.zou2025.panels import Panel
 from asperity.zou2025.preset import ASSUMPTIONS, REMARKS
 
+_PAPER = "Zou et al., Materials 2025, 18(12), 2866, https://doi.org/10.3390/ma18122866"
+#: Names of the files of a reproduction.
+_NAMES = ("figure_*.png", "figure_*.csv", "table_[12].csv", "claims.json")
+
 
 @contextlib.contextmanager
 def output_folder(path: str | Path) -> Iterator[Path]:
     """A folder for results, created unless it exists; if they are not completed, what was created is removed."""
     folder = Path(path)
+    _refuse_files_of_others(folder)
     created = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -43,6 +49,21 @@ def output_folder(path: str | Path) -> Iterator[Path]:
             for place in created[1:]:
                 place.rmdir()
         raise
+
+
+def _refuse_files_of_others(folder: Path) -> None:
+    """Refuse a folder in which something bears the name of a result and is none of an earlier run."""
+    ours = Kind("", lambda file: json.loads(file.read_bytes())["paper"] == _PAPER).is_made(
+        folder / "claims.json"
+    )
+    for file in (file for pattern in _NAMES for file in sorted(folder.glob(pattern))):
+        image = file.with_suffix(".png")
+        if file.is_symlink() or not (ours or (file.name.startswith("figure_") and IMAGE.is_made(image))):
+            raise InputError(
+                f"{folder}: {file.name} is of no earlier run of 'asperity reproduce'; remove it, or choose a different "
+                "folder",
+                options=["out"],
+            )
 
 
 def _write_rows(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
@@ -104,7 +125,7 @@ def table_2_rows(curves: Curves) -> list[dict[str, Any]]:
 def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> dict[str, Any]:
     """Verdicts, criteria, assumptions and the cases of the tables as one document."""
     return {
-        "paper": "Zou et al., Materials 2025, 18(12), 2866, https://doi.org/10.3390/ma18122866",
+        "paper": _PAPER,
         "met": sum(claim.met for claim in claims),
         "claims": [claim.as_dict() for claim in claims],
         "criteria": [vars(criterion) for criterion in CRITERIA],

@@ -57,6 +57,10 @@ def test_one_offset_for_each_repetition_and_a_drift_over_the_time(case):
     [
         ((), "nothing to calibrate"),
         (("load.preload", "load.preload"), "named twice"),
+        (
+            ("load.preload", "load.interference=1 um:20 um"),
+            "load.preload and load.interference: two unknowns for the same number; vary it once",
+        ),
         (("play.take_up_torque",), "needs the unknown 'play.angle'"),
         (("load.preload=500 N",), "expected KEY=LOWER:UPPER"),
         (("load.preload=2 kN:1 kN",), "the lower bound 2 kN must be below the upper 1 kN"),

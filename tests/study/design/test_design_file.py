@@ -73,6 +73,7 @@ def test_good_file(zou_file):
             "did you mean 'surface.fractal_dimension'",
         ),
         ('"1e-9 mm"', "1e-9", "bare number"),
+        ('"1e-9 mm"', '"1e-9 N"', "variables.surface.fractal_roughness.lower: expected a length"),
         (
             "surface.fractal_dimension = { lower = 1.3, upper = 1.9 }",
             "drive.planets = { lower = 3, upper = 5 }",
@@ -103,6 +104,65 @@ def test_bad_files(zou_file, old, new, message):
     assert old in GOOD
     with pytest.raises(InputError, match=message.replace("(", r"\(")):
         problem(GOOD.replace(old, new, 1), zou_file.parent)
+
+
+_TWICE = """
+joint = "planetary.toml"
+[variables]
+"FIRST" = { lower = "LOWEST", upper = "HIGHEST" }
+OTHER = { lower = "LOW", upper = "HIGH" }
+[objective]
+minimise = "mass"
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "other", "bounds"),
+    [
+        (
+            "drive.ring_wall_thickness",
+            "drive.ring_wall_thickness",
+            {"LOWEST": "5 mm", "HIGHEST": "9 mm", "LOW": "4 mm", "HIGH": "14 mm"},
+        ),
+        # a file states one of both, and the other one was replaced without a word
+        (
+            "load.interference",
+            "load.preload",
+            {"LOWEST": "10 um", "HIGHEST": "40 um", "LOW": "500 N", "HIGH": "900 N"},
+        ),
+        (
+            "surface.fractal_roughness",
+            "surface.roughness_average",
+            {"LOWEST": "1e-9 mm", "HIGHEST": "1e-6 mm", "LOW": "0.1 um", "HIGH": "0.4 um"},
+        ),
+        (
+            "drive.contact_length.sp",
+            "drive.contact_length",
+            {"LOWEST": "5 mm", "HIGHEST": "9 mm", "LOW": "4 mm", "HIGH": "14 mm"},
+        ),
+    ],
+)
+def test_a_variable_that_is_stated_twice_is_refused(zou_file, first, other, bounds):
+    text = _TWICE
+    for word, meant in (("FIRST", first), ("OTHER", other), *bounds.items()):
+        text = text.replace(f'"{word}"', f'"{meant}"').replace(f"{word} =", f"{meant} =")
+    both = first if first == other else f"{first} and {other}"
+    with pytest.raises(InputError, match=f"{both}: two variables for the same number; vary it once"):
+        problem(text, zou_file.parent)
+
+
+def test_a_result_that_is_limited_twice_is_refused(zou_file):
+    text = _TWICE.replace('OTHER = { lower = "LOW", upper = "HIGH" }\n', "")
+    for word, meant in (("FIRST", "drive.ring_wall_thickness"), ("LOWEST", "4 mm"), ("HIGHEST", "9 mm")):
+        text = text.replace(word, meant)
+    limits = "".join(
+        f'{name} = {{ at_least = "1e5 N*m/rad" }}\n' for name in ("stiffness", "assembly_stiffness_output")
+    )
+    with pytest.raises(
+        InputError,
+        match=r"constraints\.stiffness and constraints\.assembly_stiffness_output limit the same result; limit it once",
+    ):
+        problem(f"{text}[constraints]\n{limits}", zou_file.parent)
 
 
 def test_all_errors_of_a_file_are_said_at_once(zou_file):
@@ -263,6 +323,23 @@ def test_limits_of_rims_hold_for_the_bodies_that_bend(tmp_path, zou_file):
     for limit, support, says in (
         ('rim_yield_safety = { at_least = 2, bodies = ["sun"] }', "free", "'sun' has none; only free rings"),
         ("rim_yield_safety = { at_least = 2 }", "rigid_housing", "only free rings and hollow rollers"),
+        ("rim_fatigue_safety = { at_least = 2 }", "free", "where their material states fatigue_strength"),
+        (
+            "seat_torque_safety = { at_least = 2 }",
+            "free",
+            r"only rings in a housing that a section \[housing\]",
+        ),
+        (
+            'seat_pressure = { at_least = "1 MPa" }',
+            "free",
+            r"only rings in a housing that a section \[housing\]",
+        ),
+        (
+            'mounting_force = { at_most = "1 kN", bodies = ["sun"] }',
+            "free",
+            "'sun' has none; only rings have it",
+        ),
+        ('bore_stress = { at_most = "1 MPa" }', "free", "only hollow rollers of one track on pins"),
         ("ring_yield_safety = { at_least = 2 }", "free", "renamed to 'rim_yield_safety"),
     ):
         with pytest.raises(InputError, match=says):

@@ -50,6 +50,15 @@ def test_a_limit_says_sense_value_share_and_torque():
     assert kept.text == "preload at least 400 N (reached 410 N, at 5 N·m)"
 
 
+def test_a_limit_without_a_value_says_why():
+    drift = limit("drift_rate", at_most=True, limit=1e-5, value=math.nan, missed_by=math.nan)
+    assert drift.text.endswith(
+        "(no value there, none of any design: there is none where the input stands, at 5 N·m)"
+    )
+    stiffness = limit("slip_safety", at_most=False, limit=1.0, value=math.nan, missed_by=math.nan)
+    assert stiffness.text.endswith("(no value there, none of any design, at 5 N·m)")
+
+
 def test_a_conflict_names_the_active_limits_and_the_bounds():
     slip = limit("slip_ratio", at_most=True, limit=0.5, value=0.55, missed_by=0.1)
     load = limit("preload", at_most=True, limit=400.0, value=416.0, missed_by=0.04)

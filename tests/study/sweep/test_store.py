@@ -52,6 +52,27 @@ def test_what_is_no_store_or_another_sweeps_is_left_alone(case, tmp_path, axes):
         prepare_store(tmp_path / "nowhere" / "s.zarr", plan)
 
 
+def test_a_store_with_files_of_others_or_behind_a_link_is_not_deleted(case, tmp_path, axes, written):
+    plan = make_plan(case, axes, ("published_stiffness_output", "slip_ratio"))
+    store = tmp_path / "s.zarr"
+    prepare_store(store, plan)
+    written(store, plan, 0, 7.0)
+    (tmp_path / "link.zarr").symlink_to("s.zarr")
+    with pytest.raises(InputError, match=r"link\.zarr: this is a link; give the name of the store itself"):
+        remove_store(tmp_path / "link.zarr")
+    for place in ("joint.toml", "slip_ratio/notes.txt", "c"):
+        (store / place).write_text("mine")
+        with pytest.raises(
+            InputError, match=f"{place} in this store is of no sweep, so nothing is deleted; move it"
+        ):
+            remove_store(store)
+        assert (store / place).read_text() == "mine"
+        (store / place).unlink()
+    np.testing.assert_array_equal(open_store(store)["status"][0], 0)
+    remove_store(store)
+    assert not store.exists()
+
+
 def test_two_first_runs_into_one_store(case, tmp_path, monkeypatch, axes):
     from asperity.study.sweep import store
 

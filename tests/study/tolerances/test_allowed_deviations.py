@@ -8,6 +8,7 @@ import pytest
 from scipy.stats import norm
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.any_joint import with_nominal_sizes
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.quantity_key import Distribution
@@ -91,6 +92,8 @@ def test_least_cost_is_least(linear, case):
 def test_what_cannot_be_kept_or_says_nothing_is_refused(linear, case, monkeypatch):
     with pytest.raises(InputError, match="nominal sizes misses a limit: torque_capacity is 12, at least 13"):
         allowed(case, "torque_capacity >= 13 N*m")
+    with pytest.raises(InputError, match=r"at least 13 is asked for \[N\*m\]$"):
+        allowed(case, "torque_capacity >= 13 N*m", "torque_capacity >= 11 N*m")  # which it keeps
     with pytest.raises(InputError, match=r"100 drives are too few for a share of 0\.99; at least 500"):
         allowed(case, samples=100)
     for path in SLOPES:
@@ -101,6 +104,34 @@ def test_what_cannot_be_kept_or_says_nothing_is_refused(linear, case, monkeypatc
         monkeypatch.setitem(SLOPES, path, 0.0)
     with pytest.raises(NoSolutionError, match="no size of the drive moves a result that is limited"):
         allowed(case)
+
+
+@pytest.mark.parametrize("names", [["sp", "pr"], ["pr"]])
+def test_a_result_without_a_value_is_said_once_with_the_reason(case, monkeypatch, names):
+    def derivatives(tables, point, asked, paths):
+        values = np.array([[np.nan if name in names else 10.0] for name in ("sp", "pr")])
+        return np.array([0]), {asked[0]: values}, {asked[0]: np.zeros((2, 1, len(paths)))}
+
+    monkeypatch.setattr(module, "derivatives_at", derivatives)
+    with pytest.raises(InputError) as refused:
+        allowed(case, "flash_temperature <= 100 K")
+    assert str(refused.value) == (
+        f"flash_temperature has no value at {', '.join(names)}: there is none without thermal_conductivity and "
+        "specific_heat_capacity of both materials or where the input stands; state what it needs, or leave this limit "
+        "out"
+    )
+
+
+def test_a_drive_without_a_result_says_why(case, monkeypatch):
+    def derivatives(tables, point, asked, paths):
+        return np.array([STATUS_NAMES.index("contact_too_wide")]), {asked[0]: np.full((1, 1), np.nan)}, {}
+
+    monkeypatch.setattr(module, "derivatives_at", derivatives)
+    with pytest.raises(
+        InputError, match=r"nominal sizes has no result: a contact strip is too wide"
+    ) as refused:
+        allowed(case)
+    assert "nan" not in str(refused.value)
 
 
 def test_a_preload_force_is_refused(case):

@@ -161,7 +161,7 @@ def calibrate(
     require_double_precision()
     if not 0.0 <= model_error <= 1.0:
         raise InputError(
-            f"the error of the model must be from 0 to 1, got {model_error:g}", options=["model_error"]
+            f"the error of the model must be from 0 to 1, got {model_error:g}", options=["model-error"]
         )
     refuse_impossible(joint_from_case(case).drive)
     if all(measurement.drift is not None for measurement in measurements) and history != "virgin":

@@ -13,6 +13,7 @@ from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys, replace_values, si_values
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.design.design_problem import Variable
+from asperity.study.parameters import refuse_twice
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -71,6 +72,7 @@ def read_unknowns(
     for name in names:
         if names.count(name) > 1:
             raise InputError(f"the unknown '{name}' is named twice")
+    refuse_twice(case, [name for name in names if not added_to_curve(name)], named="unknowns")
     if "play.take_up_torque" in names and "play.angle" not in names and case.play is None:
         raise InputError(
             "play.take_up_torque is the torque that takes up the play; it needs the unknown 'play.angle' too, or a "

@@ -12,6 +12,7 @@ from asperity.joint.status import ALL_PLASTIC, UNBALANCED, has_value
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
+from asperity.made_files import DESIGNED_BY
 from asperity.precision import require_double_precision
 from asperity.results import RESULTS
 from asperity.study.batch import DERIVATIVE_BATCH, derivatives_at
@@ -167,7 +168,7 @@ def _result(
         verdict += ": this is the smallest violation"
     if feasible and residual >= OPTIMAL and not any(start.converged for start in starts):
         verdict += ", but no search converged: this is no optimum"
-    head = f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}."
+    head = f"{DESIGNED_BY} from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}."
     text = joint_file_text(problem.case, point, comment=head)
     status, before, _ = derivatives_at(
         evaluator.values, evaluator.scenarios.changes({}), evaluator.results, block=evaluator.block
@@ -218,6 +219,8 @@ def _refuse_without_result(evaluator: DesignEvaluator, optimum: EvaluatedDesign)
         )
     goal = problem.objectives[0].name
     if goal in unknown:
+        if np.all(status == 0) and (none := RESULTS[goal].has_none):
+            raise NoSolutionError(f"the nearest design found has no value of {goal}: there is none {none}")
         raise NoSolutionError(
             f"the nearest design found has no value of {goal}: its joint slips, lifts off or is not carried; widen the "
             "bounds, or lower the torque"

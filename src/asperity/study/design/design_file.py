@@ -28,6 +28,7 @@ from asperity.study.design.design_problem import (
 )
 from asperity.study.design.implied_limits import implied_limits
 from asperity.study.design.rounding import MOST_STEPPED
+from asperity.study.parameters import refuse_twice
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, parse_quantity
 
@@ -103,14 +104,23 @@ def design_from_tables(
             with errors.gathered():
                 variables.append(_variable(path, entry, kind))
         _check_count(variables if not errors.messages else [None])
+        if case is not None:
+            refuse_twice(case, [variable.path for variable in variables], named="variables")
     objectives: tuple[Objective, ...] = ()
     with errors.gathered():
         objectives = _objectives(_table(tables["objective"], "objective"), level, values, known)
     constraints: list[Constraint] = []
     with errors.gathered():
+        stated: dict[str, str] = {}
         for name, entry in _table(tables.get("constraints", {}), "constraints").items():
             with errors.gathered():
-                constraints.extend(constraint_of(name, entry, level, values, known))
+                found = tuple(constraint_of(name, entry, level, values, known))
+                other = stated.setdefault(found[0].name, name)
+                if other != name:
+                    raise InputError(
+                        f"constraints.{other} and constraints.{name} limit the same result; limit it once"
+                    )
+                constraints.extend(found)
     worst_case, starts, seed = WorstCase((), "none", 1, 0), 1, 0
     with errors.gathered():
         worst_case = _worst_case(_table(tables.get("worst_case", {}), "worst_case"))
@@ -199,10 +209,13 @@ def _variable(path: str, entry: dict[str, Any], kind: str) -> Variable:
         for side in ("lower", "upper"):
             if side not in entry:
                 raise InputError(f"{where}.{side}: this bound is missing, e.g. '{key.dimension.example}'")
-        try:
-            lower, upper = (key.read(entry[side]).value for side in ("lower", "upper"))
-        except InputError as error:
-            raise InputError(f"{where}: {error}") from None
+        bounds = []
+        for side in ("lower", "upper"):
+            try:
+                bounds.append(key.read(entry[side]).value)
+            except InputError as error:
+                raise InputError(f"{where}.{side}: {error}") from None
+        lower, upper = bounds
     scale = entry.get("scale", "log" if path.rsplit(".", 1)[-1].endswith(_LOGARITHMIC) else "linear")
     if scale not in ("log", "linear"):
         raise InputError(f"{where}.scale: {scale!r} is not one of log, linear")
@@ -294,7 +307,7 @@ def constraint_of(
             if row not in result.row_names:
                 raise InputError(f"{where}.{plural}: {row!r} is not one of {', '.join(result.row_names)}")
             if result.row_names.index(row) not in rows:
-                raise InputError(f"{where}.{plural}: {row!r} has none; {_absent(result)}")
+                raise InputError(f"{where}.{plural}: {row!r} has none; {result.only}")
         rows = tuple(result.row_names.index(row) for row in listed)
     for side in ("at_most", "at_least"):
         if side in entry:
@@ -312,16 +325,8 @@ def _rows(result: Result, values: Values, where: str) -> tuple[int, ...]:
     """Rows that the joint file has; all where that cannot be read."""
     rows = rows_of_file(values, result) if values else tuple(range(len(result.row_names)))
     if not rows:
-        raise InputError(f"{where}: {_absent(result)}")
+        raise InputError(f"{where}: {result.only}")
     return rows
-
-
-def _absent(result: Result) -> str:
-    """Why a joint file lacks rows of a result."""
-    if result.axis == "bearing":
-        return f"the joint file gives no ratings of a bearing: {result.note.rpartition('nan without ')[2]}"
-    words = "only free rings and hollow rollers, of one track each, have it"
-    return words + " where their material states fatigue_strength" * ("fatigue" in result.name)
 
 
 def _check_limit(result: Result, limit: float, written: str) -> None:

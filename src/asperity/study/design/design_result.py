@@ -86,7 +86,8 @@ class LimitReport:
                 if math.isnan(self.nearest)
                 else f"the nearest of any design was {nearest}"
             )
-            reached = f"no value there; {reached}"
+            why = f": there is none {result.has_none}" if result.has_none and math.isnan(self.nearest) else ""
+            reached = f"no value there; {reached}{why}"
         else:
             missed = "" if self.met else f", {100.0 * self.missed_by:.3g} % off"
             reached = f"reached {format_quantity(self.value, unit)}{missed}"

@@ -12,12 +12,13 @@ import json
 import os
 import shutil
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.errors import InputError
+from asperity.errors import InputError, one_line
 from asperity.study.datasets import require
 from asperity.study.parameters import axis_from_dict
 from asperity.study.sweep.store_layout import (
@@ -120,12 +121,29 @@ def open_store(path: str | Path, *, verify: bool = True) -> xarray.Dataset:
 
 def remove_store(path: str | Path) -> None:
     """Delete the store of a sweep, and nothing else."""
+    if Path(path).is_symlink():
+        raise InputError(f"{path}: this is a link; give the name of the store itself", options=["out"])
     if stored_plan(Path(path)) is None:
         raise InputError(
             f"{path}: this is not the store of a sweep, so it is not deleted; choose another folder",
             options=["out"],
         )
+    other = next(_not_of_store(Path(path)), None)
+    if other is not None:
+        raise InputError(
+            f"{path}: {one_line(str(other))} in this store is of no sweep, so nothing is deleted; move it away, or "
+            "choose another folder",
+            options=["out"],
+        )
     shutil.rmtree(path)
+
+
+def _not_of_store(folder: Path) -> Iterator[Path]:
+    """Files below a store that Zarr has not written: neither descriptions nor chunks, which lie below a name ``c``."""
+    for file in folder.rglob("*"):
+        within = file.relative_to(folder)
+        if not file.is_dir() and file.name != "zarr.json" and "c" not in within.parts[1:]:
+            yield within
 
 
 def _refuse_other(folder: Path, plan: Plan) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -10,8 +11,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from asperity.errors import InputError, NoSolutionError
+from asperity.errors import InputError, NoSolutionError, listed
 from asperity.joint.solve import refuse_impossible_joint
+from asperity.joint.status import STATUS_MEANINGS
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
@@ -21,6 +23,7 @@ from asperity.joint_file.quantity_key import Distribution
 from asperity.joint_file.si_tables import NumericKey, Values, numeric_keys, si_values
 from asperity.library.tolerance_grades import grade_within, standard_tolerances
 from asperity.precision import require_double_precision
+from asperity.results import Result
 from asperity.study.batch import derivatives_at, evaluate_points
 from asperity.study.design.design_file import constraint_of
 from asperity.study.design.design_problem import Constraint
@@ -205,14 +208,12 @@ class _Drives:
         tables, names = with_nominal_sizes(si_values(case)), dict.fromkeys(limit.name for limit in limits)
         points = {path: np.array([entry.value]) for path, entry in sizes.items()}
         status, nominal, slopes = derivatives_at(tables, points, tuple(names), tuple(sizes))
-        if status[0] != 0 or not all(_met(limits, nominal)):
-            found = "; ".join(
-                f"{limit.name} is {float(value):.6g}, {'at most' if limit.at_most else 'at least'} {limit.limit:.6g} "
-                "is asked for [SI]"
-                for limit in limits
-                for value in nominal[limit.name][list(limit.rows), 0]
-            )
-            raise InputError(f"the drive of nominal sizes misses a limit: {found}")
+        if status[0] != 0:
+            raise InputError(f"the drive of nominal sizes has no result: {STATUS_MEANINGS[status[0]]}")
+        table = results_of(tables)
+        said = [_shortfall(limit, table[limit.name], nominal[limit.name][:, 0]) for limit in limits]
+        if any(said):
+            raise InputError(listed(list(filter(None, said))))
         return cls(tables, limits, sizes, diameters, nominal, slopes)
 
     def spread(self, distribution: Distribution, samples: int, seed: int) -> np.ndarray:
@@ -248,6 +249,26 @@ class _Drives:
                 furthest = np.fmin(furthest, np.where(loss > 0.0, margin / loss, np.inf))
         order = np.argsort(furthest)
         return order, float(furthest[order[len(steps) - int(np.ceil(share * len(steps)))]])
+
+
+def _shortfall(limit: Constraint, result: Result, nominal: np.ndarray) -> str:
+    """How the drive of nominal sizes falls short of a limit of a result, shape (rows,) [SI]; empty if it keeps it."""
+    names = [result.row_names[row] for row in limit.rows]
+    values = dict(zip(names, nominal[list(limit.rows)].tolist(), strict=True))
+    if unknown := [name for name, value in values.items() if math.isnan(value)]:
+        at = f" at {', '.join(unknown)}" if any(unknown) else ""
+        why = f": there is none {result.has_none}; state what it needs, or" if result.has_none else ";"
+        return f"{limit.name} has no value{at}{why} leave this limit out"
+    sense, unit = "at most" if limit.at_most else "at least", f" [{result.si_unit}]" * (result.si_unit != "1")
+    missed = [
+        f"{limit.name}{name and f' at {name}'} is {value:.6g}"
+        for name, value in values.items()
+        if not (value <= limit.limit if limit.at_most else value >= limit.limit)
+    ]
+    if not missed:
+        return ""
+    asked = f"{sense} {limit.limit:.6g} is asked for{unit}"
+    return f"the drive of nominal sizes misses a limit: {'; '.join(missed)}, {asked}"
 
 
 def _sizes(case: Case) -> tuple[dict[str, NumericKey], np.ndarray]:
