@@ -31,7 +31,7 @@ FORMULA_ROOMS = (
     asperity.drive.wedge,
 )
 #: Equations of the paper, and our own: how many of each letter.
-OURS = {"A": 11, "B": 13, "D": 3, "E": 6, "L": 3, "M": 4}
+OURS = {"A": 11, "B": 13, "D": 3, "E": 7, "L": 4, "M": 4}
 NUMBERS = {str(n) for n in range(1, 31)} | {
     f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)
 }

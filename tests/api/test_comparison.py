@@ -1,11 +1,12 @@
 """Two joints side by side: what differs, and nothing else."""
 
+import dataclasses
 import json
 
 import pytest
 
 import asperity
-from asperity.api.comparison import MAIN_RESULTS
+from asperity.api.comparison import MAIN_RESULTS, Difference
 from asperity.errors import InputError
 from asperity.results import RESULTS
 
@@ -57,6 +58,32 @@ def test_tables_and_document_hold_the_differences(comparison):
         "name": "load.preload", "label": "preload", "si_unit": "N", "one": 1000.0, "other": 1100.0, "change": None,
     }  # fmt: skip
     assert len(document["results"]) == len(comparison.results)
+
+
+def test_a_bound_stands_beside_the_side_that_has_it(zou_file):
+    """Beside the label where both joints have rigid pins, beside the number of one of them otherwise."""
+    joint = asperity.load(zou_file)
+    rigid = joint.solve()["assembly_stiffness_output"]
+    assert rigid.bound == "upper bound: pins rigid"
+    assert repr(rigid).startswith(f"{rigid.label} (upper bound: pins rigid): ")
+    soft = dataclasses.replace(rigid, bound="")
+    both, one, none = (
+        Difference("assembly_stiffness_output", rigid.label, *sides)
+        for sides in ((rigid, rigid), (rigid, soft), (soft, soft))
+    )
+    assert (both.said, one.said, none.said) == (
+        f"{rigid.label} (upper bound: pins rigid)",
+        rigid.label,
+        rigid.label,
+    )
+    comparison = asperity.compare(joint, joint.with_values({"load.preload": "1100 N"}))
+    shown = dataclasses.replace(comparison, results=(both, one)).tables()[1].rows
+    assert [[" (upper bound: pins rigid)" in cell for cell in row[:3]] for row in shown] == [
+        [True, False, False],
+        [False, True, False],
+    ]
+    listed = dataclasses.replace(comparison, results=(one,)).document()["results"][0]
+    assert (listed["one_bound"], listed["other_bound"]) == ("upper bound: pins rigid", None)
 
 
 def test_a_file_and_itself_are_the_same(zou_file):

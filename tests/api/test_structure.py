@@ -43,6 +43,9 @@ def test_frequencies_are_nearly_those_of_a_spring_and_two_inertias(joint, printe
     assert found.document == printed("dynamics", vibrates.source)
     assert next(iter(found.to_frame())) == "frequency_Hz"
     assert "No dynamics.loss_factor" in repr(found)
+    # beside the stiffness, three frequencies and all over the torque; not beside inertias and damping
+    assert found.document["pins_rigid"]
+    assert repr(found).count("(upper bound: pins rigid)") == 5
     assert asperity.plot(found).axes
 
 

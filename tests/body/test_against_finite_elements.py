@@ -7,11 +7,13 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from hoop_stress import hoop_stress
+from pressed_pin import disc
 from scipy.sparse import bmat, coo_matrix
 from scipy.sparse.linalg import splu
 
-from asperity.body.bore import bore_compliance, pin_stress
+from asperity.body.bore import bore_modes, pin_stress
 from asperity.body.compliance import compliance_matrix, modes_needed
+from asperity.body.conforming_pin import conforming_compliance, conforming_pressure, pressure_shares
 from asperity.body.rim_range import POINTS, RimLoads, rim_stresses
 from asperity.body.shapes import Annulus, Disc
 
@@ -194,32 +196,37 @@ def test_ring_under_six_loads(support):
             check_housing(mesh, u, ring, apart)
 
 
-def pin_pressure(mesh, downwards):
-    """Forces of a cosine pressure on the lower or upper half of the bore, of which half a body bears one newton."""
+def pin_pressure(mesh, downwards, arc):
+    """Forces of a pin's pressure on the lower or upper side of the bore, of which half a body bears one newton."""
     load = np.zeros(2 * mesh.number.size)
+    nodes, weights = np.polynomial.legendre.leggauss(6)
+    ends = mesh.angles[::2]
+    half = 0.5 * np.diff(ends)[:, None]
+    at = 0.5 * (ends[1:] + ends[:-1])[:, None] + half * nodes
+    away = jnp.asarray(at + math.copysign(0.5 * math.pi, downwards))
+    pressed = 2.0 * np.asarray(conforming_pressure(angle=away, arc=arc)) * half * weights
     for k in range(mesh.angles.size // 2):
-        left, right = mesh.angles[2 * k], mesh.angles[2 * k + 2]
-        for x, weight in zip(*np.polynomial.legendre.leggauss(6), strict=True):
-            at = 0.5 * (left + right) + 0.5 * (right - left) * x
-            pressed = max(-downwards * math.sin(at), 0.0) * 4.0 / math.pi * weight * 0.5 * (right - left)
+        for angle, x, force in zip(at[k], nodes, pressed[k], strict=True):
             shape, _ = mesh._shape(x)
             for node, share in zip(mesh.number[0, 2 * k : 2 * k + 3], shape, strict=True):
-                load[2 * node : 2 * node + 2] += pressed * share * np.array([math.cos(at), math.sin(at)])
+                load[2 * node : 2 * node + 2] += force * share * np.array([math.cos(angle), math.sin(angle)])
     return load
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("bore", "radius"), [(13e-3, 20e-3), (2e-3, 5e-3)])
-def test_a_pin_in_a_bore_between_two_contacts(bore, radius):
-    """Both contacts drag a hollow planet by one newton, or press it; its pin holds it with a cosine pressure."""
-    half_width = 0.01 * radius
+@pytest.mark.parametrize(
+    ("bore", "radius", "half_angle"), [(13e-3, 20e-3, 1.48), (2e-3, 5e-3, 1.48), (13e-3, 20e-3, 0.5)]
+)
+def test_a_pin_in_a_bore_between_two_contacts(bore, radius, half_angle):
+    """Both contacts drag a hollow planet by one newton, or press it; its pin holds it over an arc of its bore."""
+    half_width, arc = 0.01 * radius, jnp.asarray(math.sin(0.5 * half_angle) ** 2)
     side = graded(0.0, 0.5 * math.pi, 0.0, 0.15 * half_width / radius, 1.25)
     side = np.concatenate([side[side < 0.2], np.linspace(0.2, 0.5 * math.pi, 49)])
     mesh = PolarMesh(np.linspace(bore, radius, 40), np.concatenate([-side[:0:-1], side]))
     drag, push = (mesh.punch(mesh.radii.size - 1, 0.0, half_width, along) for along in (1, 0))
     held = np.zeros((1, drag.size))
     held[0, 2 * mesh.number[-1, mesh.angles.size // 2] + 1] = 1.0
-    loads = [drag + pin_pressure(mesh, 1.0), push]
+    loads = [drag + pin_pressure(mesh, 1.0, arc), push]
     motions = mesh.answers(loads, np.vstack([mesh.across(0, 1), mesh.across(-1, 1), held]))
     expected = np.array(loads) @ motions.T
 
@@ -233,10 +240,13 @@ def test_a_pin_in_a_bore_between_two_contacts(bore, radius):
         copies=1,
         mode_count=60,
     )
-    own, along, around = bore_compliance(body=body, contact_angles=contacts, push_angle=-0.5 * math.pi)
+    modes = bore_modes(body=body, contact_angles=contacts, push_angle=-0.5 * math.pi)
+    shares = np.asarray(pressure_shares(arc=arc))
+    plate = float(conforming_compliance(arc=arc)) + float(modes.wall @ shares**2)
+    own = float(modes.shift + modes.scale * plate) - flattening_of_pin(half_angle)
     dragged, pushed = np.array([0.0, 0.0, 1.0, -1.0]), np.array([1.0, 1.0, 0.0, 0.0])
     force = 2.0  # of the pin, downwards
-    by_pin = force * (along + around)
+    by_pin = force * (modes.along + modes.rim @ shares)
     found = [
         [dragged @ rim @ dragged + 2.0 * by_pin @ dragged + own * force**2, by_pin @ pushed],
         [by_pin @ pushed, pushed @ rim @ pushed],
@@ -247,7 +257,8 @@ def test_a_pin_in_a_bore_between_two_contacts(bore, radius):
     places = np.radians([-90.0, -70.0, -50.0, -30.0, 30.0, 50.0, 70.0, 90.0])
     at = [int(np.argmin(np.abs(mesh.angles - place))) for place in places]
     places = mesh.angles[at]
-    pin = pin_stress(body=body, force=jnp.asarray(force), away=jnp.asarray(places) + 0.5 * math.pi)
+    away = jnp.asarray(places) + 0.5 * math.pi
+    pin = pin_stress(body=body, force=jnp.asarray(force), arc=arc, away=away)
     rest = hoop_stress(
         body=body,
         contact_angles=contacts,
@@ -268,6 +279,20 @@ def test_a_pin_in_a_bore_between_two_contacts(bore, radius):
         strain = (outward + slope)[at] / mesh.radii[row]
         stress = strain * E / (1 - NU**2) + NU / (1 - NU) * np.asarray(radial)
         assert np.asarray(ours) == pytest.approx(stress, rel=0.02, abs=0.01 * np.max(np.abs(stress)))
+
+
+def flattening_of_pin(half_angle):
+    """What a disc of unit length gives way by under a pin's pressure over an arc, mode by mode [m/N]."""
+    mode = np.arange(2, 2001)
+    nodes, weights = np.polynomial.legendre.leggauss(4000)
+    angle = half_angle * np.sin(0.5 * math.pi * nodes)
+    weights = weights * 0.5 * math.pi * half_angle * np.cos(0.5 * math.pi * nodes)
+    arc = jnp.asarray(math.sin(0.5 * half_angle) ** 2)
+    weights = weights * np.asarray(conforming_pressure(angle=jnp.asarray(angle), arc=arc))
+    kolosov, modulus = 3.0 - 4.0 * NU, E / (2.0 * (1.0 + NU))
+    shares = np.cos(np.outer(mode, angle)) @ weights
+    even = 0.25 * (kolosov - 1.0) * (np.sum(weights) ** 2 + 1.0)
+    return (even + np.sum(disc(mode, kolosov) * shares**2)) / (2.0 * math.pi * modulus)
 
 
 def edge_shear(mesh, k):

@@ -108,7 +108,9 @@ def test_what_is_assumed_in_short_and_in_full(planar_case):
         line.strip() for line in shown(short, document, width=2000).splitlines() if line
     ]
     assert heading == "Assumptions (all in full with --all)"
-    assert names.startswith("not in the file: section [bearings], bearings.pin_diameter, section [play], ")
+    assert names.startswith(
+        "not in the file: section [bearings], bearings.pin_diameter, compliance.pin_stiffness, section [play], "
+    )
     assert "the bearings have no friction" not in names
     law, fatigue, closure = others
     assert law.startswith("contact law zou_2025, since the file does not state model.contact_law: ")
@@ -211,6 +213,7 @@ def test_the_verdict_stands_before_the_numbers_of_use(torque, limit, stands, sai
         "torque_capacity": {"reverse": {"output_torque_Nm": torque, "meaning": "sp slips"}},
         "standing_torque_capacity": {"reverse": {"output_torque_Nm": stands, "limit": limit}},
         "standing": {"forces": {"output_torque_Nm": -5.0}},
+        "stiffness_bound": None,
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 10800.0 / math.pi}},
         "drift_rad_per_output_turn": None,
         "efficiency": 0.9,

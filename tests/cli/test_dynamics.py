@@ -60,6 +60,7 @@ def test_the_reason_why_creep_is_left_out():
             "at_torque": at | {"corner_frequency_Hz": corner},
             "over_torque": over,
             "of_own_branches": True,
+            "stiffness_bound": None,
         }
         said.append(repr(JointDynamics("a.toml", document, None, damped=True)))
     assert "The input stands" in said[0]

@@ -2,6 +2,7 @@
 
 import io
 import math
+import re
 
 import numpy as np
 import pytest
@@ -128,6 +129,7 @@ def document():
                 "cut_off_m": 0.25e-3,
             }
         ],
+        "stiffness_bound": None,
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), stiffness),
         "stiffness_budget": {"pins_share": 0.25, "contacts_share": each(0.5, 0.25, 0.0, 0.0, 0.0)},
         "diagnostics": slips,
@@ -270,6 +272,23 @@ def test_the_interval_of_a_measured_surface(document, shown):
     assert text.count("7000") == text.count("9000") == 3
     assert "drift from 1.08 arcmin to 2.16 arcmin per output turn" in text
     assert text.index("drift from") < text.index("The interval leaves out the error of the contact law.")
+
+
+def test_a_bound_stands_beside_every_stiffness_of_the_assembly(document, shown):
+    """In the line of the verdict, and in the row of the assembled level; not at the levels with held centres."""
+    assert "pins rigid" not in " ".join(shown(document))
+    document["stiffness_bound"] = "upper bound: pins rigid"
+    text = " ".join(" ".join(shown(document)).split())
+    assert text.count("(upper bound: pins rigid)") == 2
+    assert re.search(r"stiffness [\d.]+ N·m/arcmin \(upper bound: pins rigid\), drift", text)
+
+
+def test_what_an_unstated_clearance_leaves_open_is_told_below_the_stiffness(document, shown):
+    document["pin_clearance_interval"] = {"words": "bearings.pin_radial_clearance is not stated, and so on"}
+    lines = shown(document)
+    place = lines.index("  bearings.pin_radial_clearance is not stated, and so on")
+    assert any("Torsional stiffness" in line for line in lines[:place])
+    assert place < lines.index("Drift when it turns")
 
 
 def test_laws_side_by_side_have_a_line_each(document, shown):

@@ -66,6 +66,7 @@ DOCUMENT = {
         "limit": "gross_slip",
         "reverse": {"output_torque_Nm": None, "limit": "none"},
     },
+    "stiffness_bound": None,
     "torsional_stiffness": {
         "assembly": {"output_Nm_per_rad": 5.0 / math.radians(0.1), "output_Nm_per_arcmin": 0.8333}
     },

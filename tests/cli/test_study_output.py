@@ -145,6 +145,22 @@ def test_results_that_are_not_shown_are_named(capsys):
     assert "torque capacity" in text
 
 
+def test_results_that_are_bounds_are_named(capsys):
+    dims = ("load.preload",)
+    made = xarray.Dataset(
+        {
+            "status": (dims, np.zeros(1, dtype=np.int8)),
+            "assembly_stiffness_output": (dims, [3e4], {"long_name": "stiffness (upper bound: pins rigid)"}),
+            "torque_capacity": (dims, [12.0], {"long_name": "torque capacity"}),
+        },
+        coords={"load.preload": [800.0]},
+    )
+    show_points(made, {})
+    assert "\nupper bound: pins rigid: assembly_stiffness_output\n" in capsys.readouterr().out
+    show_points(made.drop_vars("assembly_stiffness_output"), {})
+    assert "upper bound" not in capsys.readouterr().out
+
+
 def test_bodies_that_do_not_bend_have_no_column_and_it_is_said(capsys):
     dims = ("load.output_torque",)
     made = xarray.Dataset(

@@ -40,6 +40,14 @@ def test_heading_states_both_numbers(content):
     assert text.isascii()
 
 
+def test_heading_says_what_bounds_the_stiffness(content, monkeypatch):
+    """Behind the stiffness, in the same line."""
+    for bound in ("upper bound: pins rigid", ""):
+        monkeypatch.setattr("asperity.export.content.stiffness_bound", lambda _, bound=bound: bound)
+        (line,) = (each for each in heading(content, what="Table") if each.startswith("Stiffness at"))
+        assert line.endswith(f"N*m/arcmin); {bound}" if bound else "N*m/arcmin)")
+
+
 def test_heading_says_what_is_unknown_and_the_play(made_content):
     loose = made_content(play=Play(angle=2.0 * ARCMINUTE, take_up_torque=0.1))
     text = "\n".join(
@@ -139,7 +147,12 @@ def test_numbers_are_those_of_the_joint_solved_alone(paper_joint):
 
 def test_texts_name_the_members_of_the_drive(content):
     joint = SimpleNamespace(
-        ends=("driving ring", "cage"), play=content.joint.play, drive=content.joint.drive, unlike=None
+        ends=("driving ring", "cage"),
+        play=content.joint.play,
+        drive=content.joint.drive,
+        pin_stiffness=5e7,
+        pin=None,
+        unlike=None,
     )
     other = dataclasses.replace(content, joint=joint)
     assert "Stiffness at 5 N*m, driving ring locked" in "\n".join(heading(other, what="Table"))
@@ -154,7 +167,10 @@ def test_files_say_whose_branches_they_hold(content, made_content):
     assert said(made_content().joint) == []
     own = object.__new__(Joint)
     vars(own).update(
-        unlike=object(), play=content.joint.play, drive=SimpleNamespace(input="sun", output="carrier")
+        unlike=object(),
+        play=content.joint.play,
+        pin_stiffness=None,
+        drive=SimpleNamespace(input="sun", output="carrier", pinned=()),
     )
     assert said(own) == [
         "Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."

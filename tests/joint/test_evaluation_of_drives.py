@@ -182,7 +182,7 @@ def test_power_is_lost_by_creep_and_bearings_alone(springs):
         loading_roller_torque=1e-3,
         carrier_torque=2e-2,
         pin_friction_coefficient=0.01,
-        pin_diameter=4e-3,
+        pin_friction_diameter=4e-3,
     )
     rolled = solved(evaluate, dataclasses.replace(springs, bearings=friction)).rolling
     power, speed = rolled.power, float(springs.input_speed)

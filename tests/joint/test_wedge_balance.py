@@ -26,7 +26,7 @@ BEARINGS = Bearings(
     loading_roller_torque=0.003,
     carrier_torque=0.02,
     pin_friction_coefficient=0.05,
-    pin_diameter=4e-3,
+    pin_friction_diameter=4e-3,
 )
 
 
@@ -51,7 +51,7 @@ def mechanism(joint):
             against * own.loading_roller_torque,
             against * own.carrier_torque,
             against * own.pin_friction_coefficient,
-            own.pin_diameter,
+            own.pin_friction_diameter,
         ),
         springs=closure_springs(
             contacts=joint_contacts(joint), rest_force=rest.normal_force, model=joint.closure_springs

@@ -63,7 +63,10 @@ NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "plan
 @pytest.mark.parametrize("name", NAMES)
 def test_assumptions_name_what_is_left_out(name, planar_case):
     told = "\n".join(assumptions(planar_case(name)))
-    assert "no section [compliance]: pins and shafts are rigid" in told
+    assert "no section [compliance]: shafts are rigid" in told
+    assert (
+        "no compliance.pin_stiffness: pins are rigid, and stiffness, natural frequencies and K1 to K3" in told
+    )
     assert ("in one plane" in told) == (planar_case(name).type != "planetary")
     assert "no rolling.hysteresis_factor" in told
     assert "no section [bearings]: the bearings have no friction" in told
@@ -94,13 +97,35 @@ def test_what_is_stated_is_no_assumption(planar_case):
 def test_how_pins_load_their_rollers(planar_case):
     """Without a diameter their force is spread over the rims; drives without pins say neither."""
     pins = ("[model]", '[bearings]\npin_diameter = "12 mm"\n\n[model]')
+    in_bore = "bearings.pin_diameter: a pin of its roller's material presses over an arc"
     for replaced, said, not_said in (
-        ((), "no bearings.pin_diameter", "bearings.pin_diameter: a pin presses"),
-        ((pins,), "bearings.pin_diameter: a pin presses", "no bearings.pin_diameter"),
+        ((), "no bearings.pin_diameter", in_bore),
+        ((pins,), in_bore, "no bearings.pin_diameter"),
     ):
         told = assumptions(planar_case("planetary", *replaced))
         assert any(each.startswith(said) for each in told)
         assert not any(each.startswith(not_said) for each in told)
+
+
+def test_how_pins_give_way(planar_case):
+    """Rigid, stated, or as beams of a stated diameter and length; with a stated clearance, or with none."""
+    pins = '[bearings]\npin_diameter = "12 mm"\n{}\n[model]'
+
+    def told(more, *others):
+        return "\n".join(assumptions(planar_case("planetary", ("[model]", pins.format(more)), *others)))
+
+    rigid = "no compliance.pin_stiffness: pins are rigid"
+    bent = "pins bend and shear as beams"
+    assert rigid in told("")
+    assert bent not in told("")
+    long = 'pin_length = "20 mm"\n'
+    assert rigid not in told(long)
+    assert bent in told(long)
+    stated = (("# [compliance]", "[compliance]"), ("# pin_stiffness", "pin_stiffness"))
+    assert rigid not in told(long, *stated)
+    assert bent not in told(long, *stated)
+    assert "none, since the file states no bearings.pin_radial_clearance" in told("")
+    assert "is play, which [play] states" in told('pin_radial_clearance = "5 um"\n')
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from asperity.joint.bores import pin_compliances
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import (
     joint_from_case,
@@ -84,7 +85,8 @@ def test_surfaces_for_each_contact(planar_case):
 
 def test_springs_of_the_structure_are_rigid_unless_stated(planar_case):
     rigid = joint_from_case(planar_case("planetary"))
-    assert (rigid.pin_stiffness, rigid.input_shaft_stiffness) == (math.inf, math.inf)
+    assert (rigid.pin_stiffness, rigid.input_shaft_stiffness) == (None, math.inf)
+    assert float(pin_compliances(rigid)[0]) == 0.0
     stated = joint_from_case(
         planar_case("planetary", ("# [compliance]", "[compliance]"), ("# pin_stiffness", "pin_stiffness"))
     )
@@ -126,12 +128,26 @@ def test_bearings_play_and_duty(planar_case):
         "loading_roller_torque": 2e-3,
         "carrier_torque": 0.0,
         "pin_friction_coefficient": 0.01,
-        "pin_diameter": 4e-3,
+        "pin_friction_diameter": 4e-3,
     }
+    assert (joint.shapes[1].pin_diameter, joint.shapes[1].bore_diameter) == (4e-3, 4e-3)
+    assert (joint.pin_clearance, joint.pin_clearance_stated) == (0.0, False)
     assert (joint.play.angle, joint.play.take_up_torque) == (1e-3, 0.1)
     assert [vars(point) for point in joint.rolling.duty] == [
         {"output_torque": 1.0, "sun_speed": 1.0, "share": 1.0}
     ]
+
+
+def test_pins_press_in_bores_or_only_rub(planar_case):
+    """Friction at a diameter of its own makes no bore; with both keys the pin makes the bore."""
+    rubs = '[bearings]\npin_friction_coefficient = 0.01\npin_friction_diameter = "6 mm"\n{}\n[model]'
+    alone = joint_from_case(planar_case("planetary", ("[model]", rubs.format(""))))
+    assert (alone.bearings.pin_friction_diameter, alone.shapes[1].kind) == (6e-3, "solid")
+    pressed = 'pin_diameter = "4 mm"\npin_radial_clearance = "3 um"\n'
+    both = joint_from_case(planar_case("planetary", ("[model]", rubs.format(pressed))))
+    assert both.bearings.pin_friction_diameter == 6e-3
+    assert (both.shapes[1].pin_diameter, both.shapes[1].bore_diameter) == (4e-3, 4e-3)
+    assert (both.pin_clearance, both.pin_clearance_stated) == (pytest.approx(3e-6), True)
 
 
 def test_what_a_radius_does_to_the_contacts(planar_case):

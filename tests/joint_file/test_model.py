@@ -92,7 +92,14 @@ def test_examples_are_those_of_init_and_valid_for_editors(name):
             "planetary",
             "[model]",
             "[bearings]\npin_friction_coefficient = 0.01\n\n[model]",
-            "bearings: pin_friction_coefficient acts at pin_diameter, which is missing",
+            "bearings: pin_friction_coefficient acts at a diameter, which is missing: give pin_friction_diameter, or "
+            "the pin_diameter",
+        ),
+        (
+            "planetary",
+            "[model]",
+            '[bearings]\npin_radial_clearance = "5 um"\n\n[model]',
+            "bearings: pin_radial_clearance = '5 um': only pins of a pin_diameter above 0 press in bores",
         ),
         (
             "planetary",

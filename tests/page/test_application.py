@@ -369,7 +369,7 @@ def test_the_description_covers_every_number_of_the_file(client, joint_text):
         )
         assert keys[generic]["meaning"]
         assert keys[generic]["unit"]
-    assert keys["compliance.pin_stiffness"]["default"] == "rigid if absent"
+    assert keys["compliance.output_shaft_stiffness"]["default"] == "rigid if absent"
     assert keys["rolling.reliability"]["default"] == "0.9 if absent"
     assert keys["materials.*.youngs_modulus"]["meaning"] == "Young's modulus E."
     assert keys["drive.sun_radius"]["required"]

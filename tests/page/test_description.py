@@ -51,7 +51,11 @@ def test_examples_are_in_the_unit_of_the_range_and_inside_it(keys):
 
 
 def test_what_is_taken_for_a_key_that_is_absent(keys):
-    assert keys["compliance.pin_stiffness"]["default"] == "rigid if absent"
+    assert keys["compliance.pin_stiffness"]["default"] == (
+        "rigid if absent, or that of a beam where [bearings] states pin_diameter and pin_length"
+    )
+    assert keys["compliance.output_shaft_stiffness"]["default"] == "rigid if absent"
+    assert keys["bearings.pin_radial_clearance"]["default"] == "none if absent"
     assert keys["rolling.reliability"]["default"] == "0.9 if absent"
     assert keys["drive.sun_radius"]["default"] is None
     said = {each["default"] for each in keys.values() if each["default"]}

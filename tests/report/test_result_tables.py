@@ -11,6 +11,7 @@ from asperity.report.result_tables import (
     stiffness,
     windup,
 )
+from asperity.results.windup_document import stages_title
 
 ARCMINUTE = math.pi / 180.0 / 60.0
 LEVELS = ("assembly", "series_with_bulk", "published")
@@ -43,6 +44,7 @@ def test_windup_has_angles_in_arcminutes_and_both_directions():
                 "hysteresis_rad": 0.5 * ARCMINUTE,
                 "lost_motion_rad": 0.25 * ARCMINUTE,
                 "dissipated_energy_J": 0.002,
+                "stiffness_bound": None,
                 "stages": [stage],
             }
         )
@@ -60,6 +62,7 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     }
     budget = {"bodies_share": 0.25, "asperity_share": {"sp": 0.5, "wro": 0.0}, "pins_share": 0.125}
     document = {
+        "stiffness_bound": None,
         "torsional_stiffness": levels, "stiffness_unknown_because": "it slips", "stiffness_budget": budget,
         "input": {}, "diagnostics": [{
             "ok": False, "severity": "model", "name": "spot", "label": "largest spot", "value": 2.0, "shown": "2",
@@ -86,9 +89,31 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     assert not any("a free ring's bending" in text for text in said)
 
 
+def test_a_bound_stands_beside_the_assembled_stiffness_and_the_stages():
+    level = {"input_Nm_per_rad": 10.0, "output_Nm_per_rad": 810.0, "output_Nm_per_arcmin": 0.25}
+    document = {
+        "stiffness_bound": "upper bound: pins rigid",
+        "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), level),
+        "stiffness_unknown_because": None,
+        "stiffness_budget": {},
+        "input": {},
+        "diagnostics": [],
+        "geometry": {"speed_ratio": -9.0, "input": "sun"},
+        "preload": {"loading_cam": {"held_stiffness_output_Nm_per_rad": 8748.0}},
+        "pin_clearance_interval": {"words": "bearings.pin_radial_clearance is not stated, and so on"},
+    }
+    blocks = list(stiffness(document))
+    heads = [row[0] for row in rows_of(blocks)["Torsional stiffness"]]
+    assert [head.endswith(" (upper bound: pins rigid)") for head in heads] == [True, False, False, True]
+    said = [block.text for block in blocks if isinstance(block, Paragraph)]
+    assert "bearings.pin_radial_clearance is not stated, and so on." in said
+    assert stages_title(document) == "Stages of the loading curve (secant stiffness; upper bound: pins rigid)"
+
+
 def test_a_joint_without_stiffness_has_no_table_of_its_compliance():
     nothing = {"input_Nm_per_rad": None, "output_Nm_per_rad": None, "output_Nm_per_arcmin": None}
     document = {
+        "stiffness_bound": None,
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), nothing),
         "stiffness_unknown_because": "every spot of sp is plastic",
         "diagnostics": [],
@@ -161,7 +186,7 @@ def test_the_drive_in_degrees_grams_and_millimetres():
 
 
 def test_an_interval_over_ra_with_its_drift():
-    table, drift, words = interval({"stiffness_interval": INTERVAL})
+    table, drift, words = interval({"stiffness_interval": INTERVAL, "stiffness_bound": None})
     assert isinstance(table, Table)
     assert table.title == INTERVAL["title"]
     assert [row[1:] for row in table.rows] == [("7000", "–")] * 3
@@ -199,6 +224,7 @@ def test_contact_laws_have_a_row_each():
     ]
     level = dict.fromkeys(("input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin"), 1.0)
     document = {
+        "stiffness_bound": None,
         "torsional_stiffness": dict.fromkeys(LEVELS, level),
         "preload": {"loading_cam": None},
         "geometry": {"input": "sun"},

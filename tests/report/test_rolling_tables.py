@@ -26,6 +26,7 @@ def document(**changes):
     found |= changes
     return {
         "rolling": found,
+        "stiffness_bound": None,
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 2.0 / TURN_AN_ARCMINUTE}},
         "standing": {"forces": {"output_torque_Nm": 5.0}},
         "input": {},

@@ -177,7 +177,8 @@ def test_a_design_is_shown_before_and_after_with_its_limits_and_files(designed):
     blocks = list(study_sections(studies))
     said = [block.text for block in of(Paragraph, blocks)]
     assert said[0].startswith(
-        "d.toml asks for the largest torsional stiffness at the output, assembly over 2 torques"
+        "d.toml asks for the largest torsional stiffness at the output, assembly (upper bound: pins rigid) "
+        "over 2 torques"
     )
     assert "30000 N·m/rad before, 35000 N·m/rad as designed" in said[0]
     assert said[1] == "All limits are met."

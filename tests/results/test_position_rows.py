@@ -17,6 +17,7 @@ def document(capacity=12.5, torque=5.0, both=(9.0, False, 8.0, False), slips=7.5
             "speed_loss": 1.85e-3,
             "torque_capacity_Nm": capacity,
         },
+        "stiffness_bound": None,
         "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 2.0 / ARCMINUTE}},
         "standing": {"forces": {"output_torque_Nm": torque}},
         "standing_torque_capacity": {
@@ -46,6 +47,7 @@ def test_drift_stands_beside_the_stiffness():
         "N*m",
         "beyond, a contact slips; standing: 9 N·m",
     )
+    assert found["stiffness, standing"].meaning == "assembled, at this torque"
     assert rows(torque=-5.0)["torque capacity, rolling"].meaning.endswith("standing: 8 N·m")
 
 

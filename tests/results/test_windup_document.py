@@ -52,7 +52,12 @@ def document(monkeypatch):
     for solution, name in zip(solutions, ("one", "other"), strict=True):
         result = SimpleNamespace(name=name, contact_names=CONTACT_NAMES)
         vars(solution).update(standing_capacity="forward", reverse_standing_capacity="reverse", result=result)
-    joint = SimpleNamespace(contact_names=CONTACT_NAMES, unlike=None)
+    joint = SimpleNamespace(
+        contact_names=CONTACT_NAMES,
+        unlike=None,
+        drive=SimpleNamespace(pinned=()),
+        pin_stiffness=None,
+    )
     return windup_document(joint, curve, solutions, (onset, None), level="assembly")
 
 

@@ -57,7 +57,9 @@ def solved():
         published=level(3e5),
         contact_names=CONTACT_NAMES,
     )
-    return SolvedJoint(types.SimpleNamespace(body_model="exact"), result, None)
+    pins = types.SimpleNamespace(pinned=(1,))
+    joint = types.SimpleNamespace(body_model="exact", drive=pins, pin_stiffness=None, pin=None)
+    return SolvedJoint(joint, result, None)
 
 
 def test_springs_in_words_the_largest_first(solved):
@@ -73,6 +75,12 @@ def test_figure_is_in_percent_and_newton_metres_an_arcminute(solved):
     assert line.get_xdata() == pytest.approx(
         [0.2908882, 5.817764, 87.26646], rel=1e-6
     )  # 1 arcmin is pi/10800
+    assert [label.get_text() for label in levels.get_yticklabels()] == [
+        "assembly\nupper bound: pins rigid", "bodies in series", "asperities alone",
+    ]  # fmt: skip
+    solved.joint.pin_stiffness = 5e7
+    levels = compliance_figure(solved, title="a joint").axes[1]
+    assert levels.get_yticklabels()[0].get_text() == "assembly"
 
 
 @pytest.mark.parametrize(("bodies", "said"), [("exact", True), ("springs", False)])

@@ -126,13 +126,14 @@ def test_both_senses_of_rotation(joint):
 def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
     """mu = 0.08: 120 of 240 N, and 1 where a contact slides; without slip no contact slides."""
 
-    def stiffness(joint, contacts, normal, tangential, slides, pin_force):
+    def stiffness(joint, contacts, normal, tangential, slides, pins):
         level = SimpleNamespace(output=jnp.sum(jnp.abs(slides)) + contacts.pairs.friction_coefficient[0])
         return SimpleNamespace(
             published=level, series_with_bulk=level, assembly=SimpleNamespace(stiffness=level)
         )
 
     monkeypatch.setattr("asperity.standing.over_torque.loaded_stiffness", stiffness)
+    rest = SimpleNamespace(normal=jnp.array([3000.0, 3000.0]))
     for worst, residual, balanced, solved in (
         (1e-12, np.inf, True, False),
         (1e-12, 1e-12, True, True),
@@ -146,7 +147,7 @@ def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
             worst=jnp.array(worst),
             residual=jnp.array(residual),
         )
-        found = _standing(joint, joint_contacts(joint), 1e30, state, None)
+        found = _standing(joint, joint_contacts(joint), 1e30, state, rest, None)
         np.testing.assert_allclose(found.slip_ratio, [0.5, 1.0], rtol=1e-12)
         np.testing.assert_allclose(found.assembly, [1.08, 1e30], rtol=1e-12)
         assert (bool(found.balanced), bool(found.solved)) == (balanced, solved)

@@ -13,6 +13,7 @@ from asperity.api.named_quantity import NamedQuantity, shown_number
 from asperity.api.shown import Shown, Table
 from asperity.api.solution import JointSolution
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.pin_bound import bounded
 from asperity.joint_file.si_tables import stated_tables
 
 #: Results that a table shows if not all are asked for.
@@ -55,6 +56,17 @@ class Difference(NamedTuple):
     label: str
     one: NamedQuantity | str | None
     other: NamedQuantity | str | None
+
+    @property
+    def said(self) -> str:
+        """The label, and what bounds both sides."""
+        return bounded(self.label, self.bound)
+
+    @property
+    def bound(self) -> str | None:
+        """What bounds both sides alike; None where they differ in that, or nothing does."""
+        one, other = _bound(self.one), _bound(self.other)
+        return one if one == other else None
 
     @property
     def change(self) -> float:
@@ -101,7 +113,7 @@ class JointComparison(Shown):
             parts = [Table(("number or choice", *names, "change"), rows, title="What differs in the files")]
         lines = self.results if in_full else self.main
         if lines:
-            rows = [(line.label, _shown(line.one), _shown(line.other), _change(line)) for line in lines]
+            rows = [(line.said, *_sides(line), _change(line)) for line in lines]
             parts.append(Table(("result", *names, "change"), rows, title="What differs in the results"))
         rest = len(self.results) - len(lines)
         parts.append(f"{f'{rest} more results differ, ' if rest else ''}{self.same} results are the same.")
@@ -135,7 +147,10 @@ class JointComparison(Shown):
             "one": self.one.source,
             "other": self.other.source,
             "inputs": listed(self.inputs),
-            "results": listed(self.results),
+            "results": [
+                entry | {"one_bound": _bound(line.one), "other_bound": _bound(line.other)}
+                for entry, line in zip(listed(self.results), self.results, strict=True)
+            ],
             "same_results": self.same,
         }
 
@@ -222,6 +237,16 @@ def _alike(one: NamedQuantity | str | None, other: NamedQuantity | str | None) -
         return one == other
     sizes = float(one.si), float(other.si)
     return all(map(math.isnan, sizes)) or math.isclose(*sizes, rel_tol=_SAME, abs_tol=1e-300)
+
+
+def _bound(side: NamedQuantity | str | None) -> str | None:
+    return (side.bound or None) if isinstance(side, NamedQuantity) else None
+
+
+def _sides(line: Difference) -> tuple[str, str]:
+    """Both sides, each with what bounds it alone."""
+    one, other = (bounded(_shown(side), None if line.bound else _bound(side)) for side in line[2:])
+    return one, other
 
 
 def _shown(side: NamedQuantity | str | None) -> str:

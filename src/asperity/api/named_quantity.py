@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError, quoted
+from asperity.joint.pin_bound import bounded
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, from_si, parse_quantity
 
@@ -36,6 +37,8 @@ class NamedQuantity:
         Model of the stiffness that it belongs to: published, series_with_bulk or assembly.
     categories : tuple of str
         What its values number, from 0, where it is not a quantity.
+    bound : str
+        What it is if more than a value: an upper bound.
     """
 
     name: str
@@ -46,6 +49,12 @@ class NamedQuantity:
     rows: tuple[str, ...] = ()
     level: str | None = None
     categories: tuple[str, ...] = ()
+    bound: str = ""
+
+    @property
+    def said(self) -> str:
+        """What it is, in a few words, and what bounds it."""
+        return bounded(self.label, self.bound)
 
     @property
     def si_unit(self) -> str:
@@ -112,7 +121,7 @@ class NamedQuantity:
         )
 
     def __repr__(self) -> str:
-        return f"{self.label}: {self}"
+        return f"{self.said}: {self}"
 
 
 def shown_number(si: float, unit: str, digits: int = 4) -> str:

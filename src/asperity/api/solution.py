@@ -11,6 +11,7 @@ import numpy as np
 
 from asperity.api.named_quantity import NamedQuantity, columns_of, shown_number
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
+from asperity.joint.pin_bound import bounded
 from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import document_of, full_document
 from asperity.results import LEVELS, Result, known_result, name_at_level
@@ -88,6 +89,7 @@ class JointSolution(Shown):
             rows=rows,
             level=row.level,
             categories=row.categories,
+            bound=row.bound,
         )
 
     def __iter__(self) -> Iterator[str]:
@@ -125,7 +127,7 @@ class JointSolution(Shown):
         singles = self._singles()
         return frame(
             {
-                "label": [quantity.label for quantity in singles],
+                "label": [quantity.said for quantity in singles],
                 **columns_of(singles),
                 "level": [quantity.level for quantity in singles],
             },
@@ -170,7 +172,7 @@ class JointSolution(Shown):
         rows = []
         for level in LEVELS:
             output, entry = (self[f"{level}_stiffness_{place}"] for place in ("output", "input"))
-            words = output.label.split(", ")[-1]
+            words = bounded(output.label.split(", ")[-1], output.bound)
             numbers = (entry.si, output.si, output.to("N*m/arcmin"))
             rows.append((words, *(shown_number(number, "1") for number in numbers)))
         return Table(

@@ -10,6 +10,7 @@ import numpy as np
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.joint.pin_bound import bound_document, bounded
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.section_build import inertias_from_case
 from asperity.joint_file.solved_document import solved_case
@@ -171,7 +172,8 @@ def dynamics(joint: DescribedJoint) -> JointDynamics:
     case = joint.case
     inertias, described = inertias_from_case(case), with_own_branches(case)
     solved = solved_dynamics(described, inertias)
-    document = dynamics_document(solved, inertias) | {"of_own_branches": described.unlike is not None}
+    document = dynamics_document(solved, inertias) | bound_document(described)
+    document |= {"of_own_branches": described.unlike is not None}
     damped = case.dynamics is not None and case.dynamics.loss_factor is not None
     return JointDynamics(joint.source, document, solved, damped=damped)
 
@@ -210,7 +212,8 @@ class JointDynamics(Shown):
         from asperity.show.dynamics_figure import dynamics_figure
         from asperity.show.style import plain_title
 
-        title = f"{plain_title(self.source)} between motor and load"
+        words = f"{plain_title(self.source)} between motor and load"
+        title = bounded(words, self.document["stiffness_bound"])
         return displayed(dynamics_figure(self.solved, title=title))
 
     def tables(self) -> list[str | Table]:
@@ -224,6 +227,7 @@ class JointDynamics(Shown):
             ("natural frequency, motor locked (antiresonance)", "locked_frequency_Hz", "Hz"),
             ("natural frequency, both sides free (resonance)", "free_frequency_Hz", "Hz"),
         ]
+        bound = self.document["stiffness_bound"]
         if at["creep_damping_Nms_per_rad"] is not None:
             quantities += [
                 ("creep: torque per speed lost", "creep_damping_Nms_per_rad", "N·m·s/rad"),
@@ -239,13 +243,16 @@ class JointDynamics(Shown):
         return [
             Table(
                 ("quantity", "value"),
-                [(words, f"{_number(at[key])} {unit}") for words, key, unit in quantities],
+                [
+                    (bounded(words, bound) if _of_spring(key) else words, f"{_number(at[key])} {unit}")
+                    for words, key, unit in quantities
+                ],
                 f"At an output torque of {_number(at['output_torque_Nm'])} N·m",
             ),
             Table(
                 tuple(columns),
                 list(zip(*(map(_number, over[key][::4]) for key in columns.values()), strict=True)),
-                "Over torque",
+                bounded("Over torque", bound),
             ),
             self._about_damping(),
         ]
@@ -264,3 +271,8 @@ class JointDynamics(Shown):
 
     def _parts(self) -> list[str | Table]:
         return [self.source, *self.tables()]
+
+
+def _of_spring(key: str) -> bool:
+    """Whether a number of the document is a stiffness, or a frequency, which grows with it."""
+    return "stiffness" in key or key.endswith("_Hz")

@@ -10,6 +10,7 @@ from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.errors import InputError
+from asperity.joint.pin_bound import bounded
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.results import LEVELS, known_result
 from asperity.results.windup_document import (
@@ -126,7 +127,7 @@ class JointWindup(Shown):
             "largest_torque": curve.torque[-1],
             "windup": curve.angle[-1],
         }
-        figures = _FIGURES
+        figures, bound = _FIGURES, document["stiffness_bound"] or ""
         if onset is not None:
             rolling = document["rolling"]
             figures = (*_FIGURES, *_ROLLING_FIGURES)
@@ -140,7 +141,13 @@ class JointWindup(Shown):
             }
         self._figures = {
             name: NamedQuantity(
-                name, label, float(np.asarray(values[name])), dimension, unit, level=self.level
+                name,
+                label,
+                float(np.asarray(values[name])),
+                dimension,
+                unit,
+                level=self.level,
+                bound=bound if dimension is Dimension.TORSIONAL_STIFFNESS else "",
             )
             for name, label, dimension, unit in figures
         }
@@ -181,7 +188,8 @@ class JointWindup(Shown):
             windup_figure(
                 self.curve,
                 self.onset,
-                title=f"Wind-up of {plain_title(self.joint.source)}, {self.level} stiffness",
+                title=f"Wind-up of {plain_title(self.joint.source)}, "
+                + bounded(f"{self.level} stiffness", self.document["stiffness_bound"]),
                 capacities=windup_capacities(self.document),
             )
         )
@@ -190,6 +198,7 @@ class JointWindup(Shown):
         rows = []
         for quantity in self._figures.values():
             limited = np.isfinite(quantity.si)
-            rows.append((quantity.label, str(quantity) if limited else "not limited by friction"))
-        title = f"{self.joint.source}: wind-up at the output, input locked, {self.level} stiffness"
+            rows.append((quantity.said, str(quantity) if limited else "not limited by friction"))
+        stiffness = bounded(f"{self.level} stiffness", self.document["stiffness_bound"])
+        title = f"{self.joint.source}: wind-up at the output, input locked, {stiffness}"
         return [title, Table(("figure", "value"), rows)]

@@ -1,15 +1,13 @@
-r"""Compliance and stress of a roller that a fitting pin presses in its bore.
+r"""Compliance and stress of a roller that a pin presses in its bore.
 
-The pin presses on half of the bore, with a pressure that follows the cosine from the direction of its force,
+The pin presses with the pressure of :mod:`asperity.body.conforming_pin` around the direction of its force F,
 
-.. math::
-    p = \frac{2F}{\pi R_i L} \max(\cos\varphi, 0), \qquad \max(\cos\varphi, 0) = \frac1\pi + \tfrac12 \cos\varphi
-    + \frac2\pi \sum_{k\ge1} \frac{(-1)^{k+1}}{4k^2 - 1} \cos 2k\varphi .
+.. math:: p = \frac{F}{\pi R_i L} \left[\tfrac12 w_0 + \cos\varphi + \sum_{n\ge2} w_n \cos n\varphi\right] .
 
-Its displacement is the mean of that of the bore with the same weight. The modes n = 0 and n = 2k are those of an
+Its displacement is the mean of that of the bore with the same weight. The modes n = 0 and n >= 2 are those of an
 annulus loaded on its inner rim (:mod:`asperity.body.annulus_modes`). In the mode n = 1 the force balances those of the
-contacts on the outer rim. A force in the opposite direction presses on the other half: the mode n = 1 changes its sign
-with it, the others do not.
+contacts on the outer rim. A force in the opposite direction presses on the other side: the odd modes change their sign
+with it, the even ones do not.
 """
 
 from __future__ import annotations
@@ -18,38 +16,45 @@ import math
 from typing import NamedTuple
 
 import jax.numpy as jnp
-import numpy as np
 from jax import Array
 
-from asperity.body.annulus_modes import Channels, ModeField, Wall, mode_field
+from asperity.body.annulus_modes import Channels, ModeField, Wall, added_compliance, mode_field
+from asperity.body.conforming_pin import SHARED, conforming_pressure, pressure_shares
 from asperity.body.rigid_modes import uniform_field
 from asperity.body.rim_stress import mode_stress
 from asperity.body.shapes import Annulus, kolosov_constant
 from asperity.materials import shear_modulus
 from asperity.types import Real
 
-#: Even modes that are summed; what is left out of the compliance falls as the fourth power of their number.
-_PAIRS = 40
+#: Modes whose fields are those of an annulus without a resultant force.
+_MODES = SHARED[1:].astype(float)
 
 
-class BoreCompliance(NamedTuple):
-    """Displacements under a unit force of the pin on the body.
+class BoreModes(NamedTuple):
+    """What a hollow roller does under each mode of the pressure of its pin.
 
     Parameters
     ----------
-    push_compliance : Array
-        Of the pin along its force [m/N].
     along : Array
-        Of the contacts, first outward, then counter-clockwise, shape (2 contacts,) [m/N]: the part that changes its
-        sign with the force.
-    around : Array
-        Of the contacts: the part that does not, since a force in the opposite direction presses the other half of the
-        bore outward too, likewise [m/N].
+        Displacement of the contacts under a unit force of the pin by the first mode, first outward, then
+        counter-clockwise, shape (2 contacts,) [m/N].
+    rim : Array
+        The same by the modes :data:`asperity.body.conforming_pin.SHARED`, for shares of 1, shape (2 contacts, modes)
+        [m/N].
+    shift : Array
+        Displacement of the pin along its force by the first mode, the pin's own flattening included [m/N].
+    scale : Array
+        :math:`1/(E'L)` [m/N].
+    wall : Array
+        What the wall adds to the compliance of a large plate under the squares of the shares, over the scale, shape
+        (modes,) [-].
     """
 
-    push_compliance: Array
     along: Array
-    around: Array
+    rim: Array
+    shift: Array
+    scale: Array
+    wall: Array
 
 
 class _Translation(NamedTuple):
@@ -58,12 +63,6 @@ class _Translation(NamedTuple):
     cubic: Array
     inverse: Array
     resultant: Array
-
-
-def _even_modes() -> tuple[np.ndarray, np.ndarray]:
-    """Numbers of the even modes, and their share in max(cos, 0)."""
-    k = np.arange(1, _PAIRS + 1)
-    return 2.0 * k, 2.0 / math.pi * (-1.0) ** (k + 1) / (4.0 * k**2 - 1.0)
 
 
 def _pressed_inside(body: Annulus) -> Wall:
@@ -76,11 +75,9 @@ def _through(channels: Channels, first: Real, second: Real) -> tuple[Real, Real]
     return channels.pp * first + channels.pm * second, channels.mp * first + channels.mm * second
 
 
-def _fields(wall: Wall) -> tuple[ModeField, tuple[Real, Real]]:
-    """Even modes under a unit radial traction on the bore: the field, and the motion of its first set there."""
-    mode, _ = _even_modes()
-    field = mode_field(mode=jnp.asarray(mode), decay=jnp.asarray(wall.ratio**-mode), wall=wall)
-    return field, _through(field.motion, 1.0, 1.0)
+def _field(wall: Wall) -> ModeField:
+    """Modes n >= 2 under tractions on the bore."""
+    return mode_field(mode=jnp.asarray(_MODES), decay=jnp.asarray(wall.ratio**-_MODES), wall=wall)
 
 
 def _translation(wall: Wall) -> _Translation:
@@ -91,12 +88,15 @@ def _translation(wall: Wall) -> _Translation:
     return _Translation(b, b + c + 0.25, c)
 
 
-def bore_compliance(*, body: Annulus, contact_angles: Array, push_angle: Real) -> BoreCompliance:
-    r"""Compliance of a hollow roller between the pin in its bore and the contacts on its outer rim.
+def bore_modes(*, body: Annulus, contact_angles: Array, push_angle: Real) -> BoreModes:
+    r"""A hollow roller between the pin in its bore and the contacts on its outer rim, mode by mode.
 
-    .. math:: u_p = c\,F + \sum_j (a_j \pm r_j) f_j, \qquad u_j = \sum_k C_{jk} f_k + a_j F + r_j |F|
+    .. math:: u_p = F \left[C_1 + \frac{\hat C + \sum_n h_n w_n^2}{E'L}\right] + \sum_j f_j\,
+        (a_j + \textstyle\sum_n w_n r_{jn}), \qquad
+        u_j = \sum_k C_{jk} f_k + F\,(a_j + \textstyle\sum_n w_n r_{jn})
 
-    with the force F of the pin and those of the contacts, f, on the body, and the sign of F.
+    with the force F > 0 of the pin and those of the contacts, f, on the body. Where F < 0, the odd modes change their
+    signs with it.
 
     Parameters
     ----------
@@ -109,51 +109,52 @@ def bore_compliance(*, body: Annulus, contact_angles: Array, push_angle: Real) -
 
     Returns
     -------
-    BoreCompliance
-        c, a and r [m/N]. The contacts are points: a half-width b changes their mode n by the share :math:`(nb/2R)^2`.
+    BoreModes
+        a, r and C_1 [m/N], h [-]. The contacts are points: a half-width b changes their mode n by the share
+        :math:`(nb/2R)^2`.
 
     Notes
     -----
     Pin and contacts together are in balance; the translation of the body is left out, as in
-    :func:`~asperity.body.compliance.compliance_matrix`. The stiffness of the pin is not counted.
+    :func:`~asperity.body.compliance.compliance_matrix`. The pin is a cylinder of the roller's material that fills the
+    bore but for its clearance, its force spread evenly over its section: it flattens as a disc, in the first mode by
+    :math:`(\kappa - 1) F/(8 \pi G L)`.
 
     References
     ----------
     Airy's functions by J. H. Michell, Proc. London Math. Soc. 31 (1899) 100, as in J. R. Barber, Elasticity, 2010,
-    tables 8.1 and 9.1; the cosine pressure of a fitting pin as in S. P. Timoshenko and J. N. Goodier, Theory of
-    Elasticity, 1970, section 45. Equation (E5) of :doc:`/equations`.
+    tables 8.1 and 9.1. Equations (E5) and (E7) of :doc:`/equations`.
     """
     wall, away = _pressed_inside(body), contact_angles - push_angle
     ratio, kolosov = wall.ratio, wall.kolosov
-    mode, share = _even_modes()
-    field, first = _fields(wall)
-    echo, passed, back = (_through(part, *first) for part in (field.echo, field.passed, field.answer))
-    at_bore = 0.5 * (first[0] - echo[0] + first[1] - echo[1])
+    field = _field(wall)
+    first = _through(field.motion, 1.0, 1.0)
+    passed, back = (_through(part, *first) for part in (field.passed, field.answer))
     plus, minus = passed[0] + back[0], passed[1] + back[1]
     outward, sideways = 0.5 * (plus + minus), 0.5 * wall.side * (plus - minus)
     even, odd = uniform_field(wall)
     swells = -(0.5 * (kolosov - 1.0) * even - odd)
     swells_outside = -(0.5 * (kolosov - 1.0) * even * ratio - odd / ratio)
     b, e, c = _translation(wall)
-    log = jnp.log(ratio)
     # displacement of the bore minus that of the outer rim, both in their direction, under the unit traction
-    translation = ((kolosov - 2.0) * b + e - c) - (-2.0 * b * ratio**2 + 2.0 * kolosov * c * log)
+    translation = (kolosov - 2.0) * b + e - c - (-2.0 * b * ratio**2 + 2.0 * kolosov * c * jnp.log(ratio))
     outer = kolosov * b * ratio**2 + e / ratio**2 - c
+    added = added_compliance(mode=jnp.asarray(_MODES), decay=jnp.asarray(ratio**-_MODES), wall=wall)
 
     modulus = shear_modulus(youngs_modulus=body.youngs_modulus, poisson_ratio=body.poisson_ratio)
-    scale = 2.0 / (math.pi * 2.0 * modulus * body.length)  # a pressure of 2F/(pi R L) times R/2G
-    compliance = 2.0 * swells / math.pi**2 + 0.25 * translation + jnp.sum(share**2 * at_bore)
-    turns = mode * away[:, None]
-    return BoreCompliance(
-        push_compliance=scale * 2.0 * compliance,
-        along=0.5 * scale * outer * jnp.concatenate([jnp.cos(away), jnp.sin(away)]),
-        around=scale
-        * jnp.concatenate(
-            [
-                swells_outside / math.pi + jnp.cos(turns) @ (share * outward),
-                jnp.sin(turns) @ (share * sideways),
-            ]
-        ),
+    unit = 1.0 / (2.0 * math.pi * modulus * body.length)  # a traction of F/(pi R L) times R/2G
+    cosine, sine = jnp.cos(away), jnp.sin(away)
+    turns = _MODES * away[:, None]
+    uniform = jnp.broadcast_to(0.5 * swells_outside, away.shape)
+    normal = jnp.concatenate([uniform[:, None], jnp.cos(turns) * outward], axis=1)
+    tangential = jnp.concatenate([jnp.zeros_like(away)[:, None], jnp.sin(turns) * sideways], axis=1)
+    walls = jnp.concatenate([jnp.asarray(swells - 1.0)[None], jnp.asarray(added.radial)])
+    return BoreModes(
+        along=unit * outer * jnp.concatenate([cosine, sine]),
+        rim=unit * jnp.concatenate([normal, tangential]),
+        shift=unit * (translation + 0.25 * (kolosov - 1.0)),
+        scale=jnp.asarray((kolosov + 1.0) / (8.0 * modulus * body.length)),
+        wall=2.0 / (math.pi * (kolosov + 1.0)) * walls,
     )
 
 
@@ -173,11 +174,11 @@ class PinStress(NamedTuple):
     rim_hoop: Array
 
 
-def pin_stress(*, body: Annulus, force: Array, away: Array) -> PinStress:
-    r"""Stresses along both rims of a hollow roller under the force of a fitting pin in its bore.
+def pin_stress(*, body: Annulus, force: Array, arc: Array, away: Array) -> PinStress:
+    r"""Stresses along both rims of a hollow roller under the force of the pin in its bore.
 
-    .. math:: \sigma_\theta = \frac{2F}{\pi R_i L}\left[\frac{h_0}\pi + \tfrac12 h_1 \cos\varphi
-        + \frac2\pi \sum_{k\ge1} \frac{(-1)^{k+1}}{4k^2-1} h_{2k} \cos 2k\varphi\right]
+    .. math:: \sigma_\theta = \frac{F}{\pi R_i L}\left[\tfrac12 h_0 w_0 + h_1 \cos\varphi
+        + \sum_{n\ge2} h_n w_n \cos n\varphi\right]
 
     Parameters
     ----------
@@ -185,6 +186,8 @@ def pin_stress(*, body: Annulus, force: Array, away: Array) -> PinStress:
         The roller.
     force : Array
         Size of the pin's force F [N].
+    arc : Array
+        Its arc of contact, u of :func:`asperity.body.conforming_pin.conforming_pressure` [-].
     away : Array
         Angles from its direction on the body, shape (points, ...) [rad].
 
@@ -195,24 +198,23 @@ def pin_stress(*, body: Annulus, force: Array, away: Array) -> PinStress:
 
     References
     ----------
-    As :func:`bore_compliance`.
+    As :func:`bore_modes`.
     """
     wall = _pressed_inside(body)
-    ratio = wall.ratio
-    mode, share = _even_modes()
-    field, _ = _fields(wall)
-    stress = mode_stress(wall, field, 1.0, 1.0)
+    ratio, shares = wall.ratio, pressure_shares(arc=arc)
+    stress = mode_stress(wall, _field(wall), 1.0, 1.0)
     even, odd = uniform_field(wall)
     b, e, c = _translation(wall)
     inner, outer = (6.0 * b * r + 2.0 * e / r**3 - (wall.kolosov - 1.0) * c / r for r in (1.0, ratio))
-    waves = jnp.cos(away[..., None] * mode)
-    first, pressed = 0.5 * jnp.cos(away), jnp.maximum(jnp.cos(away), 0.0)
-    pressure = 2.0 * force / (math.pi * body.inner_radius * body.length)
+    waves = jnp.cos(away[..., None] * _MODES)
+    uniform, first = 0.5 * shares[0], jnp.cos(away)
+    local = math.pi * conforming_pressure(angle=away, arc=arc)
+    pressure = force / (math.pi * body.inner_radius * body.length)
     bore = (
-        -(even - odd) / math.pi
+        -(even - odd) * uniform
         + inner * first
-        - (pressed - 1.0 / math.pi - first)
-        + waves @ (share * stress.loaded_rim)
+        - (local - uniform - first)
+        + waves @ (shares[1:] * stress.loaded_rim)
     )
-    rim = -(even - odd / ratio**2) / math.pi + outer * first + waves @ (share * stress.other_rim)
-    return PinStress(pressure * bore, -pressure * pressed, pressure * rim)
+    rim = -(even - odd / ratio**2) * uniform + outer * first + waves @ (shares[1:] * stress.other_rim)
+    return PinStress(pressure * bore, -pressure * local, pressure * rim)

@@ -309,7 +309,7 @@ def _show_summary(target: Console, result: DesignResult) -> None:
             continue
         shown = result.problem.table[name]
         values = (result.summary_before[name], result.summary_after[name])
-        label = shown.label if which == "nominal" else f"{shown.label}, {which}"
+        label = shown.said if which == "nominal" else f"{shown.said}, {which}"
         rows.add_row(label, *("-" if v != v else format_quantity(v, shown.display_unit) for v in values))
     target.print(rows)
 

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from asperity.cli.terminal import console, show_table, table
+from asperity.joint.pin_bound import bounded
 from asperity.joint.temperature_limits import limit_words
 from asperity.joint.torque_limits import standing_words
 from asperity.results.branch_document import deviations, force_size
@@ -94,6 +95,7 @@ def show_verdict(target: Console, document: Document) -> None:
         ("drift per output turn", document["drift_rad_per_output_turn"], "arcmin"),
     )
     shown = [f"{label} {'-' if value is None else in_unit(value, unit)}" for label, value, unit in numbers]
+    shown[0] = bounded(shown[0], document["stiffness_bound"])
     efficiency, life = document["efficiency"], document["life_hours"]
     shown.append(f"efficiency {'-' if efficiency is None else scaled(efficiency, 100.0) + ' %'}")
     shown.append(f"life {'-' if life is None else number(life) + ' h'}")

@@ -22,13 +22,13 @@ from asperity.joint.torque_limits import first_slip_words, may_carry_more
 from asperity.results.document import (
     INTERVAL_HEADS,
     LAW_HEADS,
-    LEVEL_WORDS,
     NO_SHARE,
     budget_words,
     has_elastic_bodies,
     input_member,
     interval_rows,
     law_rows,
+    level_words,
     stiffness_rows,
 )
 
@@ -64,6 +64,9 @@ def _show_stiffness(target: Console, document: Document) -> None:
     )
     if document["stiffness_unknown_because"]:
         print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
+    if "pin_clearance_interval" in document:
+        print_wrapped(target, f"  {document['pin_clearance_interval']['words']}", indent=2)
+        target.print()
     show_law_range(target, document)
     if laws := law_rows(document, number):
         show_table(target, "Contact laws side by side", LAW_HEADS, laws)
@@ -76,7 +79,7 @@ def _show_stiffness(target: Console, document: Document) -> None:
         ("model", "output from\nN·m/rad", "output to\nN·m/rad"),
         (
             (meaning, *(number(interval[name][f"{end}_Nm_per_rad"]) for end in ("low", "high")))
-            for name, meaning in LEVEL_WORDS
+            for name, meaning in level_words(document)
         ),
     )
     low, high = (interval["drift"][f"{end}_rad_per_output_turn"] for end in ("low", "high"))

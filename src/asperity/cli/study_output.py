@@ -134,6 +134,7 @@ def show_points(dataset: xarray.Dataset, asked_units: dict[str, str]) -> None:
         if rows:
             note = f": {RESULTS[name].note}" if RESULTS[name].note else ""
             click.echo(f"no value of {name}{' of ' if rows[0] else ''}{', '.join(rows)}{note}")
+    show_bounds({name: str(dataset[name].attrs.get("long_name", "")) for name in chosen})
     shown_results = {name for name, *_ in columns} | {name for name, _ in absent}
     left_out = [name for name in asked if name not in shown_results]
     if left_out:
@@ -143,6 +144,15 @@ def show_points(dataset: xarray.Dataset, asked_units: dict[str, str]) -> None:
             else f"{len(left_out)} of {len(asked)} results"
         )
         click.echo(f"not shown: {names}; --out writes them all, --results chooses some")
+
+
+def show_bounds(said: dict[str, str]) -> None:
+    """Say which results, by name, are bounds and no values, as far as what is said of them tells."""
+    from asperity.joint.pin_bound import RIGID_PINS
+
+    names = [name for name, words in said.items() if RIGID_PINS in words]
+    if names:
+        click.echo(f"{RIGID_PINS}: {', '.join(names)}")
 
 
 def _blocks(

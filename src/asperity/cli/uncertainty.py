@@ -133,7 +133,7 @@ def _show_branches(scatter: dict[str, Any], draws: int, as_json: bool) -> None:
 
 
 def _show(dataset: xarray.Dataset) -> None:
-    from asperity.cli.study_output import show_status
+    from asperity.cli.study_output import show_bounds, show_status
     from asperity.cli.terminal import console, table
     from asperity.results import display_unit
     from asperity.study.tolerances.documents import TOLERANCES_OF_PARTS, failures
@@ -156,6 +156,9 @@ def _show(dataset: xarray.Dataset) -> None:
         rows.add_row(name.replace("_", " "), unit.replace("*", "·"), *cells)
     if rows.rows:
         target.print(rows)
+    show_bounds(
+        dict(zip(dataset["result"].values.tolist(), dataset["result_name"].values.tolist(), strict=True))
+    )
     for sentence in failures(
         dataset, {name: name.replace("_", " ") for name in dataset["result"].values.tolist()}
     ):

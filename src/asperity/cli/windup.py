@@ -132,7 +132,9 @@ def _show(document: dict[str, Any], file: str) -> None:
 
     from asperity.cli.joint_table import capacity_text
     from asperity.cli.terminal import console, table
+    from asperity.joint.pin_bound import bounded
     from asperity.joint.torque_limits import first_slip_words
+    from asperity.results.windup_document import stages_title
     from asperity.units import format_quantity
 
     def arcminutes(key: str) -> str:
@@ -140,7 +142,8 @@ def _show(document: dict[str, Any], file: str) -> None:
 
     target = console()
     whose = ", of its own branches" if document["of_own_branches"] else ""
-    target.print(f"{file}: wind-up at the output, input locked, {document['level']} stiffness{whose}\n")
+    whose = bounded(f"{document['level']} stiffness{whose}", document["stiffness_bound"])
+    target.print(f"{file}: wind-up at the output, input locked, {whose}\n")
     same = math.isclose(document["windup_rad"], document["reverse_windup_rad"], rel_tol=1e-9)
     summary = table(target, "Figures", "quantity", "value")
     summary.add_row("standing torque capacity", capacity_text(document["standing_torque_capacity"]))
@@ -160,7 +163,7 @@ def _show(document: dict[str, Any], file: str) -> None:
     target.print(summary)
     columns = ["stage", "from N·m", "to N·m", "N·m/rad", "N·m/arcmin"]
     columns += [] if same else ["reverse N·m/rad", "reverse N·m/arcmin"]
-    stages = table(target, "Stages of the loading curve (secant stiffness)", *columns)
+    stages = table(target, stages_title(document), *columns)
     for stage in document["stages"]:
         cells = [stage["name"], f"{stage['from_Nm']:.4g}", f"{stage['to_Nm']:.4g}"]
         for key in ("stiffness_Nm_per_rad", "reverse_stiffness_Nm_per_rad")[: 1 if same else 2]:

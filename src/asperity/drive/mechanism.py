@@ -29,16 +29,16 @@ class Bearings(eqx.Module):
     sun_torque, loading_roller_torque, carrier_torque : Real
         Constant friction torque of one sun, loading roller and carrier bearing [N·m]; each body has two.
     pin_friction_coefficient : Real
-        Friction coefficient mu_b of the loading rollers' pins [-]: friction force mu_b F_c at their diameter.
-    pin_diameter : Real
-        Diameter d of the loading rollers' pins [m].
+        Friction coefficient mu_b of the loading rollers' pins [-]: friction force mu_b F_c at the diameter below.
+    pin_friction_diameter : Real
+        Diameter d at which that friction acts [m].
     """
 
     sun_torque: Real
     loading_roller_torque: Real
     carrier_torque: Real
     pin_friction_coefficient: Real
-    pin_diameter: Real
+    pin_friction_diameter: Real
 
 
 def bearing_torque(*, bearings: Bearings, pin_force: Array) -> Array:
@@ -61,7 +61,7 @@ def bearing_torque(*, bearings: Bearings, pin_force: Array) -> Array:
     Coulomb friction at the radius d/2 under half the pin force, for the T_B that equations (3) and (4) of Zou et al.
     2025 leave open.
     """
-    pin = 0.25 * bearings.pin_friction_coefficient * bearings.pin_diameter
+    pin = 0.25 * bearings.pin_friction_coefficient * bearings.pin_friction_diameter
     return jnp.asarray(bearings.loading_roller_torque + pin * jnp.abs(pin_force))
 
 

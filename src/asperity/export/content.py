@@ -11,6 +11,7 @@ import asperity
 from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError, one_line
 from asperity.joint.description import Joint
+from asperity.joint.pin_bound import stiffness_bound
 from asperity.joint.play import Play
 from asperity.joint.solve import Solution
 from asperity.made_files import WRITTEN_BY
@@ -147,7 +148,7 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
         f"{what} of the joint in {one_line(content.source)}, {WRITTEN_BY} {asperity.__version__}",
         "SI units: N*m, rad, kg*m^2, s. Angles and torques are those of the output unless a name says otherwise.",
         f"Stiffness at {torque}, {content.ends[0]} locked, level {content.level}: {content.stiffness:.6g} N*m/rad "
-        f"({format_quantity(content.stiffness, 'N*m/arcmin')})",
+        f"({format_quantity(content.stiffness, 'N*m/arcmin')}){_bound(content)}",
         drift_sentence(content),
         f"Wind-up at {torque}: {format_quantity(float(content.windup.angle[-1]), 'arcmin')}, at minus this torque "
         f"{format_quantity(float(content.windup.angle[0]), 'arcmin')}; width of the loop at zero torque: "
@@ -160,6 +161,12 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
         f"Range: -{torque} to {torque}; beyond it nothing was computed.",
     ]
     return [_ascii(line) for line in lines]
+
+
+def _bound(content: ExportContent) -> str:
+    """What bounds the stiffness, behind it."""
+    bound = stiffness_bound(content.joint)
+    return f"; {bound}" if bound else ""
 
 
 def drift_sentence(content: ExportContent) -> str:

@@ -79,8 +79,9 @@ class Joint(eqx.Module):
     input_speed : Real
         Angular velocity of the input, of either sign [rad/s]; the friction of the bearings opposes it, in a drive
         without speed the sense of the torque.
-    pin_stiffness : Real
-        Of one pin along its push [N/m]; ``math.inf`` is rigid.
+    pin_stiffness : Real or None
+        Of one pin along its push [N/m]; ``math.inf`` is rigid. None where nobody states one: pins of a known diameter
+        and length bend as beams, others are rigid.
     input_shaft_stiffness, output_shaft_stiffness : Real
         Torsional stiffness of the shafts [N·m/rad].
     contact_factor_model : {"printed", "hertz_area", "unity"}
@@ -112,6 +113,10 @@ class Joint(eqx.Module):
         or with the asperities' stiffness at rest in series. None: the springs of the assembly.
     pin : PinBeam or None, optional
         The pins of the carrier as beams; None where their length is not known.
+    pin_clearance : Real, optional
+        Radial clearance of the pins in the bores of their rollers [m]; 0 where nobody states one.
+    pin_clearance_stated : bool, optional
+        Whether somebody does.
     pin_transverse_stiffness : Real or None, optional
         Of one pin across its push [N/m]; None where the roller is free to move there.
     planet_support_stiffness : Real or None, optional
@@ -137,7 +142,7 @@ class Joint(eqx.Module):
     interference: Real | None
     output_torque: Real
     input_speed: Real
-    pin_stiffness: Real
+    pin_stiffness: Real | None
     input_shaft_stiffness: Real
     output_shaft_stiffness: Real
     contact_factor_model: ContactFactorModel = eqx.field(static=True)
@@ -155,6 +160,8 @@ class Joint(eqx.Module):
     cam: LoadingCam | None = None
     closure_springs: ClosureSprings | None = eqx.field(static=True, default=None)
     pin: PinBeam | None = None
+    pin_clearance: Real = 0.0
+    pin_clearance_stated: bool = eqx.field(static=True, default=False)
     pin_transverse_stiffness: Real | None = None
     planet_support_stiffness: Real | None = None
     ring_bending_stiffness: Real | None = None

@@ -22,6 +22,7 @@ from asperity.drive.stiffness.torsional_stiffness import (
 )
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
+from asperity.joint.bores import pin_loads
 from asperity.joint.description import Joint, bodies_of_contacts, body_masses, in_motion, joint_contacts
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.laws import creep_law, creep_under, rolling_load
@@ -169,7 +170,12 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
     sense = driving_sense(drive)
     standing, rolling = (with_driving_sense(state, sense) for state in (states.standing, states.rolling))
     stiffness = loaded_stiffness(
-        joint, contacts, standing.normal, standing.tangential, standing.slides, standing.pin_force
+        joint,
+        contacts,
+        standing.normal,
+        standing.tangential,
+        standing.slides,
+        pin_loads(states.standing, rest),
     )
     loaded = stiffness.contacts
     creep = creep_law(joint, contacts, states.rolling.normal, states.rolling.tangential)

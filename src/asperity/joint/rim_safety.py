@@ -31,10 +31,14 @@ RIM_NAMES = ("inner", "outer")
 
 
 class PinLoad(NamedTuple):
-    """Size [N] and polar angle [rad] of the force of a pin on its roller, under the torque and at rest, shape (2,)."""
+    """Size [N] and polar angle [rad] of the force of a pin on its roller, under the torque and at rest, shape (2,).
+
+    ``angle`` is the half-angle of the arc over which it touches its bore [rad].
+    """
 
     force: Array
     direction: Array
+    angle: Array
 
 
 class BodyRims(eqx.Module):
@@ -96,7 +100,9 @@ def body_rims(
         stresses = rim_stresses(body=body, loads=loads, fineness=sectors)
         if pressed is not None:
             away = places_of(loads, sectors) - pressed.direction
-            by_pin = pin_stress(body=body, force=pressed.force, away=away)
+            by_pin = pin_stress(
+                body=body, force=pressed.force, arc=jnp.sin(0.5 * pressed.angle) ** 2, away=away
+            )
             stresses = RimStresses(
                 loaded_hoop=stresses.loaded_hoop + by_pin.rim_hoop,
                 other_hoop=stresses.other_hoop + by_pin.bore_hoop,

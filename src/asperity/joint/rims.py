@@ -7,7 +7,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.joint.bodies import exact_bodies
-from asperity.joint.bores import pin_forces, push_angles
+from asperity.joint.bores import pin_forces, pins_in_bores, push_angles
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.housing import ring_fit, seated
@@ -66,14 +66,17 @@ def _bending_bodies(
 
 def _pin_load(joint: Joint, number: int, states: tuple[tuple[Array, Array], ...]) -> PinLoad | None:
     """Forces of the pin in the bore of a body in all states; None where no pin is known to press there."""
-    drive, diameter = joint.drive, joint.shapes[number].pin_diameter
-    if diameter is None or number not in drive.pinned:
+    drive, bores = joint.drive, pins_in_bores(joint)
+    if bores is None or number not in drive.pinned:
         return None
     at = drive.pinned.index(number)
-    force = jnp.stack([pin_forces(drive, *state)[at] for state in states])
-    force = jnp.where(jnp.asarray(diameter) > 0.0, force, 0.0)
+    forces = jnp.stack([pin_forces(drive, *state) for state in states])
+    angles = [bores.contact.angle(jnp.where(force == 0.0, 1.0, jnp.abs(force)))[at] for force in forces]
+    force = jnp.where(bores.contact.scale[at] > 0.0, forces[:, at], 0.0)
     # the pin pushes back
-    return PinLoad(jnp.abs(force), push_angles(drive)[at] + jnp.where(force > 0.0, jnp.pi, 0.0))
+    return PinLoad(
+        jnp.abs(force), push_angles(drive)[at] + jnp.where(force > 0.0, jnp.pi, 0.0), jnp.stack(angles)
+    )
 
 
 def _in_order(rims: list[BodyRims], bending: tuple[bool, ...]) -> BodyRims:

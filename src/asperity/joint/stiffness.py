@@ -21,7 +21,7 @@ from asperity.drive.stiffness.network import (
 )
 from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
 from asperity.joint.bodies import body_compliance, walls_known
-from asperity.joint.bores import pin_compliances, pin_forces, pins_in_bores
+from asperity.joint.bores import PinLoads, pin_compliances, pin_forces, pins_in_bores, pressed_bores
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
 from asperity.joint.description import Joint
 from asperity.joint.laws import ring_springs, supports_of
@@ -98,7 +98,7 @@ def loaded_stiffness(
     normal_force: Array,
     tangential_force: Array,
     slides: Array,
-    pin_force: Array,
+    pins: PinLoads,
 ) -> LoadedStiffness:
     """Stiffness of a joint under given forces [N] on three levels; nan where a law does not hold.
 
@@ -108,7 +108,7 @@ def loaded_stiffness(
     """
     holds = slides == 0.0
     loaded, friction = _under_forces(contacts, normal_force, tangential_force, slides)
-    published, series, assembly = stiffness_levels(joint, contacts, loaded, friction, pin_force)
+    published, series, assembly = stiffness_levels(joint, contacts, loaded, friction, pins)
     loaded = loaded._replace(
         traction=jnp.where(holds, loaded.traction, 1.0),
         rough=dataclasses.replace(
@@ -156,7 +156,7 @@ def working_springs(
     normal_force: Array,
     tangential_force: Array,
     slides: Array,
-    pin_force: Array,
+    pins: PinLoads,
 ) -> SpringLaws:
     """All springs of the assembly under given forces, as of :func:`loaded_stiffness`, for any motion of the drive.
 
@@ -164,17 +164,17 @@ def working_springs(
     """
     loaded, friction = _under_forces(contacts, normal_force, tangential_force, slides)
     rings = ring_springs(joint)
-    springs = spring_laws(**_springs_of_assembly(joint, contacts, loaded, friction, pin_force, rings, None))
+    springs = spring_laws(**_springs_of_assembly(joint, contacts, loaded, friction, pins, rings, None))
     known = jnp.stack(_laws_hold(joint, loaded, normal_force)).all()
     return springs._replace(laws=jnp.where(known, springs.laws, jnp.nan))
 
 
 def stiffness_levels(
-    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, sliding_friction: Array, pin_force: Array
+    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, sliding_friction: Array, pins: PinLoads
 ) -> tuple[TorsionalStiffness, TorsionalStiffness, Assembly]:
     """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly.
 
-    The signs of the pins' forces say which halves of their bores they press; without force those that a torque presses.
+    The signs of the pins' forces say which sides of their bores they press; without force those that a torque presses.
     """
     ratio, interfaces = jnp.asarray(speed_ratio(joint.drive)), loaded.interfaces
     held = jax.vmap(functools.partial(_with_held_centres, joint, sliding_friction))(
@@ -183,7 +183,7 @@ def stiffness_levels(
     rings = ring_springs(joint)
     network = network_stiffness(
         **_springs_of_assembly(
-            joint, contacts, loaded, sliding_friction, pin_force, rings, held.tangential_force[1]
+            joint, contacts, loaded, sliding_friction, pins, rings, held.tangential_force[1]
         )
     )
     published, series = (TorsionalStiffness(sun=output / ratio**2, output=output) for output in held.output)
@@ -205,7 +205,7 @@ def _springs_of_assembly(
     contacts: JointContacts,
     loaded: LoadedContacts,
     sliding_friction: Array,
-    pin_force: Array,
+    pins: PinLoads,
     rings: Array | None,
     added: Array | None,
 ) -> dict[str, Any]:
@@ -215,16 +215,17 @@ def _springs_of_assembly(
     torque with centres held [N], are found where they are not known.
     """
     normal, tangential, coupling = loaded.interfaces.normal, loaded.interfaces.tangential, None
+    if added is None and pins_in_bores(joint) is not None:
+        added = _with_held_centres(joint, sliding_friction, jnp.asarray(tangential)).tangential_force
+    pin_compliance, by_pin = _pins(joint, pins, added)
     if joint.body_model == "exact":
-        if added is None and pins_in_bores(joint) is not None:
-            added = _with_held_centres(joint, sliding_friction, jnp.asarray(tangential)).tangential_force
-        normal, tangential, coupling = _springs_of_bodies(joint, contacts, loaded, pin_force, added)
+        normal, tangential, coupling = _springs_of_bodies(joint, contacts, loaded, by_pin)
     return {
         "drive": joint.drive,
         "normal_compliance": _compliance(normal) if rings is None else _compliance(normal) + rings,
         "tangential_compliance": _compliance(tangential),
         "coupling": coupling,
-        "pin_compliance": pin_compliances(joint),
+        "pin_compliance": pin_compliance,
         "sliding_friction": sliding_friction,
         "support_stiffness": None if joint.unlike is None else joint.unlike.support_stiffness,
         "supports": supports_of(joint),
@@ -237,25 +238,38 @@ def _compliance(stiffness: Real) -> Array:
     return jnp.where(acts, 1.0 / jnp.where(acts, stiffness, 1.0), jnp.nan)
 
 
+def _pins(joint: Joint, loads: PinLoads, added: Array | None) -> tuple[Array, Array | None]:
+    """Compliance of each pin along its push, shape (pins,), and with the contacts, shape (2 contacts, pins) [m/N].
+
+    The latter is None where no pin presses in a bore. ``added`` are the tangential forces under a unit torque with
+    centres held [N].
+    """
+    compliance, bores = pin_compliances(joint), pins_in_bores(joint)
+    if bores is None:
+        return compliance, None
+    assert added is not None
+    by_torque = pin_forces(joint.drive, jnp.zeros_like(added), added)
+    pressed = pressed_bores(bores, loads, by_torque)
+    in_bore = bores.pin_slope(pressed, loads.added, loads.tangential)
+    return compliance + in_bore, jnp.concatenate(bores.by_pin(pressed))
+
+
 def _springs_of_bodies(
-    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, pin_force: Array, added: Array | None
+    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, by_pin: Array | None
 ) -> tuple[Real, Real, Array | None]:
     """Normal and tangential stiffness [N/m] and coupling [m/N] of elastic bodies with the bores of their pins.
 
-    ``added`` are the tangential forces under a unit torque with centres held [N]; they count where pins press in bores.
+    ``by_pin`` is what pins and contacts do to each other, None where no pin presses in a bore.
     """
     width, stick = widths_of_bodies(contacts=contacts, loaded=loaded)
     compliance = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=stick)
     springs = springs_of_compliance(compliance=compliance, half_width=width, loaded=loaded)
-    coupling, bores = springs.coupling, pins_in_bores(joint)
-    if bores is not None:
+    coupling = springs.coupling
+    if by_pin is not None:
         assert coupling is not None
-        assert added is not None
-        by_torque = pin_forces(joint.drive, jnp.zeros_like(added), added)
-        side = jnp.sign(jnp.where(pin_force == 0.0, by_torque, pin_force))
         acts = jnp.concatenate([springs.normal_stiffness, springs.tangential_stiffness]) > 0.0
-        by_pin = jnp.where(acts[:, None], jnp.concatenate(bores.by_pin(side)), 0.0)
-        coupling = jnp.block([[coupling, by_pin], [by_pin.T, jnp.zeros((side.size,) * 2)]])
+        by_pin = jnp.where(acts[:, None], by_pin, 0.0)
+        coupling = jnp.block([[coupling, by_pin], [by_pin.T, jnp.zeros((by_pin.shape[1],) * 2)]])
     return springs.normal_stiffness, springs.tangential_stiffness, coupling
 
 

@@ -11,13 +11,15 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.existence import neighbours
 from asperity.drive.layout.wedge import wedges
 from asperity.joint.description import bearing_names, pin_names
 from asperity.joint.evaluation import evaluated_with_laws
+from asperity.joint.pin_bound import stiffness_bound
 from asperity.joint.status import joint_status
 from asperity.joint_file import build
-from asperity.joint_file.own_branches import drive_with_branches, joint_with_branches, parts_with_branches
+from asperity.joint_file.own_branches import joint_with_branches, parts_with_branches
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values, numbers, table_structure, with_numbers
 from asperity.results import Result, result_values
@@ -34,7 +36,14 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
 def _results_of_structure(structure: str) -> dict[str, Result]:
     values = json.loads(structure)
     shapes = [jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)]
-    drive = jax.eval_shape(lambda *scalars: drive_with_branches(with_numbers(values, scalars)), *shapes)
+    bounds: list[str] = []
+
+    def described(*scalars: Array) -> Drive:
+        joint = parts_with_branches(with_numbers(values, scalars))
+        bounds.append(stiffness_bound(joint))
+        return joint.drive
+
+    drive = jax.eval_shape(described, *shapes)
     pairs = tuple("_to_".join(pair) for pair in neighbours(drive))
     return results_of_drive(
         tuple(contact.name for contact in drive.contacts),
@@ -43,6 +52,7 @@ def _results_of_structure(structure: str) -> dict[str, Result]:
         bearing_names(drive),
         pin_names(drive),
         has_wedges=bool(wedges(drive)),
+        bound=bounds[0],
     )
 
 

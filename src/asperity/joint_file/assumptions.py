@@ -6,7 +6,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from asperity.joint.bodies import hollow_stepped
+from asperity.joint.bores import pins_bend
 from asperity.joint.description import Joint
+from asperity.joint.pin_bound import pins_rigid
+from asperity.joint.pin_interval import presses_in_bores
 from asperity.joint.rims import bends
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_average
@@ -61,6 +64,10 @@ HOLLOW_STEPPED = (
     "compliance is up to 2, 6 or 18 % too low for bores of 0.3, 0.5 or 0.65 of the smaller diameter; the stress that "
     "bends its rims is not computed"
 )
+_RIGID = (
+    "no compliance.pin_stiffness: pins are rigid, and stiffness, natural frequencies and K1 to K3 are upper bounds; "
+    "state it, or both pin_diameter and pin_length of [bearings], of which the bending of the pins is computed"
+)
 #: What is taken of crowned rollers in every drive.
 CROWNED = (
     "crowned rollers: in slices that share one creepage, aligned and highest in the middle of their contact lines; no "
@@ -89,14 +96,14 @@ def assumptions(case: Case) -> tuple[str, ...]:
             "speed it opposes the sense of the torque"
         )
     if joint.drive.pinned:
-        told.append(_pins_in_bores(joint))
+        told += _pins(joint)
     bored = [joint.drive.bodies[number].name.replace("_", " ") for number in hollow_stepped(joint)]
     if bored and joint.body_model == "exact":
         told.append(f"{', '.join(bored)}: {HOLLOW_STEPPED}")
     if case.play is None:
         told.append("no section [play]: the output has no play")
     if case.compliance is None:
-        told.append("no section [compliance]: pins and shafts are rigid, rollers without a pin float")
+        told.append("no section [compliance]: shafts are rigid, rollers without a pin float")
     else:
         absent = [name for name, value in case.compliance if value is None]
         if absent:
@@ -257,19 +264,33 @@ def _surfaces(case: Case) -> list[str]:
     return told + depth_assumptions(case)
 
 
-def _pins_in_bores(joint: Joint) -> str:
-    """How pins load their rollers."""
-    if all(joint.shapes[body].pin_diameter is None for body in joint.drive.pinned):
-        return (
+def _pins(joint: Joint) -> list[str]:
+    """How pins load their rollers, and what they give way."""
+    if not presses_in_bores(joint):
+        pressed = (
             "no bearings.pin_diameter: the force of a pin is spread over the rim of its roller; a pin that presses in "
             "a bore makes the joint softer and stresses the bore"
         )
-    return (
-        "bearings.pin_diameter: a pin presses on half of the bore of its roller with a cosine pressure, as one that "
-        "fits it; its own stiffness is not counted, and away from it the bore is free. The bore of a roller without a "
-        "bore diameter is as wide as the pin; of a stepped roller each track has its bore to itself, and its contacts "
-        "give way as those on an empty bore"
-    )
+    else:
+        clearance = (
+            "all round in the assembled drive, and the way of a pin across it is play, which [play] states"
+            if joint.pin_clearance_stated
+            else "none, since the file states no bearings.pin_radial_clearance"
+        )
+        pressed = (
+            "bearings.pin_diameter: a pin of its roller's material presses over an arc of the bore, as an elastic "
+            f"cylinder that fills it but for its clearance: {clearance}; a rolling bearing between them counts as part "
+            "of the pin. Away from the arc the bore is free. The bore of a roller without a bore diameter is as wide "
+            "as the pin; of a stepped roller each track has its bore to itself, and its contacts give way as those on "
+            "an empty bore. For solid rollers with journals state bearings.pin_friction_diameter in its place"
+        )
+    if pins_bend(joint):
+        bent = (
+            "bearings.pin_length without compliance.pin_stiffness: pins bend and shear as beams of their rollers' "
+            "material between rigid supports"
+        )
+        return [pressed, bent]
+    return [pressed, _RIGID] if pins_rigid(joint) else [pressed]
 
 
 def temperature_assumptions(case: Case, *, housed: bool) -> list[str]:

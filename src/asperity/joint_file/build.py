@@ -90,7 +90,7 @@ def joint_from_values(values: Values) -> Joint:
         input_speed=load["sun_speed"]
         if "sun_speed" in load
         else load["output_speed"] * abs(speed_ratio(drive)),
-        pin_stiffness=springs.get("pin_stiffness", math.inf),
+        pin_stiffness=springs.get("pin_stiffness"),
         input_shaft_stiffness=springs.get("input_shaft_stiffness", math.inf),
         output_shaft_stiffness=springs.get("output_shaft_stiffness", math.inf),
         contact_factor_model=model["contact_factor"],
@@ -104,6 +104,8 @@ def joint_from_values(values: Values) -> Joint:
         rolling=rolling_conditions(values),
         bearings=_bearings(values.get("bearings")),
         pin=_pin(values.get("bearings", {})),
+        pin_clearance=values.get("bearings", {}).get("pin_radial_clearance", 0.0),
+        pin_clearance_stated="pin_radial_clearance" in values.get("bearings", {}),
         play=play_of(values),
         pin_bearing=rated_bearing(values.get("pin_bearing")),
         input_bearing=rated_bearing(values.get("input_bearing", values.get("sun_bearing"))),
@@ -176,7 +178,7 @@ def _bearings(entry: Values | None) -> Bearings | None:
         loading_roller_torque=stated.get("roller_torque", 0.0),
         carrier_torque=stated.get("output_torque", 0.0),
         pin_friction_coefficient=entry.get("pin_friction_coefficient", 0.0),
-        pin_diameter=entry.get("pin_diameter", 0.0),
+        pin_friction_diameter=entry.get("pin_friction_diameter", stated.get("pin_diameter", 0.0)),
     )
 
 

@@ -16,7 +16,6 @@ from asperity.joint_file.drive_sections import (
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.model import AxisCase, Case, ModelChoice
 from asperity.joint_file.quantity_key import Quantity
-from asperity.joint_file.section import Section
 from asperity.joint_file.sections import (
     BearingTorque,
     BodyLength,
@@ -25,6 +24,7 @@ from asperity.joint_file.sections import (
     HeldBearing,
     Length,
     MultirollerBranch,
+    PinEntry,
     PlanetaryBranch,
     PushAngle,
     SteppedPlanetBranch,
@@ -74,8 +74,8 @@ class WedgeDrive(RollerDrive):
     housing with the ring_housing_stiffness of [compliance] or the sizes in [housing]. A rigid housing if absent."""
 
 
-class WedgeBearings(Section):
-    """Friction of the bearings; a joint file without this section has none."""
+class WedgeBearings(PinEntry):
+    """Friction of the bearings, and the pins of the loading rollers; a joint file without this section has none."""
 
     sun_torque: BearingTorque
     """Friction torque of one of the two sun bearings."""
@@ -84,15 +84,8 @@ class WedgeBearings(Section):
     carrier_torque: BearingTorque
     """Friction torque of one of the two carrier bearings."""
     pin_friction_coefficient: Annotated[Quantity, limits.PIN_FRICTION_COEFFICIENT]
-    """Friction coefficient mu_b of the loading rollers' pins: friction force over pin force, at the pin's diameter."""
-    pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER]
-    """Diameter d of the loading rollers' pins, with which they press in the rollers' bores; 0 for rollers that are
-    loaded on their rims."""
-    pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
-    """Free length of a pin, with the loading roller in its middle: between its two supports, or from its only support
-    to its end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""
-    pin_support: Literal["both_ends", "one_end"] | None = None
-    """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
+    """Friction coefficient mu_b of the loading rollers' pins: friction force over pin force, at pin_friction_diameter,
+    or at pin_diameter; it needs one of them."""
 
 
 class WedgeModelChoice(ModelChoice):

@@ -34,6 +34,7 @@ BEARING_TORQUE = Key(Dimension.TORQUE, 0.0, 1e6, "N*m", example="0.02 N*m")
 PIN_FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, example="0.002")
 PIN_LENGTH = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="8 mm")
 PIN_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="4 mm")
+PIN_CLEARANCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", example="5 um")
 
 LOAD_RATING = Key(Dimension.FORCE, 0.0, 1e9, "N", open_lower=True, example="3200 N")
 BEARING_COUNT = Key(Dimension.DIMENSIONLESS, 1, 100, integer=True, example="2")

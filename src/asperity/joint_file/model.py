@@ -37,6 +37,7 @@ from asperity.joint_file.sections import (
     HousingEntry,
     Lubrication,
     PinBearing,
+    PinEntry,
     PlayEntry,
     TemperatureEntry,
     refuse_branches,
@@ -75,8 +76,8 @@ class Load(Section):
         return self
 
 
-class BearingFriction(Section):
-    """Friction of the bearings; an absent key is no friction."""
+class BearingFriction(PinEntry):
+    """Friction of the bearings, and the pins of the carrier; an absent key is no friction."""
 
     input_torque: BearingTorque | None = None
     """Friction torque of one of the two bearings of the input shaft."""
@@ -85,29 +86,16 @@ class BearingFriction(Section):
     roller_torque: BearingTorque | None = None
     """Constant friction torque of one of the two bearings of a roller on a pin of the carrier."""
     pin_friction_coefficient: Annotated[Quantity, limits.PIN_FRICTION_COEFFICIENT] | None = None
-    """Friction coefficient mu_b of these bearings: friction force over the force of the pin, at pin_diameter, which it
-    needs."""
-    pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER] | None = None
-    """Diameter d of the pins, at which the friction coefficient acts and with which they press in the bores of their
-    rollers; if absent, rollers are loaded on their rims, and pins take their force without a bore."""
-    pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
-    """Free length of a pin, with its roller in the middle: between its two supports, or from its only support to its
-    end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""
-    pin_support: Literal["both_ends", "one_end"] | None = None
-    """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
-
-    @model_validator(mode="after")
-    def _coefficient_at_a_diameter(self) -> Self:
-        if self.pin_diameter is None and self.pin_friction_coefficient is not None:
-            raise InputError("pin_friction_coefficient acts at pin_diameter, which is missing: give both")
-        return self
+    """Friction coefficient mu_b of these bearings: friction force over the force of the pin, at pin_friction_diameter,
+    or at pin_diameter; it needs one of them."""
 
 
 class Compliance(Section):
     """Springs of the structure around the rollers; an absent key is the ideal its description names."""
 
     pin_stiffness: Annotated[Quantity, limits.SPRING] | None = None
-    """Stiffness of one carrier pin along its push; rigid if absent."""
+    """Stiffness of one carrier pin along its push, without its contact in the bore; rigid if absent, or that of a beam
+    where [bearings] states pin_diameter and pin_length."""
     pin_transverse_stiffness: Annotated[Quantity, limits.SPRING] | None = None
     """Stiffness of one carrier pin across its push, relaxed in the assembled drive; free if absent."""
     planet_support_stiffness: Annotated[Quantity, limits.SPRING] | None = None
@@ -434,7 +422,9 @@ _AT_PLACES = {
             "pin_bearing",
             "bearings.roller_torque",
             "bearings.pin_friction_coefficient",
+            "bearings.pin_friction_diameter",
             "bearings.pin_diameter",
+            "bearings.pin_radial_clearance",
             "bearings.pin_length",
             "compliance.pin_stiffness",
             "compliance.pin_transverse_stiffness",

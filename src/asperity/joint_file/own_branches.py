@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING
 import jax.numpy as jnp
 
 from asperity.drive.layout.drive import Drive
-from asperity.drive.layout.unfolding import unfolded
 from asperity.implicit import SETTLED
 from asperity.joint.unfolding import SectorSizes, settled_sectors, unfolded_joint
 from asperity.joint_file.build import added_by_branches, deviations_of, joint_from_case, joint_from_values
-from asperity.joint_file.parts import layout_of
 from asperity.joint_file.si_tables import AnyCase, Values, si_values
 
 if TYPE_CHECKING:
@@ -38,14 +36,6 @@ def branches_of(case: AnyCase) -> AssembledBranches | None:
     from asperity.branches.branches import assembled_branches
 
     return assembled_branches(joint_from_case(case), deviations_of(si_values(case)))
-
-
-def drive_with_branches(values: Values) -> Drive:
-    """The drive of a joint file, every branch by itself where it has sections ``[[branch]]``; pure."""
-    drive, *_ = layout_of(values)
-    if "branch" not in values:
-        return drive
-    return unfolded(drive, sectors=len(values["branch"]), floating=_floating(values, drive))
 
 
 def joint_with_branches(values: Values) -> Joint:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator, Field, model_validator
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
@@ -97,6 +97,45 @@ class _RatedBearing(Section):
     """Basic dynamic radial load rating C of one bearing, from its catalogue."""
     static_rating: Annotated[Quantity, limits.LOAD_RATING]
     """Basic static radial load rating C_0 of one bearing, from its catalogue."""
+
+
+class PinEntry(Section):
+    """The pins of the carrier, and where their friction acts."""
+
+    pin_friction_diameter: Annotated[Quantity, limits.PIN_DIAMETER] | None = None
+    """Diameter at which the friction coefficient of pins acts, such as that of the journals of a solid roller, or the
+    mean one of rolling bearings; it makes no bore. If absent, pin_diameter."""
+    pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER] | None = None
+    """Diameter d of pins that press in the bores of their rollers; a roller without a bore diameter has a bore as wide.
+    If absent, or 0, the force of a pin is spread over the rim of its roller."""
+    pin_radial_clearance: Annotated[Quantity, limits.PIN_CLEARANCE] | None = None
+    """Radial clearance of these pins in the bores: half the difference of the diameters, all round in the assembled
+    drive. It narrows the arc of contact, and mostly makes the joint softer; none if absent."""
+    pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
+    """Free length of a pin, with its roller in the middle: between its two supports, or from its only support to its
+    end. Makes the bending moment of the pin; with pin_diameter also its bending stress, and its stiffness unless
+    compliance.pin_stiffness states one."""
+    pin_support: Literal["both_ends", "one_end"] | None = None
+    """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
+
+    @model_validator(mode="after")
+    def _of_a_diameter(self) -> Self:
+        """Refuse friction that acts at no diameter, and the clearance of no pin."""
+        friction = getattr(self, "pin_friction_coefficient", None)
+        stated = {name: key is not None for name, key in self}
+        if friction is not None and not (stated["pin_friction_diameter"] or stated["pin_diameter"]):
+            raise InputError(
+                "pin_friction_coefficient acts at a diameter, which is missing: give pin_friction_diameter, or the "
+                "pin_diameter of pins that press in bores"
+            )
+        if self.pin_radial_clearance is not None and not (
+            self.pin_diameter and self.pin_diameter.value > 0.0
+        ):
+            raise InputError(
+                f"pin_radial_clearance = {self.pin_radial_clearance.text!r}: only pins of a pin_diameter above 0 press "
+                "in bores; give it, or leave the clearance out"
+            )
+        return self
 
 
 class PinBearing(_RatedBearing):

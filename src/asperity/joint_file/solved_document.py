@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from asperity.joint.pin_interval import clearance_interval
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
@@ -58,12 +59,15 @@ def solve_with_surface(case: AnyCase) -> SolvedCase:
 
 
 def full_document(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
-    """The document of a joint file that is solved already, with what is open of its surfaces.
+    """The document of a joint file that is solved already, with what is open of its surfaces and pins.
 
     Beside :func:`document_of` the ``measured_surface``, if there is one, the ``stiffness_interval`` over what is open,
-    and the ``contact_laws`` side by side.
+    the ``contact_laws`` side by side, and the ``pin_clearance_interval`` where a pin presses in a bore without a stated
+    clearance.
     """
     document = document_of(case, solved)
+    over_clearance = clearance_interval(solved.joint, solved.result)
+    document |= {} if over_clearance is None else {"pin_clearance_interval": over_clearance}
     if case.measured is not None:
         document |= case.measured.document(case, solved.joint)
         laws = case.measured.laws(case, solved.joint, solved.result)

@@ -69,7 +69,7 @@ def chart_results(joint: JointRequest) -> list[dict[str, Any]]:
             "unit": _unit(result),
             "group": result.group,
             # of a design: goals and limits are about all rows of a result
-            "design": {"name": result.name, "label": result.label} if result.differentiable else None,
+            "design": {"name": result.name, "label": result.said} if result.differentiable else None,
         }
         for name, (result, index) in result_rows(results_of(si_values(joint.case()))).items()
     ]
@@ -77,7 +77,7 @@ def chart_results(joint: JointRequest) -> list[dict[str, Any]]:
 
 def _label(result: Result, index: int) -> str:
     row = result.row_names[index].replace("_", " ")
-    return f"{result.label}, {row}" if row else result.label
+    return f"{result.said}, {row}" if row else result.said
 
 
 def _unit(result: Result) -> str:

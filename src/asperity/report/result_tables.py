@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.joint.pin_bound import bounded
 from asperity.joint.temperature_limits import limit_words
 from asperity.joint.torque_limits import first_slip_words
 from asperity.report.content import Block, Paragraph, Table, number, percent, quantity
 from asperity.results.document import (
     INTERVAL_HEADS,
     LAW_HEADS,
-    LEVEL_WORDS,
     NO_SHARE,
     budget_words,
     has_elastic_bodies,
@@ -19,8 +19,10 @@ from asperity.results.document import (
     interval_rows,
     law_range_words,
     law_rows,
+    level_words,
     stiffness_rows,
 )
+from asperity.results.windup_document import stages_title
 
 Document = dict[str, Any]
 
@@ -40,7 +42,10 @@ def summary(document: Document) -> Table:
         ("interference giving this preload", quantity(document["preload"]["interference_m"], "um")),
         *_at_assembly(document),
         *_loading_cam(document),
-        ("torsional stiffness at the output, assembled", quantity(stiffness, "N*m/arcmin")),
+        (
+            bounded("torsional stiffness at the output, assembled", document["stiffness_bound"]),
+            quantity(stiffness, "N*m/arcmin"),
+        ),
         (
             "drift per output turn",
             quantity(document["drift_rad_per_output_turn"], "arcmin"),
@@ -116,6 +121,8 @@ def stiffness(document: Document) -> Iterator[Block]:
     )
     if document["stiffness_unknown_because"]:
         yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")
+    if "pin_clearance_interval" in document:
+        yield Paragraph(f"{document['pin_clearance_interval']['words']}.")
     if words := law_range_words(document):
         yield Paragraph(f"{words[0].upper()}{words[1:]}.")
     if laws := law_rows(document, number):
@@ -260,7 +267,7 @@ def windup(curves: Document) -> Iterator[Block]:
     ]
     yield Table("Wind-up", ("quantity", "value"), rows)
     yield Table(
-        "Stages of the loading curve (secant stiffness)",
+        stages_title(curves),
         ("stage", "from\nN·m", "to\nN·m", "N·m/rad", "negative torques\nN·m/rad"),
         [
             (
@@ -285,7 +292,7 @@ def interval(document: Document) -> Iterator[Block]:
         ("level of the model", "output from\nN·m/rad", "output to\nN·m/rad"),
         [
             (words, *(number(interval[level][f"{end}_Nm_per_rad"]) for end in ends))
-            for level, words in LEVEL_WORDS
+            for level, words in level_words(document)
         ],
     )
     low, high = (quantity(interval["drift"][f"{end}_rad_per_output_turn"], "arcmin") for end in ends)

@@ -189,7 +189,7 @@ def _summary(result: DesignResult) -> Iterator[tuple[str, str, str]]:
             continue
         shown = result.problem.table[name]
         pair = (result.summary_before[name], result.summary_after[name])
-        label = shown.label if which == "nominal" else f"{shown.label}, {which}"
+        label = shown.said if which == "nominal" else f"{shown.said}, {which}"
         before, after = (quantity(value, shown.display_unit) for value in pair)
         yield label, before, after
 

@@ -20,6 +20,7 @@ from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.loading_cam import mean_preload
+from asperity.joint.pin_bound import bound_document, bounded
 from asperity.joint.rims import bends
 from asperity.joint.solve import Solution
 from asperity.joint.temperature import assembly_document
@@ -179,12 +180,18 @@ def input_member(document: Document) -> str:
     return str(document["geometry"]["input"]).replace("_", " ")
 
 
+def level_words(document: Document) -> list[tuple[str, str]]:
+    """Levels of the torsional stiffness in words, the fullest first, with what bounds that of this joint."""
+    (fullest, words), *others = LEVEL_WORDS
+    return [(fullest, bounded(words, document["stiffness_bound"])), *others]
+
+
 def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
     """Words and stiffness of each level of a joint of any drive, the fullest first.
 
     Of a joint with a loading cam also of the assembly whose cam is held by its friction.
     """
-    rows = [(words, document["torsional_stiffness"][level]) for level, words in LEVEL_WORDS]
+    rows = [(words, document["torsional_stiffness"][level]) for level, words in level_words(document)]
     cam = document["preload"]["loading_cam"]
     if cam is not None:
         output = cam["held_stiffness_output_Nm_per_rad"]
@@ -194,7 +201,8 @@ def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
             "output_Nm_per_rad": output,
             "output_Nm_per_arcmin": None if output is None else output * math.pi / 10800.0,
         }
-        rows.append(("assembled, loading cam held by its friction", held))
+        words = bounded("assembled, loading cam held by its friction", document["stiffness_bound"])
+        rows.append((words, held))
     return rows
 
 
@@ -382,6 +390,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "surfaces": surface_averages(joint, inputs.get("surface", {})),
             "bearings": bearing_entries(solved),
             "rims": rims,
+            **bound_document(joint),
             "torsional_stiffness": torsional_stiffness_document(result),
             "stiffness_unknown_because": stiffness_unknown_because(result),
             "stiffness_budget": stiffness_budget(result),

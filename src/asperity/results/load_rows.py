@@ -8,7 +8,7 @@ from typing import Any
 import jax.numpy as jnp
 
 from asperity.drive.structure.bearing_life import LARGEST_LOAD_RATIO
-from asperity.joint.bores import bore_stiffness
+from asperity.joint.bores import bore_stiffness, pin_contact_angles
 from asperity.joint.housing import seated
 from asperity.joint.rims import bends
 from asperity.joint.working_loads import pin_bending
@@ -115,9 +115,17 @@ ROWS = (
         "stiffness of a roller's bore under its pin",
         Dimension.STIFFNESS,
         "N/um",
-        lambda solved: bore_stiffness(solved.joint),
-        note="between the pin and forces spread over the rim, its own stiffness not counted; infinite without "
-        "bearings.pin_diameter",
+        lambda solved: bore_stiffness(solved.joint, solved.result.forces.pins, solved.result.forces.normal),
+        note="between the pin, standing under the torque, and forces spread over the rim; the pin's bending not "
+        "counted; infinite without bearings.pin_diameter",
+    ),
+    _pin(
+        "pin_contact_angle",
+        "half-angle of the arc over which a pin touches its bore",
+        Dimension.ANGLE,
+        "deg",
+        lambda solved: pin_contact_angles(solved.joint, solved.result.forces.pins),
+        note="standing under the torque; nan without a force, and without bearings.pin_diameter",
     ),
     _load(
         "grounded_torque",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+from asperity.joint.pin_bound import bounded
 from asperity.joint.torque_limits import may_carry_more
 from asperity.units import format_quantity
 
@@ -39,7 +40,7 @@ def position_rows(document: Document) -> list[PositionRow]:
             "stiffness at standstill",
             document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"],
             "N*m/arcmin",
-            "assembled, at this torque",
+            bounded("assembled, at this torque", document["stiffness_bound"]),
         ),
         _comes_back(document),
         PositionRow("torque capacity, rolling", capacity, "N*m", _beyond(document)),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from asperity.joint.pin_bound import bounded
 from asperity.joint.status import Needs
 from asperity.results.notes import Severity
 from asperity.types import namespace
@@ -132,6 +133,10 @@ class Result:
         Whether only a drive with wedges between planets and ring has it.
     rows : tuple of str
         Names of its rows; empty in the table of all drives, :mod:`asperity.results.table` fills them in.
+    gives_way : bool
+        Whether it counts the stiffness of the pins.
+    bound : str
+        What its value is of the drive, if more than a value: an upper bound. Filled in likewise.
     """
 
     name: str
@@ -155,6 +160,13 @@ class Result:
     only: str = ""
     needs_wedges: bool = False
     rows: tuple[str, ...] = ()
+    gives_way: bool = False
+    bound: str = ""
+
+    @property
+    def said(self) -> str:
+        """What it is, in a few words, and what bounds it."""
+        return bounded(self.label, self.bound)
 
     @property
     def si_unit(self) -> str:

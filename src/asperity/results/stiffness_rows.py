@@ -40,7 +40,15 @@ def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Resu
     def row(name: str, label: str, dimension: Dimension, value: str | Callable[[SolvedJoint], Any]) -> Result:
         said, unit = f"{label}, {words}", dimension.si_unit
         return Result(
-            f"{level}_{name}", said, dimension, unit, value, group=_GROUPS[level], level=level, note=note
+            f"{level}_{name}",
+            said,
+            dimension,
+            unit,
+            value,
+            group=_GROUPS[level],
+            level=level,
+            note=note,
+            gives_way=level == "assembly",
         )
 
     torsional = Dimension.TORSIONAL_STIFFNESS
@@ -82,6 +90,7 @@ ROWS = (
         Dimension.TORSIONAL_STIFFNESS.si_unit,
         lambda solved: held_cam_stiffness(solved.result.assembly),
         group="assembly",
+        gives_way=True,
         note="for torques too small to move the cam against the friction of its ramps; without a cam the assembly's",
     ),
     _share("tangential", "the contact's tangential spring"),

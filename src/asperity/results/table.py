@@ -13,6 +13,7 @@ from jax import Array
 
 from asperity.drive.layout.wedge import wedges
 from asperity.errors import InputError
+from asperity.joint.pin_bound import stiffness_bound
 from asperity.results import contact_rows, drive_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
@@ -180,10 +181,11 @@ def results_of_drive(
     pins: tuple[str, ...],
     *,
     has_wedges: bool,
+    bound: str = "",
 ) -> dict[str, Result]:
-    """Every result that a drive has."""
+    """Every result that a drive has; ``bound`` is what its stiffness is beyond a value."""
     names = {"contact": contacts, "body": bodies, "clearance": neighbours, "bearing": bearings, "pin": pins}
-    rows = [_named(row, names) for row in RESULTS.values() if has_wedges or not row.needs_wedges]
+    rows = [_named(row, names, bound) for row in RESULTS.values() if has_wedges or not row.needs_wedges]
     return {row.name: row for row in rows if row.row_names}
 
 
@@ -192,14 +194,15 @@ def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
     return results_of_drive(
         *(solved.row_names(axis) for axis in ("contact", "body", "clearance", "bearing", "pin")),
         has_wedges=bool(wedges(solved.joint.drive)),
+        bound=stiffness_bound(solved.joint),
     )
 
 
-def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:
+def _named(row: Result, names: dict[str, tuple[str, ...]], bound: str) -> Result:
     if row.categories[-1:] == ("none",):  # the contacts or all parts of the drive before it
         of_contacts = row.categories == ("contact", "none")
         places = (*names["contact"], "none") if of_contacts else place_labels(names)
         row = dataclasses.replace(
             row, categories=places, note=f"its number in the order {', '.join(places)}, from 0"
         )
-    return dataclasses.replace(row, rows=names.get(row.axis, ()))
+    return dataclasses.replace(row, rows=names.get(row.axis, ()), bound=bound if row.gives_way else "")

@@ -10,6 +10,7 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint.description import Joint
+from asperity.joint.pin_bound import bound_document
 from asperity.joint.solve import Solution, solve_joint
 from asperity.results.document import capacities_document
 from asperity.rolling.document import unknown_because
@@ -74,6 +75,7 @@ def windup_document(
     forward, reverse = solutions
     return {
         "level": level,
+        **bound_document(joint),
         "of_own_branches": joint.unlike is not None,
         "standing_torque_capacity": capacities_document(*solutions),
         "largest_torque_Nm": float(curve.torque[-1]),
@@ -94,6 +96,12 @@ def windup_document(
         ],
         "rolling": {**_rolling(joint, forward, onsets[0]), "reverse": _rolling(joint, reverse, onsets[1])},
     }
+
+
+def stages_title(document: dict[str, Any]) -> str:
+    """Title of the table of K1 to K3 of :func:`windup_document`, with what bounds them."""
+    bound = document["stiffness_bound"]
+    return f"Stages of the loading curve (secant stiffness{f'; {bound}' if bound else ''})"
 
 
 def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:

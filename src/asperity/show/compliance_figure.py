@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.joint.fit import Fit
+from asperity.joint.pin_bound import stiffness_bound
 from asperity.joint.temperature import TemperatureCurves, temperature_curves
 from asperity.joint.temperature_limits import limits_document, lost_words
 from asperity.results import LEVELS, RESULTS
@@ -110,8 +111,9 @@ def draw_budget(axes: Axes, solved: SolvedJoint) -> None:
 def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
     """Stiffness at the output on every level of the model that has one."""
     rows = [RESULTS[f"{level}_stiffness_output"] for level in LEVELS]
+    bound = stiffness_bound(solved.joint)
     numbers = np.array([float(np.asarray(row.of(solved))) * _PER_ARCMINUTE for row in rows])
-    words = [row.label.split(", ")[-1] for row in rows]
+    words = [row.label.split(", ")[-1] + f"\n{bound}" * (row.gives_way and bool(bound)) for row in rows]
     known = np.where(numbers > 0.0, numbers, np.nan)  # no stiffness is no point, and not a stiffness of 0
     places = np.arange(len(rows))
     axes.semilogx(known, places, "o", color="tab:orange")  # no bars: a logarithmic axis has no zero

@@ -78,9 +78,10 @@ def radii_of(joint: Joint, number: int) -> list[float]:
 
 def pin_diameter_of(joint: Joint, number: int) -> float:
     """Diameter of the pin of a body [mm]; 0 where it has none, or the joint does not state it."""
-    if joint.bearings is None or joint.drive.bodies[number].place != "pin":
+    diameter = joint.shapes[number].pin_diameter
+    if diameter is None or joint.drive.bodies[number].place != "pin":
         return 0.0
-    return 1e3 * float(joint.bearings.pin_diameter)
+    return 1e3 * float(diameter)
 
 
 def copies_of(joint: Joint, number: int) -> list[Point]:

@@ -19,6 +19,7 @@ from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
 from asperity.drive.state.states import loaded_state, loaded_states, standing_state
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
+from asperity.joint.bores import pin_loads
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, in_motion, joint_contacts
 from asperity.joint.evaluation import assembled_joint
@@ -116,7 +117,7 @@ def _stands(
         laws, rest = pressed(torque)
         state = standing_state(drive=joint.drive, laws=laws, rest=rest, load=load)
         cam = turned_cam(joint, contacts, without_torque.rest, rest)
-        return _standing(joint, contacts, no_slip_friction, state, cam)
+        return _standing(joint, contacts, no_slip_friction, state, rest, cam)
 
     return at
 
@@ -137,7 +138,7 @@ def over_torque_program(
         turned = turning(dataclasses.replace(joint, output_torque=torque), contacts, creep, shown)
         works = rolls.residual < STATE_TOLERANCE
         return OverTorque(
-            **_standing(joint, contacts, no_slip_friction, under.standing, under.cam)._asdict(),
+            **_standing(joint, contacts, no_slip_friction, under.standing, under.rest, under.cam)._asdict(),
             drift=_drift(joint, torque, under),
             efficiency=jnp.where(works, turned.power.efficiency, jnp.nan),
             total_loss=jnp.where(works, turned.power.loss, jnp.nan),
@@ -201,8 +202,9 @@ def curve_program(joint: Joint, torques: Array, no_slip_friction: Real, shown: s
 
 
 class _Under(NamedTuple):
-    """A joint under a torque: standing, rolling, rolling the other way, and what its cam does."""
+    """A joint under a torque: assembled for it, standing, rolling, rolling the other way, and what its cam does."""
 
+    rest: DriveState
     standing: DriveState
     rolling: DriveState
     backwards: DriveState
@@ -225,7 +227,8 @@ def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> C
         if load.resistance_of is not None or load.bearings is not None:
             other = dataclasses.replace(load, rotation=-_sense(load.rotation))
             backwards = loaded_state(load=other, rolls=True, **given)
-        return _Under(standing, rolling, backwards, turned_cam(joint, contacts, without_torque.rest, rest))
+        cam = turned_cam(joint, contacts, without_torque.rest, rest)
+        return _Under(rest, standing, rolling, backwards, cam)
 
     return under
 
@@ -247,9 +250,14 @@ def rolling_with_its_torque(joint: Joint, contacts: JointContacts) -> DriveLoad:
 
 
 def _standing(
-    joint: Joint, contacts: JointContacts, no_slip_friction: Real, state: DriveState, cam: CamOfJoint | None
+    joint: Joint,
+    contacts: JointContacts,
+    no_slip_friction: Real,
+    state: DriveState,
+    rest: DriveState,
+    cam: CamOfJoint | None,
 ) -> StandingOverTorque:
-    """Stiffness of the joint that stands, with and without slip."""
+    """Stiffness of the joint that stands, assembled so at ``rest``, with and without slip."""
     sense = driving_sense(joint.drive)
     friction_coefficient = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
     frictions = jnp.stack([friction_coefficient, jnp.full_like(friction_coefficient, no_slip_friction)])
@@ -262,7 +270,7 @@ def _standing(
             state.normal,
             sense * state.tangential,
             jnp.where(friction == friction_coefficient, state.slides, 0.0),
-            state.pin_force,
+            pin_loads(state, rest),
         )
         return (
             jnp.asarray(stiffness.published.output),

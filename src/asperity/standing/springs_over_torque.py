@@ -16,6 +16,7 @@ from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState,
 from asperity.drive.state.states import standing_state
 from asperity.drive.stiffness.network import SpringLaws
 from asperity.joint.assembled import Pressed
+from asperity.joint.bores import PinLoads, pin_loads
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, in_motion, joint_contacts
 from asperity.joint.laws import creep_under
@@ -65,7 +66,7 @@ def springs_program(joint: Joint, without_torque: Pressed, torques: Array) -> Sp
         laws, rest = pressed(torque)
         load = dataclasses.replace(unloaded, output_torque=torque)
         state = standing_state(drive=joint.drive, laws=laws, rest=rest, load=load)
-        forces = (state.normal, sense * state.tangential, state.slides, state.pin_force)
+        forces = (state.normal, sense * state.tangential, state.slides, pin_loads(state, rest))
         cam = turned_cam(joint, contacts, without_torque.rest, rest)
         assembly = with_its_cam(loaded_stiffness(joint, contacts, *forces).assembly, cam)
         solved = state.residual < STATE_TOLERANCE
@@ -87,20 +88,24 @@ def springs_program(joint: Joint, without_torque: Pressed, torques: Array) -> Sp
 def springs_of_solution(joint: Joint, solution: Solution) -> SpringLaws:
     """All springs of a joint that is solved, standing under its torque, as NumPy arrays."""
     moving = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
-    forces = solution.result.forces
-    arguments = (
-        moving,
-        solution.laws,
-        *map(np.asarray, (forces.normal, forces.tangential, solution.states.standing.slides, forces.pins)),
+    result, standing = solution.result, solution.states.standing
+    forces = (
+        result.forces.normal,
+        result.forces.tangential,
+        standing.slides,
+        pin_loads(standing, result.pressed),
     )
+    arguments = (moving, solution.laws, *jax.tree.map(np.asarray, forces))
     found: SpringLaws = jax.tree.map(np.asarray, compile_fast(_of_forces, *arguments)(*arguments))
     return found
 
 
-def _of_forces(joint: Joint, laws: ContactLaws, *forces: Array) -> SpringLaws:
+def _of_forces(
+    joint: Joint, laws: ContactLaws, normal: Array, tangential: Array, slides: Array, pins: PinLoads
+) -> SpringLaws:
     """What is compiled to find the springs under known forces."""
     contacts = dataclasses.replace(joint_contacts(joint), rims=laws.rims)
-    return working_springs(joint, contacts, *forces)
+    return working_springs(joint, contacts, normal, tangential, slides, pins)
 
 
 def _creep_slopes(joint: Joint, contacts: JointContacts, rolling: DriveState) -> tuple[Array, Array]:

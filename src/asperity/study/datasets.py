@@ -49,7 +49,7 @@ def result_attributes(result: Result) -> dict[str, str]:
 
     To them ``categories`` where its values number them; ``comment`` where not every joint has all of its rows.
     """
-    attributes = {"units": result.si_unit, "long_name": result.label}
+    attributes = {"units": result.si_unit, "long_name": result.said}
     if result.present is not None and result.note:
         attributes["comment"] = result.note
     return attributes | ({"categories": " ".join(result.categories)} if result.categories else {})
@@ -61,7 +61,7 @@ def result_rows(results: Iterable[Result]) -> list[tuple[str, str, str]]:
     Name such as ``slip_ratio_sp``, SI unit and label of each number.
     """
     return [
-        (row_name(result.name, row), result.si_unit, f"{result.label}, {row}".removesuffix(", "))
+        (row_name(result.name, row), result.si_unit, f"{result.said}, {row}".removesuffix(", "))
         for result in results
         for row in result.row_names
     ]

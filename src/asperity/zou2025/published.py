@@ -34,7 +34,7 @@ NO_FRICTION = Bearings(
     loading_roller_torque=0.0,
     carrier_torque=0.0,
     pin_friction_coefficient=0.0,
-    pin_diameter=0.0,
+    pin_friction_diameter=0.0,
 )
 
 

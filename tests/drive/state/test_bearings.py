@@ -18,7 +18,7 @@ BEARINGS = Bearings(
     loading_roller_torque=0.02,
     carrier_torque=0.05,
     pin_friction_coefficient=0.1,
-    pin_diameter=8e-3,
+    pin_friction_diameter=8e-3,
 )
 
 

@@ -5,9 +5,11 @@ import dataclasses
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from pins_in_bores import pins
 
+from asperity.body.conforming_pin import SHARED
 from asperity.drive.mechanism import NormalSprings
-from asperity.drive.state.bores import Bores
+from asperity.drive.state.bores import Bores, by_amplitude
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.equations import (
     ASSEMBLED,
@@ -156,8 +158,8 @@ def test_members_that_do_not_follow_their_slip_are_a_residual_of_its_size(state)
 def test_a_pin_in_its_bore_moves_the_contacts(machine):
     """By their compliances times its force, the slip by what the torque has added to it."""
     normal, tangential = np.array([[2e-9], [-1e-9]]), np.array([[3e-9], [5e-9]])
-    none = jnp.zeros((2, 1))
-    bores = Bores(jnp.asarray(normal), jnp.asarray(tangential), none, none, jnp.zeros(1))
+    none = by_amplitude(jnp.zeros((2, 1, SHARED.size)))
+    bores = Bores(jnp.asarray(normal), jnp.asarray(tangential), none, none, pins(1, 0.0))
     pressed = machine._replace(laws=dataclasses.replace(machine.laws, bores=bores))
     pin, before = -100.0, -30.0
     x = assembled_guess(machine)._replace(pin=jnp.array([pin / REFERENCE]))

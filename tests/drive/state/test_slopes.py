@@ -8,6 +8,7 @@ import jax.flatten_util
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from pins_in_bores import random_bores
 
 from asperity.drive.layout.drive import Closure
 from asperity.drive.layout.drives import (
@@ -20,7 +21,6 @@ from asperity.drive.layout.drives import (
 )
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.mechanism import Bearings
-from asperity.drive.state.bores import Bores
 from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
@@ -69,7 +69,7 @@ BEARINGS = Bearings(
     loading_roller_torque=5e-4,
     carrier_torque=2e-3,
     pin_friction_coefficient=2e-3,
-    pin_diameter=4e-3,
+    pin_friction_diameter=4e-3,
 )
 
 
@@ -101,10 +101,10 @@ def described(name, *, coupled, pressed):
         pattern = 1e-10 * np.random.default_rng(3).uniform(-1.0, 1.0, (count, count))
         laws = dataclasses.replace(laws, coupling=jnp.asarray(pattern - np.diag(np.diag(pattern))))
     if pressed:
-        random = np.random.default_rng(4)
-        pins = len(drive.pinned)
-        each = (jnp.asarray(1e-10 * random.uniform(-1.0, 1.0, (count, pins))) for _ in range(4))
-        laws = dataclasses.replace(laws, bores=Bores(*each, push_compliance=jnp.full(pins, 1e-9)))
+        bores = random_bores(
+            np.random.default_rng(4), contacts=count, count=len(drive.pinned), clearance=5e-6, size=1e-10
+        )
+        laws = dataclasses.replace(laws, bores=bores)
     held = [number for number, body in enumerate(drive.bodies) if body.place == "free"]
     supports = carrier_supports(
         drive=drive, pin_transverse_stiffness=3e7, planet_support_stiffness=2e7, planets=tuple(held[:1])

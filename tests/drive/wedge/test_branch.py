@@ -87,7 +87,10 @@ def test_a_pins_friction_opposes_the_push_in_either_direction(branch):
     assert float(weak.pin_left[0]) < 0.0
     torque = (
         bearings.loading_roller_torque
-        + 0.25 * bearings.pin_friction_coefficient * bearings.pin_diameter * abs(float(weak.pin_left[0]))
+        + 0.25
+        * bearings.pin_friction_coefficient
+        * bearings.pin_friction_diameter
+        * abs(float(weak.pin_left[0]))
     )
     push = 0.5e-3 * float(branch.sides.sin_wedge) - 2.0 * float(torque) / float(
         geometry.loading_roller_radius

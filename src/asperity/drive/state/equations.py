@@ -13,6 +13,7 @@ from jax import Array
 
 from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
 from asperity.drive.mechanism import leading_sense
+from asperity.drive.state.bores import PressedBores
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.loads import (
     drag_pairs,
@@ -270,11 +271,13 @@ def state_misfits(
     approach, slip, creep, resistance = responses
     if laws.coupling is not None:
         approach = approach + product(laws.coupling, normal)
+    pressed = None
     if laws.bores is not None:
-        force = pin[: len(drive.pinned)]
-        pressed, slid = laws.bores.moved(force, largest)
-        _, at_rest = laws.bores.moved(task.pin_at_rest, largest)
-        approach, slip = approach + pressed, slip + slid - at_rest
+        force, at_rest = pin[: len(drive.pinned)], task.pin_at_rest
+        pressed = laws.bores.under(force, largest)
+        widened, slid = laws.bores.moved(force, pressed)
+        _, slid_at_rest = laws.bores.moved(at_rest, laws.bores.under(at_rest, largest))
+        approach, slip = approach + widened, slip + slid - slid_at_rest
     misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
     rolling = _backwards(task) * creep * _rolled(drive, speed) - product(matrices.turning, speed)
     standing = slip - product(matrices.sliding, moved - task.origin) - product(matrices.turning, turned)
@@ -304,7 +307,7 @@ def state_misfits(
     equations = Unknowns(
         misfit / length,
         jnp.where(slides == 0.0, held, x.tangential - slides * x.normal),
-        _of_pins(machine, task, (normal, tangential), pin, moved),
+        _of_pins(machine, task, (normal, tangential), pin, moved, pressed),
         (force - forces_on(drive, task.load).ravel()) / largest,
         jnp.where(kind == ASSEMBLED, x.turn, moments),
         size,
@@ -343,17 +346,22 @@ def change_of_normal(task: Task, normal: Array) -> Array:
     return jnp.where(jnp.asarray(task.kind) == ASSEMBLED, 0.0, normal - before)
 
 
-def _of_pins(machine: Machine, task: Task, forces: tuple[Array, Array], pin: Array, moved: Array) -> Array:
+def _of_pins(
+    machine: Machine,
+    task: Task,
+    forces: tuple[Array, Array],
+    pin: Array,
+    moved: Array,
+    pressed: PressedBores | None,
+) -> Array:
     """Misfits of the pins: their springs, or their forces without torque where those stay; then of the supports."""
     drive, matrices, supports = machine.drive, machine.matrices, task.load.supports
     count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
     springs = product(matrices.pins[:count], moved) - task.load.pin_compliance * pin[:count]
-    if machine.laws.bores is not None:
+    if machine.laws.bores is not None and pressed is not None:
         normal, tangential = forces
         change = change_of_normal(task, normal)
-        springs = springs - machine.laws.bores.pin_moved(
-            pin[:count], machine.largest, normal, change, tangential
-        )
+        springs = springs - machine.laws.bores.pin_moved(pressed, normal, change, tangential)
     kept = np.array(
         [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
     )

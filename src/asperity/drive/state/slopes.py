@@ -16,7 +16,7 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, sectors_of_members
-from asperity.drive.state.bores import sides
+from asperity.drive.state.bores import PressedBores
 from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
@@ -104,13 +104,14 @@ def state_slopes(
     turning = matrices.turning[:, np.array(turning_members(machine.drive), dtype=int)]
     turns = turning.shape[1]
     assembled = jnp.asarray(task.kind) == ASSEMBLED
-    approach_pins, slip_pins = _by_pins(machine, x)
+    pressed = _pressed(machine, x)
+    approach_pins, slip_pins = _by_pins(machine, x, pressed)
     held = _held_rows(machine, task, x, slip_pins, responses)
     if len(numbers_of_pairs(machine.drive)):
         held = _with_equal_coefficients(machine, task, x, held)
     sliding = _HeldRows(-_diagonal(slides), jnp.eye(count), *(jnp.zeros_like(rows) for rows in held[2:]))
     held = _in_rows((slides != 0.0) | assembled, sliding, held)
-    pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x)
+    pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x, pressed)
     moments = -turning.T * _moment_scale(machine)[:, None] * limit / (machine.lever * largest)
     preload = preload_weights(count, pressed_sectors) * reference
     resisting = [
@@ -142,7 +143,7 @@ def state_slopes(
                 jnp.zeros((1, count)),
             ]
         ),
-        structure=_of_structure(machine, task, pressed_sectors, x),
+        structure=_of_structure(machine, task, pressed_sectors, x, pressed),
     )
 
 
@@ -164,15 +165,22 @@ def _approaches(machine: Machine, slope: Array) -> Array:
     return slope * laws.reference_force / machine.length
 
 
-def _by_pins(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
-    """Slopes of approaches and slips by the forces of pins in bores and of supports, shape (contacts, pins)."""
-    count = len(machine.drive.pinned)
+def _pressed(machine: Machine, x: Unknowns) -> PressedBores | None:
+    """Pins in their bores; None where none presses in one."""
     if machine.laws.bores is None:
+        return None
+    force = x.pin[: len(machine.drive.pinned)] * machine.largest
+    return machine.laws.bores.under(force, machine.largest)
+
+
+def _by_pins(machine: Machine, x: Unknowns, pressed: PressedBores | None) -> tuple[Array, Array]:
+    """Slopes of approaches and slips by the forces of pins in bores and of supports, shape (contacts, pins)."""
+    count, bores = len(machine.drive.pinned), machine.laws.bores
+    if bores is None or pressed is None:
         return (jnp.zeros((x.normal.size, x.pin.size)),) * 2
-    side, _, _ = sides(x.pin[:count] * machine.largest, machine.largest)
     approach, slip = (
         jnp.pad(slope, ((0, 0), (0, x.pin.size - count))) * machine.largest / machine.length
-        for slope in machine.laws.bores.by_pin(side)
+        for slope in bores.by_pin(pressed)
     )
     return approach, slip
 
@@ -235,7 +243,9 @@ def _moment_scale(machine: Machine) -> Array:
     return jnp.where(carrier, 0.0, sectors_of_members(machine.drive)[members])
 
 
-def _of_structure(machine: Machine, task: Task, pressed_sectors: int, x: Unknowns) -> Array:
+def _of_structure(
+    machine: Machine, task: Task, pressed_sectors: int, x: Unknowns, pressed: PressedBores | None
+) -> Array:
     """Slopes of the balances, the pins and the size by the structure."""
     load, assembled = task.load, jnp.asarray(task.kind) == ASSEMBLED
     members = np.array(turning_members(machine.drive), dtype=int)
@@ -247,7 +257,7 @@ def _of_structure(machine: Machine, task: Task, pressed_sectors: int, x: Unknown
     by_pins = jax.jacfwd(lambda pin: moments_of(machine, task, tangential, pin, None)[members])(
         x.pin * machine.largest
     )
-    pin_rows, pin_slopes = _of_pins(machine, task, x)
+    pin_rows, pin_slopes = _of_pins(machine, task, x, pressed)
     size = jnp.where(assembled & (pressed_sectors > 0), 0.0, 1.0).reshape(1, 1)
     return jnp.block(
         [
@@ -294,14 +304,15 @@ def newton_step(slopes: Slopes, residual: Unknowns, solver: Callable[[Array, Arr
     )
 
 
-def _pins_by_contacts(machine: Machine, task: Task, x: Unknowns) -> tuple[Array, Array]:
+def _pins_by_contacts(
+    machine: Machine, task: Task, x: Unknowns, pressed: PressedBores | None
+) -> tuple[Array, Array]:
     """Slopes of the equations of pins and supports by normal and tangential forces, shape (pins, contacts)."""
     drive, laws, none = machine.drive, machine.laws, jnp.zeros((x.pin.size, x.normal.size))
-    if laws.bores is None:
+    if laws.bores is None or pressed is None:
         return none, none
     assembled, count = jnp.asarray(task.kind) == ASSEMBLED, len(drive.pinned)
-    side, _, _ = sides(x.pin[:count] * machine.largest, machine.largest)
-    normal, tangential = laws.bores.by_pin(side)
+    normal, tangential = laws.bores.by_pin(pressed)
     normal = jnp.where(assembled, laws.bores.along_normal, normal)
     moves = jnp.where(_kept(machine, task), 0.0, 1.0 / machine.length)[:, None]
     reference = laws.reference_force
@@ -320,17 +331,15 @@ def _kept(machine: Machine, task: Task) -> Array:
     return jnp.asarray(kept) & (jnp.asarray(task.kind) != ASSEMBLED)
 
 
-def _of_pins(machine: Machine, task: Task, x: Unknowns) -> tuple[Array, Array]:
+def _of_pins(machine: Machine, task: Task, x: Unknowns, pressed: PressedBores | None) -> tuple[Array, Array]:
     """Slopes of the equations of pins and supports by the displacements, and each by its own force."""
     drive, load = machine.drive, task.load
     count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
     constant = _kept(machine, task)
     compliance: Array = jnp.broadcast_to(load.pin_compliance, (count,))
-    if machine.laws.bores is not None:
+    if machine.laws.bores is not None and pressed is not None:
         bores, (normal, tangential) = machine.laws.bores, contact_forces(machine, x)
-        _, _, turns = sides(x.pin[:count] * machine.largest, machine.largest)
-        opened = product(bores.around_normal.T, change_of_normal(task, normal))
-        compliance = compliance - turns * (opened + product(bores.around_tangential.T, tangential))
+        compliance = compliance + bores.pin_slope(pressed, change_of_normal(task, normal), tangential)
     soft = compliance * machine.largest / machine.length
     rows = jnp.where(constant[:, None], 0.0, machine.matrices.pins[:count])
     slopes = jnp.where(constant, 1.0, -soft)

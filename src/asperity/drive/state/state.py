@@ -100,8 +100,8 @@ class ContactLaws(eqx.Module):
         What takes the place of these laws under load, around the assembled state and with rigid pins; None where they
         hold there too.
     bores : Bores or None, optional
-        What pins and contacts of rollers do to each other; None where pins are not known to press in bores. The pins'
-        own compliance is part of :attr:`DriveLoad.pin_compliance`.
+        What pins and contacts of rollers do to each other; None where pins are not known to press in bores. The
+        bending of the pins is :attr:`DriveLoad.pin_compliance`.
     """
 
     springs: NormalSprings
@@ -127,7 +127,7 @@ class DriveLoad(eqx.Module):
     body_force : Array or None, optional
         Forces on the floating bodies, shape (floating, 2) [N]; None for none.
     pin_compliance : Real, optional
-        Of each pin along its push, its bore in series, shape () or (pins,) [m/N].
+        Of each pin along its push, its contact in the bore not counted, shape () or (pins,) [m/N].
     bearings : Bearings or None, optional
         Friction of the bearings, as in :mod:`asperity.drive.state.loads`; None for none.
     support_stiffness : Array or None, optional

@@ -123,7 +123,7 @@ def branch_forces(
     push_l = n_pwl * side.sin_wedge + t_pwl * (1.0 + side.cos_wedge)
     push_r = n_pwr * side.sin_wedge - t_pwr * (1.0 + side.cos_wedge)
     constant = 2.0 * bearings.loading_roller_torque / radius
-    pin_friction = 0.5 * bearings.pin_friction_coefficient * bearings.pin_diameter / radius
+    pin_friction = 0.5 * bearings.pin_friction_coefficient * bearings.pin_friction_diameter / radius
     f_cl = (push_l - constant) * jnp.where(
         push_l > constant, 1.0 / (cos_l + pin_friction), 1.0 / (cos_l - pin_friction)
     )

@@ -38,7 +38,7 @@ export function curves(answer, baseline) {
         over("published_Nm_per_rad", "asperities alone", "three", perArcmin),
       ],
       point: { x: torque, y: found.torsional_stiffness.assembly.output_Nm_per_arcmin, name: "this joint" },
-      note: "Up to the torque capacity. The vertical axis is logarithmic.",
+      note: `Up to the torque capacity. The vertical axis is logarithmic.${found.stiffness_bound ? ` Assembled: ${found.stiffness_bound}.` : ""}`,
     }),
     linePlot({
       title: `Wind-up at the output, ${driven(found)} locked`,

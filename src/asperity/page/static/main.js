@@ -85,7 +85,8 @@ async function askOnce(state) {
       followed();
       links();
       const stiffness = found.document.torsional_stiffness.assembly.output_Nm_per_arcmin;
-      say(stiffness === null ? "No stiffness" : `Stiffness ${Number(stiffness.toPrecision(4))} N·m/arcmin at the output`);
+      const bound = found.document.stiffness_bound ? `, ${found.document.stiffness_bound}` : "";
+      say(stiffness === null ? "No stiffness" : `Stiffness ${Number(stiffness.toPrecision(4))} N·m/arcmin at the output${bound}`);
     } else if (found.kind === "busy") {
       setTimeout(ask, 500);
     } else {

@@ -37,7 +37,7 @@ export function showAnswer(answer, baseline) {
   get("forces").hidden = !bodies.length;
   get("forces").classList.toggle("several", bodies.length > 0 && answer.drawing.bodies.length > 1);
   get("bodies").replaceChildren(...bodies);
-  get("levels").replaceChildren(levels(found, before), ...lawRange(found), drift(found), ...laws(found), ...interval(found));
+  get("levels").replaceChildren(levels(found, before), ...clearance(found), ...lawRange(found), drift(found), ...laws(found), ...interval(found));
   get("budget").replaceChildren(budget(found));
   get("numbers").replaceChildren(...numbers(found, answer.drawing.made_interference_m));
   get("margins").replaceChildren(margins(answer));
@@ -81,6 +81,9 @@ function capacityWords(found) {
   return [capacity.output_torque_Nm, `${capacity.meaning}; passes up to ${number(standing)} N·m standing`];
 }
 
+/** Words for the stiffness of the assembled joint, with what bounds it. */
+const bounded = (words, found) => (found.stiffness_bound ? `${words} (${found.stiffness_bound})` : words);
+
 function cards(found, before) {
   const stiffness = found.torsional_stiffness.assembly;
   const was = before && before.torsional_stiffness.assembly;
@@ -94,7 +97,7 @@ function cards(found, before) {
       "Stiffness at the output",
       number(stiffness.output_Nm_per_arcmin),
       "N·m/arcmin",
-      unknown || `assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad)} N·m/rad`,
+      unknown || bounded(`assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad)} N·m/rad`, found),
       change(stiffness.output_Nm_per_rad, was && was.output_Nm_per_rad),
     ),
     card(
@@ -126,12 +129,17 @@ function levels(found, before) {
     const level = found.torsional_stiffness[key];
     const cells = [number(level.output_Nm_per_arcmin), number(level.output_Nm_per_rad)];
     cells.push(before ? number(before.torsional_stiffness[key].output_Nm_per_arcmin) : number(level.input_Nm_per_rad));
-    return [element("span", {}, name, element("small", {}, words)), ...cells];
+    const said = key === "assembly" ? bounded(words, found) : words;
+    return [element("span", {}, name, element("small", {}, said)), ...cells];
   });
   const last = before ? "baseline, N·m/arcmin" : `at the ${driven(found)}, N·m/rad`;
   const headings = ["level of the model", "N·m/arcmin", "N·m/rad", last];
   return element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Stiffness, scrollable" }, table("Torsional stiffness on three levels", headings, rows));
 }
+
+/** From what to what the stiffness reaches over a clearance of the pins that the file does not state. */
+const clearance = (found) =>
+  found.pin_clearance_interval ? [element("p", { class: "note" }, `${found.pin_clearance_interval.words}.`)] : [];
 
 /** Where the published contact law is outside its range, which concerns the level of the asperities alone. */
 function lawRange(found) {

@@ -286,7 +286,7 @@ def _limits(
         reports.append(
             LimitReport(
                 name=constraint.name,
-                label=evaluator.problem.table[constraint.name].label,
+                label=evaluator.problem.table[constraint.name].said,
                 row=evaluator.problem.table[constraint.name].row_names[row.row],
                 at_most=constraint.at_most,
                 limit=constraint.limit,

@@ -96,7 +96,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
     if np.nanmin(values, initial=np.inf) < np.nanmax(values, initial=-np.inf):
         lines = axes.contour(x, y, values.reshape(count, count), levels=8, colors="0.55", linewidths=0.8)
         axes.clabel(lines, fmt=plain_number, fontsize="x-small")
-        label = f"{problem.table[goal.name].label} [{shown_unit(unit)}]"
+        label = f"{problem.table[goal.name].said} [{shown_unit(unit)}]"
         keys.append(Line2D([], [], color="0.55", linewidth=0.8, label=label))
     drawn = 0
     for constraint, margin in zip(problem.constraints, by_limit, strict=True):

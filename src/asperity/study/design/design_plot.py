@@ -84,7 +84,7 @@ def design_figure(result: DesignResult, *, width: float | None = None) -> Figure
         axes.tick_params(labelbottom=False)
         below.set_xlabel(f"{variable.path} [{shown_unit(key.unit)}]", fontsize="small")
         if column == 0:
-            axes.set_ylabel(f"{objective.label}\n[{shown_unit(objective.display_unit)}]", fontsize="small")
+            axes.set_ylabel(f"{objective.said}\n[{shown_unit(objective.display_unit)}]", fontsize="small")
             below.set_ylabel("smallest margin\nof the limits [%]", fontsize="small")
         for panel in (axes, below):
             panel.grid(alpha=0.3)

@@ -121,7 +121,7 @@ class DesignProblem:
     def goal(self) -> str:
         """The first objective in words."""
         first = self.objectives[0]
-        return f"{'smallest' if first.sign > 0 else 'largest'} {self.table[first.name].label}"
+        return f"{'smallest' if first.sign > 0 else 'largest'} {self.table[first.name].said}"
 
 
 #: What a report shows of every design beside objective and limits: at the joint's own torque, or at its largest or

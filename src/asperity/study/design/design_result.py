@@ -319,7 +319,7 @@ def design_document(result: DesignResult) -> dict[str, Any]:
         {
             "objective": {
                 "result": goal.name,
-                "label": result.problem.table[goal.name].label,
+                "label": result.problem.table[goal.name].said,
                 "sense": "minimise" if goal.sign > 0 else "maximise",
                 "before": result.objective_before,
                 "after": result.objective_after,
