@@ -288,7 +288,7 @@ def test_what_an_unstated_clearance_leaves_open_is_told_below_the_stiffness(docu
     lines = shown(document)
     place = lines.index("  bearings.pin_radial_clearance is not stated, and so on")
     assert any("Torsional stiffness" in line for line in lines[:place])
-    assert place < lines.index("Drift when it turns")
+    assert place < lines.index("Drift in rolling")
 
 
 def test_laws_side_by_side_have_a_line_each(document, shown):

@@ -58,7 +58,7 @@ def test_the_law_of_every_surface(surface, law, chosen):
     assert isinstance(built, Surface if chosen == "zou_2025" else RandomRoughness)
     told = " ".join(assumptions(case))
     assert (f"contact law {chosen}, since the file does not state model.contact_law" in told) == (law is None)
-    assert ("contact law exponential: of randomly rough" in told) == (chosen == "exponential")
+    assert ("contact law exponential: randomly rough" in told) == (chosen == "exponential")
     by_average = "roughness_average" in surface and chosen == "exponential"
     assert ("exponential with roughness_average" in told) == by_average
 

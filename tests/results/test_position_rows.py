@@ -47,7 +47,7 @@ def test_drift_stands_beside_the_stiffness():
         "N*m",
         "beyond, a contact slips; standing: 9 N·m",
     )
-    assert found["stiffness, standing"].meaning == "assembled, at this torque"
+    assert found["stiffness at standstill"].meaning == "assembled, at this torque"
     assert rows(torque=-5.0)["torque capacity, rolling"].meaning.endswith("standing: 8 N·m")
 
 

@@ -35,7 +35,10 @@ def test_nothing_is_missing_from_a_joint_that_turns():
         ({"slip": (0.4, 1.2, 0.4, np.nan, 0.4)}, "no steady rolling: pwr, wro slip or have lifted off"),
         ({"slip": (0.4, 1.02, 0.4, 0.4, 0.4)}, "no steady rolling: pwr slips or has lifted off"),
         ({"holds": False}, "no creep: every spot of a contact is plastic"),
-        ({}, "no steady rolling: a contact slips or lifts off when the creepages share the torque"),
+        (
+            {},
+            "no steady rolling: a contact slips or lifts off once the creepages share the torque among the contacts",
+        ),
     ],
 )
 def test_a_joint_that_does_not_roll_has_one_reason(found, said):

@@ -47,9 +47,9 @@ def test_exported_elements_that_are_off_are_found(monkeypatch, name, part, faili
 def test_a_frequency_that_is_off_is_found(monkeypatch, name):
     honest = checks.natural_frequencies
 
-    def off(**given):
-        found = honest(**given)
+    def off(joint):
+        found = honest(joint)
         return found._replace(**{name: 1.001 * getattr(found, name)})
 
     monkeypatch.setattr(checks, "natural_frequencies", off)
-    assert [check.passed for check in checks.vibrations()] == [False, True, True]
+    assert [check.passed for check in checks.vibrations()] == [False, True]

@@ -323,7 +323,6 @@ def test_limits_of_rims_hold_for_the_bodies_that_bend(tmp_path, zou_file):
     for limit, support, says in (
         ('rim_yield_safety = { at_least = 2, bodies = ["sun"] }', "free", "'sun' has none; only free rings"),
         ("rim_yield_safety = { at_least = 2 }", "rigid_housing", "only free rings and hollow rollers"),
-        ("rim_fatigue_safety = { at_least = 2 }", "free", "where their material states fatigue_strength"),
         (
             "seat_torque_safety = { at_least = 2 }",
             "free",

@@ -53,10 +53,10 @@ def test_a_limit_says_sense_value_share_and_torque():
 def test_a_limit_without_a_value_says_why():
     drift = limit("drift_rate", at_most=True, limit=1e-5, value=math.nan, missed_by=math.nan)
     assert drift.text.endswith(
-        "(no value there, none of any design: there is none where the input stands, at 5 N·m)"
+        "(no value there; no design has one: there is none where the input stands, at 5 N·m)"
     )
     stiffness = limit("slip_safety", at_most=False, limit=1.0, value=math.nan, missed_by=math.nan)
-    assert stiffness.text.endswith("(no value there, none of any design, at 5 N·m)")
+    assert stiffness.text.endswith("(no value there; no design has one, at 5 N·m)")
 
 
 def test_a_conflict_names_the_active_limits_and_the_bounds():
@@ -103,7 +103,7 @@ def design(sign, **changes):
     numbers = {
         "problem": SimpleNamespace(
             objectives=[SimpleNamespace(name="mass", sign=sign)],
-            table={"mass": SimpleNamespace(label="mass of two discs")},
+            table={"mass": SimpleNamespace(label="mass of two discs", said="mass of two discs")},
         ),
         "feasible": False,
         "crossed": (),

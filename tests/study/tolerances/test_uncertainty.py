@@ -150,11 +150,14 @@ def test_quantiles_are_those_of_the_distribution(toleranced, monkeypatch):
 def test_a_contact_has_no_mean(toleranced, monkeypatch):
     def slips(values, points, results, *, batch, report):
         count = points["drive.planet_radius"].size
-        return np.zeros(count, dtype=np.int8), {"limiting_contact": np.arange(count) % 2.0}
+        return np.zeros(count, dtype=np.int8), {"standing_limiting_contact": np.arange(count) % 2.0}
 
     monkeypatch.setattr(module, "evaluate_points", slips)
     one = uncertainty(
-        toleranced, results=("limiting_contact",), distribution=Distribution("uniform", 0.0), samples=200
+        toleranced,
+        results=("standing_limiting_contact",),
+        distribution=Distribution("uniform", 0.0),
+        samples=200,
     ).isel(result=0)
     for name in ("nominal", "mean", "standard_deviation", "quantiles", "first_order", "total_order"):
         assert np.all(np.isnan(one[name].values)), name
