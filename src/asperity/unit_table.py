@@ -90,7 +90,7 @@ def unit_table() -> dict[str, Unit]:
     alone: list[tuple[str, Unit]] = [
         ("inch inches in", (254, 10**4, 0, length)),
         ("µin microinch microinches", (254, 10**10, 0, length)),
-        ("thou", (254, 10**7, 0, length)),
+        ("thou mil mils", (254, 10**7, 0, length)),
         ("foot feet ft", (3048, 10**4, 0, length)),
         ("micron microns", (1, 10**6, 0, length)),
         ("angstrom angstroms Å \u212b", (1, 10**10, 0, length)),
@@ -106,7 +106,9 @@ def unit_table() -> dict[str, Unit]:
         ("ksi", (pound_force * 10**11, 10**13 * 254**2, 0, pressure)),
         ("HV", (*VICKERS_PRESSURE, 0, pressure)),
         ("atm", (101325, 1, 0, pressure)),
-        ("degree degrees deg °", (1, 180, 1, angle)),
+        ("degree degrees deg ° º", (1, 180, 1, angle)),
+        ("millidegree millidegrees mdeg", (1, 180 * 1000, 1, angle)),
+        ("gon", (1, 200, 1, angle)),
         ("arcminute arcminutes arcmin", (1, 180 * 60, 1, angle)),
         ("arcsecond arcseconds arcsec", (1, 180 * 3600, 1, angle)),
         ("turn turns revolution revolutions rev", (2, 1, 1, angle)),
@@ -137,6 +139,8 @@ def unit_table() -> dict[str, Unit]:
     table: dict[str, Unit] = {}
     for symbol, names, (numerator, denominator, pi_power, exponents) in prefixed:
         for short, long, power in prefixes:
+            if symbol == "rad" and power > 0:
+                continue  # "Grad" is a degree in German
             up, down = 10 ** max(power, 0), 10 ** max(-power, 0)
             scaled = (numerator * up, denominator * down, pi_power, exponents)
             table[short + symbol] = scaled

@@ -541,7 +541,7 @@ def test_two_tables_are_refused(tmp_path):
     with pytest.raises(InputError, match="line 31 between the heights is empty"):
         read(tmp_path, [*heights()[:30], "", *heights()[30:]], **options)
     twice = rows()
-    with pytest.raises(InputError, match=r"not equally spaced|do not advance"):
+    with pytest.raises(InputError, match=r"line 61 between the rows is empty"):
         read(tmp_path, [*twice, "", *twice], position_unit="mm", height_unit="um")
     y, x = np.mgrid[0:9, 0:12]
     table = [f"{a} {b} {z:g}" for a, b, z in zip(x.ravel(), y.ravel(), GRID.ravel(), strict=True)]

@@ -158,7 +158,7 @@ def test_line_numbers_comments_and_gaps():
     table = text_table(text, source="t")
     assert list(table.line_numbers) == [3, 5, 7, 8]
     assert [str(line) for line in table.inside] == ["line 4, '# pause'"]
-    assert table.first_gap == 0  # a comment parts the rows already
+    assert table.first_gap == 6
     assert text_table("1 2\n2 3\n\n3 4\n4 5\n", source="t").first_gap == 3
     assert text_table("1 2\n\n2 3\n\n3 4\n\n4 5\n", source="t").first_gap == 0
     assert table.row_words == "4 rows of 2 columns"

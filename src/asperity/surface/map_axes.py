@@ -68,13 +68,14 @@ def _without_axes(
     """The heights in the order of rising positions, and the steps."""
     steps: list[float | None] = []
     notes = []
+    number = [line is None or counts_up(line) for line in (x, y)]  # where one axis has positions both have
     for axis, (name, positions) in enumerate((("column", y), ("row", x))):
         if positions is None:
             steps.append(None)
             continue
         step = float(positions[-1] - positions[0]) / (positions.size - 1)
         heights = np.flip(heights, axis) if step < 0.0 else heights
-        numbers = counts_up(positions)
+        numbers = all(number)
         steps.append(None if numbers else abs(step))
         what = (
             "numbers the points" if numbers else f"holds the positions {positions[0]:g} to {positions[-1]:g}"

@@ -61,12 +61,13 @@ def _topography(array: NDArray[Any], stated: Stated, path: Path) -> Topography:
 
 
 def without_mark(heights: NDArray[np.float64], stated: Stated) -> tuple[NDArray[np.float64], tuple[str, ...]]:
-    """Numbers without the one that the user states to mark missing points, and a note of how many there were."""
-    mark = stated.missing_mark()
-    if mark is None:
-        return heights, ()
-    missing = heights == mark
-    return np.where(missing, np.nan, heights), (f"{int(missing.sum())} numbers {mark:g} mark missing points",)
+    """Numbers without those that the user states to mark missing points, and notes of how many there were."""
+    notes = []
+    for mark in stated.missing_marks():
+        missing = heights == mark
+        heights = np.where(missing, np.nan, heights)
+        notes.append(f"{int(missing.sum())} numbers {mark:g} mark missing points")
+    return heights, tuple(notes)
 
 
 def _profile(pairs: NDArray[np.float64], stated: Stated, source: str) -> Topography:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -14,11 +15,11 @@ from asperity.surface.file_formats import MEBIBYTE, file_bytes
 from asperity.surface.instrument_text import instrument_text_topography, is_instrument_text
 from asperity.surface.map_axes import map_axes, refuse_wrapped
 from asperity.surface.stated import Stated, with_its_sizes
-from asperity.surface.text_columns import Columns, columns_of, equal_spacing
+from asperity.surface.text_columns import Columns, columns_of, equal_spacing, is_ramp, kind_of
 from asperity.surface.text_scales import KNOWN_KEYS, Scales
 from asperity.surface.topography import Topography
 from asperity.text_table.decoding import decoded
-from asperity.text_table.headings import heading_of
+from asperity.text_table.headings import Heading, heading_of
 from asperity.text_table.text_table import TextTable, text_table
 
 #: Largest text file that is read [bytes].
@@ -42,6 +43,8 @@ def text_topography(*, path: Path, stated: Stated) -> Topography:
         return with_its_sizes(
             instrument_text_topography(text, path=path), stated, path, "text of an instrument"
         )
+    if text.startswith("DSAA"):
+        raise InputError(f"{path.name} is a grid of Surfer, whose sizes are not read; export it as x, y, z")
     table = text_table(text, source=path.name, decimal=stated.decimal)
     columns = columns_of(table, stated.column)
     scales = Scales(table, stated)
@@ -59,12 +62,12 @@ def text_topography(*, path: Path, stated: Stated) -> Topography:
 
 
 def _scaled(
-    scales: Scales, column: int, heights: NDArray[np.float64]
+    scales: Scales, column: int, heights: NDArray[np.float64], heading: Heading | None = None
 ) -> tuple[NDArray[np.float64], tuple[str, ...]]:
-    """Heights in metres without the marks of missing ones, and notes."""
+    """Heights in metres without the marks of missing ones, and notes; by another ``heading`` than the column's."""
     heights, marked = scales.without_marks(heights)
     known = heights[np.isfinite(heights)]
-    metres, words = scales.unit("height", column, whole=bool(np.all(known == np.round(known))))
+    metres, words = scales.unit("height", column, heading, whole=bool(np.all(known == np.round(known))))
     return heights * metres, (words, *marked)
 
 
@@ -101,6 +104,11 @@ def _profile(table: TextTable, columns: Columns, place: int, scales: Scales) -> 
     positions = table.values[:, place]
     scales.refuse_other_counts(len(positions), 1)
     heights, notes = _measured(table, columns, scales)
+    if table.first_gap and not is_ramp(positions):
+        raise InputError(
+            f"{table.source}: line {table.first_gap} between the rows is empty, and the positions do not go on behind "
+            "it: two profiles have to be saved in two files"
+        )
     step, rounded = equal_spacing(positions, table.source)
     (spacing,), words = scales.steps((place,), (abs(step),), (len(positions),))
     return _topography(heights[::-1] if step < 0.0 else heights, (spacing,), table, (rounded, words, *notes))
@@ -135,15 +143,32 @@ def _map(table: TextTable, scales: Scales) -> Topography:
             f"{table.source}: line {table.first_gap} between the rows is empty: two maps in one file, or a row that is "
             "missing; save one map a file"
         )
+    _refuse_lines_inside(table)
     axes = map_axes(table)
     scales.refuse_other_counts(*axes.heights.shape)
     if axes.x_step is None and axes.y_step is None and not scales.state_a_map:
         refuse_wrapped(axes.heights, table.source)
-    heights, notes = _scaled(scales, 0, axes.heights)
     corner = heading_of(table.corner)
+    names_heights = corner.unit is not None and kind_of(corner) == "z"
+    if names_heights and re.search(r"[,;&\\]|/\s*\w+\s*[\[(]", table.corner):
+        raise InputError(
+            f"{table.source}: the corner '{table.corner}' names heights and positions; write the units of both in "
+            "lines of their own: 'z unit: um' and 'xy unit: mm'"
+        )
+    heights, notes = _scaled(scales, 0, axes.heights, corner if names_heights else None)
+    corner = heading_of("") if names_heights else corner
     spacings, words = scales.map_steps(axes.x_step, axes.y_step, axes.heights.shape, corner)
     unused = scales.unused() if axes.x_step is None and axes.y_step is None else ()
     return _topography(heights, spacings, table, (*words, *axes.notes, *notes, *unused))
+
+
+def _refuse_lines_inside(table: TextTable) -> None:
+    """Raise if comments stand between heights without positions: a second surface may begin there."""
+    if table.inside:
+        raise InputError(
+            f"{table.source}: {table.inside[0]} stands between the heights: if another profile or map begins there, "
+            "save it in a file of its own; if not, remove the line"
+        )
 
 
 def _heights_alone(table: TextTable, column: int, scales: Scales) -> Topography:
@@ -154,6 +179,7 @@ def _heights_alone(table: TextTable, column: int, scales: Scales) -> Topography:
             f"{table.source}: line {table.first_gap} between the heights is empty: one that is missing is written nan; "
             "two profiles have to be saved in two files"
         )
+    _refuse_lines_inside(table)
     first = ""
     if table.width == 1 and values[0] == len(values) - 1:
         first = f"the first number, {values[0]:g}, counts the points, and is no height"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,8 +21,8 @@ class Stated:
 
     ``position_unit`` and ``height_unit``: units, or lengths of one count such as ``"0.5 nm"``; ``spacing`` of the
     points [m]; ``decimal`` sign of a text, "auto", "point" or "comma"; ``column`` of the heights in a text by its name
-    or its number from 1; ``no_data``: number that marks missing points in the unit of the file, or "none" if every
-    number is a height.
+    or its number from 1; ``no_data``: number that marks missing points in the unit of the file, or several with commas
+    between them, or "none" if every number is a height.
     """
 
     position_unit: str | None = None
@@ -34,27 +35,28 @@ class Stated:
     def __post_init__(self) -> None:
         if self.spacing is not None and not (self.spacing > 0.0 and math.isfinite(self.spacing)):
             raise InputError(f"the spacing is {self.spacing} m; it must be a positive length")
-        self.missing_mark()
+        self.missing_marks()
 
     @property
     def all_are_heights(self) -> bool:
         """Whether it is stated that no number marks a missing point."""
         return self.no_data is not None and self.no_data.strip().lower() == "none"
 
-    def missing_mark(self) -> float | None:
-        """The stated number that marks missing points; None where none is stated."""
+    def missing_marks(self) -> tuple[float, ...]:
+        """The stated numbers that mark missing points; none where none is stated."""
         if self.no_data is None or self.all_are_heights:
-            return None
+            return ()
         try:
-            mark = float(self.no_data)
+            marks = tuple(map(float, re.split(r"\s*[,;]\s*", self.no_data.strip())))
         except ValueError:
-            mark = math.nan
-        if math.isnan(mark):
+            marks = (math.nan,)
+        if any(map(math.isnan, marks)):
             raise InputError(
-                f"'{self.no_data}' marks no missing point; give the number that does, such as -9999, or none",
+                f"'{self.no_data}' marks no missing point; give the number that does, such as -9999, several with "
+                "commas between them, or none",
                 options=["no-data"],
             )
-        return mark
+        return marks
 
     def unused_decimal(self) -> str:
         """A note that the decimal sign has no meaning for a file that is no text; empty where none is stated."""
@@ -78,7 +80,10 @@ def with_its_sizes(topography: Topography, stated: Stated, path: Path, kind: str
             raise InputError(
                 f"{path.name} ({kind}) has its units, not {unit}; do not state a unit", options=[name]
             )
-    for given, name in ((stated.column, "column"), (stated.missing_mark(), "no-data")):
+    for given, name in (
+        (stated.column, "column"),
+        (", ".join(f"{mark:g}" for mark in stated.missing_marks()) or None, "no-data"),
+    ):
         if given is not None:
             raise InputError(
                 f"{path.name} ({kind}) is no table of text: '{given}' has no meaning for it; do not state it",

@@ -18,6 +18,8 @@ _FEWEST_LEVELS, _LOOKED_AT = 10, 20_000
 #: its end.
 _SHARE_AT_END, _PILED = 2e-3, 5.0
 _FEWEST_AT_END = 5
+#: Distance of one extreme height from all others, over their range, from which it is said.
+_FAR = 5.0
 #: Ratios of the heights of profiles of one surface above which they are said to differ, and are refused.
 _SAID, _REFUSED = 1.5, 4.0
 #: Their difference over its standard deviation from which it is no chance.
@@ -29,11 +31,17 @@ _FORM = 3
 
 
 def refuse_missing_marks(topography: Topography) -> None:
-    """Raise if an extreme height occurs more than once, exactly, and lies farther from the rest than that reaches."""
+    """Raise if an extreme height occurs more than once, exactly, and lies farther from the rest than that reaches.
+
+    The rest is without both extremes.
+    """
     known = topography.heights[~np.isnan(topography.heights)]
-    for extreme, name in ((known.min(), "lowest"), (known.max(), "highest")):
-        rest = known[known != extreme]
-        count = known.size - rest.size
+    ends = (known.min(), known.max())
+    inner = known[
+        (known != ends[0]) & (known != ends[1])
+    ]  # a mark at one end does not hide that at the other
+    for extreme, name in zip(ends, ("lowest", "highest"), strict=True):
+        rest, count = inner, int(np.count_nonzero(known == extreme))
         if count < 2 or np.unique(rest[:: max(1, rest.size // _LOOKED_AT)]).size < _FEWEST_LEVELS:
             continue
         low, high = float(rest.min()), float(rest.max())
@@ -47,9 +55,17 @@ def refuse_missing_marks(topography: Topography) -> None:
 
 
 def end_notes(topography: Topography) -> tuple[str, ...]:
-    """Notes of heights at the ends of the range, where many points stand at one: it was exceeded."""
+    """Notes of heights at the ends of the range: where many points stand at one it was exceeded, one far off is odd."""
     known = topography.heights[~np.isnan(topography.heights)]
     notes = []
+    for sign, name in ((-1.0, "lowest"), (1.0, "highest")):
+        before, last = np.sort(np.partition(sign * known, max(0, known.size - 2))[-2:])
+        apart, others = float(last - before), float(before - (sign * known).min())
+        if known.size > _FEWEST_LEVELS and apart > _FAR * others > 0.0:
+            notes.append(
+                f"one point has the {name} height, {sign * 1e6 * last:.6g} um, {apart / others:.3g} times the range of "
+                "all others away from them: does it mark a missing point?"
+            )
     for sign, name in ((-1.0, "lowest"), (1.0, "highest")):
         extreme = float((sign * known).max())
         rest = known[sign * known < extreme]

@@ -17,6 +17,8 @@ from asperity.units import unit_exponents
 
 #: Columns of a table without names above which it is a map, whatever its first column holds.
 _COLUMNS_OF_MAP = 16
+#: Columns without use that are named.
+_NAMED = 3
 #: Words of a heading, in small letters.
 _X = frozenset(
     (
@@ -42,7 +44,40 @@ _Z = frozenset(
         *("profile", "primary", "roughness", "waviness", "raw", "topography"),
     )
 )
-_INDEX = frozenset(("index", "idx", "no", "nr", "number", "#", "point", "n", "i", "id", "row", "sample"))
+_INDEX = frozenset(
+    (
+        *(
+            "index",
+            "idx",
+            "no",
+            "nr",
+            "num",
+            "number",
+            "#",
+            "point",
+            "pointno",
+            "n",
+            "i",
+            "id",
+            "sample",
+            "sampleno",
+        ),
+        *("count", "line", "record", "punkt", "pkt", "punktnr", "messpunkt", "lfdnr", "lfd"),
+        *("row", "zeile", "ligne", "column", "col", "spalte", "colonne", "pixel"),
+    )
+)
+#: Names of columns that number the rows of a map, and the places in them.
+_ROW, _PLACE = (
+    frozenset(("row", "line", "zeile", "ligne")),
+    frozenset(("column", "col", "spalte", "colonne", "pixel")),
+)
+#: Names of flags of good and of bad points, beside valid and invalid; others of 0 and 1 are not known.
+_GOOD, _BAD = (
+    frozenset(("ok", "good", "gültig", "gueltig", "valide")),
+    frozenset(
+        ("bad", "outlier", "missing", "error", "ungültig", "ungueltig", "invalide", "nan", "fehler", "defect")
+    ),
+)
 
 
 @dataclass(frozen=True)
@@ -66,9 +101,10 @@ def columns_of(table: TextTable, column: str | None) -> Columns:
 
     An ``InputError`` if more than one may be the heights, or the stated one does not exist.
     """
-    kinds = [_kind(heading) for heading in table.headings]
+    kinds = [kind_of(heading) for heading in table.headings]
     chosen = None if column is None else _chosen(table, column)
     flag = next((j for j, kind in enumerate(kinds) if kind in ("valid", "invalid") and j != chosen), None)
+    kinds = _with_rows_and_places(table, kinds)
     numbers = [j for j in range(table.width) if j != chosen and _numbers_points(table, kinds, j)]
     notes = tuple(f"column {j + 1} numbers the points" for j in numbers)
     rest = [j for j in range(table.width) if j != flag and j not in numbers]
@@ -78,6 +114,9 @@ def columns_of(table: TextTable, column: str | None) -> Columns:
     x, y = _positions(table, kinds, rest, chosen)
     heights = _heights(table, kinds, [j for j in rest if j not in (x, y)]) if chosen is None else chosen
     valid = 0.0 if flag is not None and kinds[flag] == "invalid" else 1.0
+    others = [j for j in rest if j not in (x, y, heights)]
+    _refuse_unclear_flag(table, others, chosen)
+    notes = (*notes, *(f"{_column_words(table, j)} is not used" for j in others[:_NAMED]))
     if x is not None and heights < x:
         notes = (
             *notes,
@@ -107,13 +146,15 @@ def _heights(table: TextTable, kinds: Sequence[str], left: Sequence[int]) -> int
     )
 
 
-def _kind(heading: Heading) -> str:
+def kind_of(heading: Heading) -> str:
     """What the name of a column says: x, y, z, valid, invalid, index, or nothing that is known."""
     name = heading.name.lower()
     words = {word.rstrip("0123456789") for word in re.split(r"[\W_]+", name)} - {""}
     joined = re.sub(r"[\W_]", "", name)
-    if "invalid" in name or "valid" in name:
-        return "invalid" if "invalid" in name else "valid"
+    if "valid" in name:
+        return "invalid" if re.search(r"(in|un|not?n?[\W_]*)valid", name) else "valid"
+    if heading.unit is None and (joined in _GOOD | _BAD or words & (_GOOD | _BAD)):
+        return "invalid" if joined in _BAD or words & _BAD else "valid"
     for kind, known in (("z", {"z"}), ("x", {"x"}), ("y", {"y"}), ("x", _X), ("y", _Y), ("z", _Z)):
         if words & known or joined in known:
             return kind
@@ -124,7 +165,42 @@ def _kind(heading: Heading) -> str:
 def _numbers_points(table: TextTable, kinds: Sequence[str], column: int) -> bool:
     """Whether a column has the numbers of the points beside others: by its name, or without one where others have."""
     nameless = not table.headings[column].text and any(heading.text for heading in table.headings)
-    return table.width > 1 and (kinds[column] == "index" or nameless) and counts_up(table.values[:, column])
+    others = (
+        is_ramp(table.values[:, j]) and table.headings[j].unit is not None
+        for j in range(table.width)
+        if j != column
+    )
+    beside = kinds[column] == "" and table.headings[column].unit is None and any(others)
+    numbers = kinds[column] == "index" or nameless or beside
+    return table.width > 1 and numbers and counts_up(table.values[:, column])
+
+
+def _with_rows_and_places(table: TextTable, kinds: Sequence[str]) -> list[str]:
+    """The kinds of columns where two number the rows of a map and the places in them: y and x.
+
+    An ``InputError`` if their names do not say which is which.
+    """
+    names = [re.sub(r"[\W_]", "", heading.name.lower()) for heading in table.headings]
+    rows, places = ([j for j, name in enumerate(names) if name in known] for known in (_ROW, _PLACE))
+    if len(rows) == 1 and len(places) == 1 and table.width > 2:
+        return [{rows[0]: "y", places[0]: "x"}.get(j, kind) for j, kind in enumerate(kinds)]
+    if {"i", "j"} <= set(names) and table.width > 2:
+        raise InputError(
+            f"{table.source}: which of the columns 'i' and 'j' numbers the rows is not known; name them x and y"
+        )
+    return list(kinds)
+
+
+def _refuse_unclear_flag(table: TextTable, others: Sequence[int], chosen: int | None) -> None:
+    """Raise if a column without use holds 0 and 1 alone: it may say which points are good."""
+    for j in others:
+        values = table.values[:, j]
+        if chosen is None and np.isin(values, (0.0, 1.0)).all() and np.ptp(values) > 0.0:
+            raise InputError(
+                f"{table.source}: {_column_words(table, j)} holds 0 and 1 alone: if it says which points are good, "
+                "name it valid or invalid; if not, choose the column of the heights",
+                options=["column"],
+            )
 
 
 def _positions(
@@ -139,16 +215,22 @@ def _positions(
         )  # of pairs side by side, its own
     if len(rest) == 1:
         return None, None
+    if x is not None and y is not None:  # a profile whose other position does not change
+        still = [j for j in (x, y) if np.ptp(table.values[:, j]) == 0.0]
+        if len(still) == 1:
+            return (y if still[0] == x else x), None
     if x is not None and y is not None and len(rest) > 2:
         return x, y
     if x is not None or y is not None:
         return (y if x is None else x), None  # of two columns x and y the second is measured over the first
-    ramps = [j for j in left if is_ramp(table.values[:, j])]
-    if len(rest) == 3 and chosen in (None, rest[2]) and rest[0] not in ramps:
+    ramps = [j for j in left if is_ramp(table.values[:, j]) and not _is_no_length(table.headings[j])]
+    ramps.sort(key=lambda j: table.headings[j].unit is None)  # those with a unit of length first
+    is_named = any(kinds[j] for j in rest)
+    if len(rest) == 3 and (chosen is None or (chosen == rest[2] and not is_named)) and rest[0] not in ramps:
         return rest[0], rest[1]
     if len(rest) == 2 and chosen is None and "z" in (kinds[j] for j in rest):
         return next((j for j in rest if kinds[j] != "z"), None), None
-    return (ramps[0] if ramps else rest[0] if len(rest) == 2 and rest[0] != chosen else None), None
+    return (ramps[0] if ramps else rest[0] if len(rest) == 2 and chosen is None else None), None
 
 
 def _is_table_of_profiles(table: TextTable) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -14,7 +15,7 @@ from asperity.errors import InputError
 from asperity.surface.file_formats import metres_per_unit
 from asperity.surface.stated import SAME_SPACING, Stated
 from asperity.text_table.entries import Entry
-from asperity.text_table.headings import Heading, factor_and_unit, is_counted, is_unit
+from asperity.text_table.headings import Heading, factor_and_unit, is_counted, is_scale, is_unit
 from asperity.text_table.text_table import TextTable
 from asperity.unit_table import Dimension
 from asperity.units import unit_exponents
@@ -29,9 +30,10 @@ _POINTS = (
     *("points", "numberofpoints", "npoints", "numpoints", "nopoints", "datapoints", "numberofdatapoints"),
     *("samples", "numberofsamples", "pointcount", "datacount", "profilepoints"),
 )
+_WIDTHS, _HEIGHTS = ("breite", "largeur"), ("höhe", "hoehe", "hauteur")
 _LENGTH = {
-    "x": ("xlength", "width", "xrange", "xreal", "sizex"),
-    "y": ("ylength", "height", "yrange", "yreal", "sizey"),
+    "x": ("xlength", "width", "xrange", "xreal", "sizex", *_WIDTHS),
+    "y": ("ylength", "height", "yrange", "yreal", "sizey", *_HEIGHTS),
 }
 _STEP = {
     "x": (
@@ -78,6 +80,15 @@ _STEP = {
         "ypitch",
         "scaley",
         "spacingy",
+        *(
+            "linespacing",
+            "linepitch",
+            "linedistance",
+            "linestep",
+            "profilespacing",
+            "trackspacing",
+            "rowspacing",
+        ),
     ),
 }
 #: Steps that hold in both directions of a map.
@@ -106,7 +117,7 @@ _COUNT = (
         "lsb",
         "zlsb",
     ),
-    *("heightconversionfactor", "heightpercount", "countheight"),
+    *("heightconversionfactor", "heightpercount", "countheight", "heightscalefactor", "zscalefactor"),
 )
 #: The same where the heights are whole numbers; otherwise what the instrument resolves.
 _RESOLUTION = ("res", "zres", "zresolution", "heightresolution", "verticalresolution")
@@ -115,7 +126,6 @@ _NO_DATA = (
         "nodatavalue",
         "nodata",
         "missingvalue",
-        "missing",
         "badvalue",
         "voidvalue",
         "invalidvalue",
@@ -153,28 +163,48 @@ class Scales:
     table: TextTable
     stated: Stated
 
-    def unit(self, what: What, column: int, *, whole: bool = False) -> tuple[float, str]:
+    def unit(
+        self, what: What, column: int, heading: Heading | None = None, *, whole: bool = False
+    ) -> tuple[float, str]:
         """Metres in the unit of a column, and a note of where that stands if not in its heading.
 
-        ``whole``: whether its numbers are whole, as counts are.
+        ``heading``: another one than that above the column; ``whole``: whether its numbers are whole, as counts are.
 
         An ``InputError`` if neither file nor user state it, they contradict each other, or it is no length.
         """
-        by_heading = self._of_heading(what, self.table.headings[column], f"column {column + 1}")
+        by_heading = self._of_heading(what, heading or self.table.headings[column], f"column {column + 1}")
         lines = [self._unit_entry(entry) for entry in self._entries(_UNITS[what])]
         claims = [claim for claim in (by_heading, *lines) if claim is not None]
         if what == "height" and (whole or not claims):
             claims = [*self._counts(whole), *claims]
-        return self._decided(what, claims)
+        length, note = self._decided(what, claims)
+        factors = [] if what == "position" else [e for e in self._entries(_COUNT) if self._is_open_factor(e)]
+        if factors and self.stated.height_unit is None:
+            raise InputError(
+                f"{self.table.source}: {factors[0]} may be a factor of the heights, and states no unit; state the "
+                "unit, or the length of one count such as '0.05 nm'",
+                options=["height-unit"],
+            )
+        unused = [f"{entry} is not used: the unit of the heights is the stated one" for entry in factors]
+        return length, "; ".join(filter(None, (note, *unused)))
+
+    def _is_open_factor(self, entry: Entry) -> bool:
+        """Whether a line states a factor of the heights other than 1 without a unit."""
+        return (
+            entry.number not in (None, 1.0)
+            and entry.key not in _UNIT_OF_KEY
+            and (not entry.unit or is_counted(entry.unit))
+        )
 
     def _of_heading(self, what: What, heading: Heading, place: str) -> Claim | None:
         """The unit that the heading of a column states."""
         if heading.unit is None:
             return None
         factor, unit = factor_and_unit(heading.unit)
-        if unit_exponents(unit) == Dimension.LENGTH.exponents and not is_counted(unit):
+        is_length = unit_exponents(unit) == Dimension.LENGTH.exponents and not is_counted(unit)
+        if is_length and is_scale(heading.unit):
             return Claim(factor * metres_per_unit(unit), f"the heading '{heading.text}'", heading.unit)
-        if is_unit(heading.unit):
+        if is_unit(heading.unit) and not is_length:
             raise InputError(
                 f"{self.table.source}: {place} is headed '{heading.text}': '{unit}' is no length, so these "
                 f"are no {what}s; choose the column of the heights",
@@ -214,7 +244,9 @@ class Scales:
 
     def _length(self, entry: Entry, unit: str) -> float | None:
         """The length that an entry states; None where it has no number above zero or no unit of length."""
-        plain = unit.partition("/")[0].strip() if unit_exponents(unit) is None else unit
+        plain, stroke, counted = (part.strip() for part in unit.partition("/"))
+        if stroke and (unit_exponents(unit) is not None or not is_counted(counted)):
+            plain = unit  # per something that is not counted
         if entry.number is None or not 0.0 < entry.number < math.inf or not plain:
             return None
         if unit_exponents(plain) != Dimension.LENGTH.exponents:
@@ -315,9 +347,25 @@ class Scales:
             raise self.no_spacing()
         equal = ""
         if across is None:
-            across = along if x_step is None or y_step is None else along * y_step / x_step
-            equal = "rows and columns taken as equally spaced" if y_step is None else ""
+            ratio = self._stated_ratio(shape) if x_step is None or y_step is None else y_step / x_step
+            across = along if ratio is None else along * ratio
+            equal = "rows and columns taken as equally spaced" if ratio is None else ""
         return (along, across), (equal, words, more)
+
+    def _stated_ratio(self, shape: tuple[int, ...]) -> float | None:
+        """Distance of the rows over that of the points in them, by lines of both without a unit; None without them."""
+        for keys, points in ((_STEP, (1, 1)), (_LENGTH, (shape[1], shape[0]))):
+            along, across = (
+                [
+                    e.number / count
+                    for e in self._entries(keys[axis])
+                    if e.number and e.number > 0.0 and not e.unit
+                ]
+                for axis, count in zip(("x", "y"), points, strict=True)
+            )
+            if along and across:
+                return across[0] / along[0]
+        return None
 
     def unused(self) -> tuple[str, ...]:
         """A note of the stated unit of the positions where a file has none."""
@@ -351,7 +399,8 @@ class Scales:
             both = [(self._length_in(entry), entry) for entry in self._entries(_BOTH_WAYS)]
             claims = [_stated_by(entry, metres) for metres, entry in both if metres is not None]
         for entry in self._entries(_LENGTH[axis]):
-            length = None if entry.key in ("width", "height") and not entry.unit else self._length_in(entry)
+            named = ("width", "height", *_WIDTHS, *_HEIGHTS)
+            length = None if entry.key in named and not entry.unit else self._length_in(entry)
             if length is not None and points > 1:
                 near = claims[0].metres if claims else self.stated.spacing if axis == "x" else None
                 whole, outer = (
@@ -402,12 +451,17 @@ class Scales:
         """Raise if the file states another number of points than its table has."""
         checks: list[tuple[Iterable[Entry], tuple[int, ...], str]] = [
             (self._entries(_ROWS), (rows,) if columns > 1 else (1, rows), "rows"),
-            (self._entries(_COLUMNS), (columns,) if columns > 1 else (1, rows), "points in a row"),
+            (
+                self._entries(_COLUMNS),
+                (columns,) if columns > 1 else (1, rows, self.table.width),
+                "points in a row",
+            ),
             (self._entries(_POINTS), (rows * columns, rows, columns), "points"),
         ]
         for stated, right, what in checks:
             for entry in stated:
-                if entry.number is not None and not entry.unit and entry.number not in right:
+                counts = (entry.number, *map(float, re.findall(r"^\d+$", re.sub(r"[.,'\s]", "", entry.text))))
+                if entry.number is not None and not entry.unit and not set(counts) & set(right):
                     raise InputError(
                         f"{self.table.source}: {entry} speaks of {entry.number:g} {what}, the table has "
                         f"{self.table.row_words}: it is cut off, or heights are wrapped, several to a line; save it "
@@ -434,8 +488,18 @@ class Scales:
 
     def without_marks(self, heights: NDArray[np.float64]) -> tuple[NDArray[np.float64], tuple[str, ...]]:
         """Heights in the unit of the file without the number that marks missing ones, and a note of how many."""
-        marks = [(mark, "as stated") for mark in (self.stated.missing_mark(),) if mark is not None]
-        marks += [(e.number, str(e)) for e in self._entries(_NO_DATA) if e.number is not None]
+        marks = [(mark, "as stated") for mark in self.stated.missing_marks()]
+        for entry in self._entries(_NO_DATA):
+            if entry.number is None or is_counted(entry.unit):
+                continue  # "5 points"
+            unclear = entry.key == "nodata" and entry.number == 0.0 and self.stated.no_data is None
+            if unclear and np.any(heights == 0.0):
+                raise InputError(
+                    f"{self.table.source}: {entry} may count the missing points, or say that 0 marks them; state 0 if "
+                    "it does, or none if every number is a height",
+                    options=["no-data"],
+                )
+            marks.append((entry.number, str(entry)))
         notes = []
         for mark, words in dict(marks).items():
             missing = heights == mark

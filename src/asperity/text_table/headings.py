@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -20,6 +21,8 @@ _AT_END = re.compile(r"(?P<name>.*?)(?:\s*/\s*|\s+in\s+|[\s_]+|^)(?P<unit>[^\s_/
 #: Words at the end of a heading that are units elsewhere.
 _NO_UNITS = frozenset(("a", "bar", "d", "g", "h", "in", "min", "s", "t", "T", "K", "N", "J", "W"))
 _WORD = re.compile(r"[^\W\d_]")
+#: A factor behind a name: ``Z x10``, ``Z*1000``.
+_TIMES = re.compile(r"[^\W\d_]\s*[*×·]\s*10*\b|\s[xX]\s?10+\b")
 _SEPARATORS = (";", ",", "\t", None)
 
 
@@ -46,7 +49,8 @@ def column_headings(
 
     A line is one of headings if it has a field for each column and no numbers of its own: a line with numbers states
     a value, and its unit is that of the value; above one column so does a line with a sign
-    between two parts. Units in brackets come before others, later lines before earlier ones.
+    between two parts, and only the last line of words, with a row of units below it, is the heading. Units in brackets
+    come before others, later lines before earlier ones.
     """
     columns: list[list[Heading]] = [[] for _ in range(width)]
     used: list[Line] = []
@@ -56,8 +60,10 @@ def column_headings(
             continue  # of one column the heading has no value
         if fields is None:
             continue
-        used.append(line)
         row_of_units = _is_row_of_units(fields)
+        if width == 1 and not row_of_units:
+            columns, used = [[]], []
+        used.append(line)
         for column, field in zip(columns, fields, strict=True):
             column.append(_unit_alone(field) if row_of_units else heading_of(field))
     return tuple(map(_together, columns)), tuple(used)
@@ -120,6 +126,8 @@ def heading_of(field: str) -> Heading:
     """The heading that a text states: its name, and the unit in brackets or at its end."""
     inside = [unit.strip() for unit in _BRACKETS.findall(field)]
     name = " ".join(_BRACKETS.sub(" ", field).split())
+    if _TIMES.search(name):  # numbers so many times those in the unit, or the unit so many times as large
+        return Heading(name, field, field, in_brackets=True)
     stated = next((unit for unit in inside if is_unit(unit)), None)
     if stated is not None:
         return Heading(name, stated, field, in_brackets=True)
@@ -165,6 +173,22 @@ def factor_and_unit(text: str) -> tuple[float, str]:
         return (float(base) ** int(power) if power else float(base)), _spelled(found["unit"].strip())
     except OverflowError:
         return 1.0, text.strip()
+
+
+def is_scale(text: str) -> bool:
+    """Whether a number before a unit scales it: a power of ten, or one behind a sign of multiplication.
+
+    ``0.1 nm``, ``1e-9 m``, ``x 2.5 nm``; but ``0.8 mm`` is a length, such as a cut-off.
+    """
+    factor, _ = factor_and_unit(text)
+    if re.match(r"10[eE]", text.strip()):  # ten times a power of ten, or that power
+        return False
+    power = math.log10(factor) if factor > 0.0 else math.nan
+    return (
+        abs(power - round(power)) < 1e-9
+        if math.isfinite(power) and text.strip()[:1] not in "x×*·"
+        else factor > 0.0
+    )
 
 
 def _spelled(unit: str) -> str:

@@ -24,6 +24,8 @@ _SAMPLE, _SAMPLED_CHARACTERS = 200, 200_000
 #: Rows that a table begins with, one after the other.
 _FIRST_ROWS = 3
 _SHOWN = 40
+#: Columns from which a table without names is a map.
+_FEWEST_OF_MAP = 4
 
 
 @dataclass(frozen=True)
@@ -100,6 +102,8 @@ def table_layout(text: str, *, source: str, decimal: str, fewest_rows: int = _FI
     if first is None:
         raise InputError(f"{source} holds no table of numbers")
     last = next(i for i in range(len(lines) - 1, -1, -1) if _is_row(lines[i], dialect, width))
+    begin, end = _with_missing_rows(lines, first, last, dialect, width)
+    missing, first, last = {*range(begin, first), *range(last + 1, end + 1)}, begin, end
     above, below = (_not_blank(lines, *ends) for ends in ((0, first), (last + 1, len(lines))))
     for line in (*_first_rows_broken(above, dialect, width), *below):
         _refuse_broken_row(line, dialect, width, source)
@@ -107,18 +111,44 @@ def table_layout(text: str, *, source: str, decimal: str, fewest_rows: int = _FI
     if values is not None:  # every line is a row of numbers
         numbers = np.arange(first + 1, last + 2, dtype=np.int64)
         return Layout(dialect, values, numbers, "", above, below, (), 0)
-    places = [i for i in range(first, last + 1) if not _is_skipped(lines[i])]
+    places = [i for i in range(first, last + 1) if i in missing or not _is_skipped(lines[i])]
     inside = tuple(
-        Line(i + 1, lines[i]) for i in range(first, last + 1) if lines[i].strip() and _is_skipped(lines[i])
+        Line(i + 1, lines[i]) for i in range(first, last + 1) if lines[i].strip() and i not in set(places)
     )
     rows = [lines[i] for i in places]
     values, corner, numbers = _plain_numbers(rows, dialect, width), "", np.array(places, dtype=np.int64) + 1
     if values is None:
         values, corner = _numbers(rows, places, dialect, width, source)
     gaps = np.flatnonzero(np.diff(places) > 1)
-    has_gap = bool(gaps.size) and not inside and not _is_double_spaced(places)
-    first_gap = places[int(gaps[0])] + 2 if has_gap else 0
+    has_gap = bool(gaps.size) and not _is_double_spaced(places)
+    blank = [places[i] + 1 for i in gaps.tolist() if not lines[places[i] + 1].strip()]
+    first_gap = blank[0] + 1 if has_gap and blank else 0
     return Layout(dialect, values, numbers, corner, above, below, inside, first_gap)
+
+
+def _with_missing_rows(
+    lines: Sequence[str], first: int, last: int, dialect: Dialect, width: int
+) -> tuple[int, int]:
+    """First and last line of a table with the rows beside it that are missing as a whole, as around a round aperture.
+
+    Those of a map, with strokes, stars or nothing in exactly its fields. Strokes under words are a ruling.
+    """
+
+    def is_missing_row(line: str) -> bool:
+        fields = dialect.fields(line)
+        return len(fields) == width and all(map(is_missing, fields))
+
+    def grown(start: int, end: int, step: int) -> int:
+        while start + step != end and is_missing_row(lines[start + step]):
+            start += step
+        return start
+
+    if width < _FEWEST_OF_MAP or dialect.separator is None:
+        return first, last
+    begin, end = grown(first, -1, -1), grown(last, len(lines), 1)
+    if begin > 0 and len(_trimmed(dialect.fields(lines[begin - 1]), width)) == width:
+        begin = first  # below headings
+    return begin, end
 
 
 def _split_lines(text: str) -> list[str]:
@@ -180,15 +210,15 @@ def _first_row(lines: Sequence[str], dialect: Dialect, width: int, fewest: int) 
     return None
 
 
-def _candidates(decimal: str, source: str) -> Iterator[Dialect]:
-    """The layouts of a row in the order of preference."""
+def _candidates(decimal: str, source: str, *, quoted: bool) -> Iterator[Dialect]:
+    """The layouts of a row in the order of preference; commas between decimal commas only of ``quoted`` fields."""
     if decimal not in ("auto", "point", "comma"):
         raise InputError(f"{source}: the decimal sign must be 'auto', 'point' or 'comma', not '{decimal}'")
     for comma in (False, True):
         if decimal == ("point" if comma else "comma"):
             continue
         for separator in SEPARATORS:
-            if not (separator == "," and comma):
+            if not (separator == "," and comma) or quoted:
                 yield Dialect(separator, comma)
 
 
@@ -217,7 +247,9 @@ def _dialect(lines: Sequence[str], decimal: str, source: str) -> tuple[Dialect, 
                 options=["decimal"],
             )
     best, width, most = None, 0, 0
-    for dialect in _candidates(decimal, source):
+    for dialect in _candidates(
+        decimal, source, quoted=any(re.search(r'"[^"]*\d,\d', line) for line in sample)
+    ):
         widths: dict[int, list[int]] = collections.defaultdict(list)
         for line in sample:
             fields = dialect.fields(line)
@@ -225,12 +257,18 @@ def _dialect(lines: Sequence[str], decimal: str, source: str) -> tuple[Dialect, 
                 dialect.number(field) is not None for field in fields
             ):
                 widths[len(fields)].append(len(_trimmed(fields, 0)))
-        for trimmed in widths.values():
+        for full, trimmed in widths.items():
             if len(trimmed) > most:
-                best, width, most = dialect, max(trimmed), len(trimmed)
+                best, most = dialect, len(trimmed)
+                # the last columns of a map that are empty everywhere are missing heights, unless longer lines pad them
+                padded = max(len(_trimmed(dialect.fields(line), 0)) for line in sample) > max(trimmed)
+                is_missing_part = _FEWEST_OF_MAP <= max(trimmed) < full - 1 and not padded
+                width = full if is_missing_part else max(trimmed)
     if best is None:
         raise InputError(f"{source} holds no table of numbers ({len(lines)} lines were looked at)")
     _refuse_blank_after_some_commas(sample, best, source)
+    if decimal == "auto":
+        _refuse_thousands(sample, best, width, source)
     return best, width
 
 
@@ -256,9 +294,27 @@ def _refuse_blank_after_some_commas(sample: Sequence[str], dialect: Dialect, sou
             )
 
 
+def _refuse_thousands(sample: Sequence[str], dialect: Dialect, width: int, source: str) -> None:
+    """Signs that may stand between thousands: ``734`` and ``1.106`` in one column, and never ``0.5`` or ``1.1``."""
+    rows = [fields for line in sample if len(fields := _trimmed(dialect.fields(line), width)) == width]
+    sign, word = (",", "comma") if dialect.comma else (".", "point")
+    for column in zip(*rows, strict=True):
+        numbers = [field for field in column if dialect.number(field) is not None]
+        signed = [field for field in numbers if sign in field]
+        grouped = all(re.fullmatch(rf"[-+]?[1-9]\d{{0,2}}(?:\{sign}\d{{3}})", field) for field in signed)
+        whole = [field for field in numbers if re.fullmatch(r"[-+]?\d{1,3}", field)]
+        if signed and grouped and len(whole) == len(numbers) - len(signed) and any(map(int, whole)):
+            raise InputError(
+                f"{source}: '{signed[0]}' beside '{next(field for field in whole if int(field))}' may be a whole "
+                f"number with a sign between its thousands, or have a decimal {word}; choose '{word}' if it has, or "
+                "save the file without signs between thousands",
+                options=["decimal"],
+            )
+
+
 def _plain_numbers(rows: list[str], dialect: Dialect, width: int) -> NDArray[np.float64] | None:
     """The numbers of rows that hold nothing but numbers; None where one has to be looked at by itself."""
-    if dialect.comma and any("." in row for row in rows):
+    if dialect.comma and (dialect.separator == "," or any("." in row for row in rows)):
         return None
     if dialect.separator is not None and len(dialect.fields(rows[0])) > width:
         rows = [row.rstrip(dialect.separator + " \t") for row in rows]

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import re
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from asperity.errors import InputError
 from asperity.text_table.entries import Entry, entries
 from asperity.text_table.headings import Heading, column_headings
-from asperity.text_table.layout import Dialect, Line, finite_or_missing, table_layout
+from asperity.text_table.layout import Dialect, Layout, Line, finite_or_missing, table_layout
 
 #: Lines around a table that are shown one by one.
 _SHOWN_LINES = 2
@@ -63,6 +65,31 @@ class TextTable:
         return tuple(notes)
 
 
+def _refuse_second_header(layout: Layout, source: str) -> None:
+    """Raise if comments between rows state what lines above the table do: the file holds two tables.
+
+    The same line, or the same key, apart from digits.
+    """
+
+    def said(lines: Iterable[Line]) -> dict[str, Line]:
+        keys = {entry.key: entry.line for entry in entries(lines)}
+        words = {re.sub(r"[\W_\d]", "", line.text.lower()): line for line in lines}
+        return {key: line for key, line in (keys | words).items() if key}
+
+    before, inside = said(layout.above), said(layout.inside)
+    again = next((inside[key] for key in inside if key in before), None)
+    marks = [
+        line for line in layout.inside if not re.sub(r"[\W_]", "", line.text)[:1].isalpha()
+    ]  # "#1" and "#2"
+    if again is None and marks and any(re.fullmatch(r"\W*\d+\W*", line.text) for line in layout.above):
+        again = marks[0]
+    if again is not None:
+        raise InputError(
+            f"{source}: {again} stands between rows of numbers and states what a line above them does: the file holds "
+            "two tables; save one table a file"
+        )
+
+
 def text_table(text: str, *, source: str, decimal: str = "auto", fewest_rows: int = 3) -> TextTable:
     """The table of a text from a file called ``source``; ``decimal``: "auto", "point" or "comma".
 
@@ -71,6 +98,7 @@ def text_table(text: str, *, source: str, decimal: str = "auto", fewest_rows: in
     """
     layout = table_layout(text, source=source, decimal=decimal, fewest_rows=fewest_rows)
     finite_or_missing(layout.values, layout.line_numbers, source=source)
+    _refuse_second_header(layout, source)
     width = layout.values.shape[1]
     headings, used = column_headings(layout.above, layout.dialect, width)
     others = [line for line in (*layout.above, *layout.below) if line not in used]

@@ -133,7 +133,7 @@ def _column(heading: Heading) -> tuple[str, float]:
     if joined is not None:
         name, unit = (
             joined[1].replace("_", " "),
-            re.sub(r"\bNm(?=\b|/)", "N*m", (joined[2] or "").replace("_per_", "/")),
+            re.sub(r"\bNm(?=\b|/)", "N*m", (joined[2] or "").replace("_per_", "/").replace("_", "*")),
         )
     else:
         name, unit = heading.name.replace("_", " "), heading.unit or ""
@@ -211,6 +211,11 @@ def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -
     if len(table.values) > MOST_ROWS:
         raise InputError(
             f"{path}: {len(table.values)} rows; at most {MOST_ROWS} are allowed, so reduce their number"
+        )
+    if table.first_gap and table.inside:
+        raise InputError(
+            f"{path}: {table.inside[0]} stands between rows, after an empty line: one file holds one curve; save the "
+            "second in a file of its own, or number its rows in a column 'repetition'"
         )
     by_name = _named_columns(table)
     if len(table.values) < FEWEST_ROWS:
