@@ -41,7 +41,8 @@ than one part in a million for one per cent are left out. *All seven* are publis
 capacity (standing, of slip alone), pressure, drift, efficiency and life. The range only catches typing errors where
 physics sets no bound. The results themselves are on the page [](results.md).
 
-`[bodies]` names the material of `sun`, `planet`, `loading_roller` and `ring`.
+`[bodies]` names the material of `sun`, `planet`, `loading_roller` and `ring`, and of `housing` where there is a
+section `[housing]`.
 """
 
 #: Results that the page names, with the words for them.
@@ -153,7 +154,8 @@ OTHERS = """\
 # Other drives
 
 `type` stands first in the file. These drives have the sections above but for those with the keys below, and
-`[input_bearing]` and `[output_bearing]` have the keys of `[sun_bearing]`. `[bodies]` names the material of each body.
+`[input_bearing]` and `[output_bearing]` have the keys of `[sun_bearing]`. `[bodies]` names the material of each body,
+and of `housing` where there is a section `[housing]`.
 What differs between contacts is a table with the names of the drive's contacts. The types are described on the page
 [](drives.md).
 """

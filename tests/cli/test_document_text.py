@@ -199,8 +199,8 @@ def test_a_force_of_rounding_is_none(document_of_branches):
     ("torque", "limit", "stands", "said"),
     [
         (8.0, "gross_slip", 8.0, "8 N·m (sp slips)"),
-        (0.0, "gross_slip", 13.16, "0 N·m (sp slips); slips at 13.16 N·m"),
-        (7.0, "lift_off", 9.0, "7 N·m (sp slips); lifts off at 9 N·m"),
+        (0.0, "gross_slip", 13.16, "0 N·m (sp slips); gross slip standing at 13.16 N·m"),
+        (7.0, "lift_off", 9.0, "7 N·m (sp slips); lift-off standing at 9 N·m"),
         (7.0, "none", None, "7 N·m (sp slips); standing, no contact slips at any torque"),
         (7.0, "contact_too_wide", 900.0, "7 N·m (sp slips)"),
         (None, "none", None, "sp slips; standing, no contact slips at any torque"),

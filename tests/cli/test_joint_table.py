@@ -161,7 +161,7 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
         "  members    sun in, carrier out, ring grounded",
         "  speed      ratio -9, output -30 rpm",
         "  torque     output 5 N·m; input 0.5556 N·m without rolling losses, 0.5678 N·m with all losses",
-        "torque capacity 7.5 N·m (ring yields at a rim, in rolling); slips at 12.5 N·m",
+        "torque capacity 7.5 N·m (ring yields at a rim, in rolling); gross slip standing at 12.5 N·m",
         "  capacity   7.5 N·m: ring yields at a rim, in rolling; reverse 0 N·m: sp yields without torque",
         "  standing   12.5 N·m: contact sp slips; reverse no limit is reached at any torque",
         "  rolling    up to 11.5 N·m without gross slip",

@@ -213,7 +213,7 @@ def test_the_seat_adds_to_what_the_rollers_do():
             },
             "leave out temperature.housing_expansion",
         ),
-        ({'housing = "6061-T6"': ""}, "bodies: housing is missing"),
+        ({'housing = "6061-T6"': ""}, "bodies.housing is missing: the material of"),
         ({"outer": "-1 mm"}, "housing.outer_diameter"),
     ],
 )

@@ -197,7 +197,7 @@ def rolled(*, output=60.0, bearings=0.0, **losses):
 )  # fmt: skip
 def test_the_main_cause_is_named(losses, said, remedy):
     (note,) = loss_notes(rolled(**losses), NAMES)
-    assert (note.ok, note.severity) == (False, "function")
+    assert (note.ok, note.severity, note.state) == (False, "state", "large losses")
     assert note.value == pytest.approx(0.4)
     assert note.meaning == f"40 W of the 100 W input power are lost, {said}"
     assert remedy in note.remedy

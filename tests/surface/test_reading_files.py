@@ -85,7 +85,7 @@ def test_the_unit_of_a_column_is_that_of_its_own_heading(tmp_path, above):
         ("1e-9 m", 1e-9),
         ("10^-6 m", 1e-6),
         ("10⁻⁶ m", 1e-6),
-        ("10E-6 m", 1e-5),
+        ("x2.5 nm", 2.5e-9),
         ("Å", 1e-10),
         ("µin", 2.54e-8),
     ],
@@ -104,7 +104,7 @@ def test_a_unit_that_is_no_length_refuses_the_column(tmp_path, unit):
             read(tmp_path, [f"x [mm],z [{unit}]", *rows()], **option)
 
 
-@pytest.mark.parametrize("unit", ["nm x 10", "MM", "A", "um RMS 2"])
+@pytest.mark.parametrize("unit", ["nm x 10", "MM", "A", "um RMS 2", "10E-6 m", "0.8 mm", "2 um"])
 def test_a_unit_that_is_not_understood_is_asked_for(tmp_path, unit):
     lines = [f"x [mm],z [{unit}]", *rows()]
     with pytest.raises(InputError, match=r"unit in the heading .* is not understood") as refused:
@@ -734,3 +734,284 @@ def test_ordinary_surfaces_are_not_suspicious(tmp_path):
     ):
         got = read(tmp_path, heights(values), height_unit="um", spacing=1e-6)
         assert not any("exceeded" in note for note in got.notes)
+
+
+# --- what two readings of the same signs would make of it ------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("sign", "decimal"), [(".", "point"), (",", "comma")])
+def test_signs_that_may_part_thousands_are_asked_for(tmp_path, sign, decimal):
+    counts = (2.0 * COUNTS).astype(int)
+    grouped = [f"{z:,}".replace(",", sign) for z in counts]
+    assert any(sign in z for z in grouped)
+    lines = ["x [um];z [nm]", *(f"{i};{z}" for i, z in enumerate(grouped))]
+    with pytest.raises(InputError, match="sign between its thousands") as refused:
+        read(tmp_path, lines)
+    assert refused.value.options == ("decimal",)
+    as_stated = [float(z.replace(sign, ".")) for z in grouped]
+    same(read(tmp_path, lines, decimal=decimal), 1e-9 * np.array(as_stated))
+    printed = [
+        f"{i};{z:g}".replace(".", sign) for i, z in enumerate(COUNTS / 1000.0)
+    ]  # 0.5 and 1.25 are no thousands
+    same(read(tmp_path, ["x [um];z [um]", *printed]))
+
+
+def test_decimal_commas_in_quotes_between_commas(tmp_path):
+    lines = [
+        "x [mm],z [um]",
+        *(
+            f'"{0.0015 * i:.4f}","{z:.4f}"'.replace(".", ",").replace('","', "|").replace("|", '","')
+            for i, z in enumerate(COUNTS / 1000.0)
+        ),
+    ]
+    got = read(tmp_path, lines)
+    same(got)
+    assert got.spacing == pytest.approx(1.5e-6)
+
+
+@pytest.mark.parametrize("heading", ["Z x10 [um]", "Z*1000 [um]"])
+def test_a_factor_in_a_name_is_asked_for(tmp_path, heading):
+    lines = [f"x [mm],{heading}", *rows()]
+    with pytest.raises(InputError, match="not understood"):
+        read(tmp_path, lines)
+    same(read(tmp_path, lines, height_unit="um"))
+
+
+@pytest.mark.parametrize("line", ["Z scale = 0.05", "Height scale factor,0.1", "Z-Factor: 2 counts"])
+def test_a_factor_without_a_unit_is_asked_for_and_then_said(tmp_path, line):
+    with pytest.raises(InputError, match=r"line 1, .* may be a factor of the heights") as refused:
+        read(tmp_path, [line, MM, *rows()])
+    assert refused.value.options == ("height-unit",)
+    got = read(tmp_path, [line, MM, *rows()], height_unit="um")
+    same(got)
+    assert any("line 1" in note and "is not used" in note for note in got.notes)
+
+
+def test_a_scale_per_division_is_no_height_of_a_count(tmp_path):
+    with pytest.raises(InputError, match="does not name the unit of its heights"):
+        read(tmp_path, ["Z scale: 20 nm/div", "Spacing: 1 um", *heights()])
+
+
+@pytest.mark.parametrize("above", [["Traverse length mm", "z"], ["Filter length in mm", "Heights"]])
+def test_the_heading_of_one_column_is_the_last_line_of_words(tmp_path, above):
+    with pytest.raises(InputError, match="does not name the unit of its heights"):
+        read(tmp_path, [*above, *heights()], spacing=1e-6)
+    same(read(tmp_path, [*above, *heights()], spacing=1e-6, height_unit="um"))
+
+
+# --- rows and columns that are missing as a whole --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mark", ["***", "---", "", "nan", "Bad"])
+def test_a_round_aperture_keeps_its_rows_and_columns(tmp_path, mark):
+    y, x = np.mgrid[0:9, 0:12]
+    grid = np.where(((x - 5.5) / 5.0) ** 2 + ((y - 4.0) / 3.2) ** 2 > 1.0, np.nan, GRID)
+    assert np.isnan(grid[0]).all()
+    assert np.isnan(grid[-1]).all()
+    lines = ["\t".join(mark if np.isnan(z) else f"{z:g}" for z in row) for row in grid]
+    above = ["# Channel: Z", "# Width: 12 um", "# Height: 9 um", "# Value units: nm"]
+    got = read(tmp_path, [*above, *lines])
+    same(got, 1e-9 * grid)
+    assert (got.spacing, got.spacing_across) == pytest.approx((1e-6, 1e-6))
+
+
+def test_columns_that_are_empty_everywhere_are_missing_unless_longer_lines_pad_them(tmp_path):
+    lines = [f"{row},,," for row in matrix(sign=",")]
+    got = read(tmp_path, lines, height_unit="nm", spacing=1e-6)
+    assert got.heights.shape == (9, 15)
+    assert np.isnan(got.heights[:, 12:]).all()
+    padded = ["a,b,c,d,e,f,g,h,i,j,k,l,m,n,o", *lines]
+    same(read(tmp_path, padded, height_unit="nm", spacing=1e-6), 1e-9 * GRID)
+
+
+# --- two surfaces in one file ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("above", "between"),
+    [
+        (["# Channel: Z", "# Value units: nm"], ["", "# Channel: Z2", "# Value units: nm"]),
+        (["#1"], ["#2"]),
+        (["# first"], ["# second"]),
+    ],
+)
+def test_two_maps_that_comments_part_are_refused(tmp_path, above, between):
+    with pytest.raises(InputError, match=r"two (tables|maps)|stands between the heights"):
+        read(tmp_path, [*above, *matrix(), *between, *matrix()], height_unit="nm", spacing=1e-6)
+
+
+def test_two_profiles_that_comments_part_are_refused(tmp_path):
+    with pytest.raises(InputError, match=r"line 62, '# second profile' stands between the heights"):
+        read(tmp_path, ["z [um]", *heights(), "# second profile", *heights()], spacing=1e-6)
+    with pytest.raises(InputError, match="states what a line above them does"):
+        read(tmp_path, ["# profile 1", f"# {MM}", *rows(), "# profile 2", f"# {MM}", *rows()])
+    commented = [*rows()[:30], "# break", *rows()[30:]]  # the positions go on
+    got = read(tmp_path, [MM, *commented])
+    same(got)
+    assert any("line 32, '# break'" in note for note in got.notes)
+
+
+# --- columns ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "good"),
+    [
+        ("not valid", 0),
+        ("Non-valid", 0),
+        ("unvalid", 0),
+        ("outlier", 0),
+        ("Bad", 0),
+        ("ok", 1),
+        ("gültig", 1),
+    ],
+)
+def test_flags_by_other_names(tmp_path, name, good):
+    lines = [f"{MM},{name}", *(f"{row},{good if i % 10 else 1 - good}" for i, row in enumerate(rows()))]
+    expected = np.where(np.arange(60) % 10, 1e-9 * COUNTS, np.nan)
+    same(read(tmp_path, lines), expected)
+
+
+@pytest.mark.parametrize("name", ["flag", "mask", "status"])
+def test_a_flag_of_unknown_sense_is_asked_for(tmp_path, name):
+    lines = [f"{MM},{name}", *(f"{row},{int(i == 7)}" for i, row in enumerate(rows()))]
+    with pytest.raises(InputError, match=rf"column 3 '{name}' holds 0 and 1 alone"):
+        read(tmp_path, lines)
+    same(read(tmp_path, lines, column="height"))
+
+
+def test_columns_without_use_are_named(tmp_path):
+    got = read(tmp_path, [f"{MM},Quality [%]", *(f"{row},{90 + i % 7}" for i, row in enumerate(rows()))])
+    same(got)
+    assert "column 3 'Quality [%]' is not used" in got.notes
+
+
+@pytest.mark.parametrize(("row", "place"), [("row", "column"), ("Zeile", "Spalte"), ("line", "pixel")])
+def test_numbers_of_rows_and_of_places_in_them(tmp_path, row, place):
+    y, x = np.mgrid[0:9, 0:12]
+    lines = [
+        f"{row},{place},height [nm]",
+        *(f"{a},{b},{z:g}" for a, b, z in zip(y.flat, x.flat, GRID.flat, strict=True)),
+    ]
+    got = read(tmp_path, lines, spacing=2e-6)
+    same(got, 1e-9 * GRID)
+
+
+def test_i_and_j_are_asked_for(tmp_path):
+    y, x = np.mgrid[0:9, 0:12]
+    lines = ["i,j,z [nm]", *(f"{a},{b},{z:g}" for a, b, z in zip(y.flat, x.flat, GRID.flat, strict=True))]
+    with pytest.raises(InputError, match="which of the columns 'i' and 'j' numbers the rows"):
+        read(tmp_path, lines, spacing=1e-6)
+
+
+@pytest.mark.parametrize("name", ["Punkt", "Pkt.", "Messpunkt", "Count", "Record", "Sample No."])
+def test_numbers_of_points_before_positions(tmp_path, name):
+    lines = [f"{name};Länge [mm];Tiefe [µm]", *(f"{i + 1};{row}" for i, row in enumerate(rows(sign=";")))]
+    for option in ({}, {"column": "3"}):
+        got = read(tmp_path, lines, **option)
+        same(got)
+        assert got.spacing == pytest.approx(1.5e-6)
+
+
+def test_a_time_is_no_position(tmp_path):
+    lines = ["t [s];s [mm];h [µm]", *(f"{0.02 * i:.2f};{row}" for i, row in enumerate(rows(sign=";")))]
+    got = read(tmp_path, lines)
+    same(got)
+    assert got.spacing == pytest.approx(1.5e-6)
+
+
+def test_a_chosen_column_of_two_has_no_position_beside_it(tmp_path):
+    lines = ["Left [um],Right [um]", *(f"{z / 2000.0:.4f},{z / 1000.0:.4f}" for z in COUNTS)]
+    same(read(tmp_path, lines, column="2", spacing=1e-6))
+    same(read(tmp_path, lines, column="1", spacing=1e-6), 5e-10 * np.round(COUNTS / 0.2) * 0.2)
+
+
+def test_a_grid_of_one_line_is_a_profile(tmp_path):
+    lines = ["x [mm],y [mm],z [um]", *(row.replace(",", ",0.25,") for row in rows())]
+    got = read(tmp_path, lines)
+    same(got)
+    assert got.spacing == pytest.approx(1.5e-6)
+
+
+# --- sizes of a map --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "stated", [["dx 0.5", "dy 1.0"], ["X length: 6", "Y length: 9"], ["dx = 2", "line spacing = 4"]]
+)
+def test_sizes_without_a_unit_keep_their_ratio_beside_a_stated_spacing(tmp_path, stated):
+    got = read(tmp_path, [*stated, *matrix()], height_unit="nm", spacing=0.5e-6)
+    same(got, 1e-9 * GRID)
+    assert (got.spacing, got.spacing_across) == pytest.approx((0.5e-6, 1e-6))
+
+
+@pytest.mark.parametrize("names", [("Breite", "Höhe"), ("Largeur", "Hauteur")])
+def test_width_and_height_in_other_languages(tmp_path, names):
+    above = [f"# {names[0]}: 24,0 µm", f"# {names[1]}: 36,0 µm"]
+    got = read(tmp_path, [*above, *matrix()], height_unit="nm")
+    assert (got.spacing, got.spacing_across) == pytest.approx((2e-6, 4e-6))
+
+
+@pytest.mark.parametrize(("x", "y"), [(1.0, 2.0), (2.0, 1.0)])
+def test_an_axis_that_counts_beside_one_with_positions_is_one_of_positions(tmp_path, x, y):
+    lines = ["\t".join(["0", *(f"{x * j:g}" for j in range(12))])]
+    lines += [f"{y * i:g}\t{row}" for i, row in enumerate(matrix())]
+    got = read(tmp_path, lines, height_unit="nm", position_unit="um")
+    same(got, 1e-9 * GRID)
+    assert (got.spacing, got.spacing_across) == pytest.approx((x * 1e-6, y * 1e-6))
+
+
+def test_a_corner_that_names_the_heights_has_their_unit(tmp_path):
+    def lines(corner):
+        first = ";".join([corner, *(f"{0.5 * j:g}" for j in range(12))])
+        return [first, *(f"{0.5 * i:g};{row}" for i, row in enumerate(matrix(sign=";")))]
+
+    got = read(tmp_path, lines("Height [nm]"), position_unit="um")
+    same(got, 1e-9 * GRID)
+    assert got.spacing == pytest.approx(0.5e-6)
+    with pytest.raises(InputError, match="does not name the unit of its positions"):
+        read(tmp_path, lines("Height [nm]"))
+    with pytest.raises(InputError, match="names heights and positions"):
+        read(tmp_path, lines("z (nm), x/y (um)"))
+
+
+def test_a_grid_of_surfer_is_refused(tmp_path):
+    with pytest.raises(InputError, match="grid of Surfer"):
+        read(
+            tmp_path, ["DSAA", "12 9", "0 11", "0 16", "-500 500", *matrix()], height_unit="nm", spacing=1e-6
+        )
+
+
+# --- counts and marks ------------------------------------------------------------------------------------------------
+
+
+def test_counts_of_missing_points_are_no_marks(tmp_path):
+    values = np.where(np.arange(60) % 20 == 3, 0.0, COUNTS / 1000.0)
+    for line in ("NoData: 0 points", "Missing: 5"):
+        got = read(tmp_path, [line, MM, *rows(values)])
+        assert np.isfinite(got.heights).all()
+    with pytest.raises(InputError, match="may count the missing points, or say that 0 marks them") as refused:
+        read(tmp_path, ["No data: 0", MM, *rows(values)])
+    assert refused.value.options == ("no-data",)
+    assert np.isnan(read(tmp_path, ["No data: 0", MM, *rows(values)], no_data="0").heights[3])
+    assert np.isfinite(read(tmp_path, ["No data: 0", MM, *rows(values)], no_data="none").heights).all()
+
+
+def test_two_marks_of_missing_points(tmp_path):
+    values = COUNTS / 1000.0
+    values = np.where(np.arange(60) % 20 == 3, -9999.0, np.where(np.arange(60) % 20 == 5, 9999.0, values))
+    with pytest.raises(InputError, match="3 points have exactly the lowest height"):
+        read(tmp_path, [MM, *rows(values)], any_size=True)
+    got = read(tmp_path, [MM, *rows(values)], no_data="-9999, 9999")
+    assert np.flatnonzero(np.isnan(got.heights)).tolist() == [3, 5, 23, 25, 43, 45]
+
+
+@pytest.mark.parametrize("line", ["Number of points: 60", "Columns: 2", "Points,60"])
+def test_counts_that_agree(tmp_path, line):
+    same(read(tmp_path, [line, MM, *rows()]))
+
+
+def test_a_count_with_a_sign_between_thousands(tmp_path):
+    values = np.tile(COUNTS / 1000.0, 20)
+    got = read(tmp_path, ["Number of points: 1,200", MM, *rows(values)])
+    assert got.heights.size == 1200

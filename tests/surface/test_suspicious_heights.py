@@ -53,6 +53,25 @@ def test_a_number_that_repeats_far_from_all_others_is_asked_for(mark):
     refuse_missing_marks(Topography(1e-9 * heights, 1e-6))
 
 
+def test_a_mark_or_a_spike_at_one_end_does_not_hide_a_mark_at_the_other():
+    heights = np.random.default_rng(3).standard_normal(400)
+    heights[[5, 6, 90]] = -9999.0
+    for at, height in (([7], 15000.0), ([7, 8], 9999.0)):
+        both = heights.copy()
+        both[at] = height
+        with pytest.raises(InputError, match="3 points have exactly the lowest height"):
+            refuse_missing_marks(Topography(1e-9 * both, 1e-6))
+
+
+def test_one_point_far_from_all_others_is_said():
+    heights = np.random.default_rng(3).standard_normal(400)
+    assert end_notes(Topography(1e-9 * heights, 1e-6)) == ()
+    heights[90] = 5.9 * (heights.max() - heights.min()) + heights.max()
+    (note,) = end_notes(Topography(1e-9 * heights, 1e-6))
+    assert note.startswith("one point has the highest height")
+    assert "5.9 times the range of all others away" in note
+
+
 def test_steps_and_pits_are_surfaces():
     step = np.where(np.arange(400) < 200, 0.0, 1e-6)
     refuse_missing_marks(Topography(step, 1e-6))

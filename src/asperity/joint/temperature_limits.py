@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 
 from asperity.joint.description import Joint
 from asperity.joint.fit import HOTTEST, loose_temperature
@@ -131,6 +130,8 @@ def _vanishes(size: Callable[[float], float], start: float, end: float) -> float
     if size(end) > 0.0:
         return None
     if math.isfinite(size(end)):
+        from scipy.optimize import brentq  # half a second, which most joints do not need
+
         return float(brentq(size, start, end, xtol=_CLOSE))
     return _first(lambda celsius: size(celsius) > 0.0, start, end)
 

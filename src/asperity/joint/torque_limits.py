@@ -152,5 +152,5 @@ def standing_words(standing: dict[str, Any]) -> str:
     torque, kind = standing["output_torque_Nm"], standing["limit"]
     if kind == "none":
         return "standing, no contact slips at any torque"
-    what = {"gross_slip": "slips", "lift_off": "lifts off"}.get(kind)
-    return "" if what is None else f"{what} at {format_quantity(torque, 'N*m')}"
+    what = {"gross_slip": "gross slip", "lift_off": "lift-off"}.get(kind)
+    return "" if what is None else f"{what} standing at {format_quantity(torque, 'N*m')}"

@@ -386,6 +386,9 @@ class Case(WholeFile):
             ]
             meant = {closest(name, known) for name in unknown}
             missing = [name for name in known if name not in table and name not in meant]
+            if path == "bodies" and HOUSING in missing:
+                missing.remove(HOUSING)
+                messages.append("bodies.housing is missing: the material of the section [housing]")
             if missing:
                 instead = "; write one [surface] for all contacts, or a section for each"
                 messages.append(

@@ -23,6 +23,8 @@ _MUST_EXCEED = ("clearance", "torque_safety")
 _JUDGED: tuple[Severity, ...] = ("function", "damage")
 #: Requirements of the user, not of the joint: their bounds are called required.
 _ASKED = "required_"
+#: Digits with which a value and its bound are told apart.
+_MOST_DIGITS = 9
 _OUTSIDE = "Outside the model's range until these are resolved"
 
 
@@ -78,14 +80,14 @@ class Margin:
     @property
     def words(self) -> str:
         """What it is, its value, its place, and its bound, such as "slip ratio 1.2 at sp, at most 1"."""
-        ends = [_shown(bound, self.result) for bound in (self.lowest, self.highest) if math.isfinite(bound)]
+        actual, *ends = _told_apart(self.actual, self.lowest, self.highest, self.result)
         if len(ends) == 2:
             bound = " to ".join(ends)
         elif self.result.name.startswith(_ASKED):
             bound = f"required {ends[0]}"
         else:
             bound = f"{'at least' if math.isfinite(self.lowest) else 'at most'} {ends[0]}"
-        return f"{self.result.label} {_shown(self.actual, self.result)}{self.where}, {bound}{self._lacks}"
+        return f"{self.result.label} {actual}{self.where}, {bound}{self._lacks}"
 
     @property
     def tightness(self) -> str:
@@ -147,12 +149,12 @@ def _worst_note(notes: list[Note]) -> Margin:
     """The note that is farthest beyond its limit, or else nearest to it; of states the smallest value."""
 
     def excess(note: Note) -> float:
-        if note.state:
+        if note.state and not note.upper:
             return note.limit - note.value
         return note.value - note.limit if note.ok else abs(note.value - note.limit)
 
     note = max(notes, key=lambda note: (not note.ok, -SEVERITIES.index(note.severity), excess(note)))
-    below = bool(note.state) or (note.value < note.limit and not note.ok)
+    below = not note.upper and (bool(note.state) or (note.value < note.limit and not note.ok))
     lowest, highest = (note.limit, math.inf) if below else (-math.inf, note.limit)
     rule = Limit(
         note.severity,
@@ -278,9 +280,22 @@ def _fatigue_checks(bodies: list[str], materials: Mapping[str, str]) -> list[str
     ]
 
 
-def _shown(value: float, row: Result) -> str:
-    """A value as a sentence says it: ratios with three digits, thousands apart."""
+def _told_apart(actual: float, lowest: float, highest: float, row: Result) -> list[str]:
+    """A value and its finite bounds as a sentence says them, with as many digits as tell them apart."""
+    numbers = [actual, *(bound for bound in (lowest, highest) if math.isfinite(bound))]
+    digits = 3 if row.display_unit == "1" else 4
+    shown = [_shown(number, row, digits) for number in numbers]
+    while digits < _MOST_DIGITS and any(
+        text == shown[0] and bound != actual for text, bound in zip(shown[1:], numbers[1:], strict=True)
+    ):
+        digits += 1
+        shown = [_shown(number, row, digits) for number in numbers]
+    return shown
+
+
+def _shown(value: float, row: Result, digits: int) -> str:
+    """A value as a sentence says it, thousands apart."""
     if math.isinf(value):
         return "infinite"
-    text = format_quantity(value, row.display_unit, 3 if row.display_unit == "1" else 4)
+    text = format_quantity(value, row.display_unit, digits)
     return re.sub(r"(?<![\d.])\d{4,}", lambda digits: f"{int(digits[0]):,}", text)

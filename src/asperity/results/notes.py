@@ -63,7 +63,8 @@ class Note:
     ``name`` is for machines, ``label`` for people; value and limit are in SI units, with the unit to display. ``ok``:
     whether the value is on the good side of its limit; ``severity``, ``meaning`` and ``remedy`` are for where it is
     not; ``state``: in which state the contact is, in a few words, where that has a consequence; ``used``: what the
-    share of the limit that is used is called, as of a :class:`~asperity.results.result.Result`.
+    share of the limit that is used is called, as of a :class:`~asperity.results.result.Result`; ``upper``: whether the
+    limit is an upper one also of a state.
     """
 
     name: str
@@ -79,6 +80,7 @@ class Note:
     display_unit: str = "1"
     state: str = ""
     used: tuple[str, str] | tuple[()] = ()
+    upper: bool = False
 
 
 def surface_rows(
@@ -344,12 +346,14 @@ def loss_notes(rolling: RollingResult, contacts: tuple[str, ...]) -> tuple[Note,
             share,
             LOSS_LIMIT,
             ok,
-            "function",
+            "state",
             "most of the power reaches the output"
             if ok
             else f"{format_quantity(entering - leaving, 'W')} of the {all_of} input power are lost, {of} of them by "
             f"{words}{where}",
             None if ok else remedy,
+            state="" if ok else "large losses",
+            upper=True,
         ),
     )
 

@@ -223,14 +223,18 @@ def _positions(
         return x, y
     if x is not None or y is not None:
         return (y if x is None else x), None  # of two columns x and y the second is measured over the first
-    ramps = [j for j in left if is_ramp(table.values[:, j]) and not _is_no_length(table.headings[j])]
+    lengths = [j for j in rest if not _is_no_length(table.headings[j])]
+    ramps = [j for j in left if j in lengths and is_ramp(table.values[:, j])]
     ramps.sort(key=lambda j: table.headings[j].unit is None)  # those with a unit of length first
     is_named = any(kinds[j] for j in rest)
-    if len(rest) == 3 and (chosen is None or (chosen == rest[2] and not is_named)) and rest[0] not in ramps:
-        return rest[0], rest[1]
-    if len(rest) == 2 and chosen is None and "z" in (kinds[j] for j in rest):
-        return next((j for j in rest if kinds[j] != "z"), None), None
-    return (ramps[0] if ramps else rest[0] if len(rest) == 2 and chosen is None else None), None
+    is_grid = len(lengths) == 3 and lengths[0] not in ramps
+    if is_grid and (chosen is None or (chosen == lengths[2] and not is_named)):
+        return lengths[0], lengths[1]
+    if len(lengths) == 2 and chosen is None and "z" in (kinds[j] for j in lengths):
+        return next((j for j in lengths if kinds[j] != "z"), None), None
+    if ramps:
+        return ramps[0], None
+    return (lengths[0] if len(lengths) == 2 and chosen is None else None), None
 
 
 def _is_table_of_profiles(table: TextTable) -> bool:

@@ -490,7 +490,7 @@ class Scales:
         """Heights in the unit of the file without the number that marks missing ones, and a note of how many."""
         marks = [(mark, "as stated") for mark in self.stated.missing_marks()]
         for entry in self._entries(_NO_DATA):
-            if entry.number is None or is_counted(entry.unit):
+            if entry.number is None or (entry.unit and is_counted(entry.unit)):
                 continue  # "5 points"
             unclear = entry.key == "nodata" and entry.number == 0.0 and self.stated.no_data is None
             if unclear and np.any(heights == 0.0):

@@ -262,7 +262,11 @@ def _dialect(lines: Sequence[str], decimal: str, source: str) -> tuple[Dialect, 
                 best, most = dialect, len(trimmed)
                 # the last columns of a map that are empty everywhere are missing heights, unless longer lines pad them
                 padded = max(len(_trimmed(dialect.fields(line), 0)) for line in sample) > max(trimmed)
-                is_missing_part = _FEWEST_OF_MAP <= max(trimmed) < full - 1 and not padded
+                beyond = full - max(trimmed)
+                ragged = beyond > 1 or (
+                    beyond == 1 and len(set(trimmed)) > 1
+                )  # one separator more ends every row
+                is_missing_part = max(trimmed) >= _FEWEST_OF_MAP and ragged and not padded
                 width = full if is_missing_part else max(trimmed)
     if best is None:
         raise InputError(f"{source} holds no table of numbers ({len(lines)} lines were looked at)")

@@ -240,7 +240,7 @@ def test_what_the_search_does_not_follow_is_a_shortcoming():
     """All limits of the search are kept, but a load of the duty makes the surface flow."""
     kept = limit("preload", at_most=False, limit=400.0, value=410.0, active=False)
     text = conflict(result((kept,), crossed=(CROSSED,)))
-    assert "crosses: shakedown of the duty 1.2 at load 2, limit 1. Change the duty" in text
+    assert "that it does not: shakedown of the duty 1.2 at load 2, limit 1. Change what it depends on" in text
     missed = limit("slip_ratio", at_most=True, limit=0.5, value=0.55, missed_by=0.1)
     text = conflict(result((missed,), crossed=(CROSSED, CROSSED | {"name": "slip_ratio", "label": "twice"})))
     assert "It also misses: shakedown of the duty 1.2" in text

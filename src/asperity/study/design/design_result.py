@@ -238,8 +238,8 @@ def conflict(result: DesignResult) -> str:
     crossed = [_crossed_words(entry) for entry in result.crossed if entry["name"] not in _names(result)]
     if not missed and result.violation == 0.0:
         return (
-            "no design meets all limits; the best one keeps those that the search follows, and crosses: "
-            f"{'; '.join(crossed)}. Change the duty, or what these depend on"
+            "the design found keeps all limits that the search follows, and crosses one that it does not: "
+            f"{'; '.join(crossed)}. Change what it depends on in the joint file, such as its duty"
         )
     conflicting = "These limits conflict: " if len(parts) > 1 else ""
     by = "has no value for a limit" if unknown else f"misses a limit by {100.0 * result.violation:.3g} %"
