@@ -5,6 +5,7 @@ import math
 import pint
 import pytest
 
+from asperity.errors import InputError
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.section import keys_by_path
 from asperity.unit_table import TORQUE_UNITS, Dimension, unit_table
@@ -53,7 +54,7 @@ def test_every_spelling_agrees_with_pint(dimension, unit):
 
 
 def test_every_unit_of_the_table_agrees_with_pint():
-    not_in_pint = {"°", "rev", "revolutions", "microns", "1", "dimensionless", "ozf", "HV"}
+    not_in_pint = {"°", "º", "gon", "rev", "revolutions", "microns", "1", "dimensionless", "ozf", "HV"}
     for name, (numerator, denominator, pi_power, exponents) in unit_table().items():
         if name in not_in_pint:
             continue
@@ -73,7 +74,10 @@ def test_every_unit_of_the_table_agrees_with_pint():
 
 
 def test_units_that_pint_spells_otherwise():
-    assert parse_quantity("180 °", Dimension.ANGLE) == math.pi
+    assert parse_quantity("180 °", Dimension.ANGLE) == parse_quantity("180 º", Dimension.ANGLE) == math.pi
+    assert parse_quantity("200 gon", Dimension.ANGLE) == pytest.approx(math.pi, rel=1e-15)
+    with pytest.raises(InputError, match="Grad"):  # a degree in German, and never a gigaradian
+        parse_quantity("1 Grad", Dimension.ANGLE)
     assert parse_quantity("60 rev/min", Dimension.ANGULAR_VELOCITY) == 2 * math.pi
     assert parse_quantity("3 microns", Dimension.LENGTH) == 3e-6
     assert parse_quantity("16 ozf", Dimension.FORCE) == parse_quantity("1 lbf", Dimension.FORCE)

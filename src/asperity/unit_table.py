@@ -90,7 +90,7 @@ def unit_table() -> dict[str, Unit]:
     alone: list[tuple[str, Unit]] = [
         ("inch inches in", (254, 10**4, 0, length)),
         ("µin microinch microinches", (254, 10**10, 0, length)),
-        ("thou mil mils", (254, 10**7, 0, length)),
+        ("thou", (254, 10**7, 0, length)),
         ("foot feet ft", (3048, 10**4, 0, length)),
         ("micron microns", (1, 10**6, 0, length)),
         ("angstrom angstroms Å \u212b", (1, 10**10, 0, length)),
@@ -139,7 +139,7 @@ def unit_table() -> dict[str, Unit]:
     table: dict[str, Unit] = {}
     for symbol, names, (numerator, denominator, pi_power, exponents) in prefixed:
         for short, long, power in prefixes:
-            if symbol == "rad" and power > 0:
+            if symbol == "rad" and power > 3:
                 continue  # "Grad" is a degree in German
             up, down = 10 ** max(power, 0), 10 ** max(-power, 0)
             scaled = (numerator * up, denominator * down, pi_power, exponents)

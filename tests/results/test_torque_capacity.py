@@ -83,6 +83,7 @@ def test_the_capacity_of_a_loading_cam_ends_where_a_contact_yields(with_cam):
     assert float(with_cam.standing_capacity.output_torque) > 3.0 * by_hand
 
 
+@pytest.mark.slow
 def test_a_ring_that_carries_itself_ends_it_before(bending):
     """Bent by three forces it breaks by fatigue; its safety falls with the force, which the torque makes."""
     found = torque_capacity_document(bending)
@@ -157,6 +158,7 @@ def test_every_judged_result_limits_the_capacity_or_says_why_not():
     assert set(FOUND_BY_SEARCH.values()) <= set(CAPACITY_LIMITS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["duty_life", "drive_life"])
 def test_what_is_judged_beside_the_rows_is_no_matter_of_the_largest_torque(name, planetary, planar_case):
     """Lives count the hours under a load, and the loads of a duty are their own; the table has no other limits."""
@@ -206,6 +208,7 @@ def test_every_limit_has_words(with_cam, limit, torque, said):
     assert capacity_words(with_cam, capacity) == said
 
 
+@pytest.mark.slow
 def test_by_how_much_rows_exceed_their_limits(bending):
     """The pressure at both contacts and shakedown as ratios, the ring's safeties inverse."""
     found = excesses_of_rows(bending)

@@ -143,7 +143,7 @@ def _limit_document(entry: LimitCheck) -> Document:
 
 def _note_document(note: Note) -> Document:
     words = dataclasses.asdict(note)
-    del words["used"]
+    del words["used"], words["upper"]
     return words | {"known": not math.isnan(note.value), "unit": words.pop("dimension").si_unit}
 
 

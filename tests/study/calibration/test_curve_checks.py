@@ -197,6 +197,7 @@ def found_in(case, measured, texts, starts=1):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_an_unknown_at_its_bound_is_no_estimate(case):
     """The file has 964 N; bounds that leave it out are said, and the file that is written says so too."""
     texts = ("load.preload=500 N:900 N", "load.friction_coefficient", "offset")
