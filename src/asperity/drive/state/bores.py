@@ -36,7 +36,7 @@ class PressedBores(NamedTuple):
     ----------
     amplitude, slope, curvature : Array
         Amplitudes [N] that make g_n, and their first [-] and second derivatives by the force [1/N], shape (pins,
-        amplitudes): -|F| w_0, then F and -|F| times cosines of the half-angle.
+        amplitudes): minus the size of F times w_0, then F and minus its size, each times cosines of the half-angle.
     approach, compliance : Array
         Approach of each pin from first touch of its bore under its own force [m], and its slope [m/N], shape (pins,).
     """
