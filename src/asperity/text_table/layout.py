@@ -111,10 +111,9 @@ def table_layout(text: str, *, source: str, decimal: str, fewest_rows: int = _FI
     if values is not None:  # every line is a row of numbers
         numbers = np.arange(first + 1, last + 2, dtype=np.int64)
         return Layout(dialect, values, numbers, "", above, below, (), 0)
-    places = [i for i in range(first, last + 1) if i in missing or not _is_skipped(lines[i])]
-    inside = tuple(
-        Line(i + 1, lines[i]) for i in range(first, last + 1) if lines[i].strip() and i not in set(places)
-    )
+    skipped = [i for i in range(first, last + 1) if i not in missing and _is_skipped(lines[i])]
+    inside = tuple(Line(i + 1, lines[i]) for i in skipped if lines[i].strip())
+    places = sorted({*range(first, last + 1)}.difference(skipped))
     rows = [lines[i] for i in places]
     values, corner, numbers = _plain_numbers(rows, dialect, width), "", np.array(places, dtype=np.int64) + 1
     if values is None:
