@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import os
 import signal
 import tempfile
 import threading
@@ -70,6 +71,18 @@ def check_image(path: str | Path | None, *inputs: str | Path) -> None:
     if path is not None and Path(path).suffix.lower() not in IMAGE_SUFFIXES:
         raise InputError(f"{path}: the name of an image must end in .png, .svg or .pdf")
     check_file(path, *inputs, kind=IMAGE)
+
+
+def check_apart(**outputs: str | Path | None) -> None:
+    """Raise an ``InputError`` if two files that are to be written, option → path or None, are one by any name."""
+    options: dict[Path, str] = {}
+    for name, path in outputs.items():
+        if path is None:
+            continue
+        option = f"--{name.replace('_', '-')}"
+        other = options.setdefault(Path(os.path.normcase(Path(path).resolve())), option)
+        if other != option:
+            raise InputError(f"{other} and {option} name the same file, {path}; give each a name of its own")
 
 
 @contextmanager
