@@ -8,9 +8,10 @@ import signal
 import tempfile
 import threading
 import uuid
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from asperity.errors import InputError
@@ -104,14 +105,22 @@ def replacing(path: str | Path, *, kind: Kind | None = None) -> Iterator[Path]:
 
 
 @contextmanager
-def interrupted_afterwards() -> Iterator[None]:
-    """SIGINT and SIGTERM wait for the end of the block; processes that it starts never see the keyboard's SIGINT."""
+def interrupted_afterwards(shorten: Callable[[], Any] = lambda: None) -> Iterator[None]:
+    """SIGINT and SIGTERM wait for the end of the block; processes that it starts never see the keyboard's SIGINT.
+
+    ``shorten`` is called as a signal comes, to bring the end about, also by an error, which the interruption replaces.
+    """
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "pthread_sigmask"):
         yield
         return
     came: list[int] = []
     both = (signal.SIGINT, signal.SIGTERM)
-    before = [signal.signal(number, lambda number, _: came.append(number)) for number in both]
+
+    def keep(number: int, _: FrameType | None) -> None:
+        came.append(number)
+        shorten()
+
+    before = [signal.signal(number, keep) for number in both]
     mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # threads and processes inherit it
     try:
         yield
@@ -119,8 +128,8 @@ def interrupted_afterwards() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         for number, handler in zip(both, before, strict=True):
             signal.signal(number, handler)
-    for kept in came:
-        signal.raise_signal(kept)
+        for kept in came:
+            signal.raise_signal(kept)
 
 
 def write_text(text: str, path: str | Path, *, kind: Kind | None = None) -> None:
