@@ -9,7 +9,7 @@ import tempfile
 import threading
 import uuid
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Any
@@ -86,6 +86,27 @@ def check_apart(**outputs: str | Path | None) -> None:
             raise InputError(f"{other} and {option} name the same file, {path}; give each a name of its own")
 
 
+#: What is to be done if the process ends at once, in the order in which it was begun.
+_IF_ABANDONED: list[Callable[[], Any]] = []
+
+
+@contextmanager
+def if_abandoned(clear: Callable[[], Any]) -> Iterator[None]:
+    """Within the block, ``clear`` is called if the process ends at once and nothing that is being done goes on."""
+    _IF_ABANDONED.append(clear)
+    try:
+        yield
+    finally:
+        _IF_ABANDONED.remove(clear)
+
+
+def abandon() -> None:
+    """Leave nothing half done behind as the process ends at once: do what :func:`if_abandoned` was told, last first."""
+    for clear in reversed(tuple(_IF_ABANDONED)):
+        with suppress(Exception):
+            clear()
+
+
 @contextmanager
 def replacing(path: str | Path, *, kind: Kind | None = None) -> Iterator[Path]:
     """A temporary file that replaces a file in one step when it is complete, and is deleted otherwise; the same ending.
@@ -96,7 +117,8 @@ def replacing(path: str | Path, *, kind: Kind | None = None) -> Iterator[Path]:
     file = Path(path).resolve()
     part = file.with_name(f".{uuid.uuid4().hex}{file.suffix}")
     try:
-        yield part
+        with if_abandoned(lambda: part.unlink(missing_ok=True)):
+            yield part
         part.replace(file)
     except OSError as error:
         raise cannot_write(path, error) from None

@@ -9,7 +9,7 @@ import click
 
 from asperity.cli.terminal import plot_option_of, prepare_computation, save_image, say, say_written
 from asperity.errors import InputError
-from asperity.writing import check_apart, check_file, check_image
+from asperity.writing import check_apart, check_file, check_image, if_abandoned
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -140,8 +140,13 @@ def sweep(
         raise InputError(
             "--scheduler and --workers need an --out of type .zarr, to which the processes write"
         )
+
+    def kept() -> None:
+        if streamed:
+            say(f"the finished blocks are kept in {out}; the same command continues from there")
+
     try:
-        with progress_bar("points") as report, about(file, out):
+        with progress_bar("points") as report, about(file, out), if_abandoned(kept):
             dataset = evaluate_sweep(
                 case,
                 grid,
@@ -154,8 +159,7 @@ def sweep(
                 notice=say,
             )
     except KeyboardInterrupt:
-        if streamed:
-            say(f"the finished blocks are kept in {out}; the same command continues from there")
+        kept()
         raise
     if out is not None and not streamed:
         write_table(in_units(dataset, shown_units), out)
