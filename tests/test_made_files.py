@@ -3,14 +3,16 @@
 import io
 import json
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from asperity import made_files
+from asperity.cli.dynamics import RESPONSE
+from asperity.cli.loads import LOADS
+from asperity.cli.windup import ROLLING_CURVES, WINDUP_CURVES
 from asperity.errors import InputError
+from asperity.joint_file.contact_table import _RESULTS, INPUT_COLUMNS, MODEL_COLUMN, OUTPUT_COLUMNS
 from asperity.made_files import (
     CALIBRATED_BY,
     DESIGNED_BY,
@@ -23,7 +25,7 @@ from asperity.made_files import (
     refuse_existing,
     table_with,
 )
-from asperity.report.content import Paragraph, Report
+from asperity.report.content import Listing, Paragraph, Report
 from asperity.report.html import report_html
 from asperity.writing import write_image, write_pages, write_text
 
@@ -36,6 +38,22 @@ FOREIGN = {
     "document": b'{"asperity_version": "0.1.0", "torsional_stiffness": {}}',
     "page": b"<!DOCTYPE html><title>asperity</title>",
     "image": b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR and Software\0Matplotlib",
+    # what quotes a file of the package, or begins like one
+    "notes": b"# notes: curves were written by asperity, torque rig data added by hand\ntorque,angle\n1,2\n",
+    "below": b"# mine\n# Table of the joint in a.toml, written by asperity 0.1.0\ntorque_Nm\n1\n",
+    "behind": b"# Table of the joint in a.toml, written by asperity 0.1.0, and changed by hand\ntorque_Nm\n1\n",
+    "model": b'<mujoco model="my robot">\n  <!-- pasted from the file written by asperity -->\n</mujoco>\n',
+    "pasted": b'<mujoco model="my robot">\n  <!--\n    My robot\n    MuJoCo model of the joint in a.toml, written by '
+    b"asperity 0.1.0\n  -->\n</mujoco>\n",
+    "package": b"// My package\n// Modelica package of the joint in a.toml, written by asperity 0.1.0\n",
+    "quoted page": b'<!DOCTYPE html>\n<html><head><title>x</title></head><pre><meta name="generator" '
+    b'content="asperity"></pre>',
+    "loads and remarks": b"part,position,load,unit,comment\nsun,1,100,N,measured on the rig\n",
+    "loads and notes": b"part,position,load,unit,without torque,comment\nsun,1,N,100,measured on the rig\n",
+    "results and remarks": f"{','.join([*INPUT_COLUMNS, MODEL_COLUMN, *OUTPUT_COLUMNS])},comment\n".encode(),
+    "results alone": f"specimen,{','.join(OUTPUT_COLUMNS)}\n".encode(),
+    "curves and remarks": b"torque_Nm,loading_angle_rad,incremental_stiffness_Nm_per_rad,unloading_angle_rad,"
+    b"reloading_angle_rad,comment\n",
 }
 KINDS = {
     "image": IMAGE,
@@ -44,6 +62,11 @@ KINDS = {
     "document": DOCUMENT,
     "joint": MADE_JOINT,
     "table": table_with("a table", "torque_Nm", "angle_rad"),
+    "loads": LOADS,
+    "results": _RESULTS,
+    "wind-up": WINDUP_CURVES,
+    "rolling": ROLLING_CURVES,
+    "response": RESPONSE,
     **EXPORTS,
 }
 
@@ -125,18 +148,29 @@ def test_documents_of_checks_are_known_again(tmp_path):
     assert DOCUMENT.is_made(tmp_path / "a.json")
 
 
-def test_tables_are_known_by_their_columns(tmp_path):
-    kind = table_with("a table", "torque", "angle")
-    for head in ("torque [N*m],angle [arcmin]", "angle,torque,more", '"torque [N*m]","angle [mrad]"\r'):
+def test_tables_are_known_by_all_their_columns_in_their_order(tmp_path):
+    kind = table_with("a table", "torque [N*m]", "angle [arcmin]")
+    for head in ("torque [N*m],angle [arcmin]", '"torque [N*m]","angle [arcmin]"\r'):
         (tmp_path / "a.csv").write_text(f"{head}\n0,0\n")
         assert kind.is_made(tmp_path / "a.csv")
-    for head in ("torque [N*m],angles [arcmin]", "torque", ";torque;angle"):
+    for head in (
+        "torque [N*m],angle [mrad]",
+        "torque,angle",
+        "angle [arcmin],torque [N*m]",
+        "torque [N*m],angle [arcmin],comment",
+        "torque [N*m]",
+        ";torque;angle",
+    ):
         (tmp_path / "a.csv").write_text(f"{head}\n0,0\n")
         assert not kind.is_made(tmp_path / "a.csv")
 
 
 def test_a_foreign_archive_is_no_exported_joint(tmp_path):
-    for content, made in (('generationTool="asperity 0.1.0"', True), ('generationTool="another"', False)):
+    for content, made in (
+        ('<fmiModelDescription guid="1"\n  generationTool="asperity 0.1.0" />', True),
+        ('<fmiModelDescription guid="1" generationTool="another" />', False),
+        ('<fmiModelDescription><!-- generationTool="asperity 0.1.0" --></fmiModelDescription>', False),
+    ):
         target = io.BytesIO()
         with zipfile.ZipFile(target, "w") as archive:
             archive.writestr("modelDescription.xml", content)
@@ -167,15 +201,46 @@ def test_a_text_of_a_kind_replaces_its_own_kind_only(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["a.toml"]
 
 
-def test_both_ends_of_a_large_file_are_looked_at(tmp_path, monkeypatch):
-    monkeypatch.setattr(made_files, "_LOOKED_AT", 100)
-    file = Path(tmp_path, "a.pdf")
-    mark = b"/Creator (asperity)"
-    for content, made in (
-        (mark + b"x" * 1000, True),
-        (b"x" * 1000 + mark, True),
-        (b"x" * 500 + mark + b"x" * 500, False),
-        (b"x" * 50 + mark + b"x" * 50, True),
-    ):
-        file.write_bytes(content)
-        assert IMAGE.is_made(file) is made
+@pytest.fixture(params=["png", "svg", "pdf"])
+def picture(request, tmp_path):
+    """A picture that the package has made."""
+    figure = Figure(figsize=(1.0, 1.0))
+    figure.text(0.1, 0.5, "text")
+    write_image(figure, tmp_path / f"picture.{request.param}")
+    return tmp_path / f"picture.{request.param}"
+
+
+def test_what_contains_a_picture_of_the_package_is_not_the_package_s(tmp_path, picture):
+    inner = picture.read_bytes()
+    others = Figure(figsize=(1.0, 1.0))
+    others.savefig(tmp_path / f"other{picture.suffix}")
+    outer = (tmp_path / f"other{picture.suffix}").read_bytes()
+    svg = inner[inner.find(b"<svg") :]
+    containing = {
+        ".svg": (
+            b'<svg xmlns="http://www.w3.org/2000/svg"><!-- my collage -->' + svg + b"</svg>",
+            outer.replace(b"</svg>", svg + b"</svg>"),
+        ),
+        ".png": (outer + inner, outer[:8] + outer[8:].replace(b"IEND", b"IEND" + inner)),
+        # an object of a file that is embedded; one that has been appended to, as by annotations
+        ".pdf": (
+            outer.replace(b"trailer", b"99 0 obj\n<< /Creator (asperity) >>\nendobj\ntrailer"),
+            inner
+            + b"1 0 obj\n<< >>\nendobj\nxref\n1 1\n0000000000 00000 n \ntrailer\n<< /Size 20 /Root 1 0 R /Prev 1 "
+            b"/Info 19 0 R >>\nstartxref\n" + str(len(inner) + 20).encode() + b"\n%%EOF\n",
+        ),
+    }[picture.suffix]
+    for content in containing:
+        picture.write_bytes(content)
+        assert not IMAGE.is_made(picture)
+
+
+def test_a_page_that_quotes_a_report_is_no_report(tmp_path):
+    page = report_html(REPORTED)
+    other = page.replace('<meta name="generator" content="asperity">\n', "").replace(
+        "</main>", f"<pre>{page}</pre></main>"
+    )
+    (tmp_path / "a.html").write_text(other, encoding="utf-8")
+    assert not REPORT.is_made(tmp_path / "a.html")
+    (tmp_path / "a.html").write_text(report_html(Report("A", [Listing(page)])), encoding="utf-8")
+    assert REPORT.is_made(tmp_path / "a.html")

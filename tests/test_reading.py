@@ -107,6 +107,17 @@ def test_a_long_dotted_key_is_refused_before_it_is_parsed(form, dot):
     ("name", "text", "reason"),
     [
         ("a.toml", "a = ", "not valid TOML: Invalid value"),
+        (
+            "a.toml",
+            'b = 1\n[c]\nsun = "9 mm"\nsun = "10 mm" # now\n',
+            "not valid TOML: line 4 states a key for the second time: 'sun = \"10 mm\" # now'; remove one of both",
+        ),
+        (
+            "a.toml",
+            "[c]\na = 1\n[d]\n[c]\n",
+            "not valid TOML: line 4 begins a section for the second time: '[c]'; make one of both",
+        ),
+        ("a.toml", "a = 1\nb = x\n", "Invalid value (at line 2, column 5): 'b = x'"),
         ("a.toml", "a = " + "9" * 5000, "not valid TOML: a number has too many digits"),
         ("a.json", "{", "not valid JSON: Expecting property name"),
         ("a.json", "9" * 5000, "not valid JSON: a number has too many digits"),

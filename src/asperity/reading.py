@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TextIO
 
-from asperity.errors import InputError
+from asperity.errors import InputError, quoted
 
 #: Largest file that is read as a whole by default [byte]; files of joints and materials have a few thousand.
 LARGEST_FILE = 1_000_000
@@ -29,6 +29,8 @@ _KEY_PART = r"""(?:[A-Za-z0-9_-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
 _NEXT_PART = rf"[ \t]*+\.[ \t]*+{_KEY_PART}"
 #: What a TOML text consists of: comments and texts as a whole, too long keys, other words. Whatever the text says, each
 #: character is looked at a few times at most: a text without an end reaches to the end of its line or of the file.
+#: Where tomllib has found an error.
+_AT_LINE = re.compile(r" ?\(at line (\d+), column \d+\)$")
 _TOKEN = re.compile(
     "|".join(
         (
@@ -123,13 +125,27 @@ def parse_toml(text: str, *, source: str) -> dict[str, Any]:
     try:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{source}: not valid TOML: {error}") from None
+        raise InputError(f"{source}: not valid TOML: {_explained(str(error), text)}") from None
     except RecursionError:
         raise _too_deep(source) from None
     except ValueError:  # Python refuses to read whole numbers of thousands of digits
         raise InputError(f"{source}: not valid TOML: a number has too many digits") from None
     check_depth(tables, source)
     return tables
+
+
+def _explained(error: str, text: str) -> str:
+    """What is wrong with a TOML text, with the line where it is."""
+    at = _AT_LINE.search(error)
+    if at is None:
+        return error
+    number = int(at[1])
+    written = quoted(text.split("\n")[number - 1].strip())
+    if error.startswith("Cannot overwrite a value"):
+        return f"line {number} states a key for the second time: {written}; remove one of both"
+    if error.startswith("Cannot declare"):
+        return f"line {number} begins a section for the second time: {written}; make one of both"
+    return f"{error}: {written}"
 
 
 def read_toml(path: str | Path, *, largest: int = LARGEST_FILE) -> dict[str, Any]:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import csv
+import os
 import signal
 import tempfile
 import threading
 import uuid
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from asperity.errors import InputError
@@ -72,6 +74,39 @@ def check_image(path: str | Path | None, *inputs: str | Path) -> None:
     check_file(path, *inputs, kind=IMAGE)
 
 
+def check_apart(**outputs: str | Path | None) -> None:
+    """Raise an ``InputError`` if two files that are to be written, option → path or None, are one by any name."""
+    options: dict[Path, str] = {}
+    for name, path in outputs.items():
+        if path is None:
+            continue
+        option = f"--{name.replace('_', '-')}"
+        other = options.setdefault(Path(os.path.normcase(Path(path).resolve())), option)
+        if other != option:
+            raise InputError(f"{other} and {option} name the same file, {path}; give each a name of its own")
+
+
+#: What is to be done if the process ends at once, in the order in which it was begun.
+_IF_ABANDONED: list[Callable[[], Any]] = []
+
+
+@contextmanager
+def if_abandoned(clear: Callable[[], Any]) -> Iterator[None]:
+    """Within the block, ``clear`` is called if the process ends at once and nothing that is being done goes on."""
+    _IF_ABANDONED.append(clear)
+    try:
+        yield
+    finally:
+        _IF_ABANDONED.remove(clear)
+
+
+def abandon() -> None:
+    """Leave nothing half done behind as the process ends at once: do what :func:`if_abandoned` was told, last first."""
+    for clear in reversed(tuple(_IF_ABANDONED)):
+        with suppress(Exception):
+            clear()
+
+
 @contextmanager
 def replacing(path: str | Path, *, kind: Kind | None = None) -> Iterator[Path]:
     """A temporary file that replaces a file in one step when it is complete, and is deleted otherwise; the same ending.
@@ -82,7 +117,8 @@ def replacing(path: str | Path, *, kind: Kind | None = None) -> Iterator[Path]:
     file = Path(path).resolve()
     part = file.with_name(f".{uuid.uuid4().hex}{file.suffix}")
     try:
-        yield part
+        with if_abandoned(lambda: part.unlink(missing_ok=True)):
+            yield part
         part.replace(file)
     except OSError as error:
         raise cannot_write(path, error) from None
@@ -91,14 +127,22 @@ def replacing(path: str | Path, *, kind: Kind | None = None) -> Iterator[Path]:
 
 
 @contextmanager
-def interrupted_afterwards() -> Iterator[None]:
-    """SIGINT and SIGTERM wait for the end of the block; processes that it starts never see the keyboard's SIGINT."""
+def interrupted_afterwards(shorten: Callable[[], Any] = lambda: None) -> Iterator[None]:
+    """SIGINT and SIGTERM wait for the end of the block; processes that it starts never see the keyboard's SIGINT.
+
+    ``shorten`` is called as a signal comes, to bring the end about, also by an error, which the interruption replaces.
+    """
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "pthread_sigmask"):
         yield
         return
     came: list[int] = []
     both = (signal.SIGINT, signal.SIGTERM)
-    before = [signal.signal(number, lambda number, _: came.append(number)) for number in both]
+
+    def keep(number: int, _: FrameType | None) -> None:
+        came.append(number)
+        shorten()
+
+    before = [signal.signal(number, keep) for number in both]
     mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # threads and processes inherit it
     try:
         yield
@@ -106,8 +150,8 @@ def interrupted_afterwards() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         for number, handler in zip(both, before, strict=True):
             signal.signal(number, handler)
-    for kept in came:
-        signal.raise_signal(kept)
+        for kept in came:
+            signal.raise_signal(kept)
 
 
 def write_text(text: str, path: str | Path, *, kind: Kind | None = None) -> None:

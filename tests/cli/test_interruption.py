@@ -116,3 +116,43 @@ def test_a_sweep_of_many_points_ends_while_its_program_is_compiled(tmp_path):
     ended = interrupted(tmp_path, *command, patch=COMPILING)
     assert answer(ended) == (130, "before\n", "asperity: interrupted")
     assert not list(tmp_path.iterdir())
+
+
+#: A step that no signal interrupts and that never ends, as a file is being written; the signal comes meanwhile.
+STUCK = """
+import ctypes, threading, time
+import numpy
+def save(file, *_, **__):
+    open(file, "w").write("half of it")
+    print("before")
+    threading.Timer(0.5, strike).start()
+    mutex = ctypes.create_string_buffer(256)
+    for _ in "12":
+        ctypes.CDLL(None).pthread_mutex_lock(mutex)
+numpy.save = save
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a lock of the system is made by hand")
+@pytest.mark.parametrize(
+    ("number", "code", "says"), [("SIGINT", 130, "interrupted"), ("SIGTERM", 143, "terminated")]
+)
+def test_a_step_that_python_cannot_interrupt_is_not_waited_for(tmp_path, number, code, says):
+    made = (
+        "--kind",
+        "weierstrass",
+        "-D",
+        "1.5",
+        "-G",
+        "1e-9 m",
+        "--points",
+        "64",
+        "--spacing",
+        "1 um",
+        "--seed",
+        1,
+    )
+    command = ("surface", "synthesize", "out.npy", *made)
+    ended = interrupted(tmp_path, *command, number=number, patch=STUCK)
+    assert answer(ended) == (code, "before\n", f"asperity: {says}")
+    assert not list(tmp_path.iterdir())

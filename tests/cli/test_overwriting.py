@@ -6,9 +6,11 @@ import shutil
 import numpy as np
 import pytest
 
-from asperity.cli.design import FRONT
+from asperity.cli.design import front_columns, front_table
 from asperity.errors import InputError
 from asperity.joint_file.contact_table import INPUT_COLUMNS, MODEL_COLUMN, convert_contact_table
+from asperity.study.datasets import SWEEP_TABLES
+from asperity.study.design.design_file import read_design
 
 #: Commands that write a file OUT of an ending, from the files JOINT, DATA, DESIGN, FRONT, HEIGHTS or TABLE.
 COMMANDS = {
@@ -125,6 +127,38 @@ def test_what_is_read_stays_behind_a_link(call, tmp_path, inputs, suffix, line, 
 
 
 @pytest.mark.parametrize(
+    ("suffix", "line", "options"),
+    [
+        (".png", "design DESIGN --plot OUT --map SAME", "--plot and --map"),
+        (".toml", "design DESIGN --out OUT --plot SAME", "--out and --plot"),
+        (".csv", "design FRONT --out OUT --plot SAME", "--out and --plot"),
+        (
+            ".png",
+            "calibrate JOINT DATA -u load.preload --posterior 50 --plot OUT --plot-posterior SAME",
+            "--plot and --plot-posterior",
+        ),
+        (".toml", "calibrate JOINT DATA -u load.preload --out OUT --plot SAME", "--out and --plot"),
+        (".csv", "windup JOINT --csv OUT --rolling-csv SAME", "--csv and --rolling-csv"),
+        (".png", "windup JOINT --csv OUT --plot SAME", "--csv and --plot"),
+        (".png", "dynamics JOINT --csv OUT --plot SAME", "--plot and --csv"),
+        (".csv", "sweep JOINT --over load.preload=900_N:1000_N:3 --out OUT --plot SAME", "--out and --plot"),
+    ],
+)
+@pytest.mark.parametrize("other", ["a{}", "./a{}", "../{folder}/a{}", "link{}"])
+def test_two_files_of_one_command_have_two_names(
+    call, tmp_path, inputs, monkeypatch, suffix, line, options, other
+):
+    monkeypatch.chdir(tmp_path)
+    same = other.format(suffix, folder=tmp_path.name)
+    if other.startswith("link"):
+        (tmp_path / same).symlink_to(f"a{suffix}")
+    refused = call(*arguments(line, {**inputs, "SAME": same}, f"a{suffix}"))
+    assert (refused.code, refused.out) == (2, "")
+    assert f"{options} name the same file, " in refused.err
+    assert not (tmp_path / f"a{suffix}").exists()
+
+
+@pytest.mark.parametrize(
     ("suffix", "line"), (COMMANDS | READING_NOTHING).values(), ids=COMMANDS | READING_NOTHING
 )
 def test_what_another_has_written_stays(call, tmp_path, inputs, suffix, line):
@@ -140,15 +174,35 @@ def test_what_another_has_written_stays(call, tmp_path, inputs, suffix, line):
     assert not list(tmp_path.glob(".*"))
 
 
-def test_a_table_of_a_front_is_known_by_results_and_numbers_of_the_file(tmp_path):
+def test_a_table_of_a_front_is_known_by_the_columns_of_this_front(tmp_path, inputs):
+    problem = read_design(inputs["FRONT"])
+    own = "assembly_stiffness_output [N*m/rad],mass [kg],drive.contact_length [m]"
+    assert ",".join(front_columns(problem).values()) == own
     for head, made in (
-        ("mass [kg],assembly_stiffness_output [N*m/rad],drive.contact_length [m]", True),
+        (own, True),
+        (f"{own},comment", False),
+        ("mass [kg],drift [arcmin/turn]", False),
         ("drive.contact_length [m]", False),
         ("mass [kg],costs [EUR]", False),
         ("a,b", False),
     ):
         (tmp_path / "front.csv").write_text(f"{head}\n1.0,2.0\n")
-        assert FRONT.is_made(tmp_path / "front.csv") is made
+        assert front_table(problem).is_made(tmp_path / "front.csv") is made
+
+
+def test_a_table_of_a_sweep_has_a_number_of_the_joint_file(tmp_path):
+    for head, made in (
+        ("load.preload [N],status,status_meaning,mass [kg],slip_ratio_sp [1]", True),
+        ("load.preload [kN],drive.sun_radius [m],status,status_meaning", True),
+        ("speed,status,status_meaning", False),
+        ("load.preload,status,status_meaning", False),
+        ("status,status_meaning,mass [kg]", False),
+        ("load.preload [N],status,mass [kg],status_meaning", False),
+        ("load.preload [N],status,status_meaning,mass [kg],comment", False),
+        ("load.preload [N],costs [EUR],status,status_meaning", False),
+    ):
+        (tmp_path / "sweep.csv").write_text(f"{head}\n1.0,0,solved\n")
+        assert SWEEP_TABLES[".csv"].is_made(tmp_path / "sweep.csv") is made
 
 
 def test_a_table_of_results_is_written_again_and_another_is_not(tmp_path):
@@ -201,6 +255,7 @@ def test_a_joint_file_is_not_written_through_a_link(call, tmp_path):
             "mat",
         ),
         *("mujoco", "fmu", "modelica", "draw", "draw dxf", "draw parts", "report"),
+        *("sensitivity", "joint", "roll", "report pdf"),
     ],
 )
 def test_what_a_command_has_written_it_writes_again(call, tmp_path, inputs, name):

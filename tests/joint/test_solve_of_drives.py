@@ -174,6 +174,12 @@ def test_bodies_that_do_not_fit_are_refused(planar_case):
         solve_case(planar_case("planetary", replaced={"planets = 3": "planets = 6"}))
     with pytest.raises(InputError, match=r"the bore of planet, 45 mm, leaves no wall in a roller of 40 mm"):
         solve_case(planar_case("planetary_hollow", replaced={'"26 mm"': '"45 mm"'}))
+    with pytest.raises(
+        NoSolutionError,
+        match=r"no state was found .* the thinnest wall is that of planet: its bore_diameter of 39\.9999 mm leaves "
+        r"0\.05 um of 40 mm$",
+    ):
+        solve_case(planar_case("planetary_hollow", replaced={'"26 mm"': '"39.9999 mm"'}))
     wide = {"[drive]": '[drive]\nplanet_bore_diameter = "24 mm"'}
     with pytest.raises(
         InputError, match=r"the bore of planet, 24 mm, is wider than 0\.65 .* 23\.4 mm: beyond"

@@ -119,6 +119,13 @@ def test_the_example_is_read(example_case):
             "joint.toml: drive.contact_length.wol: a zou2025 drive has no such contact; did you mean 'wlo'?",
         ),
         ("[surface]", "[surface.sp]", "surface: pwr, pwl, wro, wlo are missing"),
+        (
+            "[surface]",
+            "[surface.sp]\nfractal_dimension = 1.5\n[surface]",
+            "joint.toml: surface: fractal_dimension, fractal_roughness, frequency_ratio in [surface] are of all "
+            "contacts, and [surface.sp] is of one each: a surface is stated twice; write one [surface] for all "
+            "contacts, or a section for each",
+        ),
         ("[load]", "[[load]]", "load: expected a table with preload, interference, cam_force_per_torque"),
         ("[drive]", "[drive", "not valid TOML"),
         ("[drive]", "x = " + "9" * 5000 + "\n[drive]", "not valid TOML: a number has too many digits"),

@@ -394,6 +394,17 @@ def test_a_chart_that_cannot_be_drawn_is_said_at_its_key(client, joint_text):
 
 
 @pytest.mark.parametrize("path", ["/api/joint", "/api/chart", "/api/results"])
+def test_an_error_of_the_joint_has_its_key_at_every_address(client, joint_text, path):
+    chart = {"over": "load.preload", "from": "1 N", "to": "1 kN", "result": "slip_ratio_sp"}
+    body = {"toml": joint_text.replace('"1000 N"', '"1000 mm"'), "name": "mine.toml"}
+    assert body["toml"] != joint_text
+    answer = client.post(path, json=body | ({"chart": chart} if path == "/api/chart" else {}))
+    assert answer.status_code == 422
+    assert answer.json()["error"].startswith("mine.toml: load.preload: expected a force")
+    assert list(answer.json()["keys"]) == ["load.preload"]
+
+
+@pytest.mark.parametrize("path", ["/api/joint", "/api/chart", "/api/results"])
 def test_nobody_waits_for_the_file_of_another(client, joint_text, monkeypatch, path):
     """A large file is still being read, three times over, when a small one gets its answer."""
     begun, going, read = threading.Semaphore(0), threading.Event(), joint_request.parse_toml

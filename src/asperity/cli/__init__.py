@@ -18,10 +18,19 @@ from typing import Any, NoReturn
 _OBJECTS_BETWEEN_COLLECTIONS = 100_000
 #: Time after which an interruption that has not arrived is raised again, and after which a second one ends at once [s].
 _AGAIN, _AT_ONCE = 0.05, 1.0
+#: Time for which an interruption may wait for the end of what Python itself cannot interrupt [s].
+_LONGEST_STEP = 0.3
 
 
 class Terminated(KeyboardInterrupt):
     """The system asks the process to end (SIGTERM)."""
+
+
+#: Signal → what is said of it, and the exit code.
+_LINES: dict[int, tuple[str, int]] = {
+    signal.SIGINT: ("interrupted", 130),
+    signal.SIGTERM: ("terminated", 143),
+}
 
 
 class Interruptions:
@@ -30,11 +39,17 @@ class Interruptions:
     Python raises it between any two steps. An extension module that is being imported may end the process upon it; in
     a callback of C code, as of the garbage collection or of a hash, it is lost. It therefore waits for such imports and
     is raised again until it arrives: until it is what is handled. ``said`` becomes the line and the exit code.
+
+    Nor can Python raise it while one step takes long, such as a transform of NumPy. A thread that the system wakes then
+    ends the process in its stead, and leaves nothing half done behind.
     """
 
     def __init__(self) -> None:
         self.said: tuple[str, int] | None = None
         self._over, self._since, self._unraisable = False, 0.0, sys.unraisablehook
+        self._first = (
+            threading.Lock()
+        )  # whoever has it ends the process: the handler of the signal or the thread
 
     def __enter__(self) -> Interruptions:
         sys.unraisablehook = self._dropped
@@ -42,6 +57,11 @@ class Interruptions:
             signal.signal(signal.SIGTERM, self._asked)
             if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # else it is ignored
                 signal.signal(signal.SIGINT, self._asked)
+            if os.name == "posix":
+                woken, wakes = os.pipe()
+                os.set_blocking(wakes, False)
+                signal.set_wakeup_fd(wakes, warn_on_full_buffer=False)
+                threading.Thread(target=self._watch, args=(woken,), daemon=True).start()
         return self
 
     def __exit__(self, _kind: object, error: BaseException | None, _trace: object) -> bool:
@@ -52,7 +72,7 @@ class Interruptions:
         if error is None:  # it has ended in time
             self.said = None
         elif isinstance(error, KeyboardInterrupt):
-            self.said = ("terminated", 143) if isinstance(error, Terminated) else ("interrupted", 130)
+            self.said = _LINES[signal.SIGTERM if isinstance(error, Terminated) else signal.SIGINT]
         return self.said is not None
 
     def leave(self, code: int) -> NoReturn:
@@ -68,20 +88,43 @@ class Interruptions:
         os._exit(code)
 
     def _asked(self, number: int, frame: FrameType | None) -> None:
-        line = ("terminated", 143) if number == signal.SIGTERM else ("interrupted", 130)
+        line = _LINES[number]
         if self._over or (self.said and time.monotonic() > self._since + _AT_ONCE):
             os._exit(line[1])
         if self.said is None:
+            if not self._first.acquire(blocking=False):
+                time.sleep(_AT_ONCE)  # the thread is ending the process
+                os._exit(line[1])
             self.said, self._since = line, time.monotonic()
             if hasattr(signal, "setitimer"):
                 signal.signal(signal.SIGALRM, self._raise)
                 signal.setitimer(signal.ITIMER_REAL, _AGAIN, _AGAIN)
         self._raise(number, frame)
 
+    def _watch(self, woken: int) -> None:
+        """End the process upon a signal that waits too long for its handler, where this is ours."""
+        for number in iter(lambda: os.read(woken, 1)[0], None):
+            if number not in (signal.SIGINT, signal.SIGTERM):
+                continue
+            time.sleep(_LONGEST_STEP)
+            ours = signal.getsignal(number) == self._asked and not self._over
+            if ours and self._first.acquire(blocking=False):
+                if "asperity.writing" in sys.modules:
+                    from asperity.writing import abandon
+
+                    abandon()
+                self.end(_LINES[number])
+
+    def end(self, line: tuple[str, int]) -> NoReturn:
+        """Say the line, and end the process now with the exit code."""
+        with contextlib.suppress(OSError):
+            print(f"asperity: {line[0]}", file=sys.stderr, flush=True)
+        self.leave(line[1])
+
     def _raise(self, _number: int, frame: FrameType | None) -> None:
         arrives = self._over or isinstance(sys.exc_info()[1], KeyboardInterrupt)
         if not arrives and not _extends(frame):
-            raise Terminated if self.said == ("terminated", 143) else KeyboardInterrupt
+            raise Terminated if self.said == _LINES[signal.SIGTERM] else KeyboardInterrupt
 
     def _dropped(self, unraisable: Any) -> None:
         if not isinstance(unraisable.exc_value, KeyboardInterrupt):
@@ -105,8 +148,5 @@ def main() -> None:
 
         code = run()
     if interruptions.said is not None:
-        line, code = interruptions.said
-        with contextlib.suppress(OSError):
-            print(f"asperity: {line}", file=sys.stderr, flush=True)
-        interruptions.leave(code)
+        interruptions.end(interruptions.said)
     sys.exit(code)

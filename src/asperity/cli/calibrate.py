@@ -17,7 +17,7 @@ from asperity.cli.terminal import (
 )
 from asperity.made_files import CALIBRATED_BY, MADE_JOINT
 from asperity.unit_table import Dimension
-from asperity.writing import check_file, check_image, write_text
+from asperity.writing import check_apart, check_file, check_image, write_text
 
 if TYPE_CHECKING:
     from asperity.study.calibration.calibrate import Calibration
@@ -75,6 +75,7 @@ def calibrate(
     from asperity.cli.terminal import about, progress_bar, read_case_of_branches
     from asperity.errors import InputError
 
+    check_apart(out=out, plot=plot, plot_posterior=plot_posterior)
     check_image(plot, file, *data)
     check_image(plot_posterior, file, *data)
     check_file(out, file, *data, kind=MADE_JOINT)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -17,8 +16,8 @@ from asperity.cli.terminal import (
     show_table,
 )
 from asperity.errors import InputError
-from asperity.made_files import MADE_JOINT, Kind, header
-from asperity.writing import check_file, check_image, write_text
+from asperity.made_files import MADE_JOINT, Kind, table_with
+from asperity.writing import check_apart, check_file, check_image, write_text
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -27,16 +26,20 @@ if TYPE_CHECKING:
     from asperity.study.design.design_result import DesignResult, StartReport
 
 
-def _is_front(file: Path) -> bool:
-    """Whether a table has columns of results, and of numbers of a joint file, and no others."""
-    from asperity.results import RESULTS
+def front_columns(problem: DesignProblem) -> dict[str, str]:
+    """Objectives and variables of a problem → the column, with its unit, in the table of its Pareto front."""
+    from asperity.joint_file.si_tables import key_at
 
-    names = header(file)
-    return any(name in RESULTS for name in names) and all(name in RESULTS or "." in name for name in names)
+    units = {goal.name: problem.table[goal.name].si_unit for goal in problem.objectives}
+    units |= {variable.path: key_at(variable.path).dimension.si_unit for variable in problem.variables}
+    return {name: f"{name} [{unit}]" for name, unit in units.items()}
 
 
-#: Tables of Pareto fronts.
-FRONT = Kind("the table of a Pareto front", _is_front)
+def front_table(problem: DesignProblem) -> Kind:
+    """The table of the Pareto front of a problem, as a kind of file."""
+    return table_with(
+        "the table of a Pareto front of these objectives and variables", *front_columns(problem).values()
+    )
 
 
 @click.command()
@@ -95,9 +98,10 @@ def design(
 
     problem = read_design(file)
     front = len(problem.objectives) > 1
+    check_apart(out=out, plot=plot, map=map_file)
     for image in (plot, map_file):
         check_image(image, file, problem.joint_file)
-    check_file(out, file, problem.joint_file, kind=FRONT if front else MADE_JOINT)
+    check_file(out, file, problem.joint_file, kind=front_table(problem) if front else MADE_JOINT)
     prepare_computation()
     if map_file is not None or map_over is not None:
         _check_map(problem, map_file, map_over)
@@ -162,14 +166,15 @@ def _front(
         front = pareto_front(problem, population=population, generations=generations, progress=report)
     with progress_bar("joints") as report:
         warned = front_diagnostics(problem, front, progress=report)
-    names = [goal.name for goal in problem.objectives] + [variable.path for variable in problem.variables]
+    columns = front_columns(problem)
+    names = list(columns)
     if out is not None:
-        head = ",".join(f"{name} [{front[name].attrs['units']}]" for name in names)
+        head = ",".join(columns.values())
         rows = zip(*(front[name].values for name in names), strict=True)
         write_text(
             "\n".join([head, *(",".join(repr(float(v)) for v in row) for row in rows)]) + "\n",
             out,
-            kind=FRONT,
+            kind=front_table(problem),
         )
         say_written(out)
     if plot is not None:
@@ -177,8 +182,7 @@ def _front(
 
         save_image(pareto_figure(front, tuple(goal.name for goal in problem.objectives)), plot)
     if as_json:
-        columns = {name: front[name].values.tolist() for name in names}
-        print_json(columns | warned)
+        print_json({name: front[name].values.tolist() for name in names} | warned)
     else:
         _show_front(problem, front, names)
         _show_front_warnings(console(), warned)

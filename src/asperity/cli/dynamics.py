@@ -14,10 +14,17 @@ from asperity.cli.terminal import (
     say_written,
 )
 from asperity.made_files import table_with
-from asperity.writing import check_file, check_image, write_columns
+from asperity.writing import check_apart, check_file, check_image, write_columns
 
 RESPONSE = table_with(
-    "a frequency response", "frequency_Hz", "standing_load_rad_per_Nm", "turning_load_phase_deg"
+    "a frequency response",
+    "frequency_Hz",
+    *(
+        f"{state}_{side}_{part}"
+        for state in ("standing", "turning")
+        for side in ("motor", "load")
+        for part in ("rad_per_Nm", "phase_deg")
+    ),
 )
 
 
@@ -39,6 +46,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     """
     from asperity.cli.terminal import read_case_of_branches
 
+    check_apart(plot=plot_file, csv=csv_file)
     check_image(plot_file, file)
     check_file(csv_file, file, kind=RESPONSE)
     case = read_case_of_branches(file)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import re
 from typing import TYPE_CHECKING
 
 import click
@@ -16,13 +17,23 @@ from asperity.cli.terminal import (
     read_option,
     say_written,
 )
-from asperity.made_files import table_with
+from asperity.made_files import table_where
 from asperity.writing import check_file, replacing
 
 if TYPE_CHECKING:
     from asperity.api.structure import JointLoads
 
-LOADS = table_with("a table of loads", "part", "position", "load", "unit")
+#: Columns of every table of loads, and those that follow, one for each load that is stated.
+_COLUMNS = ["part", "position", "load", "unit", "without torque"]
+_STATED = re.compile(r".+, (in rolling|standing), \S+ N·m, \S+ rpm", re.DOTALL)
+
+
+def _is_of_loads(columns: list[str]) -> bool:
+    count = len(_COLUMNS)
+    return columns[:count] == _COLUMNS and all(map(_STATED.fullmatch, columns[count:]))
+
+
+LOADS = table_where("a table of loads", _is_of_loads)
 
 
 @click.command()

@@ -9,7 +9,7 @@ import click
 
 from asperity.cli.terminal import plot_option_of, prepare_computation, save_image, say, say_written
 from asperity.errors import InputError
-from asperity.writing import check_file, check_image
+from asperity.writing import check_apart, check_file, check_image, if_abandoned
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -107,6 +107,7 @@ def sweep(
     from asperity.results import chosen_results
     from asperity.study.datasets import SWEEP_TABLES, asked_units, check_table_path, in_units, write_table
     from asperity.study.parameters import parse_axis
+    from asperity.study.sweep.store import check_store
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
     from asperity.study.sweep.sweep_map import parse_limit
 
@@ -121,7 +122,10 @@ def sweep(
         shown_units = asked_units(_listed(units), axes=grid, results=computed)
     except InputError as error:
         raise InputError(f"--units: {error}") from None
-    if out is not None and not streamed:
+    check_apart(out=out, plot=plot)
+    if out is not None and streamed:
+        check_store(out, file)
+    elif out is not None:
         check_table_path(out, overwrite=overwrite)
         check_file(out, file, kind=SWEEP_TABLES[Path(out).suffix])
     check_image(plot, file)
@@ -136,8 +140,13 @@ def sweep(
         raise InputError(
             "--scheduler and --workers need an --out of type .zarr, to which the processes write"
         )
+
+    def kept() -> None:
+        if streamed:
+            say(f"the finished blocks are kept in {out}; the same command continues from there")
+
     try:
-        with progress_bar("points") as report, about(file, out):
+        with progress_bar("points") as report, about(file, out), if_abandoned(kept):
             dataset = evaluate_sweep(
                 case,
                 grid,
@@ -150,8 +159,7 @@ def sweep(
                 notice=say,
             )
     except KeyboardInterrupt:
-        if streamed:
-            say(f"the finished blocks are kept in {out}; the same command continues from there")
+        kept()
         raise
     if out is not None and not streamed:
         write_table(in_units(dataset, shown_units), out)

@@ -227,7 +227,9 @@ def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
     if not target.is_terminal:
         yield lambda done: None
         return
-    with target.status(f"0 {unit}") as status:
+    from asperity.writing import if_abandoned
+
+    with target.status(f"0 {unit}") as status, if_abandoned(status.stop):
         yield lambda done: status.update(f"{done} {unit}")
 
 
@@ -239,8 +241,11 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
         return
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+    from asperity.writing import if_abandoned
+
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=rich_console(stderr=True), transient=True) as progress:
+    shown = Progress(*columns, console=rich_console(stderr=True), transient=True)
+    with shown as progress, if_abandoned(progress.stop):
         task = progress.add_task(f"compiling, then {what}", total=None)
 
         def report(done: int, total: int) -> None:

@@ -19,10 +19,23 @@ from asperity.cli.terminal import (
 )
 from asperity.made_files import table_with
 from asperity.standing import STAGE_SHARES
-from asperity.writing import check_file, check_image, write_columns
+from asperity.writing import check_apart, check_file, check_image, write_columns
 
-WINDUP_CURVES = table_with("the curves of a wind-up", "torque_Nm", "loading_angle_rad", "reloading_angle_rad")
-ROLLING_CURVES = table_with("the curve beyond a wind-up", "angle_behind_rad", "drift_per_swing_rad")
+WINDUP_CURVES = table_with(
+    "the curves of a wind-up",
+    "torque_Nm",
+    "loading_angle_rad",
+    "incremental_stiffness_Nm_per_rad",
+    "unloading_angle_rad",
+    "reloading_angle_rad",
+)
+ROLLING_CURVES = table_with(
+    "the curve beyond a wind-up",
+    "input_angle_rad",
+    "output_angle_rad",
+    "angle_behind_rad",
+    "drift_per_swing_rad",
+)
 LEVELS = ("assembly", "series_with_bulk", "published")
 
 
@@ -85,6 +98,7 @@ def windup(
     from asperity.cli.terminal import read_case_of_branches
     from asperity.errors import InputError
 
+    check_apart(csv=csv_file, rolling_csv=rolling_file, plot=plot_file)
     check_file(csv_file, file, kind=WINDUP_CURVES)
     check_file(rolling_file, file, kind=ROLLING_CURVES)
     check_image(plot_file, file)

@@ -181,7 +181,7 @@ def refuse_bores(joint: Joint) -> None:
         if shape.bore_diameter is None:
             continue
         bore, widest = float(shape.bore_diameter), 2.0 * min(float(r) for r, _ in tracks_of(joint, number))
-        told = f"the bore of {body.name}, {format_quantity(bore, 'mm')}, "
+        told = f"the bore of {body.name}, {format_apart(bore, widest, 'mm')[0]}, "
         if bore >= widest:
             raise InputError(
                 f"{told}leaves no wall in a roller of {format_quantity(widest, 'mm')}; make the bore smaller"
@@ -326,8 +326,25 @@ def refuse_not_pressed(joint: Joint, *assembled: DriveState) -> None:
     if not all(map(_is_pressed, assembled)):
         raise NoSolutionError(
             f"with {_given(joint)} no state was found in which every contact of the assembled drive is pressed; "
-            "check this value, the radii and the walls"
+            f"check this value, the radii and the walls{_thinnest_wall(joint)}"
         )
+
+
+def _thinnest_wall(joint: Joint) -> str:
+    """Which hollow roller has the thinnest wall for its size, and its bore; empty if none is hollow."""
+    shares = {}
+    for number, (body, shape) in enumerate(zip(joint.drive.bodies, joint.shapes, strict=True)):
+        if shape.bore_diameter is not None:
+            bore, widest = (
+                float(shape.bore_diameter),
+                2.0 * min(float(r) for r, _ in tracks_of(joint, number)),
+            )
+            shown = format_apart(bore, widest, "mm")
+            wall = format_quantity(0.5 * (widest - bore), "um")
+            shares[bore / widest] = (
+                f"{body.name}: its bore_diameter of {shown[0]} leaves {wall} of {shown[1]}"
+            )
+    return f"; the thinnest wall is that of {shares[max(shares)]}" if shares else ""
 
 
 def _is_pressed(state: DriveState) -> bool:

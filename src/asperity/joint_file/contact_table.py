@@ -26,7 +26,7 @@ from asperity.contact.roller_pairs import (
 from asperity.errors import InputError, nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Key
-from asperity.made_files import table_with
+from asperity.made_files import table_where
 from asperity.materials import ContactPair, contact_modulus, tangential_contact_modulus
 from asperity.reading import open_text
 from asperity.unit_table import Dimension
@@ -78,7 +78,13 @@ OUTPUT_COLUMNS: dict[str, tuple[str, str]] = {
 }
 
 
-_RESULTS = table_with("a table of results", *OUTPUT_COLUMNS)
+def _is_of_results(columns: list[str]) -> bool:
+    """Whether columns are those of a table that was read, and behind them the results and nothing else."""
+    read, results = columns[: -len(OUTPUT_COLUMNS)], columns[-len(OUTPUT_COLUMNS) :]
+    return results == list(OUTPUT_COLUMNS) and {*INPUT_COLUMNS, MODEL_COLUMN} <= set(map(str.strip, read))
+
+
+_RESULTS = table_where("a table of results", _is_of_results)
 #: What the contact law does not give where every spot is plastic.
 _STIFFNESSES = ("Kt_N_per_mm", "Kn_N_per_mm")
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
+from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH
 from asperity.library import FREQUENCY_RATIO, Finish, read_finishes
@@ -26,6 +27,15 @@ def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[st
     surface = tables.get("surface")
     refused: dict[str, str] = {}
     if not isinstance(surface, dict):
+        return dict(tables), refused
+    twice = [name for name in surface if name in SurfaceEntry.model_fields]
+    named = [f"[surface.{name}]" for name, entry in surface.items() if isinstance(entry, dict)]
+    if twice and named:
+        refused["surface"] = (
+            f"surface: {', '.join(twice)} in [surface] {'is' if len(twice) == 1 else 'are'} of all contacts, and "
+            f"{', '.join(named)} {'is' if len(named) == 1 else 'are'} of one each: a surface is stated twice; write "
+            "one [surface] for all contacts, or a section for each"
+        )
         return dict(tables), refused
     filled = dict(surface)
     for path, entry in _entries(surface):

@@ -101,9 +101,6 @@ def application(
         # made once: whoever asks again and again would keep others waiting
         return made(request.url.path)
 
-    async def results(request: Request) -> Response:
-        return JSONResponse(await readers.run(chart_results, joint_request(await _body(request))))
-
     async def computed(
         joints: list[JointRequest], worker: Computations, compute: Callable[..., Any], *asked: Any
     ) -> Response:
@@ -113,6 +110,10 @@ def application(
             return JSONResponse(await worker.run(compute, *asked))
         except AsperityError as error:
             return problem(error, source=joints[-1].name)
+
+    async def results(request: Request) -> Response:
+        asked = joint_request(await _body(request))
+        return await computed([asked], readers, chart_results, asked)
 
     async def joint(request: Request) -> Response:
         asked = joint_request(await _body(request))

@@ -23,6 +23,8 @@ LONGEST_HEADER = 10.0
 LONGEST_READING = 30.0
 #: Connections that may wait for a header at the same time: half of those that are served.
 MOST_SILENT = 32
+#: Time for which each may, however many they are: the requests of a burst are accepted before they are read [s].
+LEAST_SILENCE = 0.5
 
 
 def require_packages() -> None:
@@ -132,13 +134,13 @@ def impatient_protocol() -> type[asyncio.Protocol]:
     class Impatient(AutoHTTPProtocol):  # type: ignore[misc, valid-type]
         _header: asyncio.TimerHandle | None = None
         _reading: asyncio.TimerHandle | None = None
+        _silent_since = 0.0
 
         def connection_made(self, transport: Any) -> None:
             super().connection_made(transport)
             self._look(LONGEST_HEADER)
-            silent = [connection for connection in self.connections if connection._header is not None]
-            if len(silent) > MOST_SILENT:
-                min(silent, key=lambda connection: connection._header.when())._leave()
+            if len(self._silent()) > MOST_SILENT:  # by then, whoever has asked has been read
+                self.loop.call_later(LEAST_SILENCE, self._make_room)
 
         def data_received(self, data: bytes) -> None:
             super().data_received(data)
@@ -163,6 +165,17 @@ def impatient_protocol() -> type[asyncio.Protocol]:
                 self._reading.cancel()
                 self._reading = None
 
+        def _silent(self) -> list[Any]:
+            return [connection for connection in self.connections if connection._header is not None]
+
+        def _make_room(self) -> None:
+            """Leave those whose time is up first, of the connections that have been silent for long enough."""
+            silent, since = self._silent(), self.loop.time() - LEAST_SILENCE
+            long = [connection for connection in silent if connection._silent_since <= since]
+            long.sort(key=lambda connection: connection._header.when())
+            for connection in long[: max(len(silent) - MOST_SILENT, 0)]:
+                connection._leave()
+
         def _leave(self) -> None:
             for timer in (self._header, self._reading):
                 if timer is not None:
@@ -177,6 +190,9 @@ def impatient_protocol() -> type[asyncio.Protocol]:
                     self._header.cancel()
                     self._header = None
             elif self._header is None and not self.transport.is_closing():
-                self._header = self.loop.call_later(longest, self._leave)
+                self._header, self._silent_since = (
+                    self.loop.call_later(longest, self._leave),
+                    self.loop.time(),
+                )
 
     return Impatient

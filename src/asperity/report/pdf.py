@@ -14,6 +14,7 @@ from asperity.errors import printable
 from asperity.extras import optional_module
 from asperity.made_files import MARK
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.writing import if_abandoned
 
 _LONGEST_LINE = 128  # letters of a listing
 _COLOURS = {"pass": 'rgb("#05603a")', "FAIL": 'rgb("#a4001d")'}
@@ -180,7 +181,8 @@ def report_pdf(report: Report) -> bytes:
     typst = require_typst()
     pictures = [block.svg for block in report.blocks if isinstance(block, Picture)]
     names = [f"picture-{number}.svg" for number in range(len(pictures))]
-    with tempfile.TemporaryDirectory(prefix="asperity-report-") as folder:
+    made_here = tempfile.TemporaryDirectory(prefix="asperity-report-")
+    with made_here as folder, if_abandoned(made_here.cleanup):
         for name, svg in zip(names, pictures, strict=True):
             Path(folder, name).write_text(svg, encoding="utf-8")
         source = Path(folder, "report.typ")

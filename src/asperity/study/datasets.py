@@ -13,7 +13,7 @@ from asperity.errors import InputError
 from asperity.extras import optional_module
 from asperity.joint.status import STATUS_NAMES, flag_attributes
 from asperity.joint_file.si_tables import key_at
-from asperity.made_files import Kind, table_with
+from asperity.made_files import Kind, table_where
 from asperity.results import RESULTS, Result, row_name
 from asperity.study.parameters import SweepAxis, long_name
 from asperity.unit_table import Dimension
@@ -74,7 +74,8 @@ def result_words(data: xarray.Dataset, name: str) -> str:
 
 #: Dimensions that are not called after what their rows stand for: a result has that name.
 _DIMENSIONS = {"clearance": "rollers"}
-_ROW_COORDINATES = {
+#: Dimension of rows → what its coordinate says.
+ROW_COORDINATES = {
     "contact": "contact of a branch",
     "rollers": "rollers between which a clearance is",
     "body": "body of a branch; those on the axis are shared by all branches",
@@ -93,7 +94,7 @@ def row_coordinates(results: Iterable[Result]) -> dict[str, tuple[tuple[str], np
     """Coordinates of the contacts and clearances, where results have one number for each."""
     needed = {dimension: result.row_names for result in results for dimension in row_dimensions(result)}
     return {
-        dimension: ((dimension,), np.array(names, dtype="U"), {"long_name": _ROW_COORDINATES[dimension]})
+        dimension: ((dimension,), np.array(names, dtype="U"), {"long_name": ROW_COORDINATES[dimension]})
         for dimension, names in needed.items()
     }
 
@@ -202,14 +203,36 @@ def _is_parquet(file: Path) -> bool:
     require("pyarrow")
     import pyarrow.parquet
 
-    return set(_STATUS) <= {name.partition(" [")[0] for name in pyarrow.parquet.read_schema(file).names}
+    return _is_of_sweep(pyarrow.parquet.read_schema(file).names)
 
 
 #: Columns of every table of points.
-_STATUS = ("status", "status_meaning")
+_STATUS = ["status", "status_meaning"]
+
+
+def _is_of_sweep(columns: list[str]) -> bool:
+    """Whether columns are numbers of a joint file, the status, and results, the numbers all with a unit."""
+    place = columns.index(_STATUS[0])
+    axes, results = columns[:place], columns[place + len(_STATUS) :]
+    if not axes or columns[place : place + len(_STATUS)] != _STATUS:
+        return False
+    for path in map(_named, axes):
+        key_at(path)  # raises if there is none
+    return all(
+        name in RESULTS or any(name.startswith(f"{known}_") for known in RESULTS)
+        for name in map(_named, results)
+    )
+
+
+def _named(column: str) -> str:
+    """The name in front of the unit of a column; empty if there is no unit."""
+    name, bracket, unit = column.partition(" [")
+    return name if bracket and unit.endswith("]") else ""
+
+
 #: Ending → tables of sweeps.
 SWEEP_TABLES = {
-    ".csv": table_with("the table of a sweep", *_STATUS),
+    ".csv": table_where("the table of a sweep", _is_of_sweep),
     ".parquet": Kind("the table of a sweep", _is_parquet),
     ".nc": Kind("the dataset of a sweep", _is_netcdf),
 }

@@ -16,7 +16,7 @@ import numpy as np
 from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.made_files import IMAGE, Kind
-from asperity.writing import write_image, write_text
+from asperity.writing import if_abandoned, write_image, write_text
 from asperity.zou2025.criteria import CRITERIA, Claim
 from asperity.zou2025.curves import Curves
 from asperity.zou2025.panels import Panel
@@ -33,6 +33,14 @@ def output_folder(path: str | Path) -> Iterator[Path]:
     folder = Path(path)
     _refuse_files_of_others(folder)
     created = [place for place in (folder, *folder.parents) if not place.exists()]
+
+    def remove() -> None:
+        if created:
+            shutil.rmtree(folder, ignore_errors=True)
+        with contextlib.suppress(OSError):  # somebody else uses it
+            for place in created[1:]:
+                place.rmdir()
+
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -41,13 +49,10 @@ def output_folder(path: str | Path) -> Iterator[Path]:
             options=["out"],
         ) from error
     try:
-        yield folder
+        with if_abandoned(remove):
+            yield folder
     except BaseException:
-        if created:
-            shutil.rmtree(folder, ignore_errors=True)
-        with contextlib.suppress(OSError):  # somebody else uses it
-            for place in created[1:]:
-                place.rmdir()
+        remove()
         raise
 
 

@@ -370,3 +370,17 @@ def test_a_limit_of_the_ratio_needs_the_sense_of_the_drive_or_no_sign(zou_file):
     found = problem(limited.replace("speed_ratio", "absolute_speed_ratio"), zou_file.parent)
     assert ("absolute_speed_ratio", False, 8.0) in {(c.name, c.at_most, c.limit) for c in found.constraints}
     problem(limited.replace("at_least = 8", "at_most = -8"), zou_file.parent)
+
+
+def test_without_its_joint_file_a_design_is_not_measured_against_another(tmp_path):
+    """The one mistake is told: what other drives have, and which rows of a result, is not known."""
+    (tmp_path / "d.toml").write_text(
+        'joint = "nope.toml"\n[variables]\n"drive.planet_radius" = { lower = "6 mm", upper = "9 mm" }\n[objective]\n'
+        'minimise = "slip_ratio"\n[constraints]\nslip_ratio = { at_most = 0.9, contacts = ["pr"] }\n'
+        'bearing_life = { at_least = "20000 h" }\n'
+    )
+    with pytest.raises(InputError) as refused:
+        read_design(tmp_path / "d.toml")
+    assert str(refused.value) == (
+        f"{tmp_path / 'd.toml'}: {tmp_path / 'nope.toml'}: there is no such file; 'asperity init' writes an example"
+    )

@@ -5,7 +5,9 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 import numpy as np
@@ -154,6 +156,50 @@ def test_local_workers_start_with_their_settings_and_leave_ours_alone():
     assert {name: os.environ.get(name) for name in names} == before
 
 
+@pytest.mark.slow
+def test_an_interruption_kills_the_workers_at_once_and_leaves_no_file(tmp_path, monkeypatch):
+    """Dask would first wait for what they compute."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    kill, killed = os.kill, []
+    monkeypatch.setattr(os, "kill", lambda *asked: (killed.append(asked), kill(*asked)))
+    workers = set()
+
+    def interrupted():
+        with _client(None, 2) as client:
+            workers.update(client.run(os.getpid).values())
+            assert list(tmp_path.iterdir())
+            client.submit(time.sleep, 1000.0)
+            killed.clear()
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    assert sorted(killed) == sorted((worker, signal.SIGKILL) for worker in workers)
+    assert not list(tmp_path.iterdir())
+    for worker in workers:
+        with pytest.raises(ProcessLookupError):
+            kill(worker, 0)
+
+
+@pytest.mark.slow
+def test_an_interruption_while_workers_start_does_not_wait_for_them(tmp_path, monkeypatch):
+    """The signal comes as the first worker has been started: it never gets as far as to answer."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    start, started = BaseProcess.start, []
+
+    def strike(process):
+        start(process)
+        started.append(process)
+        if len(started) == 1:  # Dask may start another one in its place
+            os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr(BaseProcess, "start", strike)
+    with pytest.raises(KeyboardInterrupt), _client(None, 1):
+        raise AssertionError("the workers were waited for")
+    assert {process.exitcode for process in started} == {-signal.SIGKILL}
+    assert not list(tmp_path.iterdir())
+
+
 @pytest.mark.long
 @pytest.mark.parametrize(
     ("number", "code", "word"), [("TERM", 143, "terminated"), ("INT", 130, "interrupted")]
@@ -165,12 +211,14 @@ def test_a_signal_ends_a_sweep_on_local_processes_without_noise(tmp_path, number
         "    signal.signal(signal.SIGINT, signal.default_int_handler)\n    main()\n"
     )
     (tmp_path / "run.py").write_text(script)
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
     command = [sys.executable, "run.py", "sweep", str(EXAMPLE), "--results", "published_stiffness_output"]
     command += ["--over", "load.preload=500 N:2000 N:3000", "--over", "load.output_torque=0 N*m:5 N*m:1000"]
     process = subprocess.Popen(
         [*command, "--out", "s.zarr", "--workers", "1"],
         cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": str(SOURCES)},
+        env={**os.environ, "PYTHONPATH": str(SOURCES), "TMPDIR": str(temporary)},
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -184,6 +232,7 @@ def test_a_signal_ends_a_sweep_on_local_processes_without_noise(tmp_path, number
     out, err = process.communicate(timeout=120)
     assert process.returncode == code, err
     assert out == ""
+    assert not list(temporary.iterdir())
     # Python's own tracker of semaphores may still say that a worker ended with one of them open
     own = [line for line in err.splitlines() if line and "resource_tracker" not in line]
     assert [line for line in own if "warnings.warn" not in line] == [

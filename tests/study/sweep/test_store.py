@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.study.sweep.store import open_store, prepare_store, remove_store
+from asperity.study.sweep.store import check_store, open_store, prepare_store, remove_store
 from asperity.study.sweep.store_layout import unfinished_blocks
 from asperity.study.sweep.sweep_plan import make_plan
 
@@ -60,7 +60,20 @@ def test_a_store_with_files_of_others_or_behind_a_link_is_not_deleted(case, tmp_
     (tmp_path / "link.zarr").symlink_to("s.zarr")
     with pytest.raises(InputError, match=r"link\.zarr: this is a link; give the name of the store itself"):
         remove_store(tmp_path / "link.zarr")
-    for place in ("joint.toml", "slip_ratio/notes.txt", "c"):
+    # what a killed process leaves is the store's
+    (store / f"status/c/0/1.{'0a' * 16}.partial").write_text("half of a chunk")
+    for place in (
+        *(
+            "joint.toml",
+            "slip_ratio/notes.txt",
+            "c",
+            "slip_ratio/c/notes.txt",
+            "status/c/0/1b",
+            "photos/zarr.json",
+        ),
+        *("c/joint.toml", "mass/c/0/0", "progress/c/0", "slip_ratio/c/0/0.partial", "status/c/0/٣"),
+    ):
+        (store / place).parent.mkdir(parents=True, exist_ok=True)
         (store / place).write_text("mine")
         with pytest.raises(
             InputError, match=f"{place} in this store is of no sweep, so nothing is deleted; move it"
@@ -71,6 +84,24 @@ def test_a_store_with_files_of_others_or_behind_a_link_is_not_deleted(case, tmp_
     np.testing.assert_array_equal(open_store(store)["status"][0], 0)
     remove_store(store)
     assert not store.exists()
+
+
+def test_what_is_read_may_not_be_in_the_store(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "s.zarr" / "c").mkdir(parents=True)
+    (tmp_path / "s.zarr" / "c" / "joint.toml").write_text("mine")
+    (tmp_path / "joint.toml").symlink_to("s.zarr/c/joint.toml")
+    (tmp_path / "link.zarr").symlink_to("s.zarr")
+    for store, read in (
+        ("s.zarr", "s.zarr/c/joint.toml"),
+        (tmp_path / "s.zarr", "joint.toml"),
+        ("link.zarr", "joint.toml"),
+    ):
+        with pytest.raises(
+            InputError, match=r"joint\.toml, which is read, is in this folder; choose another"
+        ):
+            check_store(store, read)
+    check_store("t.zarr", "joint.toml")
 
 
 def test_two_first_runs_into_one_store(case, tmp_path, monkeypatch, axes):

@@ -243,15 +243,18 @@ def test_a_drive_and_its_listed_twin_are_allowed_the_same(case, listed_case):
     ("text", "message"),
     [
         ("torque_capacity = 10 N*m", "expected RESULT>=VALUE or RESULT<=VALUE"),
-        ("torque_capacity >= 10 mm", "constraints.torque_capacity.at_least"),
+        ("torque_capacity >= 10 mm", "^'torque_capacity >= 10 mm': expected a torque"),
+        ("slip_ratio<=nan", "^'slip_ratio<=nan': expected a dimensionless number .* not a finite number"),
+        ("slip_ratio<=3", "^'slip_ratio<=3': 3 is not allowed; it must be at most 1"),
         ("torque >= 10 N*m", "did you mean 'torque_capacity'"),
     ],
 )
 def test_limits_are_read_or_refused(case, text, message):
     (limit,) = limits_from_text(["stiffness >= 8e5 N*m/rad"], case)
     assert (limit.name, limit.at_most, limit.limit) == ("assembly_stiffness_output", False, 8e5)
-    with pytest.raises(InputError, match=message):
+    with pytest.raises(InputError, match=message) as refused:
         limits_from_text([text], case)
+    assert refused.value.options == ("keep",)
 
 
 @pytest.mark.long

@@ -11,7 +11,7 @@ from typing import Any
 from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError, listed, nearest, quoted
 from asperity.joint_file.any_joint import results_of, rows_of_file
-from asperity.joint_file.part_names import WEDGE_TYPE, type_of
+from asperity.joint_file.part_names import type_of
 from asperity.joint_file.parts import layout_of
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import AnyCase, Values, key_at, numeric_keys, si_values
@@ -87,7 +87,8 @@ def design_from_tables(
         if name not in tables:
             errors.messages.append(f"{name}: this key is missing")
     errors.refuse()
-    kind, known, values = WEDGE_TYPE, RESULTS, Values()
+    # where the joint file cannot be read, what it decides is not checked
+    kind, known, values = None, RESULTS, Values()
     with errors.gathered():
         if not isinstance(tables["joint"], str):
             raise InputError(f"joint: expected the path of a joint file as text, got {tables['joint']!r}")
@@ -192,7 +193,7 @@ def _check_count(variables: Sequence[object]) -> None:
         raise InputError(f"variables: at most {MOST_STEPPED} variables may have a step, got {stepped}")
 
 
-def _variable(path: str, entry: dict[str, Any], kind: str) -> Variable:
+def _variable(path: str, entry: dict[str, Any], kind: str | None) -> Variable:
     where = f"variables.{path}"
     try:
         key = key_at(path, kind)
@@ -288,10 +289,19 @@ def _result(name: Any, level: StiffnessLevel, where: str, results: Mapping[str, 
 
 
 def constraint_of(
-    name: str, table: Any, level: StiffnessLevel, values: Values, results: Mapping[str, Result]
+    name: str,
+    table: Any,
+    level: StiffnessLevel,
+    values: Values,
+    results: Mapping[str, Result],
+    *,
+    said: str = "",
 ) -> Iterator[Constraint]:
-    """The limits of one result: its name, and a table of ``at_most``, ``at_least`` and the rows that are meant."""
-    where = f"constraints.{name}"
+    """The limits of one result: its name, and a table of ``at_most``, ``at_least`` and the rows that are meant.
+
+    ``said`` is how messages call it; by default its key in a design file.
+    """
+    where = said or f"constraints.{name}"
     full = _result(name, level, where, results)
     result, entry = results[full], _table(table, where)
     plural = _PLURALS.get(result.axis, "contacts")
@@ -303,28 +313,29 @@ def constraint_of(
         listed = entry[plural]
         if result.axis not in _PLURALS or not isinstance(listed, list):
             raise InputError(f"{where}.{plural}: expected a list of {plural} of a result that has them")
-        for row in listed:
+        for row in listed if values else ():
             if row not in result.row_names:
                 raise InputError(f"{where}.{plural}: {row!r} is not one of {', '.join(result.row_names)}")
             if result.row_names.index(row) not in rows:
                 raise InputError(f"{where}.{plural}: {row!r} has none; {result.only}")
-        rows = tuple(result.row_names.index(row) for row in listed)
+        rows = tuple(result.row_names.index(row) for row in listed) if values else ()
     for side in ("at_most", "at_least"):
         if side in entry:
+            key = said or f"{where}.{side}"
             try:
                 limit = parse_quantity(entry[side], result.dimension)
             except InputError as error:
-                raise InputError(f"{where}.{side}: {error}") from None
-            _check_limit(result, limit, f"{where}.{side}: {entry[side]}")
+                raise InputError(f"{key}: {error}") from None
+            _check_limit(result, limit, f"{key}: {entry[side]}")
             if full == "speed_ratio" and values:
-                _refuse_other_sense(values, limit, f"{where}.{side}: {entry[side]}")
+                _refuse_other_sense(values, limit, f"{key}: {entry[side]}")
             yield Constraint(full, side == "at_most", limit, rows)
 
 
 def _rows(result: Result, values: Values, where: str) -> tuple[int, ...]:
-    """Rows that the joint file has; all where that cannot be read."""
-    rows = rows_of_file(values, result) if values else tuple(range(len(result.row_names)))
-    if not rows:
+    """Rows that the joint file has; none where that cannot be read."""
+    rows = rows_of_file(values, result) if values else ()
+    if values and not rows:
         raise InputError(f"{where}: {result.only}")
     return rows
 

@@ -7,9 +7,12 @@ loss of a worker costs the blocks it was busy with, which others repeat.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
-from multiprocessing import resource_tracker
+import signal
+import tempfile
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from multiprocessing import active_children, resource_tracker
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +33,7 @@ _ALLOCATOR = {"MALLOC_TRIM_THRESHOLD_": str(1 << 28), "MALLOC_MMAP_THRESHOLD_": 
 _ONE_THREAD = "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"
 _PRE_SPAWN = "distributed.nanny.pre-spawn-environ"
 _CONNECT_SECONDS = "10s"
+_BETWEEN_KILLS = 0.02  # s, of workers that Dask starts again
 
 
 def compute_block(path: str, plan: Plan, index: int) -> int:
@@ -96,13 +100,50 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     count = workers or os.cpu_count() or 1
     # an allocator looks at its environment only as a process starts; Dask sets this one in our own process too
     before_start = {**dask.config.get(_PRE_SPAWN), **_ALLOCATOR}
-    settings = {"distributed.worker.multiprocessing-method": "spawn", _PRE_SPAWN: before_start}
-    with dask.config.set(settings), ExitStack() as opened:
+    with ExitStack() as opened:
+        # Dask does not delete its own folder, and a worker that is killed none of its files
+        folder = tempfile.TemporaryDirectory(prefix="asperity-sweep-", ignore_cleanup_errors=True)
+        settings = {
+            "distributed.worker.multiprocessing-method": "spawn",
+            _PRE_SPAWN: before_start,
+            "temporary-directory": opened.enter_context(folder),
+        }
+        opened.enter_context(dask.config.set(settings))
         resource_tracker.ensure_running()  # which lets the signals through again where it starts
-        with interrupted_afterwards():
+        with interrupted_afterwards(opened.enter_context(_killed_as_they_start())):
             cluster = opened.enter_context(_local_cluster(distributed, count))
             client = opened.enter_context(distributed.Client(cluster))
-        yield client
+        try:
+            yield client
+        except BaseException:
+            nannies = cluster.workers.values()
+            for nanny in nannies:
+                nanny.auto_restart = False
+            _kill(nanny.pid for nanny in nannies)
+            raise
+
+
+@contextmanager
+def _killed_as_they_start() -> Iterator[Callable[[], None]]:
+    """What ends, once it is called, every process that has been started in the block, and is started from then on."""
+    others, over = set(active_children()), threading.Event()
+
+    def kill() -> None:
+        while not over.wait(_BETWEEN_KILLS):
+            _kill(child.pid for child in set(active_children()) - others)
+
+    try:
+        yield lambda: threading.Thread(target=kill, daemon=True).start()
+    finally:
+        over.set()
+
+
+def _kill(workers: Iterable[int | None]) -> None:
+    """End processes at once, None for one that has ended; Dask waits for seconds for what they do."""
+    for worker in workers:
+        if worker is not None:
+            with suppress(ProcessLookupError):
+                os.kill(worker, getattr(signal, "SIGKILL", signal.SIGTERM))
 
 
 def _local_cluster(distributed: Any, count: int) -> Any:

@@ -10,6 +10,7 @@ import errno
 import functools
 import json
 import os
+import re
 import shutil
 import tempfile
 from collections.abc import Iterator
@@ -29,6 +30,7 @@ from asperity.study.sweep.store_layout import (
     same_values,
     store_coordinates,
     store_group,
+    stored_arrays,
     stored_plan,
     unfinished_blocks,
 )
@@ -37,6 +39,10 @@ from asperity.writing import cannot_write, check_folder, interrupted_afterwards
 
 if TYPE_CHECKING:
     import xarray
+
+
+#: Ending of a file that Zarr was writing when it was interrupted.
+_UNFINISHED = r"\.[0-9a-f]{32}\.partial"
 
 
 def prepare_store(path: str | Path, plan: Plan) -> list[int]:
@@ -123,12 +129,13 @@ def remove_store(path: str | Path) -> None:
     """Delete the store of a sweep, and nothing else."""
     if Path(path).is_symlink():
         raise InputError(f"{path}: this is a link; give the name of the store itself", options=["out"])
-    if stored_plan(Path(path)) is None:
+    stored = stored_plan(Path(path))
+    if stored is None:
         raise InputError(
             f"{path}: this is not the store of a sweep, so it is not deleted; choose another folder",
             options=["out"],
         )
-    other = next(_not_of_store(Path(path)), None)
+    other = next(_not_of_store(Path(path), stored), None)
     if other is not None:
         raise InputError(
             f"{path}: {one_line(str(other))} in this store is of no sweep, so nothing is deleted; move it away, or "
@@ -138,11 +145,26 @@ def remove_store(path: str | Path) -> None:
     shutil.rmtree(path)
 
 
-def _not_of_store(folder: Path) -> Iterator[Path]:
-    """Files below a store that Zarr has not written: neither descriptions nor chunks, which lie below a name ``c``."""
+def check_store(path: str | Path, *inputs: str | Path) -> None:
+    """Raise an ``InputError`` if one of the input files is in the folder that is to be the store."""
+    folder = Path(path).resolve()
+    for name in inputs:
+        if folder in Path(name).resolve().parents:
+            raise InputError(
+                f"{path}: {one_line(str(name))}, which is read, is in this folder; choose another folder",
+                options=["out"],
+            )
+
+
+def _not_of_store(folder: Path, stored: dict[str, Any]) -> Iterator[Path]:
+    """Files below a store that Zarr has not written for its sweep: neither descriptions nor chunks of its arrays."""
+    arrays = stored_arrays(stored)
+    groups = {name.rpartition("/")[0] for name in arrays} - {""}
+    array, group = ("|".join(map(re.escape, sorted(names))) for names in (arrays, arrays | groups))
+    own = re.compile(rf"(({group})/)?zarr(\.json|{_UNFINISHED})|({array})/c(/\d+)+({_UNFINISHED})?", re.ASCII)
     for file in folder.rglob("*"):
         within = file.relative_to(folder)
-        if not file.is_dir() and file.name != "zarr.json" and "c" not in within.parts[1:]:
+        if file.is_symlink() or not (file.is_dir() or own.fullmatch(within.as_posix())):
             yield within
 
 

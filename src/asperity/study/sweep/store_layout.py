@@ -13,6 +13,7 @@ from asperity import __version__
 from asperity.errors import InputError
 from asperity.joint.status import flag_attributes
 from asperity.study.datasets import (
+    ROW_COORDINATES,
     common_attributes,
     coordinate,
     require,
@@ -42,6 +43,12 @@ def stored_plan(folder: Path) -> dict[str, Any] | None:
     except Exception:  # not a store, not ours, or damaged beyond recognition
         return None
     return stored if isinstance(stored, dict) else None
+
+
+def stored_arrays(stored: dict[str, Any]) -> set[str]:
+    """Names of all arrays that a store with this sweep may have, below the folder of the store."""
+    axes = (axis["path"] for axis in stored["axes"])
+    return {"status", MARKS, *axes, *stored["results"], *ROW_COORDINATES}
 
 
 def plan_identity(plan: Plan) -> dict[str, Any]:

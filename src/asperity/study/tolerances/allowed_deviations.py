@@ -73,10 +73,15 @@ def limits_from_text(texts: Sequence[str], case: Case) -> tuple[Constraint, ...]
         match = re.fullmatch(r"\s*(\w+)\s*(>=|<=)\s*(.+)", text)
         if match is None:
             raise InputError(
-                f"'{text}': expected RESULT>=VALUE or RESULT<=VALUE, e.g. torque_capacity>=12 N*m"
+                f"'{text}': expected RESULT>=VALUE or RESULT<=VALUE, e.g. torque_capacity>=12 N*m",
+                options=["keep"],
             )
         side = "at_least" if match[2] == ">=" else "at_most"
-        limits.extend(constraint_of(match[1], {side: match[3]}, "assembly", values, results_of(values)))
+        limit, results = {side: match[3]}, results_of(values)
+        try:
+            limits.extend(constraint_of(match[1], limit, "assembly", values, results, said=f"'{text}'"))
+        except InputError as error:
+            raise InputError(str(error), options=["keep"]) from None
     if not limits:
         raise InputError("nothing to keep: state a limit, e.g. torque_capacity>=12 N*m", options=["keep"])
     return tuple(limits)
