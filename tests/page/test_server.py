@@ -172,7 +172,6 @@ async def _answered(scope, receive, send):
 def port(monkeypatch):
     monkeypatch.setattr(module, "LONGEST_HEADER", 1.0)
     monkeypatch.setattr(module, "LONGEST_READING", 1.0)
-    monkeypatch.setattr(module, "LEAST_SILENCE", 0.1)
     config = uvicorn.Config(
         _application,
         http=module.impatient_protocol(),
@@ -215,11 +214,7 @@ def _seconds_until_closed(connection):
 @pytest.mark.parametrize("said", [b"", b"G", HALF])
 def test_the_page_answers_beside_a_hundred_clients_that_have_not_finished_asking(port, said):
     clients = [_connected(port, said) for _ in range(100)]
-    for _ in range(100):  # as long as they may all wait, whoever asks is told that there are too many
-        if (status := _status(port)) != 503:
-            break
-        time.sleep(0.01)
-    assert status == 200
+    assert _status(port) == 200
     assert 0.5 < _seconds_until_closed(clients[-1]) < 5.0
     assert _status(port) == 200
     for each in clients:

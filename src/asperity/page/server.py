@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import ipaddress
+import itertools
 import logging
 import os
+import select
 import socket
 import sys
 from collections.abc import Callable
@@ -23,8 +25,6 @@ LONGEST_HEADER = 10.0
 LONGEST_READING = 30.0
 #: Connections that may wait for a header at the same time: half of those that are served.
 MOST_SILENT = 32
-#: Time for which each may, however many they are: the requests of a burst are accepted before they are read [s].
-LEAST_SILENCE = 0.5
 
 
 def require_packages() -> None:
@@ -134,17 +134,17 @@ def impatient_protocol() -> type[asyncio.Protocol]:
     class Impatient(AutoHTTPProtocol):  # type: ignore[misc, valid-type]
         _header: asyncio.TimerHandle | None = None
         _reading: asyncio.TimerHandle | None = None
-        _silent_since = 0.0
 
         def connection_made(self, transport: Any) -> None:
             super().connection_made(transport)
             self._look(LONGEST_HEADER)
-            if len(self._silent()) > MOST_SILENT:  # by then, whoever has asked has been read
-                self.loop.call_later(LEAST_SILENCE, self._make_room)
+            self._make_room()
 
         def data_received(self, data: bytes) -> None:
             super().data_received(data)
             self._look(LONGEST_HEADER)
+            if self._header is not None:  # it has not asked to the end
+                self._make_room()
 
         def on_response_complete(self) -> None:
             super().on_response_complete()
@@ -165,16 +165,21 @@ def impatient_protocol() -> type[asyncio.Protocol]:
                 self._reading.cancel()
                 self._reading = None
 
-        def _silent(self) -> list[Any]:
-            return [connection for connection in self.connections if connection._header is not None]
-
         def _make_room(self) -> None:
-            """Leave those whose time is up first, of the connections that have been silent for long enough."""
-            silent, since = self._silent(), self.loop.time() - LEAST_SILENCE
-            long = [connection for connection in silent if connection._silent_since <= since]
-            long.sort(key=lambda connection: connection._header.when())
-            for connection in long[: max(len(silent) - MOST_SILENT, 0)]:
+            """Leave those whose time is up first, of the connections that have nothing to be read."""
+            silent = [connection for connection in self.connections if connection._header is not None]
+            silent.sort(key=lambda connection: connection._header.when())
+            idle = (connection for connection in silent if not connection._has_asked())
+            for connection in list(itertools.islice(idle, max(len(silent) - MOST_SILENT, 0))):
                 connection._leave()
+
+        def _has_asked(self) -> bool:
+            """Whether something waits to be read: the requests of a burst are accepted before they are."""
+            number = self.transport.get_extra_info("socket").fileno()
+            try:
+                return number >= 0 and bool(select.select([number], [], [], 0.0)[0])
+            except (OSError, ValueError):  # closed, or one of more than the system looks at
+                return False
 
         def _leave(self) -> None:
             for timer in (self._header, self._reading):
@@ -190,9 +195,6 @@ def impatient_protocol() -> type[asyncio.Protocol]:
                     self._header.cancel()
                     self._header = None
             elif self._header is None and not self.transport.is_closing():
-                self._header, self._silent_since = (
-                    self.loop.call_later(longest, self._leave),
-                    self.loop.time(),
-                )
+                self._header = self.loop.call_later(longest, self._leave)
 
     return Impatient
