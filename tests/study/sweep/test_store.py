@@ -73,7 +73,9 @@ def test_a_store_with_files_of_others_or_behind_a_link_is_not_deleted(case, tmp_
         ),
         *("c/joint.toml", "mass/c/0/0", "progress/c/0", "slip_ratio/c/0/0.partial", "status/c/0/٣"),
     ):
-        (store / place).parent.mkdir(parents=True, exist_ok=True)
+        folder = (store / place).parent
+        new = [each for each in (folder, *folder.parents) if not each.exists()]
+        folder.mkdir(parents=True, exist_ok=True)
         (store / place).write_text("mine")
         with pytest.raises(
             InputError, match=f"{place} in this store is of no sweep, so nothing is deleted; move it"
@@ -81,6 +83,8 @@ def test_a_store_with_files_of_others_or_behind_a_link_is_not_deleted(case, tmp_
             remove_store(store)
         assert (store / place).read_text() == "mine"
         (store / place).unlink()
+        for each in new:
+            each.rmdir()
     np.testing.assert_array_equal(open_store(store)["status"][0], 0)
     remove_store(store)
     assert not store.exists()
