@@ -72,7 +72,8 @@ def measure_surface(
     column : str, optional
         Column of the heights in a text file with several, by its heading or its number from 1.
     no_data : str, optional
-        Number that marks missing points, such as ``"-9999"``, or ``"none"`` if every number is a height.
+        Number that marks missing points, such as ``"-9999"``, several with commas between them, or ``"none"`` if every
+        number is a height.
     any_size : bool, optional
         Accept sizes that are unlikely for a rough surface.
     start, stop : str, optional

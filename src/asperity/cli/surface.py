@@ -77,7 +77,8 @@ _length, _hardness = _quantity("LENGTH"), _quantity("HARDNESS")
 @click.option("--column", help="Column of the heights in a text file, by its heading or its number from 1.")
 @click.option(
     "--no-data",
-    help="Number that marks missing points in the file, such as -9999, or 'none' if every number is a height.",
+    help="Number that marks missing points in the file, such as -9999, several with commas between them, or 'none' if "
+    "every number is a height.",
 )
 @click.option(
     "--any-size",
