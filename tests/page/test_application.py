@@ -100,8 +100,11 @@ def test_a_measured_surface_makes_the_joint_of_the_command(client, joint_text, z
     assert "Contact laws side by side" in report
     assert "asperity report --surface" in report
     # compared with the saved file there is no difference, and it is said that a measured surface is compared
-    compared = client.post("/api/compare", json={"one": body, "other": {"toml": text}}).json()
-    assert compared["parts"][0].startswith("Measured surfaces, joint.toml: what the contacts feel")
+    other = {"toml": text, "surfaces": [answer["document"]["measured_surface"]]}
+    compared = client.post("/api/compare", json={"one": body, "other": other}).json()
+    assert compared["parts"][0].startswith(
+        "Measured surfaces, joint.toml and joint.toml, second file: what the"
+    )
     assert compared["document"]["results"] == []
     # the chart goes through the joint
     chart = {"over": "load.preload", "from": "900 N", "to": "1.1 kN", "points": 3}
