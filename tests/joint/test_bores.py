@@ -13,10 +13,13 @@ from asperity.body.bore import bore_modes
 from asperity.body.conforming_pin import SHARED
 from asperity.body.pin_contact import pin_contact
 from asperity.body.shapes import Annulus
+from asperity.drive.structure.dynamics import natural_frequencies, sprung_drive
 from asperity.errors import InputError
 from asperity.joint.bores import bore_stiffness, pins_in_bores, refuse_pins
+from asperity.joint.description import in_motion
 from asperity.joint.evaluation import evaluate, laws_and_states
 from asperity.joint.solve import solve_joint
+from asperity.standing.springs_over_torque import springs_of_solution, springs_over_torque
 
 ARCMIN = math.pi / 180.0 / 60.0
 FITTING = '[bearings]\npin_diameter = "26 mm"\n\n[model]'
@@ -31,6 +34,23 @@ def hollow(planar_joint):
 
 def stiffness(solution):
     return float(solution.result.assembly.stiffness.output)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("clearance", ["", 'pin_radial_clearance = "5 um"\npin_length = "30 mm"\n'])
+def test_a_load_alone_swings_on_the_stiffness_of_the_assembly(planar_joint, clearance):
+    """One inertia, the motor held and no other masses: (2 pi f)^2 J = K, with the pins as they press."""
+    joint = planar_joint("planetary_hollow", {"[model]": FITTING.replace("\n\n", f"\n{clearance}\n")})
+    solution, drive = solve_joint(joint), in_motion(joint).drive
+    springs = springs_of_solution(joint, solution)
+    nothing = np.zeros((np.shape(springs.elongation)[1],) * 2)
+    made = sprung_drive(
+        drive=drive, springs=springs, shafts=(0.0, 0.0), mass=nothing, ends=(1e6, 0.05), creep=None
+    )
+    found = (2.0 * math.pi * natural_frequencies(made).locked) ** 2 * 0.05
+    assert found == pytest.approx(stiffness(solution), rel=1e-9)
+    over_torque = springs_over_torque(joint, np.array([float(joint.output_torque)]))
+    assert float(over_torque.stiffness[0]) == pytest.approx(found, rel=1e-9)
 
 
 def planet_by_elements(joint, clearance, force):

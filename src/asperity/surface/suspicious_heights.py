@@ -57,30 +57,29 @@ def refuse_missing_marks(topography: Topography) -> None:
 def end_notes(topography: Topography) -> tuple[str, ...]:
     """Notes of heights at the ends of the range: where many points stand at one it was exceeded, one far off is odd."""
     known = topography.heights[~np.isnan(topography.heights)]
+    inner = known[(known != known.min()) & (known != known.max())]
+    if not inner.size or np.unique(inner[:: max(1, inner.size // _LOOKED_AT)]).size < _FEWEST_LEVELS:
+        return ()
+    reach = float(np.ptp(inner))
     notes = []
-    for sign, name in ((-1.0, "lowest"), (1.0, "highest")):
-        before, last = np.sort(np.partition(sign * known, max(0, known.size - 2))[-2:])
-        apart, others = float(last - before), float(before - (sign * known).min())
-        if known.size > _FEWEST_LEVELS and apart > _FAR * others > 0.0:
+    for extreme, nearest, name in (
+        (float(known.min()), float(inner.min()), "lowest"),
+        (float(known.max()), float(inner.max()), "highest"),
+    ):
+        count = int(np.count_nonzero(known == extreme))
+        what = f"the {name} height, {1e6 * extreme:.6g} um"
+        apart = abs(extreme - nearest)
+        if count == 1 and apart > _FAR * reach:
             notes.append(
-                f"one point has the {name} height, {sign * 1e6 * last:.6g} um, {apart / others:.3g} times the range of "
-                "all others away from them: does it mark a missing point?"
+                f"one point has {what}, {apart / reach:.3g} times the range of the rest away from it: does it mark a "
+                "missing point?"
             )
-    for sign, name in ((-1.0, "lowest"), (1.0, "highest")):
-        extreme = float((sign * known).max())
-        rest = known[sign * known < extreme]
-        count = known.size - rest.size
-        if count < max(_FEWEST_AT_END, _SHARE_AT_END * known.size) or not rest.size:
-            continue
-        next_to = int(np.count_nonzero(sign * known == float((sign * rest).max())))
-        if (
-            count >= _PILED * next_to
-            and np.unique(rest[:: max(1, rest.size // _LOOKED_AT)]).size >= _FEWEST_LEVELS
+        elif count >= max(_FEWEST_AT_END, _SHARE_AT_END * known.size) and count >= _PILED * np.count_nonzero(
+            known == nearest
         ):
             notes.append(
-                f"{100.0 * count / known.size:.3g} % of the points stand at the {name} height, "
-                f"{sign * 1e6 * extreme:.6g} um: the range of the instrument was probably exceeded, and the heights "
-                "are cut off there"
+                f"{100.0 * count / known.size:.3g} % of the points stand at {what}: the range of the instrument was "
+                "probably exceeded, and the heights are cut off there"
             )
     return tuple(notes)
 

@@ -44,39 +44,24 @@ _Z = frozenset(
         *("profile", "primary", "roughness", "waviness", "raw", "topography"),
     )
 )
+#: Names of columns that number the rows of a map, and the places in them.
+_ROW = frozenset(("row", "line", "zeile", "ligne"))
+_PLACE = frozenset(("column", "col", "spalte", "colonne", "pixel"))
+#: Names of columns that number the points.
 _INDEX = frozenset(
     (
-        *(
-            "index",
-            "idx",
-            "no",
-            "nr",
-            "num",
-            "number",
-            "#",
-            "point",
-            "pointno",
-            "n",
-            "i",
-            "id",
-            "sample",
-            "sampleno",
-        ),
-        *("count", "line", "record", "punkt", "pkt", "punktnr", "messpunkt", "lfdnr", "lfd"),
-        *("row", "zeile", "ligne", "column", "col", "spalte", "colonne", "pixel"),
+        *("index", "idx", "no", "nr", "num", "number", "#", "n", "i", "id", "count", "record"),
+        *("point", "pointno", "sample", "sampleno", "punkt", "pkt", "punktnr", "messpunkt", "lfdnr", "lfd"),
+        *(*_ROW, *_PLACE),
     )
 )
-#: Names of columns that number the rows of a map, and the places in them.
-_ROW, _PLACE = (
-    frozenset(("row", "line", "zeile", "ligne")),
-    frozenset(("column", "col", "spalte", "colonne", "pixel")),
-)
 #: Names of flags of good and of bad points, beside valid and invalid; others of 0 and 1 are not known.
-_GOOD, _BAD = (
-    frozenset(("ok", "good", "gültig", "gueltig", "valide")),
-    frozenset(
-        ("bad", "outlier", "missing", "error", "ungültig", "ungueltig", "invalide", "nan", "fehler", "defect")
-    ),
+_GOOD = frozenset(("ok", "good", "gültig", "gueltig", "valide"))
+_BAD = frozenset(
+    (
+        *("bad", "outlier", "missing", "error", "nan", "defect"),
+        *("ungültig", "ungueltig", "invalide", "fehler"),
+    )
 )
 
 
@@ -115,8 +100,11 @@ def columns_of(table: TextTable, column: str | None) -> Columns:
     heights = _heights(table, kinds, [j for j in rest if j not in (x, y)]) if chosen is None else chosen
     valid = 0.0 if flag is not None and kinds[flag] == "invalid" else 1.0
     others = [j for j in rest if j not in (x, y, heights)]
-    _refuse_unclear_flag(table, others, chosen)
+    if chosen is None:
+        _refuse_unclear_flag(table, others)
     notes = (*notes, *(f"{_column_words(table, j)} is not used" for j in others[:_NAMED]))
+    if len(others) > _NAMED:
+        notes = (*notes, f"{len(others) - _NAMED} more columns are not used")
     if x is not None and heights < x:
         notes = (
             *notes,
@@ -191,11 +179,11 @@ def _with_rows_and_places(table: TextTable, kinds: Sequence[str]) -> list[str]:
     return list(kinds)
 
 
-def _refuse_unclear_flag(table: TextTable, others: Sequence[int], chosen: int | None) -> None:
+def _refuse_unclear_flag(table: TextTable, others: Sequence[int]) -> None:
     """Raise if a column without use holds 0 and 1 alone: it may say which points are good."""
     for j in others:
         values = table.values[:, j]
-        if chosen is None and np.isin(values, (0.0, 1.0)).all() and np.ptp(values) > 0.0:
+        if np.isin(values, (0.0, 1.0)).all() and np.ptp(values) > 0.0:
             raise InputError(
                 f"{table.source}: {_column_words(table, j)} holds 0 and 1 alone: if it says which points are good, "
                 "name it valid or invalid; if not, choose the column of the heights",

@@ -72,17 +72,12 @@ def _refuse_second_header(layout: Layout, source: str) -> None:
     """
 
     def said(lines: Iterable[Line]) -> dict[str, Line]:
-        keys = {entry.key: entry.line for entry in entries(lines)}
-        words = {re.sub(r"[\W_\d]", "", line.text.lower()): line for line in lines}
-        return {key: line for key, line in (keys | words).items() if key}
+        """Lines by the keys of their entries, and by all that they say."""
+        whole = {re.sub(r"\d+", "0", " ".join(line.text.lower().split())): line for line in lines}
+        return {entry.key: entry.line for entry in entries(lines)} | whole
 
     before, inside = said(layout.above), said(layout.inside)
-    again = next((inside[key] for key in inside if key in before), None)
-    marks = [
-        line for line in layout.inside if not re.sub(r"[\W_]", "", line.text)[:1].isalpha()
-    ]  # "#1" and "#2"
-    if again is None and marks and any(re.fullmatch(r"\W*\d+\W*", line.text) for line in layout.above):
-        again = marks[0]
+    again = next((line for key, line in inside.items() if key in before), None)
     if again is not None:
         raise InputError(
             f"{source}: {again} stands between rows of numbers and states what a line above them does: the file holds "
