@@ -122,7 +122,8 @@ def test_slopes_by_finite_differences(clearance, force):
     assert float(slopes.approach[0]) == pytest.approx(found, abs=1e-5 * float(over[1]) / force)
 
 
-@pytest.mark.parametrize("clearance", [0.0, pytest.param(1e-7, marks=pytest.mark.slow), 5e-6])
+@pytest.mark.slow
+@pytest.mark.parametrize("clearance", [0.0, 1e-7, 5e-6])
 def test_derivatives_by_the_sizes_are_finite_and_those_of_the_root(clearance):
     def moved(bore, gap):
         body = Annulus(bore, 20e-3, 10e-3, 206e9, 0.3, 0.0, 0.0, "outer", "plane_strain")
@@ -150,6 +151,7 @@ def test_derivatives_by_the_sizes_are_finite_and_those_of_the_root(clearance):
         assert math.isfinite(float(by_gap))
 
 
+@pytest.mark.slow
 def test_tracks_give_way_beside_each_other():
     """Without clearance as springs side by side, nearly; two like tracks always as one of twice the length.
 

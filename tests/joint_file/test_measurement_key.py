@@ -107,6 +107,7 @@ def test_the_file_makes_the_document_of_the_option(folder, named, joint_text):
     assert full_document(named, made.solved) == made.document
 
 
+@pytest.mark.slow
 def test_one_measurement_is_that_of_both_bodies_unless_it_is_of_the_pair(folder, named, named_text):
     """As an Ra of one body counts for both; the mean squares of two measurements add in any case."""
 

@@ -29,6 +29,8 @@ from asperity.results.torque_capacity import (
 )
 from asperity.study.batch import derivatives_at, evaluate_points
 
+pytestmark = pytest.mark.slow  # whole joints, solved at several torques
+
 #: Sizes of the planetary example as a drive of 153 mm, pressed together by a loading cam.
 SCALE, CAM, PRELOAD = 1.32, 60.0, 300.0
 OF_153_MM = {
@@ -83,7 +85,6 @@ def test_the_capacity_of_a_loading_cam_ends_where_a_contact_yields(with_cam):
     assert float(with_cam.standing_capacity.output_torque) > 3.0 * by_hand
 
 
-@pytest.mark.slow
 def test_a_ring_that_carries_itself_ends_it_before(bending):
     """Bent by three forces it breaks by fatigue; its safety falls with the force, which the torque makes."""
     found = torque_capacity_document(bending)
@@ -106,7 +107,6 @@ def kept(case, torque):
     return all(each.passes for each in judged if each.result.name not in ("torque_safety", "loss_share"))
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "replaced", "limits"),
     [
@@ -137,7 +137,6 @@ def test_a_limit_that_is_crossed_without_torque_leaves_no_capacity(solved_exampl
     assert float(solved_example.standing_capacity.output_torque) == pytest.approx(12.96, rel=0.05)
 
 
-@pytest.mark.slow
 def test_a_bearing_limits_the_torque_but_its_duty_does_not(planar_case):
     """The planet's pin carries 2 T/(n orbit), as the ring's contact passes half of it: 100 N at 9 N·m."""
     rated = {"# Springs of the structure": RATED.removesuffix("[compliance]") + "# Springs of the structure"}
@@ -158,7 +157,6 @@ def test_every_judged_result_limits_the_capacity_or_says_why_not():
     assert set(FOUND_BY_SEARCH.values()) <= set(CAPACITY_LIMITS)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", ["duty_life", "drive_life"])
 def test_what_is_judged_beside_the_rows_is_no_matter_of_the_largest_torque(name, planetary, planar_case):
     """Lives count the hours under a load, and the loads of a duty are their own; the table has no other limits."""
@@ -208,7 +206,6 @@ def test_every_limit_has_words(with_cam, limit, torque, said):
     assert capacity_words(with_cam, capacity) == said
 
 
-@pytest.mark.slow
 def test_by_how_much_rows_exceed_their_limits(bending):
     """The pressure at both contacts and shakedown as ratios, the ring's safeties inverse."""
     found = excesses_of_rows(bending)
@@ -238,7 +235,6 @@ def test_a_joint_without_judged_rows_slips(monkeypatch, with_cam):
     assert found["meaning"].endswith("standing; the joint may carry more")
 
 
-@pytest.mark.slow
 def test_in_a_batch_it_is_that_of_single_joints(cam_case, with_cam):
     """Cam forces of 60 and of 5 N per N·m, the latter too weak to keep the contacts from slip, and without torque."""
     changes = {

@@ -7,6 +7,8 @@ import pytest
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import solve_case
 
+pytestmark = pytest.mark.slow  # whole joints, solved at several torques
+
 SEAT = '\n[housing]\nouter_diameter = "150 mm"\ninterference = "2.5 um"\nfriction_coefficient = 0.12\n'
 HOUSED = (
     ('ring_support = "free"', 'ring_support = "elastic_housing"'),
@@ -34,7 +36,6 @@ def life(hours):
     return f'\n[rolling]\nrequired_life = "{hours} h"\n'
 
 
-@pytest.mark.slow
 def test_a_ring_that_turns_in_its_housing_fails_although_the_model_is_outside_its_range(solved):
     """A seat with 2.5 µm; the ring also lifts off between its rollers, and its steel has no fatigue strength."""
     verdict = solved(*HOUSED, ('"10 N*m"', '"11 N*m"'), more=SEAT)["verdict"]
@@ -58,7 +59,6 @@ def test_a_torque_between_both_capacities_fails_in_rolling(solved):
     assert solved(('"10 N*m"', '"12 N*m"'), ('"1500 rpm"', '"0 rpm"'))["verdict"]["works"] is True
 
 
-@pytest.mark.slow
 def test_a_steel_without_a_fatigue_strength_lacks_one_check(solved):
     verdict = solved(('ring = "52100"', 'ring = "17-4PH"'))["verdict"]
     assert (verdict["title"], verdict["works"], verdict["holds"]) == ("Works, one check missing", True, None)

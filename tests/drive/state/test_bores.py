@@ -12,6 +12,7 @@ from asperity.drive.state.bores import TURNOVER, Bores, by_amplitude
 FORCE = jnp.array([70.0, -40.0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("clearance", [0.0, 2e-6])
 def test_displacements_are_slopes_of_the_energy(clearance):
     """The energy by the shares of the modes: even ones press outward whatever the sign of the force."""

@@ -168,7 +168,16 @@ def springs_of(drive, rng):
     }
 
 
-@pytest.mark.parametrize("name", ["planetary", "multiroller", "stepped_planet", "zou2025"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "planetary",
+        *(
+            pytest.param(name, marks=pytest.mark.slow)
+            for name in ("multiroller", "stepped_planet", "zou2025")
+        ),
+    ],
+)
 def test_under_a_slow_torque_the_drive_gives_way_as_its_network_does(planar_joint, name):
     """A motor far too heavy to move, and no masses between it and the load: 1/K and the shafts in series."""
     joint = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint(name)))
