@@ -141,6 +141,11 @@ def impatient_protocol() -> type[asyncio.Protocol]:
             self._make_room()
 
         def data_received(self, data: bytes) -> None:
+            if self.config.limit_concurrency is not None:
+                # others that have not asked yet, or are being left, take nobody's place
+                left = sum(each is not self and each.transport.is_closing() for each in self.connections)
+                others = [each for each in self._silent() if each is not self]
+                self.limit_concurrency = self.config.limit_concurrency + len(others) + left
             super().data_received(data)
             self._look(LONGEST_HEADER)
             if self._header is not None:  # it has not asked to the end
@@ -165,10 +170,12 @@ def impatient_protocol() -> type[asyncio.Protocol]:
                 self._reading.cancel()
                 self._reading = None
 
+        def _silent(self) -> list[Any]:
+            return [connection for connection in self.connections if connection._header is not None]
+
         def _make_room(self) -> None:
             """Leave those whose time is up first, of the connections that have nothing to be read."""
-            silent = [connection for connection in self.connections if connection._header is not None]
-            silent.sort(key=lambda connection: connection._header.when())
+            silent = sorted(self._silent(), key=lambda connection: connection._header.when())
             idle = (connection for connection in silent if not connection._has_asked())
             for connection in list(itertools.islice(idle, max(len(silent) - MOST_SILENT, 0))):
                 connection._leave()
