@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable
 from typing import Any
 
 import jax
-import jax.numpy as jnp
 from jax import Array
 
+from asperity.engine.arrays import Dual, constant_at, highest_level, uses_jax, xp
+from asperity.engine.control import while_loop
+from asperity.engine.derivatives import linearised, slopes_apart, without_slopes
 from asperity.linear import solve
 
 #: Relative change at which the numbers of :func:`settled_root` are those that they give back [-].
@@ -52,6 +55,8 @@ def implicit_root(
     ----------
     The implicit function theorem.
     """
+    if not uses_jax(start, equations(start)):
+        return _root_of_numbers(equations, start, search, solve)
     start = jax.lax.stop_gradient(start)
     # a function of its own, so that each of its uses and derivatives is written once
     program, shape = jax.make_jaxpr(jax.jit(equations), return_shape=True)(start)
@@ -79,6 +84,28 @@ def implicit_root(
     return root(solution, program.consts)
 
 
+def _root_of_numbers(
+    equations: Callable[[Any], Any],
+    start: Any,
+    search: Callable[[Callable[[Any], Any], Any], Any],
+    solve: Callable[[Callable[[Any], Any], Any], Any],
+) -> Any:
+    """The root of NumPy's numbers; with slopes where the equations have some at it."""
+    found = without_slopes(search(lambda x: without_slopes(equations(x)), without_slopes(start)))
+    misfit = equations(found)
+    level = highest_level(jax.tree.leaves(misfit))
+    if level == 0:
+        return found
+
+    def of_constants(x: Any) -> Any:
+        return jax.tree.map(lambda leaf: constant_at(leaf, level), equations(x))
+
+    _, linear = linearised(of_constants, found)
+    changes = slopes_apart(misfit, level)
+    steps = [jax.tree.map(operator.neg, solve(linear, change)) for change in changes]
+    return jax.tree.map(lambda leaf, *slopes: Dual(leaf, slopes, level), found, *steps)
+
+
 def settled_root(change: Callable[[Array], Array], start: Array) -> Array:
     """Numbers above 0 that a function gives back, by repetition; derivatives of the implicit function theorem.
 
@@ -91,18 +118,18 @@ def settled_root(change: Callable[[Array], Array], start: Array) -> Array:
 def _repeated(change: Callable[[Array], Array], start: Array) -> Array:
     def unsettled(state: tuple[Array, Array, Array]) -> Array:
         rounds, numbers, left = state
-        return (rounds == 0) | ((rounds <= _ROUNDS) & (jnp.max(jnp.abs(left / numbers)) > SETTLED))
+        return (rounds == 0) | ((rounds <= _ROUNDS) & (xp.max(xp.abs(left / numbers)) > SETTLED))
 
     def improved(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
         rounds, numbers, left = state
         return rounds + 1, numbers + left, change(numbers + left)
 
     # the change of the start is found in the loop, so that its program is compiled once
-    return jax.lax.while_loop(unsettled, improved, (jnp.asarray(0), start, jnp.zeros_like(start)))[1]
+    return while_loop(unsettled, improved, (xp.asarray(0), start, xp.zeros_like(start)))[1]
 
 
 def _solved(linear: Callable[[Array], Array], right: Array) -> Array:
     """The x for which a linear function of an array is another of its shape."""
-    unit = jnp.eye(right.size).reshape(right.size, *right.shape)
-    matrix = jax.vmap(linear)(unit).reshape(right.size, right.size).T
-    return solve(matrix, right.ravel()).reshape(right.shape)
+    unit = xp.eye(right.size).reshape(right.size, *right.shape)
+    rows = jax.vmap(linear)(unit) if uses_jax(right) else xp.stack([linear(one) for one in unit])
+    return solve(rows.reshape(right.size, right.size).T, right.ravel()).reshape(right.shape)

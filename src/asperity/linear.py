@@ -21,7 +21,7 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.types import namespace
+from asperity.engine.arrays import Dual, directions_at, highest_level, slopes_at, uses_jax, value_at, xp
 
 #: Whether XLA optimises the program that is traced now.
 _OPTIMISED: ContextVar[bool] = ContextVar("XLA optimises", default=False)
@@ -41,17 +41,46 @@ def optimised() -> Iterator[None]:
 
 def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
     """Product of matrix (..., m, n) and vector (..., n), in the program around it instead of a call of its own."""
-    xp = namespace(matrix, vector)
     result: Array = (xp.asarray(matrix) * xp.asarray(vector)[..., None, :]).sum(axis=-1)
     return result
 
 
-@jax.jit  # traced once for each size
 def solve(matrix: Array, right_side: Array) -> Array:
-    """The x, shape (n,), of :math:`A x = b` by Gauss-Jordan elimination with partial pivoting.
+    """The x, shape (n,), of :math:`A x = b`; not finite where A is singular.
 
-    Not finite where A is singular. Derivatives are those of the equation, not of the elimination.
+    NumPy's numbers by LAPACK; within programs by Gauss-Jordan elimination with partial pivoting. Derivatives are those
+    of the equation, not of the elimination.
     """
+    if uses_jax(matrix, right_side):
+        return _solved_by_jax(matrix, right_side)
+    level = highest_level((matrix, right_side))
+    if level == 0:
+        return _by_lapack(matrix, right_side)
+    values = value_at(matrix, level)
+    x = solve(values, value_at(right_side, level))
+    count = directions_at((matrix, right_side), level)
+    both = zip(slopes_at(matrix, level, count), slopes_at(right_side, level, count), strict=True)
+    slopes = [
+        solve(
+            values,
+            (0.0 * x if of_right is None else of_right)
+            - (0.0 if of_matrix is None else product(of_matrix, x)),
+        )
+        for of_matrix, of_right in both
+    ]
+    return Dual(x, slopes, level)  # type: ignore[return-value]
+
+
+def _by_lapack(matrix: np.ndarray, right_side: np.ndarray) -> np.ndarray:
+    """Of NumPy's numbers; nan where the matrix is singular."""
+    try:
+        return np.linalg.solve(matrix, right_side)
+    except np.linalg.LinAlgError:
+        return np.full(np.shape(right_side), np.nan)
+
+
+@jax.jit  # traced once for each size
+def _solved_by_jax(matrix: Array, right_side: Array) -> Array:
     return solve_with(lambda x: product(matrix, x), jax.lax.stop_gradient(matrix), right_side)
 
 
@@ -65,16 +94,22 @@ def solve_with(linear: Callable[[Array], Array], matrix: Array, right_side: Arra
     )
 
 
-@jax.custom_batching.custom_vmap
 def solve_in_turn(matrix: Array, right_side: Array) -> Array:
     r"""Solve :math:`A x = b` in a step of an iteration: one system by elimination; a batch by LAPACK, or written out.
 
     Shape (n,).
     """
+    if uses_jax(matrix, right_side):
+        return _one_in_turn(matrix, right_side)
+    return _by_lapack(matrix, right_side)
+
+
+@jax.custom_batching.custom_vmap
+def _one_in_turn(matrix: Array, right_side: Array) -> Array:
     return _eliminated(matrix, right_side)
 
 
-@solve_in_turn.def_vmap
+@_one_in_turn.def_vmap
 def _batch_in_turn(size: int, batched: list[bool], matrix: Array, right_side: Array) -> tuple[Array, bool]:
     matrix, right_side = (
         given if many else jnp.broadcast_to(given, (size, *given.shape))
@@ -107,12 +142,12 @@ def least_squares(matrix: Array, right_side: Array) -> Array:
     Where A, shape (m, n), has a rank below n it is not finite, or with NumPy's numbers the shortest of all; nan where A
     or b is not finite.
     """
-    if namespace(matrix, right_side) is np:
-        if not (np.all(np.isfinite(matrix)) and np.all(np.isfinite(right_side))):
-            return namespace(matrix).full(matrix.shape[1], np.nan)
-        shortest: Array = namespace(matrix).linalg.lstsq(matrix, right_side, rcond=None)[0]
-        return shortest
-    return _by_normal_equations(matrix, right_side)
+    if uses_jax(matrix, right_side):
+        return _by_normal_equations(matrix, right_side)
+    if not (np.all(np.isfinite(matrix)) and np.all(np.isfinite(right_side))):
+        return xp.full(matrix.shape[1], np.nan)
+    shortest: Array = xp.linalg.lstsq(matrix, right_side, rcond=None)[0]
+    return shortest
 
 
 @jax.jit

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
 
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -213,6 +213,6 @@ def pair(body_1: Material, body_2: Material) -> ContactPair:
     return ContactPair(
         contact_modulus=contact_modulus(**elastic),
         tangential_contact_modulus=tangential_contact_modulus(**elastic),
-        hardness=jnp.minimum(body_1.hardness, body_2.hardness),
-        yield_strength=jnp.minimum(body_1.yield_strength, body_2.yield_strength),
+        hardness=xp.minimum(body_1.hardness, body_2.hardness),
+        yield_strength=xp.minimum(body_1.yield_strength, body_2.yield_strength),
     )

@@ -20,9 +20,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax.numpy as jnp
 from jax import Array
 
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -154,10 +154,10 @@ def support_weights(*, support_stiffness: Real, radius: Real, shear_modulus: Rea
     ----------
     E. Winkler, Die Lehre von der Elasticität und Festigkeit, 1867.
     """
-    stiffness = jnp.asarray(support_stiffness)
-    finite = jnp.isfinite(stiffness)
-    relative = jnp.where(finite, stiffness, 1.0) * radius / (2.0 * shear_modulus)
-    return jnp.where(finite, 1.0 / (1.0 + relative), 0.0), jnp.where(finite, relative / (1.0 + relative), 1.0)
+    stiffness = xp.asarray(support_stiffness)
+    finite = xp.isfinite(stiffness)
+    relative = xp.where(finite, stiffness, 1.0) * radius / (2.0 * shear_modulus)
+    return xp.where(finite, 1.0 / (1.0 + relative), 0.0), xp.where(finite, relative / (1.0 + relative), 1.0)
 
 
 def mode_field(*, mode: Real, decay: Real, wall: Wall) -> ModeField:
@@ -187,7 +187,7 @@ def mode_field(*, mode: Real, decay: Real, wall: Wall) -> ModeField:
     inverse = 1.0 / ratio
     d1 = ((m + 1.0) / kolosov, m - 1.0)
     d2 = (-(m + 1.0), -(m - 1.0) / kolosov)
-    zero = jnp.zeros_like(decay * ratio)
+    zero = xp.zeros_like(decay * ratio)
     passed = Channels(ratio * decay, zero, (m + 1.0) / kolosov * (inverse - ratio) * decay, inverse * decay)
     returned = Channels(ratio * decay, (m - 1.0) / kolosov * (inverse - ratio) * decay, zero, inverse * decay)
 
@@ -277,7 +277,7 @@ def components(channels: Channels, side: Real) -> ModeCompliance:
     """
     straight, crossed = channels.pp + channels.mm, 0.5 * (channels.pm + channels.mp)
     return ModeCompliance(
-        jnp.asarray(straight + 2.0 * crossed),
-        jnp.asarray(straight - 2.0 * crossed),
-        jnp.asarray(side * (channels.pp - channels.mm)),
+        xp.asarray(straight + 2.0 * crossed),
+        xp.asarray(straight - 2.0 * crossed),
+        xp.asarray(side * (channels.pp - channels.mm)),
     )

@@ -15,7 +15,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.body.annulus_modes import Channels, ModeField, Wall, added_compliance, mode_field
@@ -23,6 +22,7 @@ from asperity.body.conforming_pin import SHARED, conforming_pressure, pressure_s
 from asperity.body.rigid_modes import uniform_field
 from asperity.body.rim_stress import mode_stress
 from asperity.body.shapes import Annulus, kolosov_constant
+from asperity.engine.arrays import xp
 from asperity.materials import shear_modulus
 from asperity.types import Real
 
@@ -77,13 +77,13 @@ def _through(channels: Channels, first: Real, second: Real) -> tuple[Real, Real]
 
 def _field(wall: Wall) -> ModeField:
     """Modes n >= 2 under tractions on the bore."""
-    return mode_field(mode=jnp.asarray(_MODES), decay=jnp.asarray(wall.ratio**-_MODES), wall=wall)
+    return mode_field(mode=xp.asarray(_MODES), decay=xp.asarray(wall.ratio**-_MODES), wall=wall)
 
 
 def _translation(wall: Wall) -> _Translation:
     r"""Coefficients under a traction :math:`\cos\varphi` on the bore, in units of its radius."""
-    ratio, kolosov = jnp.asarray(wall.ratio), wall.kolosov
-    c = -0.5 / (kolosov + 1.0) * jnp.ones_like(ratio)
+    ratio, kolosov = xp.asarray(wall.ratio), wall.kolosov
+    c = -0.5 / (kolosov + 1.0) * xp.ones_like(ratio)
     b = (0.25 + c * (1.0 - ratio**2)) / (ratio**4 - 1.0)
     return _Translation(b, b + c + 0.25, c)
 
@@ -137,23 +137,23 @@ def bore_modes(*, body: Annulus, contact_angles: Array, push_angle: Real) -> Bor
     swells_outside = -(0.5 * (kolosov - 1.0) * even * ratio - odd / ratio)
     b, e, c = _translation(wall)
     # displacement of the bore minus that of the outer rim, both in their direction, under the unit traction
-    translation = (kolosov - 2.0) * b + e - c - (-2.0 * b * ratio**2 + 2.0 * kolosov * c * jnp.log(ratio))
+    translation = (kolosov - 2.0) * b + e - c - (-2.0 * b * ratio**2 + 2.0 * kolosov * c * xp.log(ratio))
     outer = kolosov * b * ratio**2 + e / ratio**2 - c
-    added = added_compliance(mode=jnp.asarray(_MODES), decay=jnp.asarray(ratio**-_MODES), wall=wall)
+    added = added_compliance(mode=xp.asarray(_MODES), decay=xp.asarray(ratio**-_MODES), wall=wall)
 
     modulus = shear_modulus(youngs_modulus=body.youngs_modulus, poisson_ratio=body.poisson_ratio)
     unit = 1.0 / (2.0 * math.pi * modulus * body.length)  # a traction of F/(pi R L) times R/2G
-    cosine, sine = jnp.cos(away), jnp.sin(away)
+    cosine, sine = xp.cos(away), xp.sin(away)
     turns = _MODES * away[:, None]
-    uniform = jnp.broadcast_to(0.5 * swells_outside, away.shape)
-    normal = jnp.concatenate([uniform[:, None], jnp.cos(turns) * outward], axis=1)
-    tangential = jnp.concatenate([jnp.zeros_like(away)[:, None], jnp.sin(turns) * sideways], axis=1)
-    walls = jnp.concatenate([jnp.asarray(swells - 1.0)[None], jnp.asarray(added.radial)])
+    uniform = xp.broadcast_to(0.5 * swells_outside, away.shape)
+    normal = xp.concatenate([uniform[:, None], xp.cos(turns) * outward], axis=1)
+    tangential = xp.concatenate([xp.zeros_like(away)[:, None], xp.sin(turns) * sideways], axis=1)
+    walls = xp.concatenate([xp.asarray(swells - 1.0)[None], xp.asarray(added.radial)])
     return BoreModes(
-        along=unit * outer * jnp.concatenate([cosine, sine]),
-        rim=unit * jnp.concatenate([normal, tangential]),
+        along=unit * outer * xp.concatenate([cosine, sine]),
+        rim=unit * xp.concatenate([normal, tangential]),
         shift=unit * (translation + 0.25 * (kolosov - 1.0)),
-        scale=jnp.asarray((kolosov + 1.0) / (8.0 * modulus * body.length)),
+        scale=xp.asarray((kolosov + 1.0) / (8.0 * modulus * body.length)),
         wall=2.0 / (math.pi * (kolosov + 1.0)) * walls,
     )
 
@@ -206,8 +206,8 @@ def pin_stress(*, body: Annulus, force: Array, arc: Array, away: Array) -> PinSt
     even, odd = uniform_field(wall)
     b, e, c = _translation(wall)
     inner, outer = (6.0 * b * r + 2.0 * e / r**3 - (wall.kolosov - 1.0) * c / r for r in (1.0, ratio))
-    waves = jnp.cos(away[..., None] * _MODES)
-    uniform, first = 0.5 * shares[0], jnp.cos(away)
+    waves = xp.cos(away[..., None] * _MODES)
+    uniform, first = 0.5 * shares[0], xp.cos(away)
     local = math.pi * conforming_pressure(angle=away, arc=arc)
     pressure = force / (math.pi * body.inner_radius * body.length)
     bore = (

@@ -18,8 +18,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -28,6 +26,8 @@ from asperity.body.punch import LARGEST_PUNCH_ARGUMENT, distance_moments, punch_
 from asperity.body.rigid_modes import translation_compliance, uniform_compliance
 from asperity.body.rim_kernel import RimSums, self_sums, separated_sums
 from asperity.body.shapes import Annulus, Disc, kolosov_constant
+from asperity.engine.arrays import xp
+from asperity.engine.control import scan
 from asperity.materials import shear_modulus
 from asperity.types import Real
 
@@ -128,19 +128,19 @@ def _closed_part(side: float, kolosov: Real, angle: Array, normal: Array, shear:
     """
     diagonal = np.zeros(angle.shape[:3], bool)
     diagonal[0] = np.eye(angle.shape[1], dtype=bool)
-    same = jnp.asarray(diagonal).reshape(diagonal.shape + (1,) * (angle.ndim - 3))
+    same = xp.asarray(diagonal).reshape(diagonal.shape + (1,) * (angle.ndim - 3))
     plus, minus = (kolosov, 1.0) if side > 0.0 else (1.0, kolosov)
-    safe = jnp.where(same, math.pi, angle)
+    safe = xp.where(same, math.pi, angle)
 
     def straight(punch: Array) -> Array:
         sums = _separated(safe, punch, punch)
         self_plus, self_minus = self_sums(punch)
         itself = (plus * self_plus + minus * self_minus)[None, :, None]
-        return jnp.sum(jnp.where(same, itself, plus * sums.cosine_plus + minus * sums.cosine_minus), axis=0)
+        return xp.sum(xp.where(same, itself, plus * sums.cosine_plus + minus * sums.cosine_minus), axis=0)
 
     sums = _separated(safe, normal, shear)
-    crossed = jnp.where(same, 0.0, plus * sums.sine_plus - minus * sums.sine_minus)
-    return _Sums(straight(normal), straight(shear), jnp.sum(crossed, axis=0))
+    crossed = xp.where(same, 0.0, plus * sums.sine_plus - minus * sums.sine_minus)
+    return _Sums(straight(normal), straight(shear), xp.sum(crossed, axis=0))
 
 
 def _separated(angle: Array, punch_1: Array, punch_2: Array) -> RimSums:
@@ -161,7 +161,7 @@ def _added_part(wall: Wall, angle: Array, normal: Array, shear: Array, copies: i
     """Contribution of the other rim, summed over the modes n >= 2 that are multiples of the number of copies."""
     first, step = float(max(copies, 2)), float(copies)
     rate = wall.ratio**wall.side
-    cosine, sine = jnp.cos(step * angle), jnp.sin(step * angle)
+    cosine, sine = xp.cos(step * angle), xp.sin(step * angle)
 
     def one_more(modes: _Modes, mode: Array) -> tuple[_Modes, None]:
         added = added_compliance(mode=mode, decay=modes.decay, wall=wall)
@@ -174,18 +174,18 @@ def _added_part(wall: Wall, angle: Array, normal: Array, shear: Array, copies: i
             modes.sine * cosine + modes.cosine * sine,
         ), None
 
-    shape = jnp.broadcast_shapes(angle.shape, normal[:, None].shape, jnp.shape(rate), jnp.shape(wall.kolosov))
-    decay = jnp.asarray(rate ** int(first))
-    zero = jnp.zeros(shape)
-    start = _Modes(_Sums(zero, zero, zero), decay, jnp.cos(first * angle), jnp.sin(first * angle))
-    (sums, *_), _ = jax.lax.scan(one_more, start, first + step * jnp.arange(mode_count, dtype=float))
+    shape = xp.broadcast_shapes(angle.shape, normal[:, None].shape, xp.shape(rate), xp.shape(wall.kolosov))
+    decay = xp.asarray(rate ** int(first))
+    zero = xp.zeros(shape)
+    start = _Modes(_Sums(zero, zero, zero), decay, xp.cos(first * angle), xp.sin(first * angle))
+    (sums, *_), _ = scan(one_more, start, first + step * xp.arange(mode_count, dtype=float))
     # modes left out: the first of them times a geometric series, or those beyond the punch factor's range
-    widest = jnp.max(jnp.maximum(normal, shear), axis=0)
-    reach = jnp.minimum(first + step * mode_count, LARGEST_PUNCH_ARGUMENT / widest)
+    widest = xp.max(xp.maximum(normal, shear), axis=0)
+    reach = xp.minimum(first + step * mode_count, LARGEST_PUNCH_ARGUMENT / widest)
     left_out = added_compliance(mode=reach, decay=rate**reach, wall=wall)
-    size = jnp.abs(left_out.radial) + jnp.abs(left_out.tangential)
+    size = xp.abs(left_out.radial) + xp.abs(left_out.tangential)
     converged = size < TRUNCATION * (1.0 - rate ** (2 * copies))
-    return _Sums(*(jnp.where(converged, part, jnp.nan) for part in sums))
+    return _Sums(*(xp.where(converged, part, xp.nan) for part in sums))
 
 
 def _plus(
@@ -253,7 +253,7 @@ def compliance_matrix(
     side = -1.0 if isinstance(body, Annulus) and body.loaded_rim == "inner" else 1.0
     normal, shear = half_widths / radius, stick_half_widths / radius
     angle = contact_angles[:, None] - contact_angles[None]
-    turned = jnp.stack([angle + copy * (2.0 * math.pi / copies) for copy in range(copies)])
+    turned = xp.stack([angle + copy * (2.0 * math.pi / copies) for copy in range(copies)])
     sums = _closed_part(side, kolosov, turned, normal, shear)
     if isinstance(body, Disc):
         uniform = 0.5 * copies * (kolosov - 1.0)
@@ -266,15 +266,15 @@ def compliance_matrix(
         )
         if copies == 1:
             weights = punch_factor(normal), punch_factor(shear)
-            sums = _plus(sums, translation_compliance(wall), *weights, jnp.cos(angle), jnp.sin(angle))
+            sums = _plus(sums, translation_compliance(wall), *weights, xp.cos(angle), xp.sin(angle))
         added = _added_part(wall, angle, normal, shear, copies, mode_count)
         sums = _Sums(*(total + copies * part for total, part in zip(sums, added, strict=True)))
     scale = 1.0 / (4.0 * math.pi * modulus * body.length)
-    radial, tangential, coupling = (scale * part for part in jnp.broadcast_arrays(*sums))
-    return jnp.concatenate(
+    radial, tangential, coupling = (scale * part for part in xp.broadcast_arrays(*sums))
+    return xp.concatenate(
         [
-            jnp.concatenate([radial, -coupling], axis=1),
-            jnp.concatenate([-jnp.swapaxes(coupling, 0, 1), tangential], axis=1),
+            xp.concatenate([radial, -coupling], axis=1),
+            xp.concatenate([-xp.swapaxes(coupling, 0, 1), tangential], axis=1),
         ],
         axis=0,
     )

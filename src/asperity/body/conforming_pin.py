@@ -16,9 +16,10 @@ from __future__ import annotations
 import functools
 import math
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
+
+from asperity.engine.arrays import xp
 
 #: Highest mode of the pressure that the wall of a roller answers in its own way; below the first that is left out the
 #: answer falls with the power 2n of the ratio of bore and roller.
@@ -52,13 +53,13 @@ def conforming_pressure(*, angle: Array, arc: Array) -> Array:
     M. Ciavarella and P. Decuzzi, Int. J. Solids Struct. 38 (2001) 4507, for one material. Equation (E7) of
     :doc:`/equations`.
     """
-    half = jnp.sin(0.5 * angle) ** 2
+    half = xp.sin(0.5 * angle) ** 2
     touches = half < arc
-    inside = jnp.where(touches, half, 0.0)
+    inside = xp.where(touches, half, 0.0)
     depth = arc - inside  # half of cos(phi) - x
-    log = jnp.arctanh(jnp.sqrt(depth / (1.0 - inside)))
-    pressure = 2.0 * jnp.sqrt((1.0 - inside) * depth) + (1.0 - arc) ** 2 / arc * log
-    return jnp.where(touches, pressure / math.pi, 0.0)
+    log = xp.arctanh(xp.sqrt(depth / (1.0 - inside)))
+    pressure = 2.0 * xp.sqrt((1.0 - inside) * depth) + (1.0 - arc) ** 2 / arc * log
+    return xp.where(touches, pressure / math.pi, 0.0)
 
 
 def clearance_share(*, arc: Array) -> Array:
@@ -110,7 +111,7 @@ def conforming_compliance(*, arc: Array) -> Array:
     """
     uniform = 1.0 + clearance_share(arc=arc)
     left = 1.0 - arc
-    bracket = jnp.log(arc) + 0.5 * left * (1.0 + 3.0 * arc - 2.0 * arc**2) + left**4 * _log_rest(arc)[0]
+    bracket = xp.log(arc) + 0.5 * left * (1.0 + 3.0 * arc - 2.0 * arc**2) + left**4 * _log_rest(arc)[0]
     return (uniform**2 - 2.0 * bracket) / math.pi
 
 
@@ -137,7 +138,7 @@ def fitting_load(*, arc: Array) -> Array:
     :math:`-2 \frac{cE'L}{F}` times that of :func:`clearance_share`: the arc stores the least energy.
     """
     left = 1.0 - arc
-    return (2.0 * (1.0 - 2.0 * arc) + left**2 * jnp.log1p(-arc)) / math.pi
+    return (2.0 * (1.0 - 2.0 * arc) + left**2 * xp.log1p(-arc)) / math.pi
 
 
 def pressure_shares(*, arc: Array) -> Array:
@@ -164,8 +165,8 @@ def pressure_shares(*, arc: Array) -> Array:
     Mehler's and Dirichlet's integrals of Legendre's polynomials; equation (E7) of :doc:`/equations`.
     """
     uniform = 1.0 + clearance_share(arc=arc)
-    waves = jnp.cos(half_angle(arc)[..., None] * np.arange(MODES + 2.0))
-    return jnp.concatenate([uniform[..., None], waves @ share_series(power=1).T], axis=-1)
+    waves = xp.cos(half_angle(arc)[..., None] * np.arange(MODES + 2.0))
+    return xp.concatenate([uniform[..., None], waves @ share_series(power=1).T], axis=-1)
 
 
 def half_angle(arc: Array) -> Array:
@@ -181,7 +182,7 @@ def half_angle(arc: Array) -> Array:
     Array
         Half-angle [rad].
     """
-    return 2.0 * jnp.arcsin(jnp.sqrt(arc))
+    return 2.0 * xp.arcsin(xp.sqrt(arc))
 
 
 @functools.cache
@@ -248,21 +249,21 @@ def fitting_slopes(arc: Array) -> tuple[Array, Array]:
     tuple of Array
         First and second derivative [-].
     """
-    log = -jnp.log1p(-arc)
+    log = -xp.log1p(-arc)
     return (arc - 5.0 + 2.0 * (1.0 - arc) * log) / math.pi, (3.0 - 2.0 * log) / math.pi
 
 
 def _log_rest(arc: Array) -> tuple[Array, Array, Array]:
     """The part of -ln(1 - u) beyond u, over the square of u, and its first two derivatives by u [-]."""
     small = arc < _SMALL
-    near, far = jnp.where(small, arc, 0.0), jnp.where(small, 0.5, arc)
+    near, far = xp.where(small, arc, 0.0), xp.where(small, 0.5, arc)
     k = np.arange(float(_TERMS))
     powers = near[..., None] ** k
     series = [
-        jnp.sum(powers * weight, axis=-1)
+        xp.sum(powers * weight, axis=-1)
         for weight in (1.0 / (k + 2.0), (k + 1.0) / (k + 3.0), (k + 2.0) * (k + 1.0) / (k + 4.0))
     ]
-    rest = (-jnp.log1p(-far) - far) / far**2
+    rest = (-xp.log1p(-far) - far) / far**2
     slope = 1.0 / (far * (1.0 - far)) - 2.0 * rest / far
     curvature = (2.0 * far - 1.0) / (far * (1.0 - far)) ** 2 + 2.0 * (rest / far - slope) / far
-    return tuple(jnp.where(small, *pair) for pair in zip(series, (rest, slope, curvature), strict=True))  # type: ignore[return-value]
+    return tuple(xp.where(small, *pair) for pair in zip(series, (rest, slope, curvature), strict=True))  # type: ignore[return-value]

@@ -22,7 +22,6 @@ from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -39,6 +38,8 @@ from asperity.body.rim_moments import (
     weighted_mean,
 )
 from asperity.body.shapes import Annulus, Disc, kolosov_constant
+from asperity.engine.arrays import xp
+from asperity.engine.derivatives import without_slopes
 from asperity.errors import InputError
 from asperity.materials import shear_modulus
 from asperity.types import Real
@@ -98,12 +99,10 @@ def _places(bodies: Sequence[BodyInMachine]) -> _Places:
 def _column(values: Sequence[Any], rank: int) -> Array:
     """Numbers of several things along a first axis, in front of the batch axes."""
     if all(isinstance(value, float) for value in values):
-        return jnp.asarray(np.array(values).reshape((-1,) + (1,) * rank))
-    arrays = [jnp.asarray(value, dtype=float) for value in values]
-    same = jnp.broadcast_arrays(
-        *(array.reshape((1,) * (rank - array.ndim) + array.shape) for array in arrays)
-    )
-    return jnp.stack(same)
+        return xp.asarray(np.array(values).reshape((-1,) + (1,) * rank))
+    arrays = [xp.asarray(value, dtype=float) for value in values]
+    same = xp.broadcast_arrays(*(array.reshape((1,) * (rank - array.ndim) + array.shape) for array in arrays))
+    return xp.stack(same)
 
 
 def coupled_compliance(
@@ -157,7 +156,7 @@ def coupled_compliance(
         kernel = _kernel(bodies, places, numbers, rank)
 
     # contacts on themselves, normal and tangential, then pairs: both normal, both tangential, and mixed
-    widths = jnp.concatenate([half_widths, stick_half_widths])
+    widths = xp.concatenate([half_widths, stick_half_widths])
     one, two = places.contacts
     springs, contact_body = (
         np.concatenate([places.contact_number, places.contact_number + count]),
@@ -180,22 +179,19 @@ def coupled_compliance(
     squares = widths**2
     per_radius = numbers.inverse_square[body]
     smooth = (sign.reshape((-1,) + (1,) * rank) * numbers.scale[body]) * weighted_mean(
-        jnp.concatenate(kernel, axis=1)[:, entry], squares[left] * per_radius, squares[right] * per_radius
+        xp.concatenate(kernel, axis=1)[:, entry], squares[left] * per_radius, squares[right] * per_radius
     )
-    self_plus, self_minus = self_sums(widths[springs] * jnp.sqrt(per_radius[: springs.size]))
-    lengths = jnp.broadcast_to(contact_lengths, (count, *jnp.shape(contact_lengths)[1:]))
+    self_plus, self_minus = self_sums(widths[springs] * xp.sqrt(per_radius[: springs.size]))
+    lengths = xp.broadcast_to(contact_lengths, (count, *xp.shape(contact_lengths)[1:]))
     pressed = (numbers.plus[contact_body] * self_plus + numbers.minus[contact_body] * self_minus) * (
         numbers.local_scale[contact_body] / lengths[np.tile(places.contact_number, 2)]
     )
     smooth_self, mutual = smooth[: springs.size], smooth[springs.size :]
-    diagonal = jnp.tensordot(np.eye(2 * count)[:, springs], smooth_self + pressed, axes=1)
+    diagonal = xp.tensordot(np.eye(2 * count)[:, springs], smooth_self + pressed, axes=1)
 
-    shape = jnp.broadcast_shapes(diagonal.shape[1:], mutual.shape[1:])
-    entries = jnp.concatenate(
-        [
-            jnp.broadcast_to(part, (part.shape[0], *shape))
-            for part in (diagonal, mutual, jnp.zeros((1, *shape)))
-        ]
+    shape = xp.broadcast_shapes(diagonal.shape[1:], mutual.shape[1:])
+    entries = xp.concatenate(
+        [xp.broadcast_to(part, (part.shape[0], *shape)) for part in (diagonal, mutual, xp.zeros((1, *shape)))]
     )
     where = np.full((2 * count, 2 * count), entries.shape[0] - 1)
     where[range(2 * count), range(2 * count)] = range(2 * count)
@@ -203,7 +199,7 @@ def coupled_compliance(
     where[left[springs.size :], right[springs.size :]] = where[
         right[springs.size :], left[springs.size :]
     ] = at
-    return jnp.where(_too_wide(bodies, half_widths), jnp.nan, entries[where])
+    return xp.where(_too_wide(bodies, half_widths), xp.nan, entries[where])
 
 
 class _Numbers(NamedTuple):
@@ -231,7 +227,7 @@ def _numbers(bodies: Sequence[BodyInMachine], rank: int) -> _Numbers:
     states = {member.body.plane_state for member in bodies}
     if len(states) > 1:
         raise InputError("the bodies of a machine must all be in plane strain, or all in plane stress")
-    kolosov = jnp.asarray(kolosov_constant(poisson_ratio=poisson, plane_state=states.pop()))
+    kolosov = xp.asarray(kolosov_constant(poisson_ratio=poisson, plane_state=states.pop()))
     hole = np.array(
         [isinstance(member.body, Annulus) and member.body.loaded_rim == "inner" for member in bodies]
     )
@@ -239,23 +235,23 @@ def _numbers(bodies: Sequence[BodyInMachine], rank: int) -> _Numbers:
     local_scale = 1.0 / (4.0 * math.pi * shear_modulus(youngs_modulus=young, poisson_ratio=poisson))
     return _Numbers(
         inverse_square=1.0 / radius**2,
-        local_scale=jnp.asarray(local_scale),
+        local_scale=xp.asarray(local_scale),
         scale=local_scale / length,
         kolosov=kolosov,
-        plus=jnp.where(hole, 1.0, kolosov),
-        minus=jnp.where(hole, kolosov, 1.0),
-        sectors=jax.lax.stop_gradient(
+        plus=xp.where(hole, 1.0, kolosov),
+        minus=xp.where(hole, kolosov, 1.0),
+        sectors=without_slopes(
             _column([1.0 if member.sectors is None else member.sectors for member in bodies], rank)
         ),
     )
 
 
 def _too_wide(bodies: Sequence[BodyInMachine], half_widths: Array) -> Array:
-    wide = jnp.zeros(half_widths.shape[1:], dtype=bool)
+    wide = xp.zeros(half_widths.shape[1:], dtype=bool)
     for member in bodies:
         if isinstance(member.body, Annulus):
             wall = member.body.outer_radius - member.body.inner_radius
-            widest = jnp.max(half_widths[np.array(member.contacts)], axis=0)
+            widest = xp.max(half_widths[np.array(member.contacts)], axis=0)
             wide = wide | (widest > WIDEST_CONTACT * wall)
     return wide
 
@@ -283,11 +279,11 @@ def machine_kernel(bodies: Sequence[BodyInMachine]) -> RimKernel:
 def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers, rank: int) -> RimKernel:
     """What no load changes: the kernel at every place, without the disc or hole under a contact's own force."""
     body_count = len(bodies)
-    polar = [jnp.asarray(member.contact_angles) for member in bodies]
-    shape = jnp.broadcast_shapes(*(angles.shape[1:] for angles in polar), (1,) * rank)
-    listed = jnp.concatenate([jnp.broadcast_to(angles, (angles.shape[0], *shape)) for angles in polar])
+    polar = [xp.asarray(member.contact_angles) for member in bodies]
+    shape = xp.broadcast_shapes(*(angles.shape[1:] for angles in polar), (1,) * rank)
+    listed = xp.concatenate([xp.broadcast_to(angles, (angles.shape[0], *shape)) for angles in polar])
     pair_angle = listed[places.angles[0]] - listed[places.angles[1]]
-    angle = jnp.concatenate([jnp.zeros((body_count, *shape)), pair_angle])
+    angle = xp.concatenate([xp.zeros((body_count, *shape)), pair_angle])
     closed = closed_kernel(
         angle=angle,
         plus=numbers.plus[places.body],
@@ -297,14 +293,14 @@ def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers,
     hollow = [number for number, member in enumerate(bodies) if isinstance(member.body, Annulus)]
     pressure = 0.5 * numbers.sectors * (numbers.kolosov - 1.0)
     if not hollow:
-        return _with_uniform(closed, pressure[places.body], jnp.zeros(()))
+        return _with_uniform(closed, pressure[places.body], xp.zeros(()))
     walls = [wall_of(bodies[number].body) for number in hollow]  # type: ignore[arg-type]
     wall: Wall = jax.tree.map(lambda *leaves: _column(leaves, rank), *walls)
     radial, twist = (0.5 * numbers.sectors[np.array(hollow)] * part for part in uniform_compliance(wall))
     into_bodies = np.eye(body_count)[:, hollow]
     solid = 1.0 - into_bodies.sum(axis=1).reshape((-1,) + (1,) * rank)
-    pressure = solid * pressure + jnp.tensordot(into_bodies, radial, axes=1)
-    twist = jnp.tensordot(into_bodies, twist, axes=1)
+    pressure = solid * pressure + xp.tensordot(into_bodies, radial, axes=1)
+    twist = xp.tensordot(into_bodies, twist, axes=1)
     closed = _with_uniform(closed, pressure[places.body], twist[places.body])
 
     at = np.flatnonzero(np.isin(places.body, hollow))
@@ -320,7 +316,7 @@ def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers,
     into_places = np.eye(places.body.size)[:, at]
 
     def spread(part: Array) -> Array:
-        return jnp.moveaxis(jnp.tensordot(into_places, part, axes=([1], [1])), 1, 0)
+        return xp.moveaxis(xp.tensordot(into_places, part, axes=([1], [1])), 1, 0)
 
     return RimKernel(*(near + spread(part) for near, part in zip(closed, far, strict=True)))
 

@@ -12,8 +12,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -26,6 +24,9 @@ from asperity.body.conforming_pin import (
     half_angle,
     share_series,
 )
+from asperity.engine.arrays import xp
+from asperity.engine.control import while_loop
+from asperity.engine.derivatives import without_slopes
 
 #: Half-angle of a pin without clearance in a large plate [rad], and the relative change at which an arc is found.
 FITTING_ANGLE = 1.4805269486
@@ -75,7 +76,7 @@ class PinContact(eqx.Module):
 
     def compliance(self, angle: Array) -> Array:
         """Compliance C of each pin under a pressure over a half-angle, shape (pins,) [rad] to [m/N]."""
-        arc = jnp.sin(0.5 * angle) ** 2
+        arc = xp.sin(0.5 * angle) ** 2
         walls = self.uniform * (1.0 + clearance_share(arc=arc)) ** 2 + self._wall(angle)
         return self.shift + self.scale * (conforming_compliance(arc=arc) + walls)
 
@@ -85,13 +86,13 @@ class PinContact(eqx.Module):
         Without clearance that of any force. (E7).
         """
         load = self.load(force)
-        found = _searched(*jax.lax.stop_gradient((self, load)))
+        found = _searched(*without_slopes((self, load)))
         left, slope, _ = self.misfit(found, load)
         return found - left / slope  # of which the derivatives by the numbers are those of the root
 
     def load(self, force: Array) -> Array:
         """Radial clearance over the force, in units of F/(E'L), shape (pins,) [-]."""
-        return self.clearance / (force * jnp.where(self.scale > 0.0, self.scale, 1.0))
+        return self.clearance / (force * xp.where(self.scale > 0.0, self.scale, 1.0))
 
     def approach(self, force: Array, angle: Array) -> Array:
         r"""Approach of each pin from first touch over its force, shape (pins,) [m/N].
@@ -100,24 +101,24 @@ class PinContact(eqx.Module):
 
         Of forces above 0 [N] and their half-angles [rad], shape (pins,); (E7).
         """
-        spread = self.clearance * clearance_share(arc=jnp.sin(0.5 * angle) ** 2) / force
-        return jnp.where(self.scale > 0.0, self.compliance(angle) + spread, 0.0)
+        spread = self.clearance * clearance_share(arc=xp.sin(0.5 * angle) ** 2) / force
+        return xp.where(self.scale > 0.0, self.compliance(angle) + spread, 0.0)
 
     def slopes(self, force: Array, angle: Array) -> ForceSlopes:
         """What a larger force changes, of forces above 0 [N] and their half-angles [rad], shape (pins,)."""
         load = self.load(force)
         _, slope, curvature = self.misfit(angle, load)
-        arc, by_angle = jnp.sin(0.5 * angle) ** 2, 0.5 * jnp.sin(angle)
+        arc, by_angle = xp.sin(0.5 * angle) ** 2, 0.5 * xp.sin(angle)
         first = -load * arc / (force * slope)
         numerator = load * (2.0 * arc / force - by_angle * first) / force
         second = (numerator - first * (curvature * first + load * by_angle / force)) / slope
         share = clearance_share(arc=arc)
         by_force = clearance_slopes(arc)[0] * by_angle * first
         approach = -self.clearance / force * (by_force + share / force)
-        return ForceSlopes(first, second, jnp.where(self.scale > 0.0, approach, 0.0))
+        return ForceSlopes(first, second, xp.where(self.scale > 0.0, approach, 0.0))
 
     def _wall(self, angle: Array) -> Array:
-        return jnp.sum(self.waves * jnp.cos(angle[:, None] * self._numbers), axis=1)
+        return xp.sum(self.waves * xp.cos(angle[:, None] * self._numbers), axis=1)
 
     @property
     def _numbers(self) -> np.ndarray:
@@ -132,10 +133,10 @@ class PinContact(eqx.Module):
         """
         number, turn = self._numbers, angle[:, None] * self._numbers
         wall = [
-            jnp.sum(self.waves * part, axis=1)
-            for part in (-number * jnp.sin(turn), -(number**2) * jnp.cos(turn), number**3 * jnp.sin(turn))
+            xp.sum(self.waves * part, axis=1)
+            for part in (-number * xp.sin(turn), -(number**2) * xp.cos(turn), number**3 * xp.sin(turn))
         ]
-        arc, first, second = jnp.sin(0.5 * angle) ** 2, 0.5 * jnp.sin(angle), 0.5 * jnp.cos(angle)
+        arc, first, second = xp.sin(0.5 * angle) ** 2, 0.5 * xp.sin(angle), 0.5 * xp.cos(angle)
         s_1, s_2, s_3 = clearance_slopes(arc)  # by u, then by the angle
         share = [
             s_1 * first,
@@ -186,20 +187,20 @@ def pin_contact(*, shift: Array, scale: Array, wall: Array, pressed: Array, clea
     """
     uniform, waves = wall[..., 0], wall[..., 1:] @ share_series(power=2)
     flat = [part.reshape(-1, *part.shape[2:]) for part in (shift, scale, uniform, waves)]
-    alone = PinContact(flat[0], flat[1], flat[2], flat[3], jnp.zeros_like(flat[0]))
-    conductance = jnp.where(
-        pressed, 1.0 / alone.compliance(jnp.full_like(flat[0], FITTING_ANGLE)).reshape(shift.shape), 0.0
+    alone = PinContact(flat[0], flat[1], flat[2], flat[3], xp.zeros_like(flat[0]))
+    conductance = xp.where(
+        pressed, 1.0 / alone.compliance(xp.full_like(flat[0], FITTING_ANGLE)).reshape(shift.shape), 0.0
     )
-    total = jnp.sum(conductance, axis=1, keepdims=True)
-    share = conductance / jnp.where(total > 0.0, total, 1.0)
+    total = xp.sum(conductance, axis=1, keepdims=True)
+    share = conductance / xp.where(total > 0.0, total, 1.0)
     scales = share**2 * scale
-    together = jnp.sum(scales, axis=1)
-    over = scales / jnp.where(together > 0.0, together, 1.0)[:, None]
+    together = xp.sum(scales, axis=1)
+    over = scales / xp.where(together > 0.0, together, 1.0)[:, None]
     return PinContact(
-        shift=jnp.sum(share**2 * shift, axis=1),
+        shift=xp.sum(share**2 * shift, axis=1),
         scale=together,
-        uniform=jnp.sum(over * uniform, axis=1),
-        waves=jnp.sum(over[..., None] * waves, axis=1),
+        uniform=xp.sum(over * uniform, axis=1),
+        waves=xp.sum(over[..., None] * waves, axis=1),
         clearance=clearance,
     )
 
@@ -213,18 +214,18 @@ def _searched(contact: PinContact, load: Array) -> Array:
 
     def unfinished(state: _Bracket) -> Array:
         arc, _, _, change, rounds = state
-        return (rounds < _ROUNDS) & jnp.any(jnp.abs(change) > _FOUND * arc)
+        return (rounds < _ROUNDS) & xp.any(xp.abs(change) > _FOUND * arc)
 
     def improve(state: _Bracket) -> _Bracket:
         arc, low, high, _, rounds = state
         angle = half_angle(arc)
         left, slope, _ = contact.misfit(angle, load)
-        low, high = jnp.where(left > 0.0, arc, low), jnp.where(left > 0.0, high, arc)
-        tried = arc - left * 0.5 * jnp.sin(angle) / slope
-        better = jnp.where((tried >= low) & (tried <= high), tried, 0.5 * (low + high))
+        low, high = xp.where(left > 0.0, arc, low), xp.where(left > 0.0, high, arc)
+        tried = arc - left * 0.5 * xp.sin(angle) / slope
+        better = xp.where((tried >= low) & (tried <= high), tried, 0.5 * (low + high))
         return better, low, high, better - arc, rounds + 1
 
-    none = jnp.where(load > jnp.inf, 1.0, 0.0)  # tied to the load, so that all of it is batched alike
-    start = 1.0 / (0.5 * jnp.pi * load + 1.0 / jnp.sin(0.5 * FITTING_ANGLE) ** 2)
-    begin = (start, none, none + 1.0, start, jnp.sum(none).astype(int))
-    return half_angle(jax.lax.while_loop(unfinished, improve, begin)[0])
+    none = xp.where(load > xp.inf, 1.0, 0.0)  # tied to the load, so that all of it is batched alike
+    start = 1.0 / (0.5 * xp.pi * load + 1.0 / xp.sin(0.5 * FITTING_ANGLE) ** 2)
+    begin = (start, none, none + 1.0, start, xp.sum(none).astype(int))
+    return half_angle(while_loop(unfinished, improve, begin)[0])

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax.numpy as jnp
 from jax import Array
 
+from asperity.engine.arrays import xp
 from asperity.materials import Material
 from asperity.types import Real
 
@@ -37,7 +37,7 @@ def rim_compliance(*, rim: Real, other: Real, youngs_modulus: Real, poisson_rati
     """
     inside, outside = rim**2, other**2
     narrowing = (1.0 - poisson_ratio) * inside + (1.0 + poisson_ratio) * outside
-    return rim / youngs_modulus * narrowing / jnp.abs(outside - inside)
+    return rim / youngs_modulus * narrowing / xp.abs(outside - inside)
 
 
 class PressFit(NamedTuple):
@@ -119,8 +119,8 @@ def press_fit(
         youngs_modulus=housing.youngs_modulus,
         poisson_ratio=housing.poisson_ratio,
     )
-    pressed = 0.5 * jnp.maximum(jnp.asarray(interference), 0.0) / (at_ring + at_housing)
-    pressure = jnp.where(jnp.asarray(outer_radius) > seat_radius, pressed, jnp.nan)
+    pressed = 0.5 * xp.maximum(xp.asarray(interference), 0.0) / (at_ring + at_housing)
+    pressure = xp.where(xp.asarray(outer_radius) > seat_radius, pressed, xp.nan)
     inner, seat, outer = bore_radius**2, seat_radius**2, outer_radius**2
     at_bore = -2.0 * pressure * seat / (seat - inner)
     return PressFit(

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import math
 
-import jax.numpy as jnp
 from jax import Array
 from numpy.polynomial.chebyshev import cheb2poly
 
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 #: Largest argument of :func:`punch_factor`.
@@ -50,8 +50,8 @@ def punch_factor(argument: Real) -> Array:
     ----------
     G. N. Watson, A Treatise on the Theory of Bessel Functions, 1944, section 11.2 (Neumann's addition theorem).
     """
-    t = jnp.asarray(argument) ** 2 / (0.5 * LARGEST_PUNCH_ARGUMENT**2) - 1.0
-    total = jnp.zeros_like(t)
+    t = xp.asarray(argument) ** 2 / (0.5 * LARGEST_PUNCH_ARGUMENT**2) - 1.0
+    total = xp.zeros_like(t)
     for coefficient in reversed(_POWERS.tolist()):
         total = total * t + coefficient
     return total
@@ -123,6 +123,6 @@ def distance_moments(half_width_1: Real, half_width_2: Real) -> tuple[Array, Arr
     ----------
     Moments of the arcsine distribution, a^2/2 and 3a^4/8.
     """
-    square_1, square_2 = jnp.asarray(half_width_1) ** 2, jnp.asarray(half_width_2) ** 2
+    square_1, square_2 = xp.asarray(half_width_1) ** 2, xp.asarray(half_width_2) ** 2
     fourth = 0.375 * (square_1**2 + square_2**2) + 1.5 * square_1 * square_2
     return 0.5 * (square_1 + square_2), fourth

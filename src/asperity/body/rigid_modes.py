@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.body.annulus_modes import Channels, ModeCompliance, Wall, components
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -58,10 +58,10 @@ def uniform_compliance(wall: Wall) -> tuple[Array, Array]:
     even, odd = uniform_field(wall)
     traction, held = wall.tangential
     turns = held > 0.0
-    supported = side * traction / (jnp.where(turns, held, 1.0) * ratio**3)
-    turn = jnp.where(turns, supported, 0.0) + 1.0 / ratio**2
+    supported = side * traction / (xp.where(turns, held, 1.0) * ratio**3)
+    turn = xp.where(turns, supported, 0.0) + 1.0 / ratio**2
     radial = side * (0.5 * (wall.kolosov - 1.0) * even - odd)
-    return jnp.asarray(2.0 * radial), 2.0 * jnp.where(turns | (side < 0.0), side * (turn - 1.0), 0.0)
+    return xp.asarray(2.0 * radial), 2.0 * xp.where(turns | (side < 0.0), side * (turn - 1.0), 0.0)
 
 
 class TranslationField(NamedTuple):
@@ -105,12 +105,12 @@ def translation_field(*, wall: Wall, plus: Real, minus: Real) -> TranslationFiel
     side, ratio, kolosov = wall.side, wall.ratio, wall.kolosov
     (free_r, held_r), (free_t, held_t) = wall.radial, wall.tangential
     supported = (held_r + held_t) > 0.0
-    c = jnp.where(supported, side * minus / (2.0 * (kolosov + 1.0)), 0.0)
+    c = xp.where(supported, side * minus / (2.0 * (kolosov + 1.0)), 0.0)
     e = c - 0.25 * side * plus  # coefficient of 1/r is b + e, with b that of r^3
     # at the other rim, constant part and part with b: sums and differences of stresses and displacements
     stress, stress_0 = 4.0 * (ratio - ratio**-3), 4.0 * (c / ratio - e * ratio**-3)
     motion, motion_0 = 2.0 * (kolosov * ratio**2 + ratio**-2), 2.0 * (e * ratio**-2 - c)
-    difference, difference_0 = -4.0 * ratio**2, 4.0 * kolosov * jnp.log(ratio) * c
+    difference, difference_0 = -4.0 * ratio**2, 4.0 * kolosov * xp.log(ratio) * c
     shear = 2.0 * (kolosov + 1.0) * c / ratio
     factor = (free_r * held_t + free_t * held_r) * stress - 2.0 * side * held_r * held_t * motion
     constant = (
@@ -118,14 +118,14 @@ def translation_field(*, wall: Wall, plus: Real, minus: Real) -> TranslationFiel
         + held_r * free_t * (stress_0 - shear)
         - 2.0 * side * held_r * held_t * motion_0
     )
-    b = -jnp.where(supported, constant, stress_0) / jnp.where(supported, factor, stress)
-    held = jnp.where(supported, held_r + held_t, 1.0)
+    b = -xp.where(supported, constant, stress_0) / xp.where(supported, factor, stress)
+    held = xp.where(supported, held_r + held_t, 1.0)
     turned = (
         (free_r - free_t) * (stress * b + stress_0)
         + (free_r + free_t) * shear
         - side * (held_r - held_t) * (motion * b + motion_0)
     ) / (side * held)
-    shift = jnp.where(supported, turned - difference * b - difference_0, 4.0 * b)
+    shift = xp.where(supported, turned - difference * b - difference_0, 4.0 * b)
     return TranslationField(b, b + e, c, shift)
 
 
@@ -153,5 +153,5 @@ def translation_compliance(wall: Wall) -> ModeCompliance:
         b, e, c, shift = translation_field(wall=wall, plus=plus, minus=minus)
         channels.append((2.0 * (wall.kolosov * b + e - c), shift - 4.0 * b))
     (pp, mp), (pm, mm) = channels
-    alone = 0.5 * jnp.where(wall.side > 0.0, wall.kolosov, 1.0)
+    alone = 0.5 * xp.where(wall.side > 0.0, wall.kolosov, 1.0)
     return components(Channels(pp - alone, pm, mp, mm), 1.0)

@@ -14,11 +14,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.body.punch import mean_logarithm, mean_power
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 #: Terms of the power series in the half-width; with 12 the first omitted term is below 1e-16 up to a = 0.1 R.
@@ -97,8 +97,8 @@ def separated_derivatives(angle: Real) -> RimSums:
     ----------
     The notes of :func:`separated_sums`.
     """
-    turn = jnp.mod(jnp.asarray(angle), 2.0 * math.pi)
-    sin_half, cos_half = jnp.sin(0.5 * turn), jnp.cos(0.5 * turn)
+    turn = xp.mod(xp.asarray(angle), 2.0 * math.pi)
+    sin_half, cos_half = xp.sin(0.5 * turn), xp.cos(0.5 * turn)
     cos, sin = 1.0 - 2.0 * sin_half**2, 2.0 * sin_half * cos_half
     t = 0.5 * cos_half / sin_half
     t2 = t * t
@@ -106,9 +106,9 @@ def separated_derivatives(angle: Real) -> RimSums:
         np.array(numbers).reshape((3,) + (1,) * turn.ndim)
         for numbers in ((1.0, -1.0, 1.0), (0.0, -0.75, 0.625), (0.0, 1.25, -3.375), (1.0, 0.0, 0.0))
     )
-    zero = jnp.zeros_like(t2)
-    even = jnp.stack([zero, t2, 6.0 * t2 * t2 - 4.0 * t2]) - jnp.log(2.0 * sin_half) * alternating
-    odd = jnp.stack([zero, 2.0 * t, 2.0 * t * (4.0 * t2 - 1.0)])
+    zero = xp.zeros_like(t2)
+    even = xp.stack([zero, t2, 6.0 * t2 * t2 - 4.0 * t2]) - xp.log(2.0 * sin_half) * alternating
+    odd = xp.stack([zero, 2.0 * t, 2.0 * t * (4.0 * t2 - 1.0)])
     imaginary = 0.5 * (math.pi - turn) * alternating
     plus, plus_i, minus, minus_i = even + plus_shift, imaginary + odd, even + minus_shift, imaginary - odd
     return RimSums(
@@ -142,7 +142,7 @@ _LOGARITHM, _REGULAR, _KINK, _BEND = _self_series()
 
 
 def _polynomial(coefficients: np.ndarray, variable: Array) -> Array:
-    total = jnp.zeros_like(variable)
+    total = xp.zeros_like(variable)
     for coefficient in reversed(coefficients.tolist()):
         total = total * variable + coefficient
     return total
@@ -174,8 +174,8 @@ def self_sums(punch_angle: Real) -> tuple[Array, Array]:
     ----------
     Moments of :func:`~asperity.body.punch.mean_power`.
     """
-    width = 2.0 * jnp.asarray(punch_angle)
+    width = 2.0 * xp.asarray(punch_angle)
     square = width**2
-    logarithm = _polynomial(_LOGARITHM, square) * jnp.log(width) + _polynomial(_REGULAR, square)
+    logarithm = _polynomial(_LOGARITHM, square) * xp.log(width) + _polynomial(_REGULAR, square)
     straight = width * _polynomial(_KINK, square) + square * _polynomial(_BEND, square)
     return logarithm + straight - 1.0, logarithm - straight

@@ -18,13 +18,15 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.body.annulus_modes import Wall, added_compliance
 from asperity.body.rigid_modes import translation_compliance
 from asperity.body.rim_kernel import separated_derivatives
+from asperity.engine.arrays import xp
+from asperity.engine.control import while_loop
+from asperity.engine.derivatives import value_and_slopes, with_rule
 from asperity.types import Real
 
 #: Moments that are used, from the zeroth on.
@@ -116,24 +118,24 @@ def closed_kernel(*, angle: Array, plus: Real, minus: Real, sectors: Array) -> R
     ----------
     Equations (E1) and (E2) of :doc:`/equations`.
     """
-    numbers = jnp.broadcast_arrays(*(jnp.asarray(number, float) for number in (angle, plus, minus, sectors)))
+    numbers = xp.broadcast_arrays(*(xp.asarray(number, float) for number in (angle, plus, minus, sectors)))
 
     def of_sector(
         index: Array, angle: Array, plus: Array, minus: Array, sectors: Array
     ) -> tuple[Array, Array]:
         separated = (index < sectors) & ((index > 0) | (angle != 0.0))
         turn = 2.0 * math.pi / sectors
-        sums = separated_derivatives(jnp.where(separated, angle + turn * index, math.pi))
+        sums = separated_derivatives(xp.where(separated, angle + turn * index, math.pi))
         straight = plus * sums.cosine_plus + minus * sums.cosine_minus
         crossed = plus * sums.sine_plus - minus * sums.sine_minus
-        return jnp.where(separated, straight, 0.0), jnp.where(separated, crossed, 0.0)
+        return xp.where(separated, straight, 0.0), xp.where(separated, crossed, 0.0)
 
     def unfinished(index: Array, angle: Array, plus: Array, minus: Array, sectors: Array) -> Array:
         return (index < MOST_SECTORS) & (index < sectors)
 
     straight, crossed = _summed(of_sector, unfinished, (_CLOSED, _CLOSED), numbers)
-    none = jnp.zeros((MOMENTS - _CLOSED, *numbers[0].shape))
-    straight, crossed = jnp.concatenate([straight, none]), jnp.concatenate([crossed, none])
+    none = xp.zeros((MOMENTS - _CLOSED, *numbers[0].shape))
+    straight, crossed = xp.concatenate([straight, none]), xp.concatenate([crossed, none])
     return RimKernel(straight, straight, crossed)
 
 
@@ -153,28 +155,28 @@ def _summed(
 
     def total(*given: Array) -> tuple[Array, ...]:
         def going(state: tuple[Array, tuple[Array, ...]]) -> Array:
-            return jnp.any(unfinished(state[0], *given))
+            return xp.any(unfinished(state[0], *given))
 
         def added(state: tuple[Array, tuple[Array, ...]]) -> tuple[Array, tuple[Array, ...]]:
             index, sums = state
             parts = term(index, *given)
             return index + 1.0, tuple(one + part for one, part in zip(sums, parts, strict=True))
 
-        zero = tuple(jnp.zeros((size, *given[0].shape)) for size in rows)
-        return jax.lax.while_loop(going, added, (jnp.zeros(()), zero))[1]
+        zero = tuple(xp.zeros((size, *given[0].shape)) for size in rows)
+        return while_loop(going, added, (xp.zeros(()), zero))[1]
 
-    of_numbers = jax.custom_jvp(total)
+    of_numbers = with_rule(total)
 
     @of_numbers.defjvp
     def derivative(primals: tuple[Array, ...], tangents: tuple[Array, ...]) -> tuple[Any, Any]:
         moving, still = primals[:count], primals[count:]
 
-        def by(number: Array) -> tuple[Any, Any]:
-            one = tuple(jnp.where(number == i, jnp.ones_like(moved), 0.0) for i, moved in enumerate(moving))
-            return jax.jvp(lambda *moved: total(*moved, *still), moving, one)
-
-        sums, slopes = jax.vmap(by, out_axes=(None, 0))(jnp.arange(count))
-        return sums, jax.tree.map(lambda slope: sum(map(jnp.multiply, slope, tangents[:count])), slopes)
+        directions = [
+            tuple(xp.ones_like(moved) if i == k else xp.zeros_like(moved) for i, moved in enumerate(moving))
+            for k in range(count)
+        ]
+        sums, slopes = value_and_slopes(lambda *moved: total(*moved, *still), moving, directions)
+        return sums, jax.tree.map(lambda *by: sum(map(xp.multiply, by, tangents[:count])), *slopes)
 
     return of_numbers(*numbers, *fixed)
 
@@ -201,7 +203,7 @@ def walls_resolved(*, ratio: Real, sectors: Real, one_sector: bool) -> Array:
     Equation (E2) of :doc:`/equations`.
     """
     first, step = (2.0, 1.0) if one_sector else (sectors, sectors)
-    return jnp.asarray(_omitted(first + step * (_CHUNK * _CHUNKS), ratio) <= _OMITTED)
+    return xp.asarray(_omitted(first + step * (_CHUNK * _CHUNKS), ratio) <= _OMITTED)
 
 
 def _omitted(mode: Real, rate: Real) -> Real:
@@ -234,17 +236,17 @@ def other_rim(*, wall: Wall, angle: Array, sectors: Array, one_sector: np.ndarra
     ----------
     Equation (E2) of :doc:`/equations`.
     """
-    shapes = [jnp.shape(leaf) for leaf in (*jax.tree.leaves(wall), sectors, one_sector)]
-    shape = jnp.broadcast_shapes(angle.shape, *shapes)
+    shapes = [xp.shape(leaf) for leaf in (*jax.tree.leaves(wall), sectors, one_sector)]
+    shape = xp.broadcast_shapes(angle.shape, *shapes)
     given = (angle, sectors, wall.ratio, wall.kolosov, *wall.radial, *wall.tangential)
-    numbers = [jnp.broadcast_to(jnp.asarray(number, float), shape) for number in given]
+    numbers = [xp.broadcast_to(xp.asarray(number, float), shape) for number in given]
 
     def first_of(sectors: Array) -> Array:
-        return jnp.where(one_sector, 2.0, sectors)
+        return xp.where(one_sector, 2.0, sectors)
 
     def left(chunk: Array, _: Array, sectors: Array, ratio: Array, *others: Array) -> Array:
         """Share of the first mode of a chunk."""
-        return jnp.asarray(_omitted(first_of(sectors) + sectors * (_CHUNK * chunk), ratio ** others[-1]))
+        return xp.asarray(_omitted(first_of(sectors) + sectors * (_CHUNK * chunk), ratio ** others[-1]))
 
     def unfinished(chunk: Array, *numbers: Array) -> Array:
         return (chunk < _CHUNKS) & (left(chunk, *numbers) > _OMITTED)
@@ -256,20 +258,20 @@ def other_rim(*, wall: Wall, angle: Array, sectors: Array, one_sector: np.ndarra
         walls = Wall(side, ratio, kolosov, (radial, radial_fixed), (tangential, tangential_fixed))
         added = added_compliance(mode=mode, decay=ratio ** (side * mode), wall=walls)
         square = -(mode**2)
-        power = jnp.stack([square**order for order in range(MOMENTS)])
-        cosine, sine = jnp.cos(mode * angle), jnp.sin(mode * angle)
+        power = xp.stack([square**order for order in range(MOMENTS)])
+        cosine, sine = xp.cos(mode * angle), xp.sin(mode * angle)
         parts = (added.radial * cosine, added.tangential * cosine, added.coupling * sine)
-        return jnp.sum(power * parts[0], 1), jnp.sum(power * parts[1], 1), jnp.sum(power * parts[2], 1)
+        return xp.sum(power * parts[0], 1), xp.sum(power * parts[1], 1), xp.sum(power * parts[2], 1)
 
-    side = jnp.broadcast_to(jnp.asarray(wall.side, float), shape)
+    side = xp.broadcast_to(xp.asarray(wall.side, float), shape)
     total = _summed(of_chunk, unfinished, (MOMENTS,) * 3, numbers, (side,))
-    converged = left(jnp.asarray(float(_CHUNKS)), *numbers, side) <= _OMITTED
-    total = RimKernel(*(jnp.where(converged, sectors * part, jnp.nan) for part in total))
+    converged = left(xp.asarray(float(_CHUNKS)), *numbers, side) <= _OMITTED
+    total = RimKernel(*(xp.where(converged, sectors * part, xp.nan) for part in total))
     if not one_sector.any():
         return total
     moved = translation_compliance(wall)
     sign = (one_sector * 1.0) * ((-1.0) ** np.arange(MOMENTS)).reshape((-1,) + (1,) * len(shape))
-    turned = jnp.cos(angle), jnp.cos(angle), jnp.sin(angle)
+    turned = xp.cos(angle), xp.cos(angle), xp.sin(angle)
     return RimKernel(
         *(part + sign * (mode * turn) for part, mode, turn in zip(total, moved, turned, strict=True))
     )

@@ -10,8 +10,6 @@ import math
 from typing import NamedTuple
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -19,6 +17,8 @@ from asperity.body.annulus_modes import Channels, Wall, mode_field
 from asperity.body.compliance import loaded_radius, wall_of
 from asperity.body.rigid_modes import translation_field, uniform_field
 from asperity.body.shapes import Annulus, PlaneState
+from asperity.engine.arrays import xp
+from asperity.engine.derivatives import without_slopes
 from asperity.types import Real
 
 #: Points that divide a sector, and modes that are summed.
@@ -90,10 +90,10 @@ def _modes(wall: Wall, mode: Array, plus: float, minus: float) -> _Modes:
     up, down = d1_p * passed[0] + d2_p * back[0], d1_m * passed[1] + d2_m * back[1]
     radial = 0.5 * (up + down)
     return _Modes(
-        loaded=jnp.asarray(2.0 * (d2_p * echo[0] - d2_m * echo[1])),
-        hoop=jnp.asarray((2.0 * (d1_p * passed[0] + d2_m * back[1]) - radial) / wall.ratio),
-        radial=jnp.asarray(radial / wall.ratio),
-        shear=jnp.asarray(0.5 * wall.side * (up - down) / wall.ratio),
+        loaded=xp.asarray(2.0 * (d2_p * echo[0] - d2_m * echo[1])),
+        hoop=xp.asarray((2.0 * (d1_p * passed[0] + d2_m * back[1]) - radial) / wall.ratio),
+        radial=xp.asarray(radial / wall.ratio),
+        shear=xp.asarray(0.5 * wall.side * (up - down) / wall.ratio),
     )
 
 
@@ -101,8 +101,8 @@ def _first_mode(wall: Wall, plus: float, minus: float, closed: float) -> _Modes:
     """Stresses of the mode n = 1 of a body whose other rim is free."""
     b, e, c, _ = translation_field(wall=wall, plus=plus, minus=minus)
     loaded, other = (6.0 * b * r + 2.0 * e / r**3 - (wall.kolosov - 1.0) * c / r for r in (1.0, wall.ratio))
-    nothing = jnp.zeros_like(jnp.asarray(other))
-    return _Modes(jnp.asarray(loaded) - closed, jnp.asarray(other), nothing, nothing)
+    nothing = xp.zeros_like(xp.asarray(other))
+    return _Modes(xp.asarray(loaded) - closed, xp.asarray(other), nothing, nothing)
 
 
 def _field(wall: Wall, mode: Array, alone: bool, plus: float, minus: float, closed: float) -> _Modes:
@@ -114,7 +114,7 @@ def _field(wall: Wall, mode: Array, alone: bool, plus: float, minus: float, clos
     shape = modes.hoop.shape[1:]
     return _Modes(
         *(
-            jnp.concatenate([jnp.broadcast_to(one, (1, *shape)), rest])
+            xp.concatenate([xp.broadcast_to(one, (1, *shape)), rest])
             for one, rest in zip(first, modes, strict=True)
         )
     )
@@ -155,65 +155,65 @@ def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStr
     """
     wall, alone = wall_of(body), loads.sectors is None
     side = wall.side
-    sectors = jax.lax.stop_gradient(jnp.asarray(1.0 if loads.sectors is None else loads.sectors))
+    sectors = without_slopes(xp.asarray(1.0 if loads.sectors is None else loads.sectors))
     rank = loads.radial.ndim - 1
 
     def along(numbers: np.ndarray) -> Array:
-        return jnp.asarray(numbers.reshape(numbers.shape + (1,) * rank))
+        return xp.asarray(numbers.reshape(numbers.shape + (1,) * rank))
 
     numbers = np.arange(1, fineness * MODES + 1, dtype=float)
     steps = np.arange(fineness * POINTS) / (fineness * POINTS)
     mode = sectors * along(numbers)
     push, drag = (_field(wall, mode, alone, *forces) for forces in ((1.0, 1.0, side), (side, -side, 2.0)))
     radial, tangential = loads.radial[:, None], loads.tangential[:, None]
-    cosine, sine = jnp.cos(mode * loads.angles[:, None]), jnp.sin(mode * loads.angles[:, None])
+    cosine, sine = xp.cos(mode * loads.angles[:, None]), xp.sin(mode * loads.angles[:, None])
 
     period = 2.0 * math.pi / sectors
     others = _others(loads)
     # its table as numbers would be most of the program
-    turns = 2.0 * math.pi * jnp.outer(jnp.asarray(steps), jnp.asarray(numbers))
-    table = jnp.cos(turns), jnp.sin(turns)
+    turns = 2.0 * math.pi * xp.outer(xp.asarray(steps), xp.asarray(numbers))
+    table = xp.cos(turns), xp.sin(turns)
     phase = mode * others[:, None]
 
     def series(even: Array, odd: Array) -> Array:
         """Sum of even cos + odd sin over the modes, at the points of the grid by tables and at the others."""
-        grid = jnp.tensordot(table[0], even, axes=1) + jnp.tensordot(table[1], odd, axes=1)
-        rest = jnp.sum(jnp.cos(phase) * even + jnp.sin(phase) * odd, axis=1)
-        return jnp.concatenate([grid, jnp.broadcast_to(rest, (rest.shape[0], *grid.shape[1:]))])
+        grid = xp.tensordot(table[0], even, axes=1) + xp.tensordot(table[1], odd, axes=1)
+        rest = xp.sum(xp.cos(phase) * even + xp.sin(phase) * odd, axis=1)
+        return xp.concatenate([grid, xp.broadcast_to(rest, (rest.shape[0], *grid.shape[1:]))])
 
     def stress(along_push: Array, along_drag: Array) -> Array:
         """Of a component that is even in the angle from a radial force."""
         pushed, dragged = radial * along_push, tangential * along_drag
         return series(
-            jnp.sum(pushed * cosine + dragged * sine, axis=0),
-            jnp.sum(pushed * sine - dragged * cosine, axis=0),
+            xp.sum(pushed * cosine + dragged * sine, axis=0),
+            xp.sum(pushed * sine - dragged * cosine, axis=0),
         )
 
     def shear(along_push: Array, along_drag: Array) -> Array:
         """Of a component that is odd in it."""
         pushed, dragged = radial * along_push, tangential * along_drag
         return series(
-            jnp.sum(dragged * cosine - pushed * sine, axis=0),
-            jnp.sum(dragged * sine + pushed * cosine, axis=0),
+            xp.sum(dragged * cosine - pushed * sine, axis=0),
+            xp.sum(dragged * sine + pushed * cosine, axis=0),
         )
 
     places = places_of(loads, fineness)
     away = places[:, None] - loads.angles
     half = 0.5 * sectors * away
-    touches = jnp.abs(jnp.sin(half)) < 1e-9
-    cotangent = jnp.where(touches, 0.0, jnp.cos(half) / jnp.where(touches, 1.0, jnp.sin(half)))
-    total = jnp.sum(loads.radial, axis=0)
+    touches = xp.abs(xp.sin(half)) < 1e-9
+    cotangent = xp.where(touches, 0.0, xp.cos(half) / xp.where(touches, 1.0, xp.sin(half)))
+    total = xp.sum(loads.radial, axis=0)
     even, odd = uniform_field(wall)
-    closed = 0.5 * side * (even - odd - 1.0) * total - jnp.sum(cotangent * loads.tangential, axis=1)
-    distance = jnp.abs(jnp.mod(away + 0.5 * period, period) - 0.5 * period) * loaded_radius(body)
-    beside = jnp.all(distance > CLEARANCE * loads.half_widths, axis=1)
-    twist = jnp.where(wall.tangential[1] > 0.0, 0.5 * side / wall.ratio**2, 0.0) * jnp.sum(
+    closed = 0.5 * side * (even - odd - 1.0) * total - xp.sum(cotangent * loads.tangential, axis=1)
+    distance = xp.abs(xp.mod(away + 0.5 * period, period) - 0.5 * period) * loaded_radius(body)
+    beside = xp.all(distance > CLEARANCE * loads.half_widths, axis=1)
+    twist = xp.where(wall.tangential[1] > 0.0, 0.5 * side / wall.ratio**2, 0.0) * xp.sum(
         loads.tangential, axis=0
     )
     scale = sectors / (math.pi * loaded_radius(body) * body.length)
-    scale = jnp.where(_resolved(wall, sectors, fineness), scale, jnp.nan)
+    scale = xp.where(_resolved(wall, sectors, fineness), scale, xp.nan)
     return RimStresses(
-        loaded_hoop=jnp.where(beside, scale * (closed + stress(push.loaded, drag.loaded)), jnp.nan),
+        loaded_hoop=xp.where(beside, scale * (closed + stress(push.loaded, drag.loaded)), xp.nan),
         other_hoop=scale * (0.5 * side * (even - odd / wall.ratio**2) * total + stress(push.hoop, drag.hoop)),
         other_radial=scale
         * (0.5 * side * (even + odd / wall.ratio**2) * total + stress(push.radial, drag.radial)),
@@ -223,9 +223,9 @@ def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStr
 
 def _others(loads: RimLoads) -> Array:
     """Contacts of a sector, and the places midway between them."""
-    sectors = jax.lax.stop_gradient(jnp.asarray(1.0 if loads.sectors is None else loads.sectors))
-    middle = jnp.mean(loads.angles, axis=0, keepdims=True)
-    return jnp.concatenate([loads.angles, middle, middle + math.pi / sectors])
+    sectors = without_slopes(xp.asarray(1.0 if loads.sectors is None else loads.sectors))
+    middle = xp.mean(loads.angles, axis=0, keepdims=True)
+    return xp.concatenate([loads.angles, middle, middle + math.pi / sectors])
 
 
 def places_of(loads: RimLoads, fineness: int = 1) -> Array:
@@ -243,12 +243,12 @@ def places_of(loads: RimLoads, fineness: int = 1) -> Array:
     Array
         Angles, shape (points, ...) [rad].
     """
-    sectors = jax.lax.stop_gradient(jnp.asarray(1.0 if loads.sectors is None else loads.sectors))
+    sectors = without_slopes(xp.asarray(1.0 if loads.sectors is None else loads.sectors))
     others = _others(loads)
     steps = (np.arange(fineness * POINTS) / (fineness * POINTS)).reshape((-1,) + (1,) * (others.ndim - 1))
-    grid = jnp.asarray(steps) * (2.0 * math.pi / sectors)
-    shape = jnp.broadcast_shapes(grid.shape[1:], others.shape[1:])
-    return jnp.concatenate([jnp.broadcast_to(part, (part.shape[0], *shape)) for part in (grid, others)])
+    grid = xp.asarray(steps) * (2.0 * math.pi / sectors)
+    shape = xp.broadcast_shapes(grid.shape[1:], others.shape[1:])
+    return xp.concatenate([xp.broadcast_to(part, (part.shape[0], *shape)) for part in (grid, others)])
 
 
 def _resolved(wall: Wall, sectors: Array, fineness: int) -> Array:
@@ -301,21 +301,21 @@ def rim_range(*, body: Annulus, stresses: RimStresses) -> RimRange:
     Equation (L3) of :doc:`/equations`.
     """
     loaded, other = stresses.loaded_hoop, stresses.other_hoop
-    hidden = jnp.isnan(loaded) & ~jnp.all(jnp.isnan(loaded), axis=0)
-    high = jnp.max(jnp.where(hidden, -jnp.inf, loaded), axis=0), jnp.max(other, axis=0)
-    low = jnp.min(jnp.where(hidden, jnp.inf, loaded), axis=0), jnp.min(other, axis=0)
-    worst = jnp.maximum(
-        jnp.max(jnp.where(hidden, 0.0, _mises(body, loaded, 0.0, 0.0)), axis=0),
-        jnp.max(_mises(body, other, stresses.other_radial, stresses.other_shear), axis=0),
+    hidden = xp.isnan(loaded) & ~xp.all(xp.isnan(loaded), axis=0)
+    high = xp.max(xp.where(hidden, -xp.inf, loaded), axis=0), xp.max(other, axis=0)
+    low = xp.min(xp.where(hidden, xp.inf, loaded), axis=0), xp.min(other, axis=0)
+    worst = xp.maximum(
+        xp.max(xp.where(hidden, 0.0, _mises(body, loaded, 0.0, 0.0)), axis=0),
+        xp.max(_mises(body, other, stresses.other_radial, stresses.other_shear), axis=0),
     )
     order = slice(None) if body.loaded_rim == "inner" else slice(None, None, -1)
-    highest, lowest = jnp.stack(high[order]), jnp.stack(low[order])
+    highest, lowest = xp.stack(high[order]), xp.stack(low[order])
     return RimRange(
         highest,
         0.5 * (highest + lowest),
         0.5 * (highest - lowest),
         worst,
-        jnp.max(stresses.other_radial, axis=0),
+        xp.max(stresses.other_radial, axis=0),
     )
 
 
@@ -356,8 +356,8 @@ def mises_stress(
     square = (
         first**2 + second**2 + third**2 - first * second - second * third - third * first + 3.0 * shear**2
     )
-    nothing = jnp.asarray(square) <= 0.0  # rounding
-    return jnp.where(nothing, 0.0, jnp.sqrt(jnp.where(nothing, 1.0, square)))
+    nothing = xp.asarray(square) <= 0.0  # rounding
+    return xp.where(nothing, 0.0, xp.sqrt(xp.where(nothing, 1.0, square)))
 
 
 def fatigue_safety(*, mean: Real, amplitude: Real, fatigue_strength: Real, strength: Real) -> Array:
@@ -389,4 +389,4 @@ def fatigue_safety(*, mean: Real, amplitude: Real, fatigue_strength: Real, stren
     >>> float(fatigue_safety(mean=100e6, amplitude=100e6, fatigue_strength=400e6, strength=800e6))
     2.6666666666666665
     """
-    return 1.0 / jnp.asarray(amplitude / fatigue_strength + jnp.maximum(mean, 0.0) / strength)
+    return 1.0 / xp.asarray(amplitude / fatigue_strength + xp.maximum(mean, 0.0) / strength)

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.body.annulus_modes import ModeField, Wall
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -63,4 +63,4 @@ def mode_stress(wall: Wall, field: ModeField, plus: Real, minus: Real) -> HoopSt
     back_p = d2_p * (field.answer.pp * x_p + field.answer.pm * x_m)
     back_m = d2_m * (field.answer.mp * x_p + field.answer.mm * x_m)
     other = (2.0 * (far_p + back_m) - 0.5 * (far_p + far_m + back_p + back_m)) / wall.ratio
-    return HoopStress(jnp.asarray(loaded), jnp.asarray(other))
+    return HoopStress(xp.asarray(loaded), xp.asarray(other))

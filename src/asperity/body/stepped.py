@@ -22,13 +22,14 @@ import math
 from typing import NamedTuple
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.body.annulus_modes import Channels, Wall, channel_product, mode_field
 from asperity.body.shapes import PlaneState, kolosov_constant
+from asperity.engine.arrays import xp
+from asperity.engine.control import traced_once
+from asperity.engine.derivatives import without_slopes
 from asperity.materials import shear_modulus
 from asperity.types import Real
 
@@ -84,7 +85,7 @@ class _Rims(NamedTuple):
     small_by_large: Channels
 
 
-@functools.partial(jax.jit, static_argnames="contact_tracks")  # traced once for all uses
+@functools.partial(traced_once, fixed=("contact_tracks",))  # traced once for all uses
 def bore_addition(
     *, roller: SteppedRoller, contact_angles: Array, contact_tracks: tuple[int, ...], sectors: Real
 ) -> Array:
@@ -125,40 +126,40 @@ def bore_addition(
     Foundations, 1966, for one displacement along the axis.
     """
     tracks, first_is_small = _sorted_tracks(roller)
-    solid = tracks._replace(bore=jnp.zeros_like(jnp.asarray(tracks.bore)))
+    solid = tracks._replace(bore=xp.zeros_like(xp.asarray(tracks.bore)))
     modulus = shear_modulus(youngs_modulus=roller.youngs_modulus, poisson_ratio=roller.poisson_ratio)
     at = np.array(contact_tracks)
     turn = contact_angles[:, None] - contact_angles[None]
-    modes, copies = jnp.arange(2.0, 2.0 + _MODES), jax.lax.stop_gradient(jnp.asarray(sectors, dtype=float))
-    total = jnp.zeros((4, at.size, at.size))
+    modes, copies = xp.arange(2.0, 2.0 + _MODES), without_slopes(xp.asarray(sectors, dtype=float))
+    total = xp.zeros((4, at.size, at.size))
     for mode, rims in (
-        (jnp.zeros(1), (_uniform(tracks), _uniform(solid))),
-        (jnp.ones(1), (_first(tracks), _first(solid))),
+        (xp.zeros(1), (_uniform(tracks), _uniform(solid))),
+        (xp.ones(1), (_first(tracks), _first(solid))),
         (
             modes,
             (_higher(modes, tracks, _annulus(modes, tracks)), _higher(modes, solid, _disc(modes, solid))),
         ),
     ):
         hollow_rims, solid_rims = (_by_track(rim, first_is_small)[:, at[:, None], at[None]] for rim in rims)
-        change = jnp.broadcast_to(hollow_rims - solid_rims, (4, at.size, at.size, mode.size))
+        change = xp.broadcast_to(hollow_rims - solid_rims, (4, at.size, at.size, mode.size))
         angle = mode * turn[..., None]
-        waves = jnp.stack([jnp.cos(angle), -jnp.sin(angle), jnp.sin(angle), jnp.cos(angle)])
-        waves = jnp.where(mode > 0.0, 1.0, 0.5) * jnp.where(mode % copies == 0.0, copies, 0.0) * waves
-        total = total + jnp.sum(change * waves, axis=-1)
+        waves = xp.stack([xp.cos(angle), -xp.sin(angle), xp.sin(angle), xp.cos(angle)])
+        waves = xp.where(mode > 0.0, 1.0, 0.5) * xp.where(mode % copies == 0.0, copies, 0.0) * waves
+        total = total + xp.sum(change * waves, axis=-1)
     rr, rt, tr, tt = total / (2.0 * math.pi * modulus)
-    return jnp.concatenate([jnp.concatenate([rr, rt], axis=1), jnp.concatenate([tr, tt], axis=1)])
+    return xp.concatenate([xp.concatenate([rr, rt], axis=1), xp.concatenate([tr, tt], axis=1)])
 
 
 def _sorted_tracks(roller: SteppedRoller) -> tuple[_Tracks, Array]:
     """The smaller and the larger track, and whether the first one is the smaller."""
     (one, two), (long_1, long_2) = roller.radii, roller.lengths
-    first = jnp.asarray(one) <= jnp.asarray(two)
+    first = xp.asarray(one) <= xp.asarray(two)
     kolosov = kolosov_constant(poisson_ratio=roller.poisson_ratio, plane_state=roller.plane_state)
     return _Tracks(
-        jnp.where(first, one, two),
-        jnp.where(first, two, one),
-        jnp.where(first, long_1, long_2),
-        jnp.where(first, long_2, long_1),
+        xp.where(first, one, two),
+        xp.where(first, two, one),
+        xp.where(first, long_1, long_2),
+        xp.where(first, long_2, long_1),
         roller.bore_radius,
         kolosov,
     ), first
@@ -169,10 +170,10 @@ def _by_track(rims: _Rims, first_is_small: Array) -> Array:
 
     def parts(channels: Channels) -> Array:
         pp, pm, mp, mm = channels
-        return 0.5 * jnp.stack(
-            jnp.broadcast_arrays(
+        return 0.5 * xp.stack(
+            xp.broadcast_arrays(
                 *map(
-                    jnp.atleast_1d,
+                    xp.atleast_1d,
                     (pp + pm + mp + mm, pp - pm + mp - mm, pp + pm - mp - mm, pp - pm - mp + mm),
                 )
             )
@@ -180,9 +181,9 @@ def _by_track(rims: _Rims, first_is_small: Array) -> Array:
 
     small, large, mixed = parts(rims.small), parts(rims.large), parts(rims.small_by_large)
     turned = mixed[np.array([0, 2, 1, 3])]
-    one = jnp.stack([jnp.stack([small, mixed], 1), jnp.stack([turned, large], 1)], 1)
-    two = jnp.stack([jnp.stack([large, turned], 1), jnp.stack([mixed, small], 1)], 1)
-    return jnp.where(first_is_small, one, two)
+    one = xp.stack([xp.stack([small, mixed], 1), xp.stack([turned, large], 1)], 1)
+    two = xp.stack([xp.stack([large, turned], 1), xp.stack([mixed, small], 1)], 1)
+    return xp.where(first_is_small, one, two)
 
 
 def _sum(a: Channels, b: Channels, factor: Real = 1.0) -> Channels:
@@ -245,7 +246,7 @@ def _higher(mode: Array, tracks: _Tracks, core: Channels) -> _Rims:
     alone = _scaled(core, 1.0 / tracks.large_length)
     ratio = tracks.small / tracks.large
     stepped = ratio < 1.0 - _ONE_RIM
-    at_inner, at_outer, outer_by_inner = _layer(mode, tracks, jnp.where(stepped, ratio, 0.5))
+    at_inner, at_outer, outer_by_inner = _layer(mode, tracks, xp.where(stepped, ratio, 0.5))
     inner_by_outer = _turned(outer_by_inner)
     below = _sum(_inverse(core), at_inner)
     eliminated = channel_product(channel_product(inner_by_outer, _inverse(at_outer)), outer_by_inner)
@@ -256,7 +257,7 @@ def _higher(mode: Array, tracks: _Tracks, core: Channels) -> _Rims:
     meeting, across, rim = (
         Channels(
             *(
-                jnp.where(stepped, one / tracks.large_length, two)
+                xp.where(stepped, one / tracks.large_length, two)
                 for one, two in zip(channels, alone, strict=True)
             )
         )
@@ -285,8 +286,8 @@ def _lengthwise(mode: Array, tracks: _Tracks, compliance: Channels, length: Real
     radial = 0.5 * (compliance.pp + compliance.pm + compliance.mp + compliance.mm)  # times 2G
     wall = 1.0 - (tracks.bore / tracks.small) ** (2.0 * mode)
     shear = 8.0 * tracks.small**2 * wall / (math.pi**2 * (tracks.kolosov + 1.0) * mode)  # over 2G
-    x = 0.5 * length / jnp.sqrt(shear * radial * length)
-    return x / jnp.tanh(x)
+    x = 0.5 * length / xp.sqrt(shear * radial * length)
+    return x / xp.tanh(x)
 
 
 def _uniform(tracks: _Tracks) -> _Rims:
@@ -344,7 +345,7 @@ def _first(tracks: _Tracks) -> _Rims:
         one = plus_small + 4.0 * large_length * (passing + rest / small**2)
         two = -passing - rest / small**2
         inner, outer = (b2 * one - b1 * two) / determinant, (a1 * two - a2 * one) / determinant
-        shift = 2.0 * kolosov * passing * jnp.log(large / small) + 2.0 * (outer - inner) * small**2
+        shift = 2.0 * kolosov * passing * xp.log(large / small) + 2.0 * (outer - inner) * small**2
         columns.append(
             (
                 2.0 * a2 * inner,
@@ -353,12 +354,12 @@ def _first(tracks: _Tracks) -> _Rims:
                 2.0 * (shift - 2.0 * outer * large**2),
             )
         )
-    matrix = jnp.stack([jnp.stack([jnp.asarray(entry) for entry in column]) for column in columns], axis=1)
+    matrix = xp.stack([xp.stack([xp.asarray(entry) for entry in column]) for column in columns], axis=1)
     matrix = 0.5 * (matrix + matrix.T)
     # 2G times displacement per force, in the channel minus
     sheared = 1.0 / (3.0 * total_length * (small**2 - bore**2))
-    lever = jnp.stack(
-        [jnp.asarray(0.0), jnp.asarray(large_length), jnp.asarray(0.0), -jnp.asarray(tracks.small_length)]
+    lever = xp.stack(
+        [xp.asarray(0.0), xp.asarray(large_length), xp.asarray(0.0), -xp.asarray(tracks.small_length)]
     )
     matrix = matrix + sheared * lever[:, None] * lever[None]
     return _Rims(

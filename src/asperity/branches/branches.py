@@ -5,16 +5,17 @@ from __future__ import annotations
 import dataclasses
 import math
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 
-from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.layout.expansion import ring_interference
 from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once
 from asperity.errors import InputError, NoSolutionError
 from asperity.implicit import SETTLED
 from asperity.joint.description import Joint
@@ -127,9 +128,8 @@ def assembled_branches(joint: Joint, sizes: SectorDeviations) -> AssembledBranch
         )
     floating = _floating(equal, sizes)
     support = 0.0 if math.isinf(sizes.sun_support_stiffness) else sizes.sun_support_stiffness
-    given = SectorSizes(*map(jnp.asarray, (sizes.added, np.zeros_like(sizes.added), support)))
-    compiled = compile_fast(settled_sectors, equal, given, options=(count, floating))
-    settled: SettledSectors = jax.tree.map(np.asarray, compiled(equal, given))
+    given = SectorSizes(*map(xp.asarray, (sizes.added, np.zeros_like(sizes.added), support)))
+    settled: SettledSectors = at_once(partial(settled_sectors, count, floating), equal, given)
     _refuse_unsettled(equal, sizes, settled, floating)
     unfolded = unfolded_joint(equal, settled.sizes, sectors=count, floating=floating)
     rolling = dataclasses.replace(unfolded.rolling, duty=equal.rolling.duty)
@@ -197,10 +197,10 @@ def mean_interference(joint: Joint, settled: SettledSectors, of_contacts: np.nda
     ``of_contacts`` are the interferences of the contacts of each sector, shape (sectors, contacts) [m]; the joint has
     equal sectors, ``settled`` are its own without torque.
     """
-    forces = jnp.asarray(settled.equal.normal)
+    forces = xp.asarray(settled.equal.normal)
     return np.array(
         [
-            float(ring_interference(drive=joint.drive, forces=forces, interference=jnp.asarray(row)))
+            float(ring_interference(drive=joint.drive, forces=forces, interference=xp.asarray(row)))
             for row in of_contacts
         ]
     )

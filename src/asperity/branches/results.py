@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.branches.branches import AssembledBranches, SectorDeviations, mean_interference
-from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import CARRIER, incidence
 from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.loads import (
@@ -23,6 +21,8 @@ from asperity.drive.state.loads import (
 )
 from asperity.drive.state.state import STATE_TOLERANCE, DriveState
 from asperity.drive.state.states import DriveStates
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once
 from asperity.joint.description import Joint
 
 
@@ -106,9 +106,7 @@ def unequal_branches(branches: AssembledBranches, states: DriveStates) -> Unequa
     """What each branch carries; a state that does not exist is None. Equation (I4) of :doc:`/equations`."""
     equal, joint, count = branches.equal, branches.joint, branches.sectors
     drive_states = (states.rest, states.standing, states.rolling)
-    options = (count, branches.floating)
-    program = compile_fast(_sums, equal, joint, drive_states, options=options)
-    sums: _Sums = jax.tree.map(np.asarray, program(equal, joint, drive_states))
+    sums: _Sums = at_once(partial(_sums, count, branches.floating), equal, joint, drive_states)
     torque = abs(float(joint.output_torque))
     branch_states = [_state(branches, sums, kind, state, torque) for kind, state in enumerate(drive_states)]
     balances = [float(state.worst) < STATE_TOLERANCE for state in drive_states]
@@ -132,9 +130,9 @@ def _sums(
 ) -> _Sums:
     """Sums over the contacts and pins of these states, the first of them that at rest."""
     return _Sums(
-        centre_force=jnp.stack([_forces_on_axis(equal, joint, state) for state in states]),
-        centre_moment=jnp.stack([_moments_on_axis(equal, joint, state) for state in states]),
-        output_moment=jnp.stack([_output_moments(joint, state, sectors) for state in states]),
+        centre_force=xp.stack([_forces_on_axis(equal, joint, state) for state in states]),
+        centre_moment=xp.stack([_moments_on_axis(equal, joint, state) for state in states]),
+        output_moment=xp.stack([_output_moments(joint, state, sectors) for state in states]),
         interference=_working_interference(joint, floating, states[0]).reshape(sectors, -1),
     )
 
@@ -168,19 +166,19 @@ def _output_moments(joint: Joint, state: DriveState, sectors: int) -> Array:
     output = drive.members.index(drive.output)
     resisted = zip(resistance_levers(drive), state.resistance, strict=True)
     moments = sum(levers[output] * size for levers, size in resisted)
-    moments = jnp.sum(jnp.reshape(moments, (sectors, -1)), axis=1)
+    moments = xp.sum(xp.reshape(moments, (sectors, -1)), axis=1)
     if drive.output == CARRIER:
         passed = matrices.levers * state.pin_force
     else:
         passed = -matrices.turning[:, output] * state.tangential
-    return moments + jnp.sum(passed.reshape(sectors, -1), axis=1)
+    return moments + xp.sum(passed.reshape(sectors, -1), axis=1)
 
 
 def _working_interference(joint: Joint, floating: tuple[str, ...], rest: DriveState) -> Array:
     """Interference of the contacts, with what floating bodies on the axis take of it [m]."""
     drive = joint.drive
     central = np.array([drive.bodies[body].name in floating for body in drive.floating])
-    return rest.interference + incidence(drive).approach @ jnp.where(
+    return rest.interference + incidence(drive).approach @ xp.where(
         np.repeat(central, 2), rest.displacement.ravel(), 0.0
     )
 

@@ -11,8 +11,7 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-import jax.numpy as jnp
-
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 AsperityBase = Literal["majumdar_bhushan_1991", "circular_spot"]
@@ -38,8 +37,8 @@ def base_length(*, spot_area: Real, asperity_base: AsperityBase) -> Real:
     A. Majumdar and B. Bhushan, J. Tribol. 113 (1991) 1; Zou et al. 2025, equation (8) (l = 2r).
     """
     if asperity_base == "majumdar_bhushan_1991":
-        return jnp.sqrt(spot_area)
-    return 2.0 * jnp.sqrt(spot_area / math.pi)  # (8)
+        return xp.sqrt(spot_area)
+    return 2.0 * xp.sqrt(spot_area / math.pi)  # (8)
 
 
 def asperity_height(
@@ -78,11 +77,11 @@ def asperity_height(
     """
     height = (
         fractal_roughness ** (fractal_dimension - 1.0)
-        * jnp.sqrt(jnp.log(frequency_ratio))
+        * xp.sqrt(xp.log(frequency_ratio))
         * base_length ** (2.0 - fractal_dimension)
-        * jnp.cos(math.pi * position / base_length)
+        * xp.cos(math.pi * position / base_length)
     )  # (7)
-    return jnp.where(jnp.abs(position) < base_length / 2.0, height, jnp.nan)
+    return xp.where(xp.abs(position) < base_length / 2.0, height, xp.nan)
 
 
 def summit_radius(
@@ -113,7 +112,7 @@ def summit_radius(
     Zou et al. 2025, equation (9).
     """
     return base_length**fractal_dimension / (
-        math.pi**2 * fractal_roughness ** (fractal_dimension - 1.0) * jnp.sqrt(jnp.log(frequency_ratio))
+        math.pi**2 * fractal_roughness ** (fractal_dimension - 1.0) * xp.sqrt(xp.log(frequency_ratio))
     )  # (9)
 
 
@@ -162,7 +161,7 @@ def hertz_load(*, contact_modulus: Real, summit_radius: Real, deformation: Real)
     ----------
     Zou et al. 2025, equation (14); K. L. Johnson, Contact Mechanics, 1985, equation (4.23).
     """
-    return 4.0 / 3.0 * contact_modulus * jnp.sqrt(summit_radius) * deformation**1.5  # (14)
+    return 4.0 / 3.0 * contact_modulus * xp.sqrt(summit_radius) * deformation**1.5  # (14)
 
 
 def plastic_spot_area(*, summit_radius: Real, deformation: Real) -> Real:
@@ -229,7 +228,7 @@ def base_factor(*, fractal_dimension: Real, asperity_base: AsperityBase) -> Real
     From equations (9), (13), (14) of Zou et al. 2025 with l = 2 sqrt(a/pi).
     """
     if asperity_base == "majumdar_bhushan_1991":
-        return jnp.ones_like(fractal_dimension)
+        return xp.ones_like(fractal_dimension)
     return (math.pi / 4.0) ** (fractal_dimension / 2.0)
 
 
@@ -282,7 +281,7 @@ def elastic_spot_load(
         (4.0 * math.sqrt(math.pi) / 3.0)
         * factor
         * contact_modulus
-        * jnp.sqrt(jnp.log(frequency_ratio))
+        * xp.sqrt(xp.log(frequency_ratio))
         * fractal_roughness ** (fractal_dimension - 1.0)
         * spot_area ** ((3.0 - fractal_dimension) / 2.0)
     )  # (17)
@@ -323,9 +322,9 @@ def slip_factor(*, tangential_force: Real, normal_force: Real, friction_coeffici
     """
     limit = friction_coefficient * normal_force
     sticks = (tangential_force < limit) & (normal_force > 0.0)
-    safe_limit = jnp.where(sticks, limit, 1.0)
-    safe_force = jnp.where(sticks, tangential_force, 0.0)
-    return jnp.where(sticks, jnp.exp(jnp.log(1.0 - safe_force / safe_limit) / 3.0), 0.0)  # (22)
+    safe_limit = xp.where(sticks, limit, 1.0)
+    safe_force = xp.where(sticks, tangential_force, 0.0)
+    return xp.where(sticks, xp.exp(xp.log(1.0 - safe_force / safe_limit) / 3.0), 0.0)  # (22)
 
 
 def tangential_spot_stiffness(
@@ -353,7 +352,7 @@ def tangential_spot_stiffness(
     ----------
     Zou et al. 2025, equations (21) and (23).
     """
-    return 8.0 * tangential_contact_modulus * jnp.sqrt(spot_area / math.pi) * slip_factor  # (21)
+    return 8.0 * tangential_contact_modulus * xp.sqrt(spot_area / math.pi) * slip_factor  # (21)
 
 
 def normal_spot_stiffness(*, spot_area: Real, contact_modulus: Real) -> Real:
@@ -377,4 +376,4 @@ def normal_spot_stiffness(*, spot_area: Real, contact_modulus: Real) -> Real:
     ----------
     Hertz (K. L. Johnson, Contact Mechanics, 1985, section 4.2); equation (A4) of :doc:`/equations`.
     """
-    return 2.0 * contact_modulus * jnp.sqrt(spot_area / math.pi)  # (A4)
+    return 2.0 * contact_modulus * xp.sqrt(spot_area / math.pi)  # (A4)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import jax.numpy as jnp
-
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -71,11 +70,11 @@ def creepage(*, slip_ratio: Real, gross_slip_creepage: Real) -> Real:
     F. W. Carter, Proc. R. Soc. A 112 (1926) 151; K. L. Johnson, Contact Mechanics, 1985, section 8.3.
     Equation (B1) of :doc:`/equations`.
     """
-    magnitude = jnp.abs(slip_ratio)
+    magnitude = xp.abs(slip_ratio)
     carried = magnitude <= 1.0
-    safe = jnp.where(carried, magnitude, 0.0)
-    steady = slip_ratio / (1.0 + jnp.sqrt(1.0 - safe))  # (B1), accurate also at small q
-    return gross_slip_creepage * jnp.where(carried, steady, jnp.sign(slip_ratio) * jnp.inf)
+    safe = xp.where(carried, magnitude, 0.0)
+    steady = slip_ratio / (1.0 + xp.sqrt(1.0 - safe))  # (B1), accurate also at small q
+    return gross_slip_creepage * xp.where(carried, steady, xp.sign(slip_ratio) * xp.inf)
 
 
 def slip_ratio_at_creepage(*, creepage: Real, gross_slip_creepage: Real) -> Real:
@@ -100,9 +99,9 @@ def slip_ratio_at_creepage(*, creepage: Real, gross_slip_creepage: Real) -> Real
     ----------
     F. W. Carter, Proc. R. Soc. A 112 (1926) 151; equation (B1) of :doc:`/equations`, inverted.
     """
-    sticks = jnp.abs(creepage) < gross_slip_creepage
-    share = jnp.where(sticks, creepage, 0.0) / jnp.where(sticks, gross_slip_creepage, 1.0)
-    return jnp.where(sticks, share * (2.0 - jnp.abs(share)), jnp.sign(creepage))
+    sticks = xp.abs(creepage) < gross_slip_creepage
+    share = xp.where(sticks, creepage, 0.0) / xp.where(sticks, gross_slip_creepage, 1.0)
+    return xp.where(sticks, share * (2.0 - xp.abs(share)), xp.sign(creepage))
 
 
 def stick_half_width(*, slip_ratio: Real, half_width: Real) -> Real:
@@ -124,9 +123,9 @@ def stick_half_width(*, slip_ratio: Real, half_width: Real) -> Real:
     ----------
     K. L. Johnson, Contact Mechanics, 1985, section 8.3; equation (B2) of :doc:`/equations`.
     """
-    remaining = 1.0 - jnp.abs(slip_ratio)
+    remaining = 1.0 - xp.abs(slip_ratio)
     sticks = remaining > 0.0
-    return jnp.where(sticks, half_width * jnp.sqrt(jnp.where(sticks, remaining, 1.0)), 0.0)
+    return xp.where(sticks, half_width * xp.sqrt(xp.where(sticks, remaining, 1.0)), 0.0)
 
 
 def stick_centre(*, slip_ratio: Real, half_width: Real) -> Real:
@@ -187,11 +186,11 @@ def rolling_traction(
     stick = stick_half_width(slip_ratio=slip_ratio, half_width=half_width)
 
     def ellipse(place: Real, width: Real) -> Real:
-        inside = jnp.abs(place) < width
-        height = jnp.where(inside, 1.0 - (place / jnp.where(inside, width, 1.0)) ** 2, 1.0)
-        return jnp.where(inside, jnp.sqrt(height), 0.0)
+        inside = xp.abs(place) < width
+        height = xp.where(inside, 1.0 - (place / xp.where(inside, width, 1.0)) ** 2, 1.0)
+        return xp.where(inside, xp.sqrt(height), 0.0)
 
     shape = ellipse(position, half_width) - stick / half_width * ellipse(
         position - (half_width - stick), stick
     )  # (B2)
-    return jnp.sign(slip_ratio) * friction_coefficient * peak_pressure * shape
+    return xp.sign(slip_ratio) * friction_coefficient * peak_pressure * shape

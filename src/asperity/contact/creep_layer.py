@@ -14,11 +14,11 @@ from __future__ import annotations
 
 import math
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.engine.arrays import xp
+from asperity.engine.control import traced_once
 from asperity.types import Real
 
 #: Ranges of the table: layer ratio, slip ratio Q/(mu N), and tangential over normal stiffness of the asperities.
@@ -150,7 +150,7 @@ def width_factor(*, layer_ratio: Real) -> Real:
     >>> float(width_factor(layer_ratio=0.11))
     1.2
     """
-    return jnp.sqrt(1.0 + 4.0 * layer_ratio)
+    return xp.sqrt(1.0 + 4.0 * layer_ratio)
 
 
 def table_nodes(shape: tuple[int, int, int]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -222,7 +222,7 @@ _PEAK_COEFFICIENTS = _series_to_powers(_PEAKS.size) @ _values_to_series(_PEAKS.s
 
 def _position(value: Real, ends: tuple[float, float]) -> Real:
     """-1 to 1 between the ends, constant beyond."""
-    return jnp.clip((2.0 * value - sum(ends)) / (ends[1] - ends[0]), -1.0, 1.0)
+    return xp.clip((2.0 * value - sum(ends)) / (ends[1] - ends[0]), -1.0, 1.0)
 
 
 def _power_sum(coefficients: Array | np.ndarray, x: Real) -> Array:
@@ -234,8 +234,8 @@ def _power_sum(coefficients: Array | np.ndarray, x: Real) -> Array:
 
 
 def _layer_position(layer_ratio: Real) -> Real:
-    ratio = jnp.where(layer_ratio > 0.0, layer_ratio, LAYER_RATIO_RANGE[0])
-    return _position(jnp.log(ratio), _LOG_LAYER)
+    ratio = xp.where(layer_ratio > 0.0, layer_ratio, LAYER_RATIO_RANGE[0])
+    return _position(xp.log(ratio), _LOG_LAYER)
 
 
 def peak_pressure_factor(*, layer_ratio: Real) -> Real:
@@ -263,12 +263,12 @@ def peak_pressure_factor(*, layer_ratio: Real) -> Real:
     ----------
     :mod:`asperity.bem.rough_rolling`, by ``examples/rolling_layer.py``; equation (B1) of :doc:`/equations`.
     """
-    return _power_sum(_PEAK_COEFFICIENTS, _layer_position(layer_ratio)) / jnp.sqrt(
+    return _power_sum(_PEAK_COEFFICIENTS, _layer_position(layer_ratio)) / xp.sqrt(
         1.0 + 8.0 / math.pi * layer_ratio
     )
 
 
-@jax.jit  # traced once for all states of the contacts
+@traced_once  # traced once for all states of the contacts
 def layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real, stiffness_ratio: Real) -> Real:
     r"""Steady creepage with asperities over Carter's at the same traction.
 
@@ -304,10 +304,10 @@ def layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real, stiffness_rati
     ----------
     :mod:`asperity.bem.rough_rolling`, by ``examples/rolling_layer.py``; equation (B1) of :doc:`/equations`.
     """
-    q = jnp.clip(jnp.abs(slip_ratio), *SLIP_RATIO_RANGE)
-    x, y = _layer_position(layer_ratio), _position(jnp.log(q / (1.0 - q)), _LOGIT_SLIP)
+    q = xp.clip(xp.abs(slip_ratio), *SLIP_RATIO_RANGE)
+    x, y = _layer_position(layer_ratio), _position(xp.log(q / (1.0 - q)), _LOGIT_SLIP)
     v = _position(1.0 / stiffness_ratio, _SOFTNESS)
     # the slip ratio last: a derivative by it concerns one sum of three
-    table = _COEFFICIENTS.reshape(*_COEFFICIENTS.shape, *(1,) * jnp.ndim(x + y + v))
+    table = _COEFFICIENTS.reshape(*_COEFFICIENTS.shape, *(1,) * xp.ndim(x + y + v))
     shape = _power_sum(_power_sum(_power_sum(table, x), v), y)
-    return 1.0 + layer_ratio / jnp.sqrt(1.0 + layer_ratio) * shape
+    return 1.0 + layer_ratio / xp.sqrt(1.0 + layer_ratio) * shape

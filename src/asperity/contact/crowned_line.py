@@ -13,15 +13,16 @@ loaded share s of the length, and the slices carry the load.
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
-from jax.custom_derivatives import SymbolicZero
 
 from asperity.contact.strip_theory import strip_logarithm
+from asperity.engine.arrays import xp
+from asperity.engine.control import fori_loop
+from asperity.engine.derivatives import value_and_slope, with_rule
 from asperity.types import Real
 
 #: Slices of one half of the line; the two halves are alike.
@@ -97,13 +98,13 @@ class CrownedLines(eqx.Module):
 
 def _along(values: np.ndarray, like: Array) -> Array:
     """A number for each slice along a first axis."""
-    return jnp.asarray(values).reshape(-1, *(1,) * jnp.ndim(like))
+    return xp.asarray(values).reshape(-1, *(1,) * xp.ndim(like))
 
 
 def _loaded_share(approach: Array, crown: Array) -> Array:
     """Share of the length that is loaded."""
     free = approach < crown
-    return jnp.where(free, jnp.sqrt(approach / jnp.where(free, crown, 1.0)), 1.0)
+    return xp.where(free, xp.sqrt(approach / xp.where(free, crown, 1.0)), 1.0)
 
 
 def _free_power(approach: Array, crown: Array) -> Array:
@@ -112,18 +113,18 @@ def _free_power(approach: Array, crown: Array) -> Array:
 
 def _spread(approach: Array, crown: Array) -> Array:
     """The loaded share without a kink where the load reaches the ends: the length on which compression depends."""
-    return jnp.exp(-0.5 / _POWER * jnp.log1p(_free_power(approach, crown)))
+    return xp.exp(-0.5 / _POWER * xp.log1p(_free_power(approach, crown)))
 
 
 def _factor(approach: Array, crown: Array) -> Array:
     """Compression over squared width of a slice plus the logarithm of the latter, 2 ln(2 s) − 2."""
-    return (2.0 * math.log(2.0) - 2.0) - jnp.log1p(_free_power(approach, crown)) / _POWER
+    return (2.0 * math.log(2.0) - 2.0) - xp.log1p(_free_power(approach, crown)) / _POWER
 
 
 def _logarithm(compression: Array, factor: Array) -> Array:
     """Compression over squared width of a slice."""
-    target = factor - jnp.log(compression)
-    return jnp.asarray(strip_logarithm(jnp.maximum(target, LEAST_TARGET)))
+    target = factor - xp.log(compression)
+    return xp.asarray(strip_logarithm(xp.maximum(target, LEAST_TARGET)))
 
 
 def _carried(approach: Array, crown: Array) -> tuple[Array, Array]:
@@ -132,51 +133,51 @@ def _carried(approach: Array, crown: Array) -> tuple[Array, Array]:
     power = _free_power(approach, crown)
     drift = power / (1.0 + power)
     place, weight = (_along(values, approach) for values in (_PLACE, _WEIGHT))
-    compression = approach - jnp.where(free, approach, crown) * place**2
+    compression = approach - xp.where(free, approach, crown) * place**2
     logarithm = _logarithm(compression, _factor(approach, crown))
     squared_width = compression / logarithm
-    growth = jnp.where(free, compression, approach) - squared_width * drift
-    load = jnp.sum(weight * squared_width, axis=0)
-    slope = jnp.sum(weight * growth / (logarithm - 1.0), axis=0)
+    growth = xp.where(free, compression, approach) - squared_width * drift
+    load = xp.sum(weight * squared_width, axis=0)
+    slope = xp.sum(weight * growth / (logarithm - 1.0), axis=0)
     share = _loaded_share(approach, crown)
-    return share * load, share * (slope + jnp.where(free, 0.5 * load, 0.0))
+    return share * load, share * (slope + xp.where(free, 0.5 * load, 0.0))
 
 
-@jax.custom_jvp
+@partial(with_rule, none_for_zero=True)
 def _approach(load: Array, crown: Array) -> Array:
     """Approach eta under a load: Newton's method on the nearly straight ln load over ln eta."""
-    logarithm = 2.0 * math.log(2.0) - 2.0 - jnp.log(load)
+    logarithm = 2.0 * math.log(2.0) - 2.0 - xp.log(load)
     full = load * logarithm + crown / 3.0
-    some = jnp.where(crown > 0.0, 1.5 * load * logarithm * jnp.sqrt(crown), 1.0)
-    start = jnp.where(full > crown, full, jnp.exp(jnp.log(some) * (2.0 / 3.0)))
+    some = xp.where(crown > 0.0, 1.5 * load * logarithm * xp.sqrt(crown), 1.0)
+    start = xp.where(full > crown, full, xp.exp(xp.log(some) * (2.0 / 3.0)))
 
     def improve(_: int, approach: Array) -> Array:
         value, slope = _carried(approach, crown)
-        return approach * jnp.exp(jnp.log(load / value) * value / slope)
+        return approach * xp.exp(xp.log(load / value) * value / slope)
 
-    return jax.lax.fori_loop(0, _NEWTON_STEPS, improve, start)
+    return fori_loop(0, _NEWTON_STEPS, improve, start)
 
 
-def _approach_jvp(primals: tuple[Array, Array], tangents: tuple[Array, Array]) -> tuple[Array, Array]:
+@_approach.defjvp
+def _approach_jvp(
+    primals: tuple[Array, Array], tangents: tuple[Array | None, Array | None]
+) -> tuple[Array, Array]:
     """Implicit differentiation at the root."""
     (load, crown), (load_dot, crown_dot) = primals, tangents
     approach = _approach(load, crown)
     _, slope = _carried(approach, crown)
-    rate = jnp.zeros_like(load) if isinstance(load_dot, SymbolicZero) else load_dot
-    if not isinstance(crown_dot, SymbolicZero):
-        rate = rate - jax.jvp(lambda rho: _carried(approach, rho)[0], (crown,), (crown_dot,))[1]
+    rate = xp.zeros_like(load) if load_dot is None else load_dot
+    if crown_dot is not None:
+        rate = rate - value_and_slope(lambda rho: _carried(approach, rho)[0], (crown,), (crown_dot,))[1]
     return approach, rate * approach / slope
-
-
-_approach.defjvp(_approach_jvp, symbolic_zeros=True)
 
 
 def _scaled(
     normal_force: Real, crown_curvature: Real, contact_length: Real, effective_radius: Real, modulus: Real
 ) -> tuple[Array, Array]:
     load = 4.0 * normal_force * effective_radius / (math.pi * modulus * contact_length**3)
-    load, crown = jnp.broadcast_arrays(
-        jnp.asarray(load, dtype=float), jnp.asarray(0.5 * effective_radius * crown_curvature, dtype=float)
+    load, crown = xp.broadcast_arrays(
+        xp.asarray(load, dtype=float), xp.asarray(0.5 * effective_radius * crown_curvature, dtype=float)
     )
     return load, crown
 
@@ -227,25 +228,25 @@ def crowned_line(
     load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
     approach = _approach(load, crown)
     share, factor = _loaded_share(approach, crown), _factor(approach, crown)
-    at_end = jnp.where(approach > crown, approach - crown, 0.0)
+    at_end = xp.where(approach > crown, approach - crown, 0.0)
 
     def squared_width(compression: Array) -> Array:
         pressed = compression > 0.0
-        some = jnp.where(pressed, compression, approach)
-        return jnp.where(pressed, some / _logarithm(some, factor), 0.0)
+        some = xp.where(pressed, compression, approach)
+        return xp.where(pressed, some / _logarithm(some, factor), 0.0)
 
     place, weight = (_along(np.insert(values, 0, 0.0), approach) for values in (_PLACE, _WEIGHT))
     squared, end = squared_width(approach - crown * (share * place) ** 2), squared_width(at_end)
     per_squared = math.pi * contact_modulus * contact_length**2 / (4.0 * effective_radius)
     carried, _ = _carried(approach, crown)
     return CrownedLine(
-        position=jnp.asarray(0.5 * contact_length * place * share),
+        position=xp.asarray(0.5 * contact_length * place * share),
         line_load=squared * per_squared,
-        half_width=jnp.sqrt(squared) * contact_length,
+        half_width=xp.sqrt(squared) * contact_length,
         length_share=weight * share,
         end_line_load=end * per_squared,
         loaded_share=share,
-        solved=(jnp.abs(carried / load - 1.0) < _RESIDUAL) & (factor - jnp.log(approach) > LEAST_TARGET),
+        solved=(xp.abs(carried / load - 1.0) < _RESIDUAL) & (factor - xp.log(approach) > LEAST_TARGET),
     )
 
 
@@ -312,7 +313,7 @@ def compression_and_shortening(
     load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
     approach = _approach(load, crown)
     shorter = 1.0 / _spread(approach, crown) - 1.0
-    even = load * (2.0 * math.log(2.0) - 2.0 - jnp.log(load))
+    even = load * (2.0 * math.log(2.0) - 2.0 - xp.log(load))
     added = (approach - even) + 3.0 * load * shorter
     return added * contact_length**2 / (4.0 * effective_radius), shorter / contact_length
 
@@ -336,7 +337,7 @@ def crown_compliance(*, normal_force: Real, **line: Real) -> Array:
     ----------
     Equation (B12) of :doc:`/equations`.
     """
-    force = jnp.asarray(normal_force, dtype=float)
-    return jax.jvp(
-        lambda some: crown_compression(normal_force=some, **line), (force,), (jnp.ones_like(force),)
+    force = xp.asarray(normal_force, dtype=float)
+    return value_and_slope(
+        lambda some: crown_compression(normal_force=some, **line), (force,), (xp.ones_like(force),)
     )[1]

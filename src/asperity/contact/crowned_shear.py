@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.contact.crowned_line import compression_and_shortening, crown_compliance
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 # Gauss–Legendre over the cube root of the normal force, in which what ends of the line add is smooth down to no force
@@ -95,14 +95,14 @@ def crown_slip(
     J. Jäger, Arch. Appl. Mech. 65 (1995) 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349; equation (B12) of
     :doc:`/equations`.
     """
-    normal, stick = jnp.broadcast_arrays(
-        jnp.asarray(normal_force, dtype=float), jnp.asarray(stick_force, dtype=float)
+    normal, stick = xp.broadcast_arrays(
+        xp.asarray(normal_force, dtype=float), xp.asarray(stick_force, dtype=float)
     )
-    first, last = jnp.cbrt(stick), jnp.cbrt(normal)
-    nodes, weights = (jnp.asarray(rule).reshape(-1, *(1,) * normal.ndim) for rule in (_NODES, _WEIGHTS))
+    first, last = xp.cbrt(stick), xp.cbrt(normal)
+    nodes, weights = (xp.asarray(rule).reshape(-1, *(1,) * normal.ndim) for rule in (_NODES, _WEIGHTS))
     root = 0.5 * ((last + first) + (last - first) * nodes)
-    forces = jnp.concatenate([normal[None], stick[None], root**3])
+    forces = xp.concatenate([normal[None], stick[None], root**3])
     added, shorter = compression_and_shortening(normal_force=forces, **line)
-    ends = 0.5 * (last - first) * jnp.sum(weights * 3.0 * root**2 * shorter[2:], axis=0)
+    ends = 0.5 * (last - first) * xp.sum(weights * 3.0 * root**2 * shorter[2:], axis=0)
     sideways = (2.0 / math.pi) * lateral_strain_compliance * ends
-    return jnp.asarray(friction_coefficient * (added[0] - added[1] + sideways))
+    return xp.asarray(friction_coefficient * (added[0] - added[1] + sideways))

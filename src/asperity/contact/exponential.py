@@ -11,10 +11,10 @@ real, measured surfaces follow it than one power law with D and G.
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
 
 from asperity.contact.creep_layer import layer_ratio
 from asperity.contact.interface import RoughContact
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 #: Decay length over the rms of the heights. Persson's theory and simulations of self-affine surfaces have 0.4 to 0.5.
@@ -101,7 +101,7 @@ def random_contact(
     friction_coefficient: Real,
     contact_modulus: Real,
     tangential_contact_modulus: Real,
-    contact_length: Real = jnp.inf,
+    contact_length: Real = xp.inf,
 ) -> RoughContact:
     r"""Stiffnesses of a randomly rough contact under load.
 
@@ -139,18 +139,18 @@ def random_contact(
     M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349 and J. Jäger, J. Tribol. 120 (1998) 677: tangential from
     normal contact. Equation (A10) of :doc:`/equations`.
     """
-    touching = jnp.asarray(normal_force) > 0.0
-    load = jnp.where(touching, normal_force, 0.0)
-    limit = friction_coefficient * jnp.where(touching, normal_force, 1.0)
-    held = jnp.where(touching, jnp.maximum(1.0 - tangential_force / limit, 0.0), 0.0)
+    touching = xp.asarray(normal_force) > 0.0
+    load = xp.where(touching, normal_force, 0.0)
+    limit = friction_coefficient * xp.where(touching, normal_force, 1.0)
+    held = xp.where(touching, xp.maximum(1.0 - tangential_force / limit, 0.0), 0.0)
     rigid = load / roughness.decay_length
     ratio = layer_ratio(
         contact_modulus=contact_modulus,
         contact_length=contact_length,
-        normal_stiffness=jnp.where(touching, rigid, 1.0),
+        normal_stiffness=xp.where(touching, rigid, 1.0),
     )
     normal = line_contact_factor(layer_ratio=ratio) * rigid
-    unknown = jnp.full_like(normal, jnp.nan)
+    unknown = xp.full_like(normal, xp.nan)
     kappa = 4.0 * tangential_contact_modulus / contact_modulus
-    elastic = (load, jnp.zeros_like(load), kappa * normal * held, normal, rigid)
-    return RoughContact(*jnp.broadcast_arrays(unknown, unknown, unknown, *elastic, unknown, unknown))
+    elastic = (load, xp.zeros_like(load), kappa * normal * held, normal, rigid)
+    return RoughContact(*xp.broadcast_arrays(unknown, unknown, unknown, *elastic, unknown, unknown))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import jax.numpy as jnp
 from jax import Array
 
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 #: Blok's constant: largest rise under a band of elliptic heat, with equal rise of both surfaces.
@@ -35,7 +35,7 @@ def thermal_effusivity(*, conductivity: Real, density: Real, heat_capacity: Real
     ----------
     H. S. Carslaw and J. C. Jaeger, Conduction of Heat in Solids, 1959, section 2.9.
     """
-    return jnp.sqrt(conductivity * density * heat_capacity)
+    return xp.sqrt(conductivity * density * heat_capacity)
 
 
 def flash_temperature(
@@ -78,8 +78,8 @@ def flash_temperature(
     H. Blok, Proc. Gen. Disc. Lubrication, IMechE 2 (1937) 222; AGMA 925-A03 for unlike bodies; equation (B9) of
     :doc:`/equations`.
     """
-    conducted = effusivity_1 * jnp.sqrt(surface_speed_1) + effusivity_2 * jnp.sqrt(surface_speed_2)
-    return FLASH_CONSTANT * friction_power / (jnp.sqrt(2.0 * half_width) * conducted)  # (B9)
+    conducted = effusivity_1 * xp.sqrt(surface_speed_1) + effusivity_2 * xp.sqrt(surface_speed_2)
+    return FLASH_CONSTANT * friction_power / (xp.sqrt(2.0 * half_width) * conducted)  # (B9)
 
 
 def partial_slip_flash_factor(*, stick_fraction: Real) -> Array:
@@ -109,10 +109,10 @@ def partial_slip_flash_factor(*, stick_fraction: Real) -> Array:
     F. W. Carter, Proc. R. Soc. A 112 (1926) 151, with the moving source of Blok 1937; equation (B9) of
     :doc:`/equations`.
     """
-    slips = 1.0 - jnp.asarray(stick_fraction)
+    slips = 1.0 - xp.asarray(stick_fraction)
     some = slips > 0.0
-    share = jnp.where(some, slips, 1.0)
-    factor = jnp.zeros_like(share)
+    share = xp.where(some, slips, 1.0)
+    factor = xp.zeros_like(share)
     for coefficient in reversed(_CARTER_HEAT):
         factor = factor * share + coefficient
-    return jnp.where(some, factor / jnp.sqrt(share), jnp.inf)
+    return xp.where(some, factor / xp.sqrt(share), xp.inf)

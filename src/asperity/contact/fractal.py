@@ -20,13 +20,14 @@ from __future__ import annotations
 import math
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.asperity import AsperityBase, base_factor, slip_factor
 from asperity.contact.interface import RoughContact
 from asperity.contact.population import log_critical_area, log_domain_extension_factor
+from asperity.engine.arrays import xp
+from asperity.engine.control import once
+from asperity.engine.derivatives import value_and_slope, with_rule
 from asperity.types import Real
 
 #: Range of fractal dimensions in which the contact law is verified to rounding, narrower than what it accepts.
@@ -60,13 +61,13 @@ class Surface(eqx.Module):
 
 def _relative_expm1(x: Array) -> Array:
     """(e^x − 1)/x with all digits, and all digits of its derivative, through x = 0."""
-    near = jnp.abs(x) < _SERIES_LIMIT
-    far_x = jnp.where(near, 1.0, x)
-    near_x = jnp.where(near, x, 0.0)
-    series = jnp.ones_like(x)
+    near = xp.abs(x) < _SERIES_LIMIT
+    far_x = xp.where(near, 1.0, x)
+    near_x = xp.where(near, x, 0.0)
+    series = xp.ones_like(x)
     for n in range(_SERIES_TERMS, 1, -1):
         series = 1.0 + near_x / n * series
-    return jnp.where(near, series, jnp.expm1(far_x) / far_x)
+    return xp.where(near, series, xp.expm1(far_x) / far_x)
 
 
 def elastic_load_coefficient(
@@ -93,34 +94,34 @@ def elastic_load_coefficient(
     From equations (17) and (19) of Zou et al. 2025; equation (A5) of :doc:`/equations`.
     """
     factor = base_factor(fractal_dimension=fractal_dimension, asperity_base=asperity_base)
-    return (2.0 * math.sqrt(math.pi) / 3.0) * factor * jnp.sqrt(jnp.log(frequency_ratio))
+    return (2.0 * math.sqrt(math.pi) / 3.0) * factor * xp.sqrt(xp.log(frequency_ratio))
 
 
 def _log_load_ratio(log_area_ratio: Array, dimension: Array, coefficient: Array) -> Array:
     """The branch y >= 0 of (A5): ln(F_n/F_c) as a function of y = ln(a_l/a_c)."""
     power = 1.5 - dimension
     rise = log_area_ratio * _relative_expm1(power * log_area_ratio)
-    return 0.5 * dimension * log_area_ratio + jnp.log1p(coefficient * (1.0 - 0.5 * dimension) * rise)
+    return 0.5 * dimension * log_area_ratio + xp.log1p(coefficient * (1.0 - 0.5 * dimension) * rise)
 
 
-@jax.custom_jvp
+@with_rule
 def _solve_log_area_ratio(log_load_ratio: Array, dimension: Array, coefficient: Array) -> Array:
     power = 1.5 - dimension
     weight = coefficient * (1.0 - 0.5 * dimension)
-    y = log_load_ratio / jnp.maximum(0.5 * dimension, 1.5 - 0.5 * dimension)
+    y = log_load_ratio / xp.maximum(0.5 * dimension, 1.5 - 0.5 * dimension)
     singular = power == 0.0
-    inverse = jnp.where(singular, 0.0, 1.0 / jnp.where(singular, 1.0, power))
+    inverse = xp.where(singular, 0.0, 1.0 / xp.where(singular, 1.0, power))
     for _ in range(_HOUSEHOLDER_STEPS):
-        rise = jnp.where(singular, y, jnp.expm1(power * y) * inverse)
+        rise = xp.where(singular, y, xp.expm1(power * y) * inverse)
         total = 1.0 + weight * rise
         growth = weight * (1.0 + power * rise) / total
         slope = 0.5 * dimension + growth
         second = growth * (power - growth)
         third = second * (power - 2.0 * growth)
-        newton = (0.5 * dimension * y + jnp.log(total) - log_load_ratio) / slope
+        newton = (0.5 * dimension * y + xp.log(total) - log_load_ratio) / slope
         first_order = newton * second / slope
         y = y - newton * (1.0 - 0.5 * first_order) / (1.0 - first_order + newton**2 * third / (6.0 * slope))
-    return jax.lax.optimization_barrier(y)  # prevents XLA from solving again for every use
+    return once(y)  # prevents XLA from solving again for every use
 
 
 @_solve_log_area_ratio.defjvp
@@ -131,8 +132,8 @@ def _solve_log_area_ratio_jvp(
     load_ratio, dimension, coefficient = primals
     load_dot, dimension_dot, coefficient_dot = tangents
     y = _solve_log_area_ratio(load_ratio, dimension, coefficient)
-    _, slope = jax.jvp(lambda v: _log_load_ratio(v, dimension, coefficient), (y,), (jnp.ones_like(y),))
-    _, drift = jax.jvp(
+    _, slope = value_and_slope(lambda v: _log_load_ratio(v, dimension, coefficient), (y,), (xp.ones_like(y),))
+    _, drift = value_and_slope(
         lambda d, k: _log_load_ratio(y, d, k), (dimension, coefficient), (dimension_dot, coefficient_dot)
     )
     return y, (load_dot - drift) / slope
@@ -164,12 +165,12 @@ def log_area_ratio(*, log_load_ratio: Real, fractal_dimension: Real, elastic_loa
     ----------
     Zou et al. 2025, equation (20), in the form (A5) of :doc:`/equations`.
     """
-    ratio, dimension, coefficient = jnp.broadcast_arrays(
-        *(jnp.asarray(v, dtype=float) for v in (log_load_ratio, fractal_dimension, elastic_load_coefficient))
+    ratio, dimension, coefficient = xp.broadcast_arrays(
+        *(xp.asarray(v, dtype=float) for v in (log_load_ratio, fractal_dimension, elastic_load_coefficient))
     )
     elastic = ratio > 0.0
-    solved = _solve_log_area_ratio(jnp.where(elastic, ratio, 1.0), dimension, coefficient)
-    return jnp.where(elastic, solved, ratio)
+    solved = _solve_log_area_ratio(xp.where(elastic, ratio, 1.0), dimension, coefficient)
+    return xp.where(elastic, solved, ratio)
 
 
 def fractal_contact(
@@ -227,7 +228,7 @@ def fractal_contact(
     dimension = surface.fractal_dimension
     half = 0.5 * dimension
     log_psi = log_domain_extension_factor(fractal_dimension=dimension)
-    population = contact_factor * jnp.exp((1.0 - half) * log_psi)  # lambda psi^((2-D)/2)
+    population = contact_factor * xp.exp((1.0 - half) * log_psi)  # lambda psi^((2-D)/2)
     kappa = elastic_load_coefficient(
         fractal_dimension=dimension,
         frequency_ratio=surface.frequency_ratio,
@@ -242,29 +243,29 @@ def fractal_contact(
     pressure_scale = population * hardness * (half / (1.0 - half))  # F_c = this times a_c
 
     touching = normal_force > 0.0
-    safe_force = jnp.where(touching, normal_force, 1.0)
+    safe_force = xp.where(touching, normal_force, 1.0)
     y = log_area_ratio(
-        log_load_ratio=jnp.log(safe_force / pressure_scale) - log_critical,
+        log_load_ratio=xp.log(safe_force / pressure_scale) - log_critical,
         fractal_dimension=dimension,
         elastic_load_coefficient=kappa,
     )
     some_elastic = touching & (y > 0.0)
-    y_elastic = jnp.where(some_elastic, y, 0.0)
+    y_elastic = xp.where(some_elastic, y, 0.0)
 
     rise = y_elastic * _relative_expm1((1.5 - dimension) * y_elastic)
     elastic_weight = kappa * (1.0 - half) * rise
     elastic_share = elastic_weight / (1.0 + elastic_weight)  # F_e / F_n, from the two terms of (A5)
     plastic_share = 1.0 / (1.0 + elastic_weight)
 
-    largest = jnp.where(touching, jnp.exp(log_critical + y), 0.0)
+    largest = xp.where(touching, xp.exp(log_critical + y), 0.0)
     real_area = population * (half / (1.0 - half)) * largest  # (A6)
     # (24), the integral of sqrt(a/pi) n(a) from a_c to a_l, with a_l = a_c e^y; exponents joined before exp
-    log_front = jnp.where(some_elastic, 0.5 * log_critical + half * y_elastic, 0.0)
+    log_front = xp.where(some_elastic, 0.5 * log_critical + half * y_elastic, 0.0)
     radius_sum = (
         population
         * (dimension / (dimension - 1.0))
-        * jnp.exp(log_front)
-        * -jnp.expm1(-(half - 0.5) * y_elastic)
+        * xp.exp(log_front)
+        * -xp.expm1(-(half - 0.5) * y_elastic)
         / math.sqrt(math.pi)
     )
     slip = slip_factor(
@@ -272,16 +273,16 @@ def fractal_contact(
         normal_force=normal_force,
         friction_coefficient=friction_coefficient,
     )
-    force = jnp.where(touching, normal_force, 0.0)
-    values = jnp.broadcast_arrays(
+    force = xp.where(touching, normal_force, 0.0)
+    values = xp.broadcast_arrays(
         largest,
-        jnp.exp(log_critical),
+        xp.exp(log_critical),
         real_area,
         force * elastic_share,
         force * plastic_share,
         8.0 * tangential_contact_modulus * radius_sum * slip,  # (24)
         *[2.0 * contact_modulus * radius_sum] * 2,  # (A6)
-        jnp.exp(log_psi),
+        xp.exp(log_psi),
         contact_factor,
     )
     return RoughContact(*values)

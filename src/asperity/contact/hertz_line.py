@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 
-import jax.numpy as jnp
-
-from asperity.types import Real, namespace
+from asperity.engine.arrays import xp
+from asperity.types import Real
 
 #: Peak pressure at first yield over the yield strength, Tresca (Johnson 1985, section 6.2, p0 = 1.67 Y).
 FIRST_YIELD_RATIO = 1.67
@@ -36,7 +35,7 @@ def effective_radius(*, radius_1: Real, radius_2: Real, sign: Real) -> Real:
     >>> round(float(effective_radius(radius_1=10e-3, radius_2=20e-3, sign=1.0)) * 1e3, 4)
     6.6667
     """
-    total: Real = namespace(radius_1, radius_2, sign).abs(radius_1 + sign * radius_2)
+    total: Real = xp.abs(radius_1 + sign * radius_2)
     return radius_1 * radius_2 / total
 
 
@@ -67,7 +66,7 @@ def half_width(
     ----------
     K. L. Johnson, Contact Mechanics, 1985, equation (4.43).
     """
-    return jnp.sqrt(4.0 * normal_force * effective_radius / (math.pi * contact_length * contact_modulus))
+    return xp.sqrt(4.0 * normal_force * effective_radius / (math.pi * contact_length * contact_modulus))
 
 
 def peak_pressure(*, normal_force: Real, contact_length: Real, half_width: Real) -> Real:
@@ -181,7 +180,7 @@ def roller_secant_compliance(
     scale = logarithmic_compliance(
         contact_length=contact_length, youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio
     )
-    return scale * (2.0 * (jnp.log(4.0 * radius) - jnp.log(half_width)) - 1.0)
+    return scale * (2.0 * (xp.log(4.0 * radius) - xp.log(half_width)) - 1.0)
 
 
 def ring_secant_compliance(
@@ -223,7 +222,7 @@ def ring_secant_compliance(
         contact_length=contact_length, youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio
     )
     return scale * (
-        2.0 * (jnp.log(2.0 * wall_thickness) - jnp.log(half_width)) - poisson_ratio / (1.0 - poisson_ratio)
+        2.0 * (xp.log(2.0 * wall_thickness) - xp.log(half_width)) - poisson_ratio / (1.0 - poisson_ratio)
     )
 
 
@@ -256,7 +255,7 @@ def stick_half_width(
     """
     remaining = 1.0 - tangential_force / (friction_coefficient * normal_force)
     sticks = remaining > 0.0
-    return jnp.where(sticks, half_width * jnp.sqrt(jnp.where(sticks, remaining, 1.0)), 0.0)
+    return xp.where(sticks, half_width * xp.sqrt(xp.where(sticks, remaining, 1.0)), 0.0)
 
 
 def partial_slip_compliance(
@@ -299,5 +298,5 @@ def partial_slip_compliance(
     """
     limit = friction_coefficient * normal_force
     sticks = (tangential_force < limit) & (normal_force > 0.0)
-    share = jnp.where(sticks, tangential_force, 0.0) / jnp.where(sticks, limit, 1.0)
-    return jnp.where(sticks, -logarithmic_compliance * jnp.log1p(-share), jnp.inf)
+    share = xp.where(sticks, tangential_force, 0.0) / xp.where(sticks, limit, 1.0)
+    return xp.where(sticks, -logarithmic_compliance * xp.log1p(-share), xp.inf)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.hertz_line import partial_slip_compliance
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -55,7 +55,7 @@ def series_stiffness(stiffness_1: Real, stiffness_2: Real) -> Real:
     Elementary: both springs carry the same force, their elongations add.
     """
     total = stiffness_1 + stiffness_2
-    return stiffness_1 * (stiffness_2 / jnp.where(total > 0.0, total, 1.0))
+    return stiffness_1 * (stiffness_2 / xp.where(total > 0.0, total, 1.0))
 
 
 def bulk_tangential_stiffness(
@@ -102,9 +102,9 @@ def bulk_tangential_stiffness(
         tangential_force=tangential_force,
         friction_coefficient=friction_coefficient,
     )
-    holds = jnp.isfinite(added) & jnp.isfinite(normal_compliance)
-    compliance = jnp.where(holds, normal_compliance, 0.5) + jnp.where(holds, added, 0.5)
-    return jnp.where(holds, 1.0 / compliance, 0.0)
+    holds = xp.isfinite(added) & xp.isfinite(normal_compliance)
+    compliance = xp.where(holds, normal_compliance, 0.5) + xp.where(holds, added, 0.5)
+    return xp.where(holds, 1.0 / compliance, 0.0)
 
 
 class RoughContact(eqx.Module):

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 import scipy.special
 from jax import Array
 from jax.scipy.special import erf
 from numpy.typing import NDArray
 
+from asperity.engine.arrays import xp
+from asperity.engine.control import traced_once
 from asperity.types import Real
 
 #: Stiffness by this theory over that of boundary elements, elastic: nine states in ten, of the same measured surfaces
@@ -89,10 +89,10 @@ def sorted_waves(wavenumber: NDArray[np.float64], variance: NDArray[np.float64])
     order = np.argsort(wavenumber)
     slope = np.cumsum(variance[order] * wavenumber[order] ** 2)
     return WaveSpectrum(
-        wavenumber=jnp.asarray(wavenumber[order]),
-        slope_variance=jnp.asarray(slope),
-        rms_height=jnp.asarray(math.sqrt(variance.sum())),
-        rms_slope=jnp.asarray(math.sqrt(slope[-1])),
+        wavenumber=xp.asarray(wavenumber[order]),
+        slope_variance=xp.asarray(slope),
+        rms_height=xp.asarray(math.sqrt(variance.sum())),
+        rms_slope=xp.asarray(math.sqrt(slope[-1])),
     )
 
 
@@ -161,10 +161,10 @@ def contact_fraction(*, mean_pressure: Real, contact_modulus: Real, rms_slope: R
     >>> float(contact_fraction(mean_pressure=1e9, contact_modulus=1e9, rms_slope=0.0001))
     1.0
     """
-    return erf(jnp.sqrt(2.0) * mean_pressure / (contact_modulus * rms_slope))
+    return erf(xp.sqrt(2.0) * mean_pressure / (contact_modulus * rms_slope))
 
 
-@jax.jit
+@traced_once
 def persson_decay_length(*, spectrum: WaveSpectrum, mean_pressure: Real, contact_modulus: Real) -> Array:
     r"""Pressure over the stiffness per nominal area, the slope of pressure over mean gap.
 
@@ -197,11 +197,11 @@ def persson_decay_length(*, spectrum: WaveSpectrum, mean_pressure: Real, contact
     B. N. J. Persson, Phys. Rev. Lett. 99 (2007) 125502. C. Yang and B. N. J. Persson, J. Phys.: Condens. Matter 20
     (2008) 215214. Equation (A11) of :doc:`/equations`.
     """
-    slopes = jnp.sqrt(jnp.concatenate([jnp.zeros(1), spectrum.slope_variance]))
-    x, weight = (jnp.asarray(part) for part in np.polynomial.legendre.leggauss(3))
-    inside = slopes[:-1, None] + 0.5 * (1.0 + x) * jnp.diff(slopes)[:, None]
-    measure = 0.5 * weight * (jnp.diff(slopes) / spectrum.wavenumber)[:, None]
-    p = jnp.asarray(mean_pressure, dtype=jnp.float64)[..., None, None]
-    wp = math.sqrt(2.0) * p / (contact_modulus * jnp.where(inside > 0.0, inside, 1.0))
+    slopes = xp.sqrt(xp.concatenate([xp.zeros(1), spectrum.slope_variance]))
+    x, weight = (xp.asarray(part) for part in np.polynomial.legendre.leggauss(3))
+    inside = slopes[:-1, None] + 0.5 * (1.0 + x) * xp.diff(slopes)[:, None]
+    measure = 0.5 * weight * (xp.diff(slopes) / spectrum.wavenumber)[:, None]
+    p = xp.asarray(mean_pressure, dtype=xp.float64)[..., None, None]
+    wp = math.sqrt(2.0) * p / (contact_modulus * xp.where(inside > 0.0, inside, 1.0))
     energy = ENERGY_FACTOR + 3.0 * (1.0 - ENERGY_FACTOR) * erf(wp) ** 2
-    return math.sqrt(2.0 / math.pi) * jnp.sum(energy * jnp.exp(-(wp**2)) * measure, axis=(-2, -1))
+    return math.sqrt(2.0 / math.pi) * xp.sum(energy * xp.exp(-(wp**2)) * measure, axis=(-2, -1))

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.hertz_line import effective_radius, half_width
+from asperity.engine.arrays import xp
+from asperity.engine.control import once
+from asperity.engine.derivatives import value_and_slope, with_rule
 from asperity.types import Real
 
 ContactFactorModel = Literal["printed", "hertz_area", "unity"]
@@ -21,23 +22,23 @@ _START = (0.693504, -0.389088, 0.216115, -0.118178, 0.0641424, -0.0394134, 0.021
 def _extension_residual(log_psi: Array, dimension: Array) -> Array:
     """Equation (10)'s condition on psi divided by 2 − D, which stays accurate as D approaches 2."""
     distance = 2.0 - dimension
-    inside = jnp.expm1(0.5 * distance * log_psi)
-    outside = jnp.expm1(-distance / dimension * jnp.log1p(jnp.exp(-0.5 * dimension * log_psi)))
+    inside = xp.expm1(0.5 * distance * log_psi)
+    outside = xp.expm1(-distance / dimension * xp.log1p(xp.exp(-0.5 * dimension * log_psi)))
     return (inside - outside) / distance - 1.0 / dimension
 
 
-@jax.custom_jvp
+@with_rule
 def _log_extension_factor(dimension: Array) -> Array:
     centred = dimension - 1.5
-    log_psi = jnp.full_like(dimension, _START[-1])
+    log_psi = xp.full_like(dimension, _START[-1])
     for coefficient in reversed(_START[:-1]):
         log_psi = log_psi * centred + coefficient
     # one step of Halley's method, whose error is cubed: below rounding
     distance = 2.0 - dimension
-    weight = jnp.exp(-0.5 * dimension * log_psi)
+    weight = xp.exp(-0.5 * dimension * log_psi)
     share = weight / (1.0 + weight)
-    growth = jnp.expm1(0.5 * distance * log_psi)
-    shrink = jnp.expm1(-distance / dimension * jnp.log1p(weight))
+    growth = xp.expm1(0.5 * distance * log_psi)
+    shrink = xp.expm1(-distance / dimension * xp.log1p(weight))
     residual = (growth - shrink) / distance - 1.0 / dimension
     slope = 0.5 * ((1.0 + growth) - (1.0 + shrink) * share)
     bend = 0.25 * (
@@ -45,7 +46,7 @@ def _log_extension_factor(dimension: Array) -> Array:
     )
     step = residual / slope
     log_psi = log_psi - step / (1.0 - 0.5 * step * bend / slope)
-    return jax.lax.optimization_barrier(log_psi)  # prevents XLA from recomputing it for every use
+    return once(log_psi)  # prevents XLA from recomputing it for every use
 
 
 @_log_extension_factor.defjvp
@@ -53,9 +54,9 @@ def _log_extension_factor_jvp(primals: tuple[Array], tangents: tuple[Array]) -> 
     """Implicit differentiation of the residual at its root."""
     (dimension,), (dimension_dot,) = primals, tangents
     log_psi = _log_extension_factor(dimension)
-    ones = jnp.ones_like(log_psi)
-    _, slope = jax.jvp(lambda s: _extension_residual(s, dimension), (log_psi,), (ones,))
-    _, drift = jax.jvp(lambda d: _extension_residual(log_psi, d), (dimension,), (dimension_dot,))
+    ones = xp.ones_like(log_psi)
+    _, slope = value_and_slope(lambda s: _extension_residual(s, dimension), (log_psi,), (ones,))
+    _, drift = value_and_slope(lambda d: _extension_residual(log_psi, d), (dimension,), (dimension_dot,))
     return log_psi, -drift / slope
 
 
@@ -72,7 +73,7 @@ def log_domain_extension_factor(*, fractal_dimension: Real) -> Real:
     Real
         ln psi [-].
     """
-    return _log_extension_factor(jnp.asarray(fractal_dimension, dtype=float))
+    return _log_extension_factor(xp.asarray(fractal_dimension, dtype=float))
 
 
 def domain_extension_factor(*, fractal_dimension: Real) -> Real:
@@ -106,7 +107,7 @@ def domain_extension_factor(*, fractal_dimension: Real) -> Real:
     >>> float(domain_extension_factor(fractal_dimension=1.4))  # doctest: +ELLIPSIS
     2.08485078067...
     """
-    return jnp.exp(log_domain_extension_factor(fractal_dimension=fractal_dimension))
+    return xp.exp(log_domain_extension_factor(fractal_dimension=fractal_dimension))
 
 
 def printed_contact_factor(
@@ -147,10 +148,10 @@ def printed_contact_factor(
     Zou et al. 2025, equation (11).
     """
     length, modulus = 1e3 * contact_length, 1e-6 * contact_modulus  # mm, MPa
-    span = 1e3 * jnp.abs(radius_1 + sign * radius_2)
+    span = 1e3 * xp.abs(radius_1 + sign * radius_2)
     radius = 1e3 * effective_radius(radius_1=radius_1, radius_2=radius_2, sign=sign)
-    base = jnp.sqrt(4.0 * length / (math.pi * modulus) * radius) / (math.pi * span)
-    return jnp.exp(jnp.log(base) / radius)  # (11)
+    base = xp.sqrt(4.0 * length / (math.pi * modulus) * radius) / (math.pi * span)
+    return xp.exp(xp.log(base) / radius)  # (11)
 
 
 def hertz_area_contact_factor(
@@ -198,7 +199,7 @@ def hertz_area_contact_factor(
         effective_radius=radius,
         contact_modulus=contact_modulus,
     )
-    return (width / (math.pi * jnp.abs(radius_1 + sign * radius_2))) ** (1e-3 / radius)
+    return (width / (math.pi * xp.abs(radius_1 + sign * radius_2))) ** (1e-3 / radius)
 
 
 def contact_factor(
@@ -244,7 +245,7 @@ def contact_factor(
         return printed_contact_factor(**cylinders)
     if model == "hertz_area":
         return hertz_area_contact_factor(**cylinders, normal_force=normal_force)
-    return jnp.ones_like(printed_contact_factor(**cylinders))
+    return xp.ones_like(printed_contact_factor(**cylinders))
 
 
 def log_critical_area(
@@ -262,7 +263,7 @@ def log_critical_area(
     Real
         ln(a_c / 1 m^2) [-].
     """
-    return 2.0 * jnp.log(fractal_roughness) + 2.0 / (fractal_dimension - 1.0) * jnp.log(
+    return 2.0 * xp.log(fractal_roughness) + 2.0 / (fractal_dimension - 1.0) * xp.log(
         2.0 * contact_modulus / hardness
     )  # (19)
 
@@ -301,7 +302,7 @@ def critical_area(
     >>> round(float(area) * 1e6, 9)  # mm^2
     1.8719e-05
     """
-    return jnp.exp(
+    return xp.exp(
         log_critical_area(
             fractal_dimension=fractal_dimension,
             fractal_roughness=fractal_roughness,
@@ -343,8 +344,8 @@ def spot_density(
     density = (
         contact_factor
         * half
-        * jnp.exp((1.0 - half) * log_psi)
+        * xp.exp((1.0 - half) * log_psi)
         * largest_area**half
         * spot_area ** (-half - 1.0)
     )  # (12)
-    return jnp.where(spot_area <= largest_area, density, 0.0)
+    return xp.where(spot_area <= largest_area, density, 0.0)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import get_args
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact import hertz_line
@@ -13,6 +12,7 @@ from asperity.contact.exponential import RandomRoughness, random_contact
 from asperity.contact.fractal import Surface, fractal_contact
 from asperity.contact.interface import RoughContact
 from asperity.contact.population import ContactFactorModel, contact_factor
+from asperity.engine.arrays import xp
 from asperity.materials import ContactPair
 from asperity.types import Real
 
@@ -121,7 +121,7 @@ def roller_pairs(
 
 def _pressed(normal_force: Real) -> Array:
     """The normal force, or one newton for an open contact, for which every formula is defined."""
-    return jnp.where(jnp.asarray(normal_force) > 0.0, normal_force, 1.0)
+    return xp.where(xp.asarray(normal_force) > 0.0, normal_force, 1.0)
 
 
 def contact_factors(*, pairs: RollerPairs, model: ContactFactorModel, normal_force: Real) -> Real:
@@ -174,7 +174,7 @@ def numbered_contact_factors(*, pairs: RollerPairs, model_number: Array, normal_
         for model in CONTACT_FACTOR_MODELS
     ]
     chosen = [model_number == number for number in range(len(factors))]
-    return jnp.select(chosen, jnp.broadcast_arrays(*factors), jnp.nan)
+    return xp.select(chosen, xp.broadcast_arrays(*factors), xp.nan)
 
 
 def rough_contacts(
@@ -203,7 +203,7 @@ def rough_contacts(
     """
     under = {
         "normal_force": normal_force,
-        "tangential_force": jnp.abs(tangential_force),
+        "tangential_force": xp.abs(tangential_force),
         "friction_coefficient": pairs.friction_coefficient,
         "contact_modulus": pairs.moduli.contact_modulus,
         "tangential_contact_modulus": pairs.moduli.tangential_contact_modulus,

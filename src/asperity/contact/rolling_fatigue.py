@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-import jax.numpy as jnp
-
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 #: Weibull slope e, stress exponent c and depth exponent h of the life model (Coy, Loewenthal and Zaretsky 1976).
@@ -54,12 +53,12 @@ def stressed_track_life(
     J. J. Coy, S. H. Loewenthal and E. V. Zaretsky, NASA TN D-8362, 1976; equation (B7) of :doc:`/equations`.
     """
     logarithm = (
-        jnp.log(material_constant)
-        + DEPTH_EXPONENT * jnp.log(depth)
-        - STRESS_EXPONENT * jnp.log(shear_stress)
-        - jnp.log(stressed_volume)
+        xp.log(material_constant)
+        + DEPTH_EXPONENT * xp.log(depth)
+        - STRESS_EXPONENT * xp.log(shear_stress)
+        - xp.log(stressed_volume)
     )
-    return jnp.exp(logarithm / WEIBULL_SLOPE)  # (B7)
+    return xp.exp(logarithm / WEIBULL_SLOPE)  # (B7)
 
 
 def line_contact_life(
@@ -102,15 +101,15 @@ def line_contact_life(
     ----------
     J. J. Coy, S. H. Loewenthal and E. V. Zaretsky, NASA TN D-8362, 1976; equation (B7) of :doc:`/equations`.
     """
-    loaded = (jnp.asarray(peak_pressure) > 0.0) & (jnp.asarray(half_width) > 0.0)
-    depth = 0.5 * jnp.where(loaded, half_width, 1.0)
+    loaded = (xp.asarray(peak_pressure) > 0.0) & (xp.asarray(half_width) > 0.0)
+    depth = 0.5 * xp.where(loaded, half_width, 1.0)
     life = stressed_track_life(
-        shear_stress=0.25 * jnp.where(loaded, peak_pressure, 1.0),
+        shear_stress=0.25 * xp.where(loaded, peak_pressure, 1.0),
         depth=depth,
         stressed_volume=2.0 * math.pi * track_radius * contact_length * depth,
         material_constant=material_constant,
     )
-    return jnp.where(loaded, life, jnp.inf)
+    return xp.where(loaded, life, xp.inf)
 
 
 def life_at_reliability(*, life: Real, reliability: Real) -> Real:
@@ -139,7 +138,7 @@ def life_at_reliability(*, life: Real, reliability: Real) -> Real:
     ----------
     W. Weibull 1939, as used by Lundberg and Palmgren 1947; equation (B8) of :doc:`/equations`.
     """
-    return life * (jnp.log(reliability) / math.log(RATED_RELIABILITY)) ** (1.0 / WEIBULL_SLOPE)  # (B8)
+    return life * (xp.log(reliability) / math.log(RATED_RELIABILITY)) ** (1.0 / WEIBULL_SLOPE)  # (B8)
 
 
 def spectrum_life(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
@@ -169,9 +168,9 @@ def spectrum_life(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
     ----------
     A. Palmgren, Z. VDI 68 (1924) 339; M. A. Miner, J. Appl. Mech. 12 (1945) A159. Equation (B8) of :doc:`/equations`.
     """
-    rate = jnp.sum(time_shares * cycle_rates / lives, axis=0)
+    rate = xp.sum(time_shares * cycle_rates / lives, axis=0)
     endless = rate == 0.0  # an unknown life stays unknown
-    return jnp.where(endless, jnp.inf, 1.0 / jnp.where(endless, 1.0, rate))  # (B8)
+    return xp.where(endless, xp.inf, 1.0 / xp.where(endless, 1.0, rate))  # (B8)
 
 
 def damage_shares(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
@@ -198,5 +197,5 @@ def damage_shares(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
     A. Palmgren, Z. VDI 68 (1924) 339; M. A. Miner, J. Appl. Mech. 12 (1945) A159. Equation (B8) of :doc:`/equations`.
     """
     damage = time_shares * cycle_rates / lives
-    total = jnp.sum(damage, axis=0)
-    return damage / jnp.where(total == 0.0, jnp.nan, total)
+    total = xp.sum(damage, axis=0)
+    return damage / xp.where(total == 0.0, xp.nan, total)

@@ -7,9 +7,9 @@ Boundary elements give how much is left (``examples/rolling_swing.py``).
 
 from __future__ import annotations
 
-import jax.numpy as jnp
 import numpy as np
 
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 #: Share of the final lag over rolled distance in steps of a quarter of the rolling-in length: boundary elements,
@@ -50,9 +50,9 @@ def rolling_in_length(*, half_width: Real, slip_ratio: Real) -> Real:
     ----------
     :mod:`asperity.bem.transient_rolling`, by ``examples/rolling_contact.py``.
     """
-    remaining = 1.0 - jnp.abs(slip_ratio)
+    remaining = 1.0 - xp.abs(slip_ratio)
     sticks = remaining > 0.0
-    return jnp.where(sticks, half_width * jnp.where(sticks, remaining, 1.0) ** (2.0 / 3.0), 0.0)
+    return xp.where(sticks, half_width * xp.where(sticks, remaining, 1.0) ** (2.0 / 3.0), 0.0)
 
 
 def rolling_in_lag(*, half_width: Real, slip_ratio: Real) -> Real:
@@ -86,14 +86,14 @@ def rolling_in_lag(*, half_width: Real, slip_ratio: Real) -> Real:
 def _share(x: Real) -> Real:
     """Cubic through the table with a continuous slope; 1 beyond it."""
     within = x < _STEP * (_SHARE.size - 1)
-    at = jnp.where(within, x, 0.0) / _STEP
-    t = at - jnp.floor(at)
-    i = jnp.floor(at).astype(int)
-    left, right = jnp.asarray(_SHARE)[i], jnp.asarray(_SHARE)[i + 1]
-    rise, fall = jnp.asarray(_SLOPE)[i] * _STEP, jnp.asarray(_SLOPE)[i + 1] * _STEP
+    at = xp.where(within, x, 0.0) / _STEP
+    t = at - xp.floor(at)
+    i = xp.floor(at).astype(int)
+    left, right = xp.asarray(_SHARE)[i], xp.asarray(_SHARE)[i + 1]
+    rise, fall = xp.asarray(_SLOPE)[i] * _STEP, xp.asarray(_SLOPE)[i + 1] * _STEP
     step = t**2 * (3.0 - 2.0 * t)
     cubic = left + (right - left) * step + t * (1.0 - t) * (rise * (1.0 - t) - fall * t)
-    return jnp.where(within, cubic, 1.0)
+    return xp.where(within, cubic, 1.0)
 
 
 def rolling_in_shift(*, rolled_distance: Real, half_width: Real, slip_ratio: Real, creepage: Real) -> Real:
@@ -132,7 +132,7 @@ def rolling_in_shift(*, rolled_distance: Real, half_width: Real, slip_ratio: Rea
     """
     length = rolling_in_length(half_width=half_width, slip_ratio=slip_ratio)
     sticks = length > 0.0
-    share = _share(rolled_distance / jnp.where(sticks, length, 1.0))
+    share = _share(rolled_distance / xp.where(sticks, length, 1.0))
     lag = rolling_in_lag(half_width=half_width, slip_ratio=slip_ratio)
     return creepage * (rolled_distance - lag * share)
 
@@ -183,7 +183,7 @@ def still_stroke(*, half_width: Real, slip_ratio: Real) -> Real:
     ----------
     :mod:`asperity.bem.transient_rolling`, by ``examples/rolling_swing.py``.
     """
-    return STROKES[0] * half_width * jnp.maximum(1.0 - jnp.abs(slip_ratio), 0.0)
+    return STROKES[0] * half_width * xp.maximum(1.0 - xp.abs(slip_ratio), 0.0)
 
 
 def swing_drift_share(*, stroke: Real, half_width: Real, slip_ratio: Real) -> Real:
@@ -217,22 +217,22 @@ def swing_drift_share(*, stroke: Real, half_width: Real, slip_ratio: Real) -> Re
     ----------
     :mod:`asperity.bem.transient_rolling`, by ``examples/rolling_swing.py``.
     """
-    q = jnp.abs(jnp.asarray(slip_ratio))
+    q = xp.abs(xp.asarray(slip_ratio))
     remaining = 1.0 - q
     sticks = remaining > 0.0
-    x = jnp.asarray(stroke) / (half_width * jnp.where(sticks, remaining, 1.0))
-    row = jnp.clip(jnp.searchsorted(jnp.asarray(SLIP_RATIOS), q) - 1, 0, SLIP_RATIOS.size - 2)
-    low, high = jnp.asarray(SLIP_RATIOS)[row], jnp.asarray(SLIP_RATIOS)[row + 1]
-    weight = jnp.clip((q - low) / (high - low), 0.0, 1.0)
-    column = jnp.clip(jnp.searchsorted(jnp.asarray(STROKES), x) - 1, 0, STROKES.size - 2)
-    left, right = jnp.asarray(STROKES)[column], jnp.asarray(STROKES)[column + 1]
-    along = jnp.clip((x - left) / (right - left), 0.0, 1.0)
-    table = jnp.asarray(_DRIFT_SHARE)
+    x = xp.asarray(stroke) / (half_width * xp.where(sticks, remaining, 1.0))
+    row = xp.clip(xp.searchsorted(xp.asarray(SLIP_RATIOS), q) - 1, 0, SLIP_RATIOS.size - 2)
+    low, high = xp.asarray(SLIP_RATIOS)[row], xp.asarray(SLIP_RATIOS)[row + 1]
+    weight = xp.clip((q - low) / (high - low), 0.0, 1.0)
+    column = xp.clip(xp.searchsorted(xp.asarray(STROKES), x) - 1, 0, STROKES.size - 2)
+    left, right = xp.asarray(STROKES)[column], xp.asarray(STROKES)[column + 1]
+    along = xp.clip((x - left) / (right - left), 0.0, 1.0)
+    table = xp.asarray(_DRIFT_SHARE)
 
     def at(line: Real) -> Real:
         return table[line, column] * (1.0 - along) + table[line, column + 1] * along
 
     within = at(row) * (1.0 - weight) + at(row + 1) * weight
     longest = STROKES[-1]
-    beyond = 1.0 - longest * (1.0 - within) / jnp.where(x > longest, x, longest)
-    return jnp.where(sticks, jnp.where(x > longest, beyond, within), 1.0)
+    beyond = 1.0 - longest * (1.0 - within) / xp.where(x > longest, x, longest)
+    return xp.where(sticks, xp.where(x > longest, beyond, within), 1.0)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-import jax.numpy as jnp
-
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -110,8 +109,8 @@ def inlet_rolling_force(
     scale = 2.0 * contact_modulus * effective_radius
     speed = 2.0 * viscosity * entrainment_speed / scale
     load = line_load / scale
-    stiffness = (1.4 / 1.45) * jnp.sqrt(load / jnp.sqrt(speed))
-    return 1.42 * jnp.sqrt(speed * load) / (1.0 + stiffness**10) ** 0.1 * scale  # (B9)
+    stiffness = (1.4 / 1.45) * xp.sqrt(load / xp.sqrt(speed))
+    return 1.42 * xp.sqrt(speed * load) / (1.0 + stiffness**10) ** 0.1 * scale  # (B9)
 
 
 def inlet_rolling_power(*, rolling_force: Real, contact_length: Real, entrainment_speed: Real) -> Real:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.shakedown_table import MISES, SHEAR
 from asperity.contact.stress_peaks import POISSON_RANGE, SHEAR_FRICTION, mises_friction
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -43,8 +43,8 @@ def _chebyshev(coefficients: tuple[Real, ...], x: Real) -> Real:
 
 def _reciprocal(value: Real) -> Array:
     """1/value, infinite where value is not positive."""
-    some = jnp.asarray(value) > 0.0
-    return jnp.where(some, 1.0 / jnp.where(some, value, 1.0), jnp.inf)
+    some = xp.asarray(value) > 0.0
+    return xp.where(some, 1.0 / xp.where(some, value, 1.0), xp.inf)
 
 
 def shakedown_limit(*, friction_coefficient: Real) -> Array:
@@ -76,11 +76,11 @@ def shakedown_limit(*, friction_coefficient: Real) -> Array:
     ----------
     K. L. Johnson, Contact Mechanics, 1985, section 9.2; equation (B6) of :doc:`/equations`.
     """
-    friction = jnp.asarray(friction_coefficient, dtype=float)
+    friction = xp.asarray(friction_coefficient, dtype=float)
     tabulated = friction <= SHEAR_FRICTION
-    safe = jnp.where(tabulated, friction, 0.0)
+    safe = xp.where(tabulated, friction, 0.0)
     below = _chebyshev(SHEAR, 2.0 * safe / SHEAR_FRICTION - 1.0)
-    return jnp.minimum(jnp.where(tabulated, below, jnp.inf), _reciprocal(friction))  # (B6)
+    return xp.minimum(xp.where(tabulated, below, xp.inf), _reciprocal(friction))  # (B6)
 
 
 def _peak_limit(friction: Array, poisson: Array) -> Array:
@@ -88,10 +88,10 @@ def _peak_limit(friction: Array, poisson: Array) -> Array:
     low, high = POISSON_RANGE
     bound = mises_friction(poisson)
     tabulated = (poisson >= low) & (friction <= bound)
-    share = jnp.where(tabulated, friction, 0.0) / jnp.where(tabulated, bound, 1.0)
-    place = jnp.where(tabulated, 2.0 * (poisson - low) / (high - low) - 1.0, 0.0)
+    share = xp.where(tabulated, friction, 0.0) / xp.where(tabulated, bound, 1.0)
+    place = xp.where(tabulated, 2.0 * (poisson - low) / (high - low) - 1.0, 0.0)
     rows = tuple(_chebyshev(row, place) for row in MISES)
-    return jnp.where(tabulated, _chebyshev(rows, 2.0 * share**2 - 1.0), jnp.inf)
+    return xp.where(tabulated, _chebyshev(rows, 2.0 * share**2 - 1.0), xp.inf)
 
 
 def mises_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> Array:
@@ -121,13 +121,13 @@ def mises_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> A
     ----------
     K. L. Johnson, Contact Mechanics, 1985, sections 6.2 and 7.1; equation (B6) of :doc:`/equations`.
     """
-    friction, poisson = jnp.broadcast_arrays(
-        jnp.asarray(friction_coefficient, dtype=float), jnp.asarray(poisson_ratio, dtype=float)
+    friction, poisson = xp.broadcast_arrays(
+        xp.asarray(friction_coefficient, dtype=float), xp.asarray(poisson_ratio, dtype=float)
     )
     surface = friction**2 + (1.0 - 2.0 * poisson) ** 2 / 3.0 * (1.0 + friction**2)
     some = surface > 0.0
-    at_surface = jnp.where(some, 1.0 / jnp.sqrt(jnp.where(some, surface, 1.0)), jnp.inf)
-    return jnp.minimum(_peak_limit(friction, poisson), at_surface)  # (B6)
+    at_surface = xp.where(some, 1.0 / xp.sqrt(xp.where(some, surface, 1.0)), xp.inf)
+    return xp.minimum(_peak_limit(friction, poisson), at_surface)  # (B6)
 
 
 def tresca_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> Array:
@@ -158,10 +158,10 @@ def tresca_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> 
     ----------
     K. L. Johnson, Contact Mechanics, 1985, sections 6.2 and 7.1; equation (B6) of :doc:`/equations`.
     """
-    friction, poisson = jnp.broadcast_arrays(
-        jnp.asarray(friction_coefficient, dtype=float), jnp.asarray(poisson_ratio, dtype=float)
+    friction, poisson = xp.broadcast_arrays(
+        xp.asarray(friction_coefficient, dtype=float), xp.asarray(poisson_ratio, dtype=float)
     )
-    axial = 0.5 * (friction + (1.0 - 2.0 * poisson) * jnp.sqrt(1.0 + friction**2))
+    axial = 0.5 * (friction + (1.0 - 2.0 * poisson) * xp.sqrt(1.0 + friction**2))
     # without the axial stress J_2 is tau_1 squared
-    in_plane = _peak_limit(friction, jnp.full_like(friction, 0.5))
-    return jnp.minimum(in_plane, _reciprocal(jnp.maximum(friction, axial)))  # (B6)
+    in_plane = _peak_limit(friction, xp.full_like(friction, 0.5))
+    return xp.minimum(in_plane, _reciprocal(xp.maximum(friction, axial)))  # (B6)

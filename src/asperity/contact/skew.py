@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
-from jax import Array, lax
+from jax import Array
 
+from asperity.engine.arrays import xp
+from asperity.engine.control import fori_loop
+from asperity.engine.derivatives import value_and_slope, without_slopes
 from asperity.implicit import implicit_root
 from asperity.types import Real
 
@@ -39,7 +40,7 @@ class SkewedContact(eqx.Module):
         """Traction in both directions over friction [-]; 1 where the whole contact slips."""
         square = self.longitudinal_slip_ratio**2 + self.lateral_slip_ratio**2
         some = square > 0.0
-        return jnp.where(some, jnp.sqrt(jnp.where(some, square, 1.0)), 0.0)
+        return xp.where(some, xp.sqrt(xp.where(some, square, 1.0)), 0.0)
 
 
 def lateral_compliance_ratio(
@@ -82,7 +83,7 @@ def _length(x: Real, y: Real) -> Real:
     """Length of a vector, with derivative 0 at 0."""
     square = x**2 + y**2
     some = square > 0.0
-    return jnp.where(some, jnp.sqrt(jnp.where(some, square, 1.0)), 0.0)
+    return xp.where(some, xp.sqrt(xp.where(some, square, 1.0)), 0.0)
 
 
 def stick_fraction(*, longitudinal_slip_ratio: Real, lateral_slip_ratio: Real) -> Real:
@@ -105,21 +106,21 @@ def stick_fraction(*, longitudinal_slip_ratio: Real, lateral_slip_ratio: Real) -
     """
     left = 1.0 - _length(longitudinal_slip_ratio, lateral_slip_ratio)
     sticks = left > 1e-12  # rounding of a traction that is all of friction
-    return jnp.where(sticks, jnp.sqrt(jnp.where(sticks, left, 1.0)), 0.0)
+    return xp.where(sticks, xp.sqrt(xp.where(sticks, left, 1.0)), 0.0)
 
 
 def _force_over_share(share: Real) -> Real:
     """Traction ratio over the share of creepage r: 2 − r up to gross slip at r = 1, and 1/r beyond."""
     sticks = share < 1.0
-    return jnp.where(sticks, 2.0 - share, 1.0 / jnp.where(sticks, 1.0, share))
+    return xp.where(sticks, 2.0 - share, 1.0 / xp.where(sticks, 1.0, share))
 
 
 def _turn(share: Real) -> Real:
     """Exponent w that turns the traction from the scaled creepage towards the creepage itself."""
     sticks = share < 1.0
-    inside = jnp.where(sticks, share, 0.0)
-    beyond = jnp.where(sticks, 1.0, share)
-    return jnp.where(sticks, inside / (4.0 - 2.0 * inside), 1.0 - 0.5 / beyond**2)
+    inside = xp.where(sticks, share, 0.0)
+    beyond = xp.where(sticks, 1.0, share)
+    return xp.where(sticks, inside / (4.0 - 2.0 * inside), 1.0 - 0.5 / beyond**2)
 
 
 def _scaled_forces(along: Real, across: Real, ratio: Real) -> tuple[Real, Real]:
@@ -128,7 +129,7 @@ def _scaled_forces(along: Real, across: Real, ratio: Real) -> tuple[Real, Real]:
     turned = across * ratio ** _turn(share)
     length = _length(along, turned)
     some = length > 0.0
-    stretch = jnp.where(some, share / jnp.where(some, length, 1.0), 1.0)
+    stretch = xp.where(some, share / xp.where(some, length, 1.0), 1.0)
     factor = _force_over_share(share) * stretch  # (B3)
     return factor * along, factor * turned
 
@@ -181,25 +182,25 @@ def skewed_slip_ratios(
 
 def _share_at(magnitude: Real, across: Real, ratio: Real) -> Real:
     """Scaled longitudinal creepage x >= 0 that carries a force; bracketed Newton's method."""
-    partial = 1.0 - jnp.sqrt(1.0 - magnitude)
-    sliding = across * ratio * magnitude / jnp.sqrt(1.0 - magnitude**2)
+    partial = 1.0 - xp.sqrt(1.0 - magnitude)
+    sliding = across * ratio * magnitude / xp.sqrt(1.0 - magnitude**2)
 
     def improve(_: int, state: tuple[Real, Real, Real]) -> tuple[Real, Real, Real]:
         x, low, high = state
-        (force, _), (slope, _) = jax.jvp(
-            lambda v: _scaled_forces(v, across, ratio), (x,), (jnp.ones_like(x),)
+        (force, _), (slope, _) = value_and_slope(
+            lambda v: _scaled_forces(v, across, ratio), (x,), (xp.ones_like(x),)
         )
-        low, high = jnp.where(force < magnitude, x, low), jnp.where(force < magnitude, high, x)
-        newton = x + (magnitude - force) / jnp.where(slope > 0.0, slope, 1.0)
+        low, high = xp.where(force < magnitude, x, low), xp.where(force < magnitude, high, x)
+        newton = x + (magnitude - force) / xp.where(slope > 0.0, slope, 1.0)
         inside = (slope > 0.0) & (newton >= low) & (newton <= high)
-        return jnp.where(inside, newton, 0.5 * (low + high)), low, high
+        return xp.where(inside, newton, 0.5 * (low + high)), low, high
 
     # the force at this bound is at least the given one: partial slip without skew, or sliding the whole way
-    high = jnp.maximum(1.0, sliding)
-    start = jnp.clip(partial + 0.5 * across * magnitude, 0.0, high)
-    start = jnp.where(magnitude**2 + across**2 < 1.0, start, jnp.maximum(start, sliding))
-    creepage, _, _ = lax.fori_loop(0, _STEPS, improve, (start, jnp.zeros_like(start), high))
-    return jnp.where(across > 0.0, creepage, partial)
+    high = xp.maximum(1.0, sliding)
+    start = xp.clip(partial + 0.5 * across * magnitude, 0.0, high)
+    start = xp.where(magnitude**2 + across**2 < 1.0, start, xp.maximum(start, sliding))
+    creepage, _, _ = fori_loop(0, _STEPS, improve, (start, xp.zeros_like(start), high))
+    return xp.where(across > 0.0, creepage, partial)
 
 
 def skewed_contact(
@@ -237,9 +238,9 @@ def skewed_contact(
     ----------
     Equation (B3) of :doc:`/equations`.
     """
-    given, lateral, along_max, across_max = jnp.broadcast_arrays(
+    given, lateral, along_max, across_max = xp.broadcast_arrays(
         *(
-            jnp.asarray(v, dtype=float)
+            xp.asarray(v, dtype=float)
             for v in (
                 longitudinal_slip_ratio,
                 lateral_creepage,
@@ -249,23 +250,23 @@ def skewed_contact(
         )
     )
     ratio = across_max / along_max
-    across = jnp.abs(lateral) / across_max
-    magnitude = jnp.abs(given)
-    carried = jnp.where(across > 0.0, magnitude < 1.0, magnitude <= 1.0)
-    safe = jnp.where(carried, given, 0.0)
+    across = xp.abs(lateral) / across_max
+    magnitude = xp.abs(given)
+    carried = xp.where(across > 0.0, magnitude < 1.0, magnitude <= 1.0)
+    safe = xp.where(carried, given, 0.0)
     share = implicit_root(
         lambda x: _scaled_forces(x, across, ratio)[0] - safe,
-        jnp.zeros_like(safe),
-        lambda _, __: jnp.sign(safe) * _share_at(*lax.stop_gradient((jnp.abs(safe), across, ratio))),
-        lambda linear, y: y / linear(jnp.ones_like(y)),
+        xp.zeros_like(safe),
+        lambda _, __: xp.sign(safe) * _share_at(*without_slopes((xp.abs(safe), across, ratio))),
+        lambda linear, y: y / linear(xp.ones_like(y)),
     )
     longitudinal, sideways = _scaled_forces(share, lateral / across_max, ratio)
     return SkewedContact(
-        longitudinal_creepage=jnp.where(carried, share, jnp.sign(given) * jnp.inf) * along_max,
+        longitudinal_creepage=xp.where(carried, share, xp.sign(given) * xp.inf) * along_max,
         lateral_creepage=lateral,
         longitudinal_slip_ratio=given,
-        lateral_slip_ratio=jnp.where(carried, sideways, 0.0),
-        solved=carried & (jnp.abs(longitudinal - safe) <= _RESIDUAL),
+        lateral_slip_ratio=xp.where(carried, sideways, 0.0),
+        solved=carried & (xp.abs(longitudinal - safe) <= _RESIDUAL),
     )
 
 
@@ -320,6 +321,6 @@ def longitudinal_capacity_ratio(
     """
     taken = (lateral_creepage / lateral_gross_slip_creepage) ** 2
     some = taken < 1.0
-    left = jnp.where(some, 1.0 - taken, 1.0)
+    left = xp.where(some, 1.0 - taken, 1.0)
     turned = taken * lateral_gross_slip_creepage / gross_slip_creepage  # w = 1/2 at |zeta| = 1
-    return jnp.where(some, jnp.sqrt(left / (left + jnp.where(some, turned, 0.0))), 0.0)
+    return xp.where(some, xp.sqrt(left / (left + xp.where(some, turned, 0.0))), 0.0)

@@ -12,6 +12,8 @@ import numpy as np
 from jax import Array
 
 from asperity.contact.subsurface_stress import PlaneStress, pressure_stress, traction_stress
+from asperity.engine.arrays import xp
+from asperity.engine.control import fori_loop, vectorised
 from asperity.types import Real
 
 #: A squared stress over (place, friction, Poisson's ratio).
@@ -108,29 +110,29 @@ def _peaks(square: Square, frictions: Array, poissons: Array, start: Array) -> S
             slope, bend, determinant = shape(place, level)
             across = bend[1, 1] * slope[0] - bend[0, 1] * slope[1]
             down = bend[0, 0] * slope[1] - bend[0, 1] * slope[0]
-            return place - jnp.stack([across, down]) / determinant, level
+            return place - xp.stack([across, down]) / determinant, level
 
         def follow(count: Array, place: Array) -> Array:
             level = friction * count / _FRICTION_STEPS
-            return jax.lax.fori_loop(0, _NEWTON_STEPS, newton, (place, level))[0]
+            return fori_loop(0, _NEWTON_STEPS, newton, (place, level))[0]
 
-        place = jax.lax.fori_loop(0, _FRICTION_STEPS, follow, start)
-        place, _ = jax.lax.fori_loop(0, _LAST_STEPS, newton, (place, friction))
+        place = fori_loop(0, _FRICTION_STEPS, follow, start)
+        place, _ = fori_loop(0, _LAST_STEPS, newton, (place, friction))
         slope, bend, determinant = shape(place, friction)
         highest = (determinant > 0.0) & (bend[0, 0] < 0.0)
         return StressPeak(
-            stress=jnp.sqrt(square(place, friction, poisson)),
+            stress=xp.sqrt(square(place, friction, poisson)),
             position=place[0],
             depth=place[1],
-            solved=(jnp.max(jnp.abs(slope)) < _RESIDUAL) & highest & (place[1] > 0.0),
+            solved=(xp.max(xp.abs(slope)) < _RESIDUAL) & highest & (place[1] > 0.0),
         )
 
-    return jax.vmap(one)(frictions, poissons)
+    return vectorised(one)(frictions, poissons)
 
 
 def _peak(square: Square, friction: Real, poisson: Real, start: tuple[float, float]) -> StressPeak:
-    frictions, poissons = jnp.broadcast_arrays(jnp.asarray(friction, float), jnp.asarray(poisson, float))
-    peaks = _peaks(square, frictions.ravel(), poissons.ravel(), jnp.asarray(start))
+    frictions, poissons = xp.broadcast_arrays(xp.asarray(friction, float), xp.asarray(poisson, float))
+    peaks = _peaks(square, jnp.asarray(frictions.ravel()), jnp.asarray(poissons.ravel()), jnp.asarray(start))
     return jax.tree.map(lambda leaf: leaf.reshape(frictions.shape), peaks)
 
 
@@ -221,12 +223,12 @@ def fitted_coefficients(*, shear_terms: int, mises_terms: tuple[int, int]) -> tu
         terms = np.cos(np.pi * np.outer(np.arange(count), np.arange(count) + 0.5) / count)
         return (2.0 - (np.arange(count) == 0))[:, None] / count * (terms @ values.reshape(count, -1))
 
-    shear = shear_peak(friction_coefficient=jnp.asarray(SHEAR_FRICTION * 0.5 * (nodes(shear_terms) + 1.0)))
+    shear = shear_peak(friction_coefficient=xp.asarray(SHEAR_FRICTION * 0.5 * (nodes(shear_terms) + 1.0)))
     low, high = POISSON_RANGE
-    poisson = jnp.asarray(low + (high - low) * 0.5 * (nodes(mises_terms[1]) + 1.0))
-    share = jnp.asarray(np.sqrt(0.5 * (nodes(mises_terms[0]) + 1.0)))
+    poisson = xp.asarray(low + (high - low) * 0.5 * (nodes(mises_terms[1]) + 1.0))
+    share = xp.asarray(np.sqrt(0.5 * (nodes(mises_terms[0]) + 1.0)))
     mises = mises_peak(friction_coefficient=share[:, None] * mises_friction(poisson), poisson_ratio=poisson)
-    if not (bool(jnp.all(shear.solved)) and bool(jnp.all(mises.solved))):
+    if not (bool(xp.all(shear.solved)) and bool(xp.all(mises.solved))):
         raise ArithmeticError("a largest stress was not found: the range of the table is too wide")
     first = transform(1.0 / np.asarray(shear.stress))[:, 0]
     return first, transform(transform(1.0 / np.asarray(mises.stress)).T).T

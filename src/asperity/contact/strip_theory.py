@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.carter import slip_ratio_at_creepage
+from asperity.engine.arrays import xp
+from asperity.engine.derivatives import with_rule
 from asperity.types import Real
 
 #: Householder steps to the root.
 _SLICE_STEPS = 2
 
 
-@jax.custom_jvp
+@with_rule
 def strip_logarithm(target: Array) -> Array:
     r"""Root :math:`v > 1` of :math:`v - \ln v = t`, with which the compression law of a slice is inverted.
 
@@ -35,12 +35,12 @@ def strip_logarithm(target: Array) -> Array:
     ----------
     Equation (B4) of :doc:`/equations`.
     """
-    beyond = jnp.maximum(target - 1.0, 0.0)
-    v = 1.0 + jnp.sqrt(2.0 * beyond) + (2.0 / 3.0) * beyond
+    beyond = xp.maximum(target - 1.0, 0.0)
+    v = 1.0 + xp.sqrt(2.0 * beyond) + (2.0 / 3.0) * beyond
     for _ in range(_SLICE_STEPS):
         inverse = 1.0 / v
         per_slope = 1.0 / (1.0 - inverse)
-        newton = (v - jnp.log(v) - target) * per_slope
+        newton = (v - xp.log(v) - target) * per_slope
         bend = newton * inverse**2 * per_slope
         v = v - newton * (1.0 - 0.5 * bend) / (1.0 - bend - newton * bend * inverse / 3.0)
     return v
@@ -80,24 +80,24 @@ def strip_creepage(*, slip_ratio: Real, capacity: Real, gross_slip_creepage: Rea
     ----------
     J. J. Kalker, Proc. Kon. Ned. Akad. Wetensch. B 70 (1967) 10; equation (B4) of :doc:`/equations`.
     """
-    capacity, limits = jnp.broadcast_arrays(
-        jnp.asarray(capacity, dtype=float), jnp.asarray(gross_slip_creepage, dtype=float)
+    capacity, limits = xp.broadcast_arrays(
+        xp.asarray(capacity, dtype=float), xp.asarray(gross_slip_creepage, dtype=float)
     )
-    magnitude = jnp.abs(slip_ratio)
+    magnitude = xp.abs(slip_ratio)
     carried = magnitude <= 1.0
-    share = capacity / jnp.sum(capacity, axis=0)
-    at_limit = jnp.sum(
+    share = capacity / xp.sum(capacity, axis=0)
+    at_limit = xp.sum(
         share * slip_ratio_at_creepage(creepage=limits[:, None], gross_slip_creepage=limits), axis=1
     )
-    largest = limits == jnp.max(limits, axis=0)  # these carry the remaining force
+    largest = limits == xp.max(limits, axis=0)  # these carry the remaining force
     sticks = (limits > 0.0) & (largest | (at_limit > magnitude))
-    safe = jnp.where(sticks, limits, 1.0)
-    slope = jnp.sum(jnp.where(sticks, share / safe, 0.0), axis=0)
-    bend = jnp.sum(jnp.where(sticks, share / safe**2, 0.0), axis=0)
-    slipped = jnp.sum(jnp.where(sticks, 0.0, share), axis=0)
+    safe = xp.where(sticks, limits, 1.0)
+    slope = xp.sum(xp.where(sticks, share / safe, 0.0), axis=0)
+    bend = xp.sum(xp.where(sticks, share / safe**2, 0.0), axis=0)
+    slipped = xp.sum(xp.where(sticks, 0.0, share), axis=0)
     # = 2 slope xi - bend |xi| xi
-    missing = jnp.where(carried, slip_ratio, 0.0) - jnp.sign(slip_ratio) * slipped
-    root = slope**2 - bend * jnp.abs(missing)
+    missing = xp.where(carried, slip_ratio, 0.0) - xp.sign(slip_ratio) * slipped
+    root = slope**2 - bend * xp.abs(missing)
     some = root > 0.0
-    steady = missing / (slope + jnp.where(some, jnp.sqrt(jnp.where(some, root, 1.0)), 0.0))
-    return jnp.where(carried, steady, jnp.sign(slip_ratio) * jnp.inf)
+    steady = missing / (slope + xp.where(some, xp.sqrt(xp.where(some, root, 1.0)), 0.0))
+    return xp.where(carried, steady, xp.sign(slip_ratio) * xp.inf)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
-from jax import Array, lax
+from jax import Array
 
 from asperity.contact.carter import stick_centre, stick_half_width
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -39,21 +39,21 @@ class _Potential(eqx.Module):
 
 def _potential(position: Real, depth: Real, centre: Real, half_width: Real) -> _Potential:
     """Potential W = s - sqrt(s^2 - 1) of an ellipse, s = (x - centre + i z)/half_width; 0 where it has no width."""
-    position, depth, centre, half_width = jnp.broadcast_arrays(
-        *(jnp.asarray(v, dtype=float) for v in (position, depth, centre, half_width))
+    position, depth, centre, half_width = xp.broadcast_arrays(
+        *(xp.asarray(v, dtype=float) for v in (position, depth, centre, half_width))
     )
     some = half_width > 0.0
-    width = jnp.where(some, half_width, 1.0)
+    width = xp.where(some, half_width, 1.0)
     across, down = (position - centre) / width, depth / width
-    at_edge = (jnp.abs(across) == 1.0) & (down == 0.0)  # the root has no derivative there
-    place = lax.complex(across, jnp.where(at_edge, 1.0, down))
-    root = jnp.sqrt(place - 1.0) * jnp.sqrt(place + 1.0)  # the branch that is s at infinity
+    at_edge = (xp.abs(across) == 1.0) & (down == 0.0)  # the root has no derivative there
+    place = across + 1j * xp.where(at_edge, 1.0, down)
+    root = xp.sqrt(place - 1.0) * xp.sqrt(place + 1.0)  # the branch that is s at infinity
     value, slope = place - root, 1.0 - place / root
     return _Potential(
-        real=jnp.where(some, jnp.where(at_edge, across, value.real), 0.0),
-        imag=jnp.where(some & ~at_edge, value.imag, 0.0),
-        slope_real=jnp.where(some & ~at_edge, down * slope.real, 0.0),
-        slope_imag=jnp.where(some & ~at_edge, down * slope.imag, 0.0),
+        real=xp.where(some, xp.where(at_edge, across, value.real), 0.0),
+        imag=xp.where(some & ~at_edge, value.imag, 0.0),
+        slope_real=xp.where(some & ~at_edge, down * slope.real, 0.0),
+        slope_imag=xp.where(some & ~at_edge, down * slope.imag, 0.0),
     )
 
 
@@ -185,7 +185,7 @@ def rolling_stress(
     Equations (B2) and (B5) of :doc:`/equations`.
     """
     stick = stick_half_width(slip_ratio=slip_ratio, half_width=half_width)
-    traction = jnp.sign(slip_ratio) * friction_coefficient * peak_pressure
+    traction = xp.sign(slip_ratio) * friction_coefficient * peak_pressure
     pressed = pressure_stress(
         position=position, depth=depth, half_width=half_width, peak_pressure=peak_pressure
     )
@@ -211,7 +211,7 @@ def _mean_and_radius(stress: PlaneStress) -> tuple[Array, Array]:
     difference = 0.5 * (stress.longitudinal - stress.normal)
     square = difference**2 + stress.shear**2
     some = square > 0.0
-    radius = jnp.where(some, jnp.sqrt(jnp.where(some, square, 1.0)), 0.0)
+    radius = xp.where(some, xp.sqrt(xp.where(some, square, 1.0)), 0.0)
     return 0.5 * (stress.longitudinal + stress.normal), radius
 
 
@@ -243,4 +243,4 @@ def mises_stress(*, stress: PlaneStress, poisson_ratio: Real) -> Array:
     mean, radius = _mean_and_radius(stress)
     square = 3.0 * radius**2 + ((1.0 - 2.0 * poisson_ratio) * mean) ** 2
     some = square > 0.0
-    return jnp.where(some, jnp.sqrt(jnp.where(some, square, 1.0)), 0.0)
+    return xp.where(some, xp.sqrt(xp.where(some, square, 1.0)), 0.0)

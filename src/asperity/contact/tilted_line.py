@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 from numpy.typing import NDArray
 
 from asperity.contact.crowned_line import LEAST_TARGET
 from asperity.contact.strip_theory import strip_logarithm
+from asperity.engine.arrays import xp
+from asperity.engine.control import fori_loop, traced_once
 from asperity.types import Real
 
 #: Places of the slices over the contact length, from its middle: both ends and the middle are among them.
@@ -34,7 +34,7 @@ class ProfiledLine(NamedTuple):
     end_gap: Array
 
 
-@jax.jit
+@traced_once
 def profiled_line(
     *, gap: Array, normal_force: Real, contact_length: Real, effective_radius: Real, contact_modulus: Real
 ) -> ProfiledLine:
@@ -65,42 +65,42 @@ def profiled_line(
     Equations (B4) and (B13) of :doc:`/equations`.
     """
     per_approach = 4.0 * effective_radius / contact_length**2
-    gaps = per_approach * jnp.asarray(gap, dtype=float)
+    gaps = per_approach * xp.asarray(gap, dtype=float)
     load = per_approach * normal_force / (math.pi * contact_modulus * contact_length)
 
     def factor(above: Array) -> Array:
         first, second = above[:-1], above[1:]
-        apart = jnp.abs(first) + jnp.abs(second)
-        pressed = jnp.maximum(first, 0.0) + jnp.maximum(second, 0.0)
-        share = jnp.mean(pressed / jnp.where(apart > 0.0, apart, 1.0))  # loaded, of the length
-        return 2.0 * jnp.log(2.0 * share) - 2.0
+        apart = xp.abs(first) + xp.abs(second)
+        pressed = xp.maximum(first, 0.0) + xp.maximum(second, 0.0)
+        share = xp.mean(pressed / xp.where(apart > 0.0, apart, 1.0))  # loaded, of the length
+        return 2.0 * xp.log(2.0 * share) - 2.0
 
     def squared_width(above: Array) -> Array:
         pressed = above > 0.0
-        some = jnp.where(pressed, above, 1.0)
-        return jnp.where(
-            pressed, some / strip_logarithm(jnp.maximum(factor(above) - jnp.log(some), LEAST_TARGET)), 0.0
+        some = xp.where(pressed, above, 1.0)
+        return xp.where(
+            pressed, some / strip_logarithm(xp.maximum(factor(above) - xp.log(some), LEAST_TARGET)), 0.0
         )
 
     def halve(_: int, bounds: tuple[Array, Array]) -> tuple[Array, Array]:
         low, high = bounds
         middle = 0.5 * (low + high)
         squared = squared_width(middle - gaps)
-        enough = jnp.mean(0.5 * (squared[:-1] + squared[1:])) >= load
-        return jnp.where(enough, low, middle), jnp.where(enough, middle, high)
+        enough = xp.mean(0.5 * (squared[:-1] + squared[1:])) >= load
+        return xp.where(enough, low, middle), xp.where(enough, middle, high)
 
-    even = load * (2.0 * math.log(2.0) - 2.0 - jnp.log(load))
-    _, approach = jax.lax.fori_loop(0, _HALVINGS, halve, (jnp.min(gaps), jnp.max(gaps) + even))
+    even = load * (2.0 * math.log(2.0) - 2.0 - xp.log(load))
+    _, approach = fori_loop(0, _HALVINGS, halve, (xp.min(gaps), xp.max(gaps) + even))
     above = approach - gaps
     squared = squared_width(above)
-    is_long = factor(above) - jnp.log(jnp.max(above)) > LEAST_TARGET
-    peak = 0.5 * contact_modulus * contact_length / effective_radius * jnp.sqrt(jnp.max(squared))
+    is_long = factor(above) - xp.log(xp.max(above)) > LEAST_TARGET
+    peak = 0.5 * contact_modulus * contact_length / effective_radius * xp.sqrt(xp.max(squared))
     line_load = squared * math.pi * contact_modulus / per_approach
     return ProfiledLine(
         line_load=line_load,
-        peak_pressure=jnp.where(is_long, peak, jnp.nan),
-        end_line_load=jnp.maximum(line_load[0], line_load[-1]),
-        end_gap=-jnp.maximum(above[0], above[-1]) / per_approach,
+        peak_pressure=xp.where(is_long, peak, xp.nan),
+        end_line_load=xp.maximum(line_load[0], line_load[-1]),
+        end_gap=-xp.maximum(above[0], above[-1]) / per_approach,
     )
 
 
@@ -134,7 +134,7 @@ def logarithmic_drop(*, even_half_width: Real, contact_length: Real) -> Array:
     T. Kawase, NTN Tech. Rev. 75 (2007) 140. Equation (B13) of :doc:`/equations`.
     """
     coefficients = logarithmic_end_drop(even_half_width=even_half_width, contact_length=contact_length)
-    return -jnp.log1p(jnp.expm1(-coefficients) * (2.0 * PLACES) ** 2) / coefficients
+    return -xp.log1p(xp.expm1(-coefficients) * (2.0 * PLACES) ** 2) / coefficients
 
 
 def logarithmic_end_drop(*, even_half_width: Real, contact_length: Real) -> Array:
@@ -156,4 +156,4 @@ def logarithmic_end_drop(*, even_half_width: Real, contact_length: Real) -> Arra
     ----------
     P. M. Johns and R. Gohar, Tribol. Int. 14 (1981) 131; equation (B13) of :doc:`/equations`.
     """
-    return -jnp.log(2.0 * 0.3033 * jnp.asarray(even_half_width) / contact_length)
+    return -xp.log(2.0 * 0.3033 * xp.asarray(even_half_width) / contact_length)

@@ -6,12 +6,12 @@ import math
 from typing import Literal, NamedTuple
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.crowned_line import CrownedLines, crown_compliance, crown_compression
 from asperity.drive.wedge.geometry import DriveGeometry, Triangle
+from asperity.engine.arrays import xp
+from asperity.engine.derivatives import with_rule
 from asperity.types import Real
 
 Closure = Literal["elastic", "constant_pin_force"]
@@ -62,7 +62,7 @@ def bearing_torque(*, bearings: Bearings, pin_force: Array) -> Array:
     2025 leave open.
     """
     pin = 0.25 * bearings.pin_friction_coefficient * bearings.pin_friction_diameter
-    return jnp.asarray(bearings.loading_roller_torque + pin * jnp.abs(pin_force))
+    return xp.asarray(bearings.loading_roller_torque + pin * xp.abs(pin_force))
 
 
 def leading_sense(*, rotation: Real, output_torque: Real) -> Array:
@@ -85,9 +85,9 @@ def leading_sense(*, rotation: Real, output_torque: Real) -> Array:
     ----------
     Coulomb friction opposes the motion.
     """
-    speed = jnp.asarray(rotation)
-    leading = jnp.where(speed == 0.0, jnp.asarray(output_torque), speed)
-    return jnp.where(leading < 0.0, -1.0, 1.0)
+    speed = xp.asarray(rotation)
+    leading = xp.where(speed == 0.0, xp.asarray(output_torque), speed)
+    return xp.where(leading < 0.0, -1.0, 1.0)
 
 
 class CrownedSprings(eqx.Module):
@@ -209,7 +209,7 @@ def total_approach(*, springs: NormalSprings, normal_force: Real, rest_force: Re
 
 def _crown(crowns: CrownedSprings, normal_force: Real, rest_force: Real) -> Array:
     """Approach by the crowns beyond that at rest, with a tangent below the smallest load."""
-    pressed = jnp.maximum(normal_force, _SMALL_LOAD * rest_force)
+    pressed = xp.maximum(normal_force, _SMALL_LOAD * rest_force)
     at_load = crown_compression(normal_force=pressed, **vars(crowns.lines))
     return at_load - crowns.rest_compression + (normal_force - pressed) * crowns.steepest_compliance
 
@@ -235,11 +235,11 @@ def steepest_compliance(springs: NormalSprings) -> Real:
     return steepest + springs.crowns.steepest_compliance
 
 
-@jax.custom_jvp
+@with_rule
 def _compression_shape(ratio: Array, secant: Array, bend: Array) -> Array:
     """Compression over the rest force, in n = N/N_0: s_0 (n − 1) − (s_0 − t_0) n ln n."""
-    safe = jnp.maximum(ratio, _SMALL_LOAD)
-    return secant * (ratio - 1.0) - bend * _bent(ratio, safe, jnp.log(safe))
+    safe = xp.maximum(ratio, _SMALL_LOAD)
+    return secant * (ratio - 1.0) - bend * _bent(ratio, safe, xp.log(safe))
 
 
 @_compression_shape.defjvp
@@ -248,8 +248,8 @@ def _compression_shape_jvp(
 ) -> tuple[Array, Array]:
     """Without a division, which would cost the solver a pass over memory."""
     (ratio, secant, bend), (ratio_dot, secant_dot, bend_dot) = primals, tangents
-    safe = jnp.maximum(ratio, _SMALL_LOAD)
-    log = jnp.log(safe)
+    safe = xp.maximum(ratio, _SMALL_LOAD)
+    log = xp.log(safe)
     bent = _bent(ratio, safe, log)
     slope = secant - bend * (1.0 + log)
     value = secant * (ratio - 1.0) - bend * bent
@@ -329,11 +329,11 @@ def rest_state(*, geometry: DriveGeometry, sides: Triangle, preload: Real) -> Re
     Equation (A3) of :doc:`/equations`.
     """
     planet_roller = preload / (2.0 * sides.cos_direction)
-    pin_left = planet_roller * sides.sin_wedge / jnp.cos(geometry.left_push_angle)
-    pin_right = planet_roller * sides.sin_wedge / jnp.cos(geometry.right_push_angle)
-    left_ring = pin_left * jnp.sin(geometry.left_push_angle) + planet_roller * sides.cos_wedge
-    right_ring = pin_right * jnp.sin(geometry.right_push_angle) + planet_roller * sides.cos_wedge
-    normal = jnp.stack(
-        jnp.broadcast_arrays(jnp.asarray(preload), planet_roller, planet_roller, right_ring, left_ring)
+    pin_left = planet_roller * sides.sin_wedge / xp.cos(geometry.left_push_angle)
+    pin_right = planet_roller * sides.sin_wedge / xp.cos(geometry.right_push_angle)
+    left_ring = pin_left * xp.sin(geometry.left_push_angle) + planet_roller * sides.cos_wedge
+    right_ring = pin_right * xp.sin(geometry.right_push_angle) + planet_roller * sides.cos_wedge
+    normal = xp.stack(
+        xp.broadcast_arrays(xp.asarray(preload), planet_roller, planet_roller, right_ring, left_ring)
     )
     return RestState(normal, pin_left, pin_right)

@@ -6,11 +6,12 @@ import functools
 from typing import Any, NamedTuple
 
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.state.state import ContactLaws, DriveState
 from asperity.drive.state.states import rest_forces, state_at_rest
+from asperity.engine.arrays import xp
+from asperity.engine.control import scan
 from asperity.joint.contacts import JointContacts, bulk_springs
 from asperity.joint.description import Joint, body_masses
 from asperity.joint.laws import contact_laws, drive_load, ring_springs
@@ -44,15 +45,15 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
     )
     if joint.unlike is not None:
         return around(joint.unlike.reference_force)
-    forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
+    forces = rest_forces(drive=joint.drive, pattern=xp.asarray(joint.pattern))
     if joint.preload is not None:
-        return around(jnp.asarray(joint.preload) * forces)
+        return around(xp.asarray(joint.preload) * forces)
 
     def again(preload: Array, _: None) -> tuple[Array, Pressed]:
         pressed = around(preload * forces)
         return pressed.rest.normal[0], pressed
 
-    _, passes = jax.lax.scan(again, _expected_preload(joint, contacts, forces), None, length=_ASSEMBLIES)
+    _, passes = scan(again, _expected_preload(joint, contacts, forces), None, length=_ASSEMBLIES)
     return jax.tree.map(lambda leaf: leaf[-1], passes)
 
 
@@ -68,12 +69,12 @@ def pressed_around(joint: Joint, contacts: JointContacts, reference_force: Array
 
 def _expected_preload(joint: Joint, contacts: JointContacts, forces: Array) -> Array:
     """Preload by the work of the interference, the contacts as springs at a small force [N]; nan of a loose joint."""
-    young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
-    small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
+    young, length = joint.materials[0].youngs_modulus, xp.asarray(contacts.pairs.contact_length)[0]
+    small = _SMALL_FORCE * young * length * xp.asarray(joint.interference)
     compliance = bulk_springs(
-        contacts=contacts, half_width=jnp.asarray(contacts.pairs.half_width(small * forces))
+        contacts=contacts, half_width=xp.asarray(contacts.pairs.half_width(small * forces))
     ).secant_compliance
     rings = ring_springs(joint)
     compliance = compliance if rings is None else compliance + rings
-    share = jnp.sum(joint.working_pattern * forces) * jnp.asarray(joint.interference)
-    return jnp.where(share > 0.0, share / jnp.sum(compliance * forces**2), jnp.nan)
+    share = xp.sum(joint.working_pattern * forces) * xp.asarray(joint.interference)
+    return xp.where(share > 0.0, share / xp.sum(compliance * forces**2), xp.nan)

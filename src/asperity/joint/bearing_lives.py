@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.rolling_fatigue import spectrum_life
@@ -21,6 +20,8 @@ from asperity.drive.structure.bearing_life import (
     basic_rating_life,
     static_safety,
 )
+from asperity.engine.arrays import xp
+from asperity.engine.control import vectorised
 from asperity.joint.assembled import Pressed
 from asperity.joint.description import Joint, body_masses, joint_contacts
 from asperity.joint.evaluation import JointResult
@@ -88,58 +89,58 @@ def lives_of_bearings(
     :doc:`/equations`.
     """
     load, at_rest = _radial_loads(rated, working.force), _radial_loads(rated, rest)
-    life = _spectrum(rated, load[None], working.speed[None], jnp.ones(1))
-    largest, duty_life = load, jnp.full_like(life, jnp.nan)
+    life = _spectrum(rated, load[None], working.speed[None], xp.ones(1))
+    largest, duty_life = load, xp.full_like(life, xp.nan)
     if duty is not None:
         assert shares is not None
-        loads = jax.vmap(lambda force: _radial_loads(rated, force))(duty.force)
+        loads = vectorised(lambda force: _radial_loads(rated, force))(duty.force)
         duty_life = _spectrum(rated, loads, duty.speed, shares)
-        largest = jnp.maximum(load, jnp.max(loads, axis=0))
-    nothing = jnp.full_like(load[0], jnp.nan)
+        largest = xp.maximum(load, xp.max(loads, axis=0))
+    nothing = xp.full_like(load[0], xp.nan)
     safety, ratio = [], []
     for index, bearing in enumerate(rated):
         if bearing is None:
             safety.append(nothing)
             ratio.append(nothing)
             continue
-        peak = jnp.maximum(largest[index], at_rest[index])
+        peak = xp.maximum(largest[index], at_rest[index])
         safety.append(static_safety(static_rating=bearing.static_rating, load=peak))
         ratio.append(largest[index] / bearing.dynamic_rating)
     return BearingLives(
         load=load,
-        life=jnp.where(working.speed > 0.0, life, jnp.nan),
+        life=xp.where(working.speed > 0.0, life, xp.nan),
         duty_life=duty_life,
-        static_safety=jnp.stack(jnp.broadcast_arrays(*safety)),
-        load_ratio=jnp.stack(jnp.broadcast_arrays(*ratio)),
+        static_safety=xp.stack(xp.broadcast_arrays(*safety)),
+        load_ratio=xp.stack(xp.broadcast_arrays(*ratio)),
     )
 
 
 def _radial_loads(rated: tuple[RatedBearing | None, ...], forces: Array) -> Array:
     """Load of one bearing at each place."""
     radial_loads = [
-        jnp.nan if bearing is None else force / bearing.count + bearing.outside_force
+        xp.nan if bearing is None else force / bearing.count + bearing.outside_force
         for bearing, force in zip(rated, forces, strict=True)
     ]
-    return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, radial_loads), forces[0])[:-1])
+    return xp.stack(xp.broadcast_arrays(*map(xp.asarray, radial_loads), forces[0])[:-1])
 
 
 def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Array, shares: Real) -> Array:
     """Life in time of each bearing under loads along the first axis, shape (bearings, ...) [s]."""
-    shares = jnp.asarray(shares)
+    shares = xp.asarray(shares)
     lives: list[Real] = []
     for index, bearing in enumerate(rated):
         load, speed = loads[:, index], speeds[:, index]
         if bearing is None:
-            lives.append(jnp.full_like(load[0], jnp.nan))
+            lives.append(xp.full_like(load[0], xp.nan))
             continue
         turns = basic_rating_life(
             dynamic_rating=bearing.dynamic_rating, load=load, exponent=LIFE_EXPONENTS[bearing.kind]
         )
         share = shares.reshape(shares.shape + (1,) * (load.ndim - shares.ndim))
-        rates = jnp.where(speed > 0.0, speed, 0.0) / (2.0 * jnp.pi)
-        rates = jnp.where(jnp.isnan(speed), jnp.nan, rates)
+        rates = xp.where(speed > 0.0, speed, 0.0) / (2.0 * xp.pi)
+        rates = xp.where(xp.isnan(speed), xp.nan, rates)
         lives.append(spectrum_life(lives=turns, cycle_rates=rates, time_shares=share))
-    return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, lives)))
+    return xp.stack(xp.broadcast_arrays(*map(xp.asarray, lives)))
 
 
 def joint_bearing_lives(joint: Joint, result: JointResult, laws: ContactLaws) -> BearingLives:
@@ -156,16 +157,16 @@ def joint_bearing_lives(joint: Joint, result: JointResult, laws: ContactLaws) ->
     loaded = forces_on_axis(joint, *working_forces(joint, result), pins)
     working = _state(drive, pins, loaded, member_speeds(joint, result))
     without = forces_on_axis(joint, at_rest.normal, at_rest.tangential, at_rest.pin_force)
-    rest = _state(drive, at_rest.pin_force, without, jnp.zeros(len(drive.members))).force
+    rest = _state(drive, at_rest.pin_force, without, xp.zeros(len(drive.members))).force
     return lives_of_bearings(joint.rated_bearings, working=working, rest=rest, **under)
 
 
 def _state(drive: Drive, pin_force: Array, axis_force: Array, speeds: Array) -> BearingState:
     """The bearings of pins, input and output."""
-    ends = jnp.array([drive.members.index(drive.input), drive.members.index(drive.output)])
+    ends = xp.array([drive.members.index(drive.input), drive.members.index(drive.output)])
     return BearingState(
-        jnp.concatenate([jnp.abs(pin_force), axis_force[ends]]),
-        jnp.concatenate([pin_speeds(drive, speeds), jnp.abs(speeds[ends])]),
+        xp.concatenate([xp.abs(pin_force), axis_force[ends]]),
+        xp.concatenate([pin_speeds(drive, speeds), xp.abs(speeds[ends])]),
     )
 
 
@@ -183,15 +184,15 @@ def _under_duty(joint: Joint, without_torque: Pressed, torques: Array, speeds: A
             load=rolling_load(dataclasses.replace(joint, input_speed=speed), contacts, masses, torque),
             creep_of=creep_under(joint, contacts),
         )
-        state = jax.tree.map(lambda rests, rolls: jnp.where(speed > 0.0, rolls, rests), *both)
-        known = jnp.where(state.residual < STATE_TOLERANCE, 1.0, jnp.nan)
+        state = jax.tree.map(lambda rests, rolls: xp.where(speed > 0.0, rolls, rests), *both)
+        known = xp.where(state.residual < STATE_TOLERANCE, 1.0, xp.nan)
         tangential = state.tangential + drag_pairs(joint.drive, state.drag)
         loaded = forces_on_axis(joint, state.normal, tangential, state.pin_force)
         return _state(
             joint.drive,
             known * state.pin_force,
             known * loaded,
-            jnp.where(speed > 0.0, known * state.speed * speed, 0.0),
+            xp.where(speed > 0.0, known * state.speed * speed, 0.0),
         )
 
-    return jax.vmap(under)(torques, speeds)
+    return vectorised(under)(torques, speeds)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -19,6 +18,8 @@ from asperity.contact.hertz_line import (
 )
 from asperity.drive.layout.drive import CARRIER, contact_angles, speeds
 from asperity.drive.structure.inertia import roller_inertia
+from asperity.engine.arrays import xp
+from asperity.engine.control import added_at
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import (
     Joint,
@@ -48,7 +49,7 @@ def exact_bodies(joint: Joint) -> list[BodyInMachine]:
         if len(tracks) != 1:
             continue
         radius, contacts = tracks[0]
-        length = jnp.max(lengths[np.array(contacts)])
+        length = xp.max(lengths[np.array(contacts)])
         elastic = (length, material.youngs_modulus, material.poisson_ratio)
         solid: Disc | Annulus
         if shape.kind == "ring":
@@ -62,7 +63,7 @@ def exact_bodies(joint: Joint) -> list[BodyInMachine]:
             solid = Disc(radius, *elastic, joint.plane_state)
         angles = [at_first[k] if first[k] == number else at_second[k] for k in contacts]
         sectors = joint.drive.sectors if body.place == "axis" else None
-        bodies.append(BodyInMachine(solid, tuple(contacts), jnp.stack(angles), sectors))
+        bodies.append(BodyInMachine(solid, tuple(contacts), xp.stack(angles), sectors))
     return bodies
 
 
@@ -91,18 +92,18 @@ def _bores_of_stepped(joint: Joint) -> Array:
     count = len(joint.drive.contacts)
     first, _ = places(joint.drive)
     at_first, at_second = contact_angles(joint.drive)
-    added = jnp.zeros((2 * count, 2 * count))
+    added = xp.zeros((2 * count, 2 * count))
     for number, roller in hollow_stepped(joint).items():
         on_track = [(k, track) for track, (_, ks) in enumerate(tracks_of(joint, number)) for k in ks]
         contacts = np.array([k for k, _ in on_track])
         part = bore_addition(
             roller=roller,
-            contact_angles=jnp.stack([at_first[k] if first[k] == number else at_second[k] for k in contacts]),
+            contact_angles=xp.stack([at_first[k] if first[k] == number else at_second[k] for k in contacts]),
             contact_tracks=tuple(track for _, track in on_track),
             sectors=joint.drive.sectors if joint.drive.bodies[number].place == "axis" else 1.0,
         )
         both = np.concatenate([contacts, contacts + count])
-        added = added.at[both[:, None], both[None]].add(part)
+        added = added_at(added, (both[:, None], both[None]), part)
     return added
 
 
@@ -127,12 +128,12 @@ def one_sided_secants(contacts: JointContacts, half_width: Array) -> tuple[Array
         }
         for body in (contacts.driving, contacts.driven)
     )
-    second = jnp.where(
+    second = xp.where(
         pairs.sign > 0.0,
         roller_secant_compliance(radius=pairs.radius_2, **two),
         ring_secant_compliance(wall_thickness=contacts.ring_wall_thickness, **two),
     )
-    return jnp.asarray(roller_secant_compliance(radius=pairs.radius_1, **one)), second
+    return xp.asarray(roller_secant_compliance(radius=pairs.radius_1, **one)), second
 
 
 def body_compliance(
@@ -150,7 +151,7 @@ def body_compliance(
     """
     count = len(joint.drive.contacts)
     exact = _exact_sides(joint)
-    compliance = jnp.zeros((2 * count, 2 * count))
+    compliance = xp.zeros((2 * count, 2 * count))
     bodies = exact_bodies(joint)
     if bodies:
         compliance = coupled_compliance(
@@ -174,9 +175,9 @@ def body_compliance(
                 youngs_modulus=body.youngs_modulus,
                 poisson_ratio=body.poisson_ratio,
             )
-            parts.append(jnp.where(known, 0.0, secant - bend))
+            parts.append(xp.where(known, 0.0, secant - bend))
         local_compliance.append(parts[0] + parts[1])
-    return compliance + jnp.diag(jnp.concatenate(local_compliance)) + _bores_of_stepped(joint)
+    return compliance + xp.diag(xp.concatenate(local_compliance)) + _bores_of_stepped(joint)
 
 
 def with_rims(joint: Joint, contacts: JointContacts) -> JointContacts:
@@ -199,7 +200,7 @@ def contact_walls(joint: Joint) -> list[tuple[list[int], Real]]:
 
 def walls_known(*, joint: Joint, half_width: Array) -> Array:
     """Whether every ring and hollow roller has a wall for which its compliance is known."""
-    holds = jnp.ones((), dtype=bool)
+    holds = xp.ones((), dtype=bool)
     if joint.body_model == "springs":
         return holds
     for member in exact_bodies(joint):
@@ -212,9 +213,9 @@ def walls_known(*, joint: Joint, half_width: Array) -> Array:
             ratio=body.inner_radius / body.outer_radius, sectors=sectors, one_sector=alone
         )
     for roller in hollow_stepped(joint).values():
-        holds = holds & (roller.bore_radius <= WIDEST_BORE * jnp.minimum(*roller.radii))
+        holds = holds & (roller.bore_radius <= WIDEST_BORE * xp.minimum(*roller.radii))
     for contacts, wall in contact_walls(joint):
-        holds = holds & ~(jnp.max(half_width[np.array(contacts)]) > WIDEST_CONTACT * wall)
+        holds = holds & ~(xp.max(half_width[np.array(contacts)]) > WIDEST_CONTACT * wall)
     return holds
 
 
@@ -273,5 +274,5 @@ def joint_inertias(joint: Joint) -> tuple[Real, Real, Real]:
             moved = moved + spin * (speed[number] / out) ** 2
         else:
             spinning = spinning + drive.sectors * spin * speed[number] ** 2  # the input has the speed 1
-            moved = moved + drive.sectors * mass * jnp.sum(drive.centres[number] ** 2) * (carrier / out) ** 2
+            moved = moved + drive.sectors * mass * xp.sum(drive.centres[number] ** 2) * (carrier / out) ** 2
     return entry, spinning, moved

@@ -7,8 +7,8 @@ import math
 from typing import Literal
 
 import equinox as eqx
-import jax.numpy as jnp
 
+from asperity.engine.arrays import xp
 from asperity.materials import Material
 from asperity.types import Real
 
@@ -99,7 +99,7 @@ def on_pin(shape: BodyShape, diameter: Real, radius: Real) -> BodyShape:
         return dataclasses.replace(shape, pin_diameter=diameter)
     if isinstance(diameter, float) and diameter > 0.0:
         return dataclasses.replace(shape, kind="hollow", size=diameter, pin_diameter=diameter)
-    bore = jnp.where(jnp.asarray(diameter) > 0.0, diameter, _NO_BORE * radius)
+    bore = xp.where(xp.asarray(diameter) > 0.0, diameter, _NO_BORE * radius)
     return dataclasses.replace(shape, kind="hollow", size=bore, pin_diameter=diameter)
 
 

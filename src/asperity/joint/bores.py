@@ -6,7 +6,6 @@ import math
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -18,10 +17,11 @@ from asperity.drive.layout.drive import Drive, contact_angles, incidence
 from asperity.drive.state.bores import TURNOVER, Bores, PressedBores, by_amplitude
 from asperity.drive.state.state import DriveState
 from asperity.drive.structure.pin_beam import pin_beam_compliance
+from asperity.engine.arrays import xp
+from asperity.engine.control import put
 from asperity.errors import InputError
 from asperity.joint.description import Joint, pin_names, places, track_lengths, tracks_of
 from asperity.linear import product
-from asperity.types import namespace
 from asperity.units import format_quantity
 
 #: Largest radial clearance over the diameter of a pin at which its contact in the bore is that of nearly equal radii.
@@ -33,7 +33,7 @@ def push_angles(drive: Drive) -> Array:
     rows = incidence(drive).pins
     at = np.array([2 * drive.floating.index(body) for body in drive.pinned], dtype=int)
     pins = np.arange(at.size)
-    return jnp.arctan2(rows[pins, at + 1], rows[pins, at])
+    return xp.arctan2(rows[pins, at + 1], rows[pins, at])
 
 
 def pins_in_bores(joint: Joint) -> Bores | None:
@@ -51,24 +51,24 @@ def pins_in_bores(joint: Joint) -> Bores | None:
     along, rim, laws, pressed = [], [], [], []
     for body, angle in zip(drive.pinned, push_angles(drive), strict=True):
         tracks = tracks_of(joint, body)
-        presses = jnp.asarray(joint.shapes[body].pin_diameter) > 0.0
+        presses = xp.asarray(joint.shapes[body].pin_diameter) > 0.0
         modes = []
         for (_, contacts), annulus in zip(tracks, _annuli(joint, body), strict=True):
-            at = jnp.stack([at_first[k] if first[k] == body else at_second[k] for k in contacts])
+            at = xp.stack([at_first[k] if first[k] == body else at_second[k] for k in contacts])
             modes.append(bore_modes(body=annulus, contact_angles=at, push_angle=angle))
-        coupled = jnp.where(presses & (joint.body_model == "exact") & (len(tracks) == 1), 1.0, 0.0)
+        coupled = xp.where(presses & (joint.body_model == "exact") & (len(tracks) == 1), 1.0, 0.0)
         rows = np.array(tracks[0][1])
         rows = np.concatenate([rows, rows + count])
-        along.append(jnp.zeros(2 * count).at[rows].set(coupled * modes[0].along))
-        rim.append(jnp.zeros((2 * count, SHARED.size)).at[rows].set(coupled * modes[0].rim))
+        along.append(put(xp.zeros(2 * count), rows, coupled * modes[0].along))
+        rim.append(put(xp.zeros((2 * count, SHARED.size)), rows, coupled * modes[0].rim))
         modes += modes[:1] * (most - len(modes))
         laws.append(
-            jax.tree.map(lambda *tracks: jnp.stack(tracks), *((m.shift, m.scale, m.wall) for m in modes))
+            jax.tree.map(lambda *tracks: xp.stack(tracks), *((m.shift, m.scale, m.wall) for m in modes))
         )
         pressed.append(presses & (np.arange(most) < len(tracks)))
-    shift, scale, wall = (jnp.stack(parts) for parts in zip(*laws, strict=True))
-    along_normal, along_tangential = jnp.split(jnp.stack(along, axis=1), 2)
-    rim_normal, rim_tangential = jnp.split(jnp.stack(rim, axis=1), 2)
+    shift, scale, wall = (xp.stack(parts) for parts in zip(*laws, strict=True))
+    along_normal, along_tangential = xp.split(xp.stack(along, axis=1), 2)
+    rim_normal, rim_tangential = xp.split(xp.stack(rim, axis=1), 2)
     return Bores(
         along_normal=along_normal,
         along_tangential=along_tangential,
@@ -78,8 +78,8 @@ def pins_in_bores(joint: Joint) -> Bores | None:
             shift=shift,
             scale=scale,
             wall=wall,
-            pressed=jnp.stack(pressed),
-            clearance=jnp.broadcast_to(jnp.asarray(joint.pin_clearance, dtype=float), (len(pressed),)),
+            pressed=xp.stack(pressed),
+            clearance=xp.broadcast_to(xp.asarray(joint.pin_clearance, dtype=float), (len(pressed),)),
         ),
     )
 
@@ -110,21 +110,21 @@ def pin_compliances(joint: Joint) -> Array:
     drive = joint.drive
     if not pins_bend(joint):
         stiffness = math.inf if joint.pin_stiffness is None else joint.pin_stiffness
-        return jnp.broadcast_to(1.0 / jnp.asarray(stiffness, dtype=float), (len(drive.pinned),))
+        return xp.broadcast_to(1.0 / xp.asarray(stiffness, dtype=float), (len(drive.pinned),))
     assert joint.pin is not None
-    diameter = jnp.asarray(joint.pin.diameter)
+    diameter = xp.asarray(joint.pin.diameter)
     compliances = [
         pin_beam_compliance(
             free_length=joint.pin.free_length,
             roller_length=sum(track_lengths(joint, body)),
-            diameter=jnp.where(diameter > 0.0, diameter, 1.0),
+            diameter=xp.where(diameter > 0.0, diameter, 1.0),
             youngs_modulus=joint.materials[body].youngs_modulus,
             poisson_ratio=joint.materials[body].poisson_ratio,
             support=joint.pin.support,
         )
         for body in drive.pinned
     ]
-    return jnp.stack([jnp.where(diameter > 0.0, compliance, 0.0) for compliance in compliances])
+    return xp.stack([xp.where(diameter > 0.0, compliance, 0.0) for compliance in compliances])
 
 
 class PinLoads(NamedTuple):
@@ -143,7 +143,7 @@ class PinLoads(NamedTuple):
 
 def pin_loads(state: DriveState, rest: DriveState) -> PinLoads:
     """What presses the pins in a state of a drive that was assembled so."""
-    return PinLoads(state.pin_force, state.normal - rest.normal, state.tangential, jnp.max(state.normal))
+    return PinLoads(state.pin_force, state.normal - rest.normal, state.tangential, xp.max(state.normal))
 
 
 def pressed_bores(bores: Bores, loads: PinLoads, by_torque: Array) -> PressedBores:
@@ -152,8 +152,8 @@ def pressed_bores(bores: Bores, loads: PinLoads, by_torque: Array) -> PressedBor
     ``by_torque`` are their forces under a small torque, of which the signs count, shape (pins,). At least a small share
     of the largest force of a contact is taken: the stiffness of a pin with clearance vanishes with its force.
     """
-    side = jnp.where(jnp.where(loads.force == 0.0, by_torque, loads.force) < 0.0, -1.0, 1.0)
-    return bores.beyond_turnover(side * jnp.maximum(jnp.abs(loads.force), TURNOVER * loads.largest))
+    side = xp.where(xp.where(loads.force == 0.0, by_torque, loads.force) < 0.0, -1.0, 1.0)
+    return bores.beyond_turnover(side * xp.maximum(xp.abs(loads.force), TURNOVER * loads.largest))
 
 
 def bore_stiffness(joint: Joint, pin_force: Array, normal_force: Array) -> Array:
@@ -163,12 +163,12 @@ def bore_stiffness(joint: Joint, pin_force: Array, normal_force: Array) -> Array
     """
     bores = pins_in_bores(joint)
     if bores is None:
-        return namespace(joint).full(len(joint.drive.pinned), np.inf)
-    unchanged = jnp.zeros_like(normal_force)
-    loads = PinLoads(pin_force, unchanged, unchanged, jnp.max(normal_force))
+        return xp.full(len(joint.drive.pinned), np.inf)
+    unchanged = xp.zeros_like(normal_force)
+    loads = PinLoads(pin_force, unchanged, unchanged, xp.max(normal_force))
     compliance = pressed_bores(bores, loads, pin_force).compliance
     gives = compliance > 0.0
-    return jnp.where(gives, 1.0 / jnp.where(gives, compliance, 1.0), jnp.inf)
+    return xp.where(gives, 1.0 / xp.where(gives, compliance, 1.0), xp.inf)
 
 
 def pin_contact_angles(joint: Joint, pin_force: Array) -> Array:
@@ -178,10 +178,10 @@ def pin_contact_angles(joint: Joint, pin_force: Array) -> Array:
     """
     bores = pins_in_bores(joint)
     if bores is None:
-        return namespace(joint).full(len(joint.drive.pinned), np.nan)
+        return xp.full(len(joint.drive.pinned), np.nan)
     presses = (bores.contact.scale > 0.0) & (pin_force != 0.0)
-    angles = bores.contact.angle(jnp.where(presses, jnp.abs(pin_force), 1.0))
-    return jnp.where(presses, angles, jnp.nan)
+    angles = bores.contact.angle(xp.where(presses, xp.abs(pin_force), 1.0))
+    return xp.where(presses, angles, xp.nan)
 
 
 def pin_forces(drive: Drive, normal: Array, tangential: Array) -> Array:
@@ -206,7 +206,7 @@ def pin_room(joint: Joint) -> tuple[Array, Array]:
     the tangent. Moment balance of a roller between two contacts, equations (3) and (4) of Zou et al. 2025 without the
     wedge.
     """
-    xp, drive, bearings = namespace(joint), joint.drive, joint.bearings
+    drive, bearings = joint.drive, joint.bearings
     if not drive.pinned:
         return xp.zeros(0), xp.zeros(0)
     radius = xp.stack(
@@ -229,7 +229,6 @@ def pin_room(joint: Joint) -> tuple[Array, Array]:
 
 def overhang(joint: Joint) -> Array:
     """Length of each roller on a pin over the free length of its pin, shape (pins,) [-]; 0 where it is not known."""
-    xp = namespace(joint)
     if joint.pin is None or not joint.drive.pinned:
         return xp.zeros(len(joint.drive.pinned))
     lengths: Array = xp.stack([xp.asarray(sum(track_lengths(joint, body))) for body in joint.drive.pinned])

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -15,6 +14,8 @@ from asperity.body.rim_moments import WIDEST_CONTACT
 from asperity.drive.state.first_limit import FirstLimit, first_limit, first_limit_of_numbers, slip_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once, least_at, map_over
 from asperity.joint.assembled import Pressed
 from asperity.joint.bodies import contact_walls
 from asperity.joint.description import (
@@ -29,7 +30,7 @@ from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.torque_limits import TorqueCapacity, limit_entries, named_capacity
 from asperity.rolling.creep import capacity_loss
-from asperity.types import Real, namespace
+from asperity.types import Real
 
 _LIFTED = 1e-12
 
@@ -51,24 +52,24 @@ def smaller_sizes(joint: Joint) -> Array:
 
     Radius of the smaller roller of each contact, or the wall of its ring or hollow roller if that is less.
     """
-    sizes: list[Real] = [jnp.inf] * len(joint.drive.contacts)
+    sizes: list[Real] = [xp.inf] * len(joint.drive.contacts)
     for number, shape in enumerate(joint.shapes):
         for radius, contacts in tracks_of(joint, number):
             size: Real = radius
             if shape.size is not None:
                 size = shape.size if shape.kind == "ring" else radius - 0.5 * shape.size
             for k in contacts:
-                sizes[k] = jnp.minimum(sizes[k], size)
-    return jnp.stack([jnp.asarray(size) for size in sizes])
+                sizes[k] = xp.minimum(sizes[k], size)
+    return xp.stack([xp.asarray(size) for size in sizes])
 
 
 def _widths_of_walls(joint: Joint) -> tuple[Array, ...]:
     """Half-widths up to which the compliance of the walls at the contacts is known, if any; shape (contacts,) [m]."""
     if joint.cam is None or joint.body_model == "springs":
         return ()
-    widths = jnp.full(len(joint.drive.contacts), jnp.inf)
+    widths = xp.full(len(joint.drive.contacts), xp.inf)
     for contacts, wall in contact_walls(joint):
-        widths = widths.at[np.array(contacts)].min(WIDEST_CONTACT * wall)
+        widths = least_at(widths, np.array(contacts), WIDEST_CONTACT * wall)
     return (widths,)
 
 
@@ -90,10 +91,9 @@ def under_torque(
     """State of a joint under an output torque [N·m], and how it keeps its limits; equations (A9) and (M3).
 
     The limits are slip, lift-off, widths of strips and walls, and a solution. The joint's own torque does not count;
-    the flags are those of :func:`asperity.drive.state.states.loaded_state`. For
-    :func:`asperity.compilation.compile_fast`.
+    the flags are those of :func:`asperity.drive.state.states.loaded_state`.
     """
-    return loading(in_motion(joint), without_torque)(jnp.asarray(torque), rolls, holds)
+    return loading(in_motion(joint), without_torque)(xp.asarray(torque), rolls, holds)
 
 
 def loading(
@@ -130,15 +130,15 @@ def loading(
         touching = state.normal > _LIFTED * rest.normal
         available = friction
         if joint.rolling.skew is not None:
-            available = jnp.where(rolls, friction_left(state), friction)
+            available = xp.where(rolls, friction_left(state), friction)
         slip = slip_ratio(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=available
         )
-        width = contacts.largest_half_width(jnp.where(touching, state.normal, rest.normal))
+        width = contacts.largest_half_width(xp.where(touching, state.normal, rest.normal))
         if joint.cam is not None:
-            width = jnp.fmax(width, contacts.largest_half_width(laws.reference_force))
+            width = xp.fmax(width, contacts.largest_half_width(laws.reference_force))
         strips, *of_walls = (width / largest - 1.0 for largest in limits)
-        strips = jnp.where(touching | (joint.cam is not None), strips, -1.0)
+        strips = xp.where(touching | (joint.cam is not None), strips, -1.0)
         return UnderTorque(state, rest, excesses_of(state, rest.normal, slip, strips, *of_walls))
 
     return at
@@ -150,21 +150,21 @@ def excesses_of(state: DriveState, normal_at_rest: Array, slip: Array, *sizes: A
     ``slip``: slip ratios; ``sizes``: excesses of the widths of strips, then of walls, shape (contacts,).
     """
     touching = state.normal > _LIFTED * normal_at_rest
-    begins = jnp.where(state.slides != 0.0, -1.0, slip - 1.0 - SLIP_TOLERANCE)
-    return jnp.concatenate(
+    begins = xp.where(state.slides != 0.0, -1.0, slip - 1.0 - SLIP_TOLERANCE)
+    return xp.concatenate(
         [
-            -jnp.ones(1),  # pins without friction do not lock
-            jnp.where(touching, begins, -1.0),
+            -xp.ones(1),  # pins without friction do not lock
+            xp.where(touching, begins, -1.0),
             _LIFTED - state.normal / normal_at_rest,
             *sizes,
-            jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
+            xp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
         ]
     )
 
 
 def first_guess(joint: Joint, rest: DriveState) -> Real:
     """The torque at which all contacts of one kind would slip [N·m]."""
-    drive, xp = joint.drive, namespace(joint, rest)
+    drive = joint.drive
     friction = contact_values(joint, joint.friction_coefficients)
     orbit = xp.max(abs(xp.asarray(drive.centres))) + xp.max(drive.second_radius)
     return xp.min(friction * rest.normal) * orbit * drive.sectors
@@ -180,18 +180,15 @@ def _named(joint: Joint, limit: FirstLimit) -> TorqueCapacity:
     return named_capacity(limit, limits_of(joint), contacts=len(joint.drive.contacts))
 
 
-def torque_capacities(
-    joint: Joint, without_torque: Pressed, under: Callable[..., UnderTorque]
-) -> TorqueCapacities:
+def torque_capacities(joint: Joint, without_torque: Pressed) -> TorqueCapacities:
     """Torque capacities of one joint, of NumPy's numbers, in both directions, and its first slip, as positive torques.
 
-    ``under`` is :func:`under_torque` of this joint, compiled: of the torque and the two flags. [N·m], equations (A9)
-    and (M3) of :doc:`/equations`.
+    [N·m], equations (A9) and (M3) of :doc:`/equations`.
     """
 
     def search(rolls: bool, holds: bool) -> TorqueCapacity:
         both = [
-            torque_capacity(joint, without_torque, under, direction=sign, rolls=rolls, holds=holds)
+            torque_capacity(joint, without_torque, direction=sign, rolls=rolls, holds=holds)
             for sign in (1.0, -1.0)
         ]
         return jax.tree.map(lambda *ways: np.stack(ways), *both)
@@ -202,7 +199,6 @@ def torque_capacities(
 def torque_capacity(
     joint: Joint,
     without_torque: Pressed,
-    under: Callable[..., UnderTorque],
     *,
     direction: float,
     rolls: bool,
@@ -210,13 +206,16 @@ def torque_capacity(
 ) -> TorqueCapacity:
     """Torque capacity of one joint, of NumPy's numbers, in one direction, 1 or −1; as :func:`torque_capacities`."""
 
-    def excesses(torque: np.ndarray) -> np.ndarray:
-        under_torque = under(np.asarray(direction * torque), np.asarray(rolls), np.asarray(holds))
-        return np.asarray(under_torque.excesses)
+    def capacity(joint: Joint, without_torque: Pressed) -> TorqueCapacity:
+        loaded = loading(joint, without_torque)
+        found = first_limit_of_numbers(
+            excesses=lambda torque: loaded(direction * torque, rolls, holds).excesses,
+            first_guess=first_guess(joint, without_torque.rest),
+        )
+        return _named(joint, found)
 
-    guess = first_guess(joint, without_torque.rest)
-    capacity = _named(joint, first_limit_of_numbers(excesses=excesses, first_guess=guess))
-    return jax.tree.map(np.asarray, capacity)
+    known: TorqueCapacity = at_once(capacity, joint, without_torque)
+    return known
 
 
 def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:
@@ -225,8 +224,8 @@ def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rol
     At rest, or in rolling; ``rest`` is its assembled state without torque, and the laws are those of its contacts
     there.
     """
-    both = jnp.array([1.0, -1.0])
-    return limiting_torques(joint, rest, laws, direction=both, rolls=rolls, holds=jnp.zeros(2, dtype=bool))
+    both = xp.array([1.0, -1.0])
+    return limiting_torques(joint, rest, laws, direction=both, rolls=rolls, holds=xp.zeros(2, dtype=bool))
 
 
 def limiting_torques(
@@ -235,7 +234,7 @@ def limiting_torques(
     """Largest output torques that keep every limit: signs, and as of :func:`under_torque`, shape (searches,) [N·m]."""
     joint = in_motion(joint)
     loaded = loading(joint, Pressed(laws, rest))
-    guess = jnp.asarray(first_guess(joint, rest))
+    guess = xp.asarray(first_guess(joint, rest))
 
     def search(given: tuple[Array, Array]) -> FirstLimit:
         sign, hold = given
@@ -243,4 +242,4 @@ def limiting_torques(
             excesses=lambda torque: loaded(sign * torque, rolls, hold).excesses, first_guess=guess
         )
 
-    return _named(joint, jax.lax.map(search, (direction, holds)))
+    return _named(joint, map_over(search, (direction, holds)))

@@ -5,8 +5,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.body.rim_moments import RimKernel
@@ -20,6 +18,8 @@ from asperity.contact.interface import Interface, RoughContact, bulk_tangential_
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
 from asperity.drive.mechanism import NormalSprings, crowned_springs
+from asperity.engine.arrays import xp
+from asperity.engine.control import traced_once
 from asperity.joint.crowned_contacts import (
     CrownCompliance,
     contact_of_slices,
@@ -69,7 +69,7 @@ class JointContacts(eqx.Module):
     def largest_half_width(self, normal_force: Array) -> Array:
         """Half-widths where the contacts are widest, for one newton where they are open, shape (contacts, ...) [m]."""
         lines = self.loads_along(normal_force)
-        return jnp.asarray(self.pairs.half_width(normal_force)) if lines is None else lines.half_width[0]
+        return xp.asarray(self.pairs.half_width(normal_force)) if lines is None else lines.half_width[0]
 
 
 class LoadedContacts(NamedTuple):
@@ -118,7 +118,7 @@ def bulk_springs(*, contacts: JointContacts, half_width: Real) -> NormalSprings:
     as_ring = ring_secant_compliance(
         wall_thickness=contacts.ring_wall_thickness, half_width=half_width, **body_2
     )
-    secant = roller_secant_compliance(radius=pairs.radius_1, half_width=half_width, **body_1) + jnp.where(
+    secant = roller_secant_compliance(radius=pairs.radius_1, half_width=half_width, **body_1) + xp.where(
         pairs.sign > 0.0, as_roller, as_ring
     )
     bend = logarithmic_compliance(**body_1) + logarithmic_compliance(**body_2)
@@ -134,7 +134,7 @@ def with_crowns(springs: NormalSprings, *, contacts: JointContacts, rest_force: 
     return NormalSprings(springs.secant_compliance, springs.incremental_compliance, crowns)
 
 
-@jax.jit  # traced once for all states of the contacts
+@traced_once  # traced once for all states of the contacts
 def rough_joint_contacts(
     *, contacts: JointContacts, normal_force: Array, tangential_force: Array, lines: CrownedLine | None = None
 ) -> RoughContact:
@@ -181,14 +181,14 @@ def loaded_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=tangential_force, lines=lines
     )
     crown: CrownCompliance | None = None
-    friction = contacts.pairs.friction_coefficient * jnp.where(touching, normal_force, 1.0)
-    traction = jnp.where(touching, jnp.abs(tangential_force) / friction, 1.0)
-    bulk_normal = jnp.where(touching, 1.0 / springs.incremental_compliance, 0.0)
+    friction = contacts.pairs.friction_coefficient * xp.where(touching, normal_force, 1.0)
+    traction = xp.where(touching, xp.abs(tangential_force) / friction, 1.0)
+    bulk_normal = xp.where(touching, 1.0 / springs.incremental_compliance, 0.0)
     bulk_tangential = bulk_tangential_stiffness(
         normal_compliance=springs.incremental_compliance,
         logarithmic_compliance=springs.secant_compliance - springs.incremental_compliance,
         normal_force=normal_force,
-        tangential_force=jnp.abs(tangential_force),
+        tangential_force=xp.abs(tangential_force),
         friction_coefficient=contacts.pairs.friction_coefficient,
     )
     if contacts.crown_curvature is not None:
@@ -203,8 +203,8 @@ def loaded_contacts(
         bulk_normal = bulk_normal / (1.0 + bulk_normal * crown.normal)
         bulk_tangential = bulk_tangential / (1.0 + bulk_tangential * crown.tangential)
     return LoadedContacts(
-        half_width=jnp.where(touching, width, 0.0),
-        traction=jnp.where(traction < 1.0, traction, 1.0),
+        half_width=xp.where(touching, width, 0.0),
+        traction=xp.where(traction < 1.0, traction, 1.0),
         rough=rough,
         interfaces=Interface(
             asperity_normal=rough.normal_stiffness,
@@ -229,7 +229,7 @@ def closure_springs(*, contacts: JointContacts, rest_force: Array, model: Closur
     asperities = (
         1.0
         / rough_joint_contacts(
-            contacts=contacts, normal_force=rest_force, tangential_force=jnp.zeros_like(rest_force)
+            contacts=contacts, normal_force=rest_force, tangential_force=xp.zeros_like(rest_force)
         ).normal_stiffness
     )
     return NormalSprings(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.carter import gross_slip_creepage, slip_ratio_at_creepage
@@ -15,6 +14,7 @@ from asperity.contact.interface import RoughContact
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
 from asperity.contact.strip_theory import strip_creepage
+from asperity.engine.arrays import xp
 from asperity.materials import Material
 
 
@@ -31,7 +31,7 @@ class CrownCompliance(NamedTuple):
 def crowned_lines(*, pairs: RollerPairs, crown_curvature: Array) -> CrownedLines:
     """What the approach of crowned contacts depends on, in one shape."""
     return CrownedLines(
-        *jnp.broadcast_arrays(
+        *xp.broadcast_arrays(
             crown_curvature, pairs.contact_length, pairs.effective_radius, pairs.moduli.contact_modulus
         )
     )
@@ -44,7 +44,7 @@ def loads_along(*, pairs: RollerPairs, crown_curvature: Array, normal_force: Arr
 
 
 def _pressed(normal_force: Array) -> Array:
-    return jnp.where(normal_force > 0.0, normal_force, 1.0)
+    return xp.where(normal_force > 0.0, normal_force, 1.0)
 
 
 def lateral_strain_compliance(driving: Material, driven: Material) -> Array:
@@ -53,7 +53,7 @@ def lateral_strain_compliance(driving: Material, driven: Material) -> Array:
     [1/Pa].
     """
     one, two = (
-        jnp.asarray(body.poisson_ratio * (1.0 + body.poisson_ratio) / body.youngs_modulus)
+        xp.asarray(body.poisson_ratio * (1.0 + body.poisson_ratio) / body.youngs_modulus)
         for body in (driving, driven)
     )
     return one + two
@@ -71,14 +71,14 @@ def crown_compliances(
     """Compliance that the crowns add to the bodies of the contacts."""
     lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
     touching = normal_force > 0.0
-    stick = normal_force - jnp.abs(tangential_force) / pairs.friction_coefficient
+    stick = normal_force - xp.abs(tangential_force) / pairs.friction_coefficient
     strain = lateral_strain_compliance(driving, driven)
     normal = crown_compliance(normal_force=_pressed(normal_force), **vars(lines))
     tangential = crown_shear_compliance(
         stick_force=_pressed(stick), lateral_strain_compliance=strain, **vars(lines)
     )
     return CrownCompliance(
-        jnp.where(touching, normal, 0.0), jnp.where(touching & (stick > 0.0), tangential, 0.0)
+        xp.where(touching, normal, 0.0), xp.where(touching & (stick > 0.0), tangential, 0.0)
     )
 
 
@@ -96,7 +96,7 @@ def rough_slices(
     length share of a slice is its share in the contact.
     """
     share = lines.line_load * pairs.contact_length / _pressed(normal_force)
-    normal = share * jnp.where(normal_force > 0.0, normal_force, 0.0)
+    normal = share * xp.where(normal_force > 0.0, normal_force, 0.0)
     return rough_contacts(
         pairs=pairs,
         contact_factor=contact_factors(pairs=pairs, model=model, normal_force=normal),
@@ -107,7 +107,7 @@ def rough_slices(
 
 def contact_of_slices(*, slices: RoughContact, lines: CrownedLine) -> RoughContact:
     """Spots and stiffnesses of contacts from those of their slices."""
-    added: RoughContact = jax.tree.map(lambda value: jnp.sum(lines.length_share * value, axis=0), slices)
+    added: RoughContact = jax.tree.map(lambda value: xp.sum(lines.length_share * value, axis=0), slices)
     middle = jax.tree.map(lambda value: value[0], slices)
     return RoughContact(
         largest_area=middle.largest_area,
@@ -131,11 +131,11 @@ def slice_friction(*, pairs: RollerPairs, lines: CrownedLine) -> tuple[Array, Ar
         effective_radius=pairs.effective_radius,
     )
     capacity = pairs.friction_coefficient * lines.line_load * lines.length_share
-    return jnp.asarray(capacity), jnp.asarray(limit)
+    return xp.asarray(capacity), xp.asarray(limit)
 
 
 def slice_slip_ratios(*, pairs: RollerPairs, lines: CrownedLine, slip_ratio: Array) -> Array:
     """Tangential force over friction of each slice, with one creepage for all; without asperities [-]."""
     capacity, limits = slice_friction(pairs=pairs, lines=lines)
     creepage = strip_creepage(slip_ratio=slip_ratio, capacity=capacity, gross_slip_creepage=limits)
-    return jnp.asarray(slip_ratio_at_creepage(creepage=creepage, gross_slip_creepage=limits))
+    return xp.asarray(slip_ratio_at_creepage(creepage=creepage, gross_slip_creepage=limits))

@@ -6,7 +6,6 @@ import dataclasses
 from typing import Any, Literal
 
 import equinox as eqx
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -19,6 +18,7 @@ from asperity.drive.state.state import BodiesOfContacts
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.drive.structure.pin_beam import PinBeam
+from asperity.engine.arrays import xp
 from asperity.joint.body_shape import BodyShape, Housing
 from asperity.joint.contacts import JointContacts, elastic_material
 from asperity.joint.fit import BodyModel, ClosureSprings, Fit, per_contact
@@ -171,13 +171,13 @@ class Joint(eqx.Module):
     @property
     def working_pattern(self) -> Array:
         """Interference of each contact at the working temperature over that of the drive at the assembly [-]."""
-        pattern = jnp.asarray(self.pattern)
+        pattern = xp.asarray(self.pattern)
         if self.unlike is not None:
-            pattern = pattern + self.unlike.added / jnp.asarray(self.interference)
+            pattern = pattern + self.unlike.added / xp.asarray(self.interference)
         if self.fit is None:
             return pattern
         added = self.fit.contact_change_per_kelvin * self.fit.temperature_rise
-        return pattern + added / jnp.asarray(self.interference)
+        return pattern + added / xp.asarray(self.interference)
 
     @property
     def sun_speed(self) -> Real:
@@ -259,7 +259,7 @@ def joint_contacts(joint: Joint) -> JointContacts:
         pairs=roller_pairs(
             radius_1=joint.drive.first_radius,
             radius_2=joint.drive.second_radius,
-            sign=jnp.where(np.array(inside), -1.0, 1.0),
+            sign=xp.where(np.array(inside), -1.0, 1.0),
             contact_length=contact_values(joint, joint.contact_lengths),
             friction_coefficient=contact_values(joint, joint.friction_coefficients),
             moduli=pair(driving, driven),
@@ -297,7 +297,7 @@ def track_lengths(joint: Joint, body: int) -> list[Real]:
     length = joint.shapes[body].length
     if length is not None:
         return [length / len(tracks)] * len(tracks)
-    return [jnp.max(lengths[np.array(contacts)]) for _, contacts in tracks]
+    return [xp.max(lengths[np.array(contacts)]) for _, contacts in tracks]
 
 
 def cylinders(joint: Joint, body: int) -> list[tuple[Real, Real, Real]]:
@@ -309,7 +309,7 @@ def cylinders(joint: Joint, body: int) -> list[tuple[Real, Real, Real]]:
         bore: Real = 0.0 if shape.size is None else shape.size
         if shape.kind == "ring" and shape.size is not None:
             outer, bore = radius + shape.size, 2.0 * radius
-        solids.append((material.density * jnp.pi * (outer**2 - 0.25 * bore**2) * length, outer, bore))
+        solids.append((material.density * xp.pi * (outer**2 - 0.25 * bore**2) * length, outer, bore))
     return solids
 
 

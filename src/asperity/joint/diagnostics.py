@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.hertz_line import first_yield_pressure, peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.drive.state.first_limit import slip_ratio as traction_used
+from asperity.engine.arrays import xp
 from asperity.joint.contacts import LoadedContacts
 from asperity.types import Real
 
@@ -76,20 +76,20 @@ def diagnose(
     """
     contacts, interfaces = loaded.rough, loaded.interfaces
     touching = normal_force > 0.0
-    width = jnp.where(touching, loaded.half_width, 1.0)  # an open contact has no load either
+    width = xp.where(touching, loaded.half_width, 1.0)  # an open contact has no load either
     length, friction_coefficient = pairs.contact_length, pairs.friction_coefficient
-    load = jnp.where(touching, normal_force, 0.0)
+    load = xp.where(touching, normal_force, 0.0)
     along: dict[str, Array] = {}
     strip = 2.0 * width * length
     if loaded.lines is not None:
         along = _along_the_line(loaded.lines, pairs, normal_force)
         share = loaded.lines.length_share
-        strip = 2.0 * length * jnp.sum(share * loaded.lines.half_width, axis=0)
-        width = jnp.where(touching, loaded.lines.half_width[0], 1.0)
-        load = jnp.where(touching, loaded.lines.line_load[0] * length, 0.0)
+        strip = 2.0 * length * xp.sum(share * loaded.lines.half_width, axis=0)
+        width = xp.where(touching, loaded.lines.half_width[0], 1.0)
+        load = xp.where(touching, loaded.lines.line_load[0] * length, 0.0)
     pressure = peak_pressure(normal_force=load, contact_length=length, half_width=width)
     compared = (interfaces.bulk_tangential > 0.0) & (interfaces.asperity_normal > 0.0)
-    largest = jnp.where(touching, contacts.largest_area, 1.0)
+    largest = xp.where(touching, contacts.largest_area, 1.0)
     return Diagnostics(
         slip_ratio=traction_used(
             normal_force=normal_force,
@@ -98,15 +98,15 @@ def diagnose(
         ),
         real_area_over_hertz_area=contacts.real_contact_area / strip,
         largest_spot_over_hertz_area=contacts.largest_area / (2.0 * width * length),
-        critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),
+        critical_over_largest_spot=xp.where(touching, contacts.critical_area / largest, xp.inf),
         pressure_over_first_yield=pressure / first_yield_pressure(yield_strength=pairs.moduli.yield_strength),
-        asperity_over_bulk_stiffness=jnp.where(
+        asperity_over_bulk_stiffness=xp.where(
             compared,
-            interfaces.asperity_tangential / jnp.where(compared, interfaces.bulk_tangential, 1.0),
-            jnp.nan,
+            interfaces.asperity_tangential / xp.where(compared, interfaces.bulk_tangential, 1.0),
+            xp.nan,
         ),
         normal_force_over_preload=normal_force / rest_force,
-        hertz_half_width=loaded.half_width if loaded.lines is None else jnp.where(touching, width, 0.0),
+        hertz_half_width=loaded.half_width if loaded.lines is None else xp.where(touching, width, 0.0),
         hertz_pressure=pressure,
         **along,
     )
@@ -115,7 +115,7 @@ def diagnose(
 def _along_the_line(lines: CrownedLine, pairs: RollerPairs, normal_force: Array) -> dict[str, Array]:
     """How the loads of crowned contacts spread; nan where a contact is open."""
     touching = normal_force > 0.0
-    mean = jnp.where(touching, normal_force, 1.0) / pairs.contact_length
+    mean = xp.where(touching, normal_force, 1.0) / pairs.contact_length
     length = lines.loaded_share * pairs.contact_length
     spread = {
         "loaded_length_share": lines.loaded_share,
@@ -123,5 +123,5 @@ def _along_the_line(lines: CrownedLine, pairs: RollerPairs, normal_force: Array)
         "end_line_load_ratio": lines.end_line_load / mean,
         "loaded_length_over_width": 0.5 * length / lines.half_width[0],
     }
-    shaped = {name: jnp.where(touching, value, jnp.nan) for name, value in spread.items()}
+    shaped = {name: xp.where(touching, value, xp.nan) for name, value in spread.items()}
     return shaped | {"slices_hold": lines.solved | ~touching}

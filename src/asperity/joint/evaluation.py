@@ -6,7 +6,6 @@ import dataclasses
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -20,6 +19,7 @@ from asperity.drive.stiffness.torsional_stiffness import (
     TorsionalStiffness,
     contact_torsional_stiffness,
 )
+from asperity.engine.arrays import xp
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
 from asperity.joint.bores import pin_loads
@@ -148,13 +148,13 @@ def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
 
 def assembled_joint(joint: Joint) -> Pressed:
     """A joint under its preload or interference alone, and the laws of its contacts."""
-    joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
+    joint = in_motion(jax.tree.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
     return assembled(joint, with_rims(joint, joint_contacts(joint)))
 
 
 def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
     """The first half of the chain: laws of the contacts; the drive assembled, standing and rolling; equation (M3)."""
-    joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
+    joint = in_motion(jax.tree.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
     contacts = with_rims(joint, joint_contacts(joint))
     load = rolling_load(joint, contacts, body_masses(joint), joint.output_torque)
     return states_under_torque(joint, contacts, load, creep_under(joint, contacts))
@@ -162,7 +162,7 @@ def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
 
 def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:
     """The second half of the chain: what the states of :func:`laws_and_states` mean; equations (M1)–(M4)."""
-    joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
+    joint = in_motion(jax.tree.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
     drive, contacts = joint.drive, dataclasses.replace(joint_contacts(joint), rims=laws.rims)
     masses = body_masses(joint)
     rest = states.rest if states.pressed is None else states.pressed
@@ -189,10 +189,10 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
         rest_force=rest.normal,
     )
     return JointResult(
-        speed_ratio=jnp.asarray(speed_ratio(drive)),
+        speed_ratio=xp.asarray(speed_ratio(drive)),
         speeds=ideal,
         output_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
-        masses=jnp.stack([jnp.asarray(mass) for mass in masses]),
+        masses=xp.stack([xp.asarray(mass) for mass in masses]),
         preload=mean_preload(joint, rest.normal),
         interference=ring_interference(
             drive=drive, forces=laws.reference_force, interference=rest.interference
@@ -203,15 +203,15 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
             tangential=standing.tangential,
             pins=standing.pin_force,
             input_torque=standing.input_torque,
-            output_torque=jnp.asarray(joint.output_torque),
+            output_torque=xp.asarray(joint.output_torque),
             balance_residual=standing.residual,
             closure_residual=rest.residual,
         ),
         contacts=loaded.rough,
-        contact_torsional_stiffness=jnp.asarray(
+        contact_torsional_stiffness=xp.asarray(
             contact_torsional_stiffness(
                 tangential_stiffness=loaded.rough.tangential_stiffness,
-                radius=jnp.where(inside, drive.first_radius, drive.second_radius),
+                radius=xp.where(inside, drive.first_radius, drive.second_radius),
             )
         ),
         interfaces=loaded.interfaces,
@@ -219,13 +219,13 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
         series_with_bulk=stiffness.series_with_bulk,
         assembly=with_its_cam(stiffness.assembly, cam),
         diagnostics=dataclasses.replace(
-            diagnostics, slip_ratio=jnp.where(standing.slides != 0.0, 1.0, diagnostics.slip_ratio)
+            diagnostics, slip_ratio=xp.where(standing.slides != 0.0, 1.0, diagnostics.slip_ratio)
         ),
         rolling=with_duty_life(
             turning(joint, contacts, creep, rolling),
             conditions=joint.rolling,
             bodies=bodies_of_contacts(joint),
-            planet_count=jnp.asarray(drive.sectors),
+            planet_count=xp.asarray(drive.sectors),
             rolled=rolling_at(joint, contacts, Pressed(laws, states.rest)),
         ),
         contact_law_holds=stiffness.contact_law_holds,

@@ -7,12 +7,12 @@ from typing import Any, Literal
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.expansion import loosening_rise
+from asperity.engine.arrays import xp
 from asperity.errors import InputError
-from asperity.types import Real, namespace
+from asperity.types import Real
 from asperity.units import format_quantity
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]
@@ -51,7 +51,6 @@ class Fit(eqx.Module):
 
 def per_contact(values: tuple[Any, ...]) -> Any:
     """Numbers or modules of numbers, one for all contacts or one for each, stacked along a first axis."""
-    xp = namespace(*values)
     return jax.tree.map(lambda *leaves: xp.stack(xp.broadcast_arrays(*map(xp.asarray, leaves))), *values)
 
 
@@ -62,8 +61,8 @@ HOTTEST = 3000.0
 def loose_temperature(fit: Fit) -> Array:
     """Temperature from which a joint has no interference [degC]."""
     rise = loosening_rise(interference=fit.interference, change_per_kelvin=fit.change_per_kelvin)
-    temperature = jnp.asarray(fit.assembly_temperature + rise)
-    return jnp.where((temperature >= -273.15) & (temperature <= HOTTEST), temperature, math.inf)
+    temperature = xp.asarray(fit.assembly_temperature + rise)
+    return xp.where((temperature >= -273.15) & (temperature <= HOTTEST), temperature, math.inf)
 
 
 def refuse_loose(fit: Fit | None) -> None:

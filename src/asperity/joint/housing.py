@@ -6,12 +6,12 @@ import dataclasses
 import math
 from typing import NamedTuple
 
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.body.press_fit import PressFit, press_fit, rim_compliance
 from asperity.body.rim_range import mises_stress
 from asperity.drive.state.loads import MemberLoads
+from asperity.engine.arrays import xp
 from asperity.errors import InputError
 from asperity.joint.body_shape import BodyShape, Housing
 from asperity.joint.description import Joint, track_lengths, tracks_of
@@ -83,8 +83,8 @@ def loosening_temperatures(joint: Joint, assembly: float) -> list[float]:
 def housing_room(joint: Joint) -> Array:
     """Wall of the housing around each ring that it holds, shape (rings,) [m]; not above 0 where it lies inside it."""
     held = [_parts(joint, number) for number, holds in enumerate(seated(joint)) if holds]
-    return jnp.stack(
-        [jnp.asarray(housing.outer_radius - seat) for housing, _, _, seat in held] or [jnp.ones(())]
+    return xp.stack(
+        [xp.asarray(housing.outer_radius - seat) for housing, _, _, seat in held] or [xp.ones(())]
     )
 
 
@@ -113,7 +113,7 @@ def in_housing(shape: BodyShape, bore_radius: Real, housing: Housing) -> BodySha
         youngs_modulus=housing.material.youngs_modulus,
         poisson_ratio=housing.material.poisson_ratio,
     )
-    stiffness = jnp.where(jnp.asarray(housing.outer_radius) > seat, 1.0 / widening, jnp.nan)
+    stiffness = xp.where(xp.asarray(housing.outer_radius) > seat, 1.0 / widening, xp.nan)
     return dataclasses.replace(shape, housing_stiffness=stiffness)
 
 
@@ -146,8 +146,8 @@ def heating(joint: Joint, number: int, gain: Real) -> Array:
     apart = _loosening(housing, ring, seat)
     widening = bore * (math.nan if ring.thermal_expansion is None else ring.thermal_expansion)  # m/K
     together = gain / (widening + held * apart / housing.interference)
-    alone = jnp.where(jnp.isnan(jnp.asarray(apart)), jnp.nan, (gain - held) / widening)
-    return jnp.where(together * apart < housing.interference, together, alone)
+    alone = xp.where(xp.isnan(xp.asarray(apart)), xp.nan, (gain - held) / widening)
+    return xp.where(together * apart < housing.interference, together, alone)
 
 
 def seats(joint: Joint, loads: MemberLoads) -> Seats:
@@ -161,9 +161,7 @@ def seats(joint: Joint, loads: MemberLoads) -> Seats:
         _seat(joint, number, loads.moments[number]) if holds else [math.nan] * len(Seats._fields)
         for number, holds in enumerate(seated(joint))
     ]
-    return Seats(
-        *(jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, row))) for row in zip(*rows, strict=True))
-    )
+    return Seats(*(xp.stack(xp.broadcast_arrays(*map(xp.asarray, row))) for row in zip(*rows, strict=True)))
 
 
 def _seat(joint: Joint, number: int, torque: Array) -> list[Real]:
@@ -192,5 +190,5 @@ def _seat(joint: Joint, number: int, torque: Array) -> list[Real]:
         friction * warm.pressure * radius,
         friction * warm.pressure * radius / abs(torque),
         warm.housing_hoop,
-        housing.material.yield_strength / jnp.maximum(*mises),
+        housing.material.yield_strength / xp.maximum(*mises),
     ]

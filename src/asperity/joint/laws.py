@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -19,6 +18,7 @@ from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw, creepages
 from asperity.drive.state.state import ContactLaws, Creeping, CreepOf, DriveLoad, surface_speeds
 from asperity.drive.state.supports import Supports, carrier_supports
+from asperity.engine.arrays import xp
 from asperity.joint.bodies import body_compliance
 from asperity.joint.bores import pin_compliances, pins_in_bores
 from asperity.joint.contacts import (
@@ -35,7 +35,7 @@ from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep, contact_friction
 from asperity.rolling.power import oil_drag
 from asperity.rolling.surface import mean_half_width
-from asperity.types import Real, namespace
+from asperity.types import Real
 
 
 def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) -> ContactLaws:
@@ -46,14 +46,14 @@ def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) 
     springs, coupling = approach_springs(joint, contacts, reference_force)
     crowned = contacts.crown_curvature is not None
     rough = rough_joint_contacts(
-        contacts=contacts, normal_force=reference_force, tangential_force=jnp.zeros_like(reference_force)
+        contacts=contacts, normal_force=reference_force, tangential_force=xp.zeros_like(reference_force)
     )
     stiff = rough.tangential_stiffness > 0.0
     laws = ContactLaws(
         springs=with_crowns(springs, contacts=contacts, rest_force=reference_force),
         reference_force=reference_force,
         creep=smooth_creep(contacts, reference_force),
-        asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
+        asperity_compliance=xp.where(stiff, 1.0 / xp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
         coupling=coupling,
         lateral_strain_compliance=(
             lateral_strain_compliance(contacts.driving, contacts.driven) if crowned else None
@@ -75,15 +75,15 @@ def approach_springs(
     joint: Joint, contacts: JointContacts, force: Array
 ) -> tuple[NormalSprings, Array | None]:
     """Normal springs of the contacts at given forces, and their coupling."""
-    width = jnp.asarray(contacts.pairs.half_width(force))
+    width = xp.asarray(contacts.pairs.half_width(force))
     if joint.body_model == "springs":
         return bulk_springs(contacts=contacts, half_width=width), None
     compliance = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=width)
     normal = compliance[: force.size, : force.size]
-    diagonal = jnp.diag(normal)
+    diagonal = xp.diag(normal)
     bend = logarithmic_decrease(contacts=contacts, body_model=joint.body_model, plane_state=joint.plane_state)
     springs = NormalSprings(secant_compliance=diagonal + bend, incremental_compliance=diagonal)
-    return springs, normal - jnp.diag(diagonal)
+    return springs, normal - xp.diag(diagonal)
 
 
 def smooth_creep(contacts: JointContacts, normal_force: Array) -> CreepLaw:
@@ -94,8 +94,8 @@ def smooth_creep(contacts: JointContacts, normal_force: Array) -> CreepLaw:
         half_width=pairs.half_width(normal_force),
         effective_radius=pairs.effective_radius,
     )
-    friction = jnp.broadcast_to(pairs.friction_coefficient, normal_force.shape)
-    return CreepLaw(friction, limit / jnp.sqrt(normal_force))
+    friction = xp.broadcast_to(pairs.friction_coefficient, normal_force.shape)
+    return CreepLaw(friction, limit / xp.sqrt(normal_force))
 
 
 def creep_law(
@@ -125,7 +125,7 @@ def _creep_under(
         contacts=contacts, skew=skew, normal_force=normal_force, tangential_force=tangential_force
     )
     if creep.parallel:
-        return Creeping(creep.law, jnp.zeros_like(normal_force))
+        return Creeping(creep.law, xp.zeros_like(normal_force))
     creepage = creepages(law=creep.law, normal=normal_force, tangential=tangential_force)
     axial = contact_friction(
         pairs=contacts.pairs, creep=creep, normal_force=normal_force, creepage=creepage
@@ -139,7 +139,7 @@ def ring_springs(joint: Joint) -> Array | None:
     if joint.ring_bending_stiffness is None:
         return None
     inside = np.array([contact.internal for contact in joint.drive.contacts])
-    return jnp.where(inside, 1.0 / jnp.asarray(joint.ring_bending_stiffness, dtype=float), 0.0)
+    return xp.where(inside, 1.0 / xp.asarray(joint.ring_bending_stiffness, dtype=float), 0.0)
 
 
 def supports_of(joint: Joint) -> Supports | None:
@@ -163,7 +163,6 @@ def centrifugal_forces(joint: Joint, masses: list[Real]) -> Array:
     drive = joint.drive
     carrier = speeds(drive)[drive.members.index(CARRIER)] * joint.input_speed
     forces = [masses[body] * carrier**2 * drive.centres[body] for body in drive.floating]
-    xp = namespace(forces)
     return xp.stack(forces) if forces else xp.zeros((0, 2))
 
 
@@ -173,14 +172,14 @@ def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
     Equations (2)–(4) of Zou et al. 2025 have the same forces.
     """
     return DriveLoad(
-        output_torque=jnp.asarray(torque, dtype=float),
+        output_torque=xp.asarray(torque, dtype=float),
         body_force=centrifugal_forces(joint, masses),
         pin_compliance=pin_compliances(joint),
         bearings=joint.bearings,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
         supports=supports_of(joint),
-        rotation=jnp.asarray(joint.input_speed, dtype=float),
-        standing_rotation=jnp.asarray(joint.input_speed, dtype=float),
+        rotation=xp.asarray(joint.input_speed, dtype=float),
+        standing_rotation=xp.asarray(joint.input_speed, dtype=float),
         friction_on_carrier=joint.carrier_balance == "complete",
     )
 
@@ -193,8 +192,8 @@ def rolling_load(joint: Joint, contacts: JointContacts, masses: list[Real], torq
     load, rolling = drive_load(joint, masses, torque), joint.rolling
     if rolling.viscosity is None and rolling.hysteresis_loss_factor is None and rolling.skew is None:
         return load
-    size = jnp.abs(jnp.asarray(joint.input_speed, dtype=float))
-    one, two = surface_speeds(drive=joint.drive, speed=jnp.asarray(speeds(joint.drive)) * size)
+    size = xp.abs(xp.asarray(joint.input_speed, dtype=float))
+    one, two = surface_speeds(drive=joint.drive, speed=xp.asarray(speeds(joint.drive)) * size)
     numbers = (rolling.viscosity, rolling.hysteresis_loss_factor, contacts, 0.5 * (one + two))
     return dataclasses.replace(load, resistance_of=jax.tree_util.Partial(_resistance_under, *numbers))
 
@@ -207,7 +206,7 @@ def _resistance_under(
     normal_force: Array,
 ) -> tuple[Array, Array]:
     """Drag of the oil [N] and moment of hysteresis [N·m], which acts where the surfaces roll."""
-    pairs, lines, none = contacts.pairs, contacts.loads_along(normal_force), jnp.zeros_like(normal_force)
+    pairs, lines, none = contacts.pairs, contacts.loads_along(normal_force), xp.zeros_like(normal_force)
     drag, moment = none, none
     if viscosity is not None:
         drag = oil_drag(
@@ -218,7 +217,7 @@ def _resistance_under(
             lines=lines,
         )
     if loss_factor is not None:
-        moment = jnp.asarray(
+        moment = xp.asarray(
             hysteresis_moment(
                 loss_factor=loss_factor,
                 normal_force=normal_force,
@@ -245,4 +244,4 @@ def logarithmic_decrease(*, contacts: JointContacts, body_model: BodyModel, plan
         )
         return strain * (stress / plane)
 
-    return jnp.asarray(of_body(contacts.driving) + of_body(contacts.driven))
+    return xp.asarray(of_body(contacts.driving) + of_body(contacts.driven))

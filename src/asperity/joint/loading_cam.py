@@ -8,14 +8,14 @@ from collections.abc import Callable
 from typing import Any
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState
 from asperity.drive.state.states import DriveStates, loaded_states, rest_forces
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_compliance, cam_preload, with_cam
 from asperity.drive.stiffness.torsional_stiffness import Assembly
+from asperity.engine.arrays import xp
+from asperity.engine.derivatives import value_and_slope, without_slopes
 from asperity.implicit import SETTLED, settled_root
 from asperity.joint.assembled import Pressed, assembled, pressed_around
 from asperity.joint.contacts import JointContacts
@@ -75,7 +75,7 @@ def _by_force(
     Unlike sectors have nan where the laws of their contacts and their forces do not settle.
     """
     assert joint.cam is not None
-    unlike, pattern = joint.unlike, jnp.asarray(joint.cam.pattern, dtype=float)
+    unlike, pattern = joint.unlike, xp.asarray(joint.cam.pattern, dtype=float)
 
     around = functools.partial(
         pressed_around,
@@ -90,14 +90,14 @@ def _by_force(
     if unlike is None:
         return around(preload * rest_forces(drive=joint.drive, pattern=pattern))
     start = least.normal * preload / mean_preload(joint, least.normal) if known is None else known.normal
-    start = jax.lax.stop_gradient(start)
+    start = without_slopes(start)
 
     def change(ratio: Array) -> Array:
         return around(start * ratio).rest.normal / start - ratio
 
-    ratio = settled_root(change, jnp.ones_like(start))
+    ratio = settled_root(change, xp.ones_like(start))
     laws, rest = around(start * ratio)
-    known_only = jnp.where(jnp.max(jnp.abs(rest.normal / (start * ratio) - 1.0)) < SETTLED, 1.0, jnp.nan)
+    known_only = xp.where(xp.max(xp.abs(rest.normal / (start * ratio) - 1.0)) < SETTLED, 1.0, xp.nan)
     return Pressed(
         dataclasses.replace(laws, reference_force=known_only * laws.reference_force),
         dataclasses.replace(rest, normal=known_only * rest.normal, worst=known_only * rest.worst),
@@ -129,7 +129,7 @@ def turned_cam(
     def interference(preload: Array) -> Array:
         return _by_force(joint, contacts, without_torque, preload, pressed).rest.interference
 
-    _, softness = jax.jvp(interference, (preload,), (jnp.ones_like(preload),))
+    _, softness = value_and_slope(interference, (preload,), (xp.ones_like(preload),))
     common: dict[str, Any] = {
         "branches": joint.drive.sectors,
         "rest_force": pressed.normal,

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import jax.numpy as jnp
 import numpy as np
 
 from asperity.contact.exponential import RandomRoughness
 from asperity.contact.fractal import Surface
+from asperity.engine.arrays import xp
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.surface_interval import over_surfaces, result_ends
@@ -75,9 +75,9 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     mean_surface = joint.surfaces[0]
     assert not isinstance(mean_surface, RandomRoughness), "the surface of the file is that of the measurement"
     surface = Surface(
-        fractal_dimension=jnp.asarray(dimension[inside]),
-        fractal_roughness=jnp.asarray(np.exp(log_roughness[inside])),
-        frequency_ratio=jnp.full(np.count_nonzero(inside), float(measurement.frequency_ratio)),
+        fractal_dimension=xp.asarray(dimension[inside]),
+        fractal_roughness=xp.asarray(np.exp(log_roughness[inside])),
+        frequency_ratio=xp.full(np.count_nonzero(inside), float(measurement.frequency_ratio)),
         asperity_base=mean_surface.asperity_base,
     )
     shape = np.shape(surface.fractal_dimension)

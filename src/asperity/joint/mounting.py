@@ -6,11 +6,11 @@ import dataclasses
 import math
 from typing import NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.drive.layout.expansion import interference_of_strains, ring_interference
+from asperity.engine.arrays import xp
 from asperity.joint.description import Joint, contact_values, places
 from asperity.joint.evaluation import JointResult, assembled_joint
 from asperity.joint.housing import heating, seated
@@ -46,26 +46,26 @@ def mounting(joint: Joint, result: JointResult, gap: Real) -> Mounting:
         cold = dataclasses.replace(joint.fit, working_temperature=joint.fit.assembly_temperature)
         rest = assembled_joint(dataclasses.replace(joint, fit=cold)).rest
     stated = [material.thermal_expansion for material in joint.materials]
-    expansion = jnp.stack([jnp.asarray(math.nan if value is None else value) for value in stated])
+    expansion = xp.stack([xp.asarray(math.nan if value is None else value) for value in stated])
     friction = contact_values(joint, joint.friction_coefficients) * rest.normal * drive.sectors
     sectors = 1 if joint.unlike is None else joint.unlike.sectors
     work = (rest.normal * rest.interference).reshape(sectors, -1)
     inside = np.array([contact.internal for contact in drive.contacts]).reshape(sectors, -1)
-    pressing = jnp.sum(jnp.where(inside, rest.normal.reshape(sectors, -1), 0.0), axis=1)
-    lifted = jnp.sum(jnp.where(inside, 0.0, work), axis=1) / pressing  # by contacts inside the rings
-    clear = rest.interference + jnp.repeat(lifted, inside.shape[1]) + gap
+    pressing = xp.sum(xp.where(inside, rest.normal.reshape(sectors, -1), 0.0), axis=1)
+    lifted = xp.sum(xp.where(inside, 0.0, work), axis=1) / pressing  # by contacts inside the rings
+    clear = rest.interference + xp.repeat(lifted, inside.shape[1]) + gap
     seat, rises = seated(joint), clear / (expansion[second] * drive.second_radius)
-    rises = jnp.stack(
+    rises = xp.stack(
         [heating(joint, body, clear[k]) if seat[body] else rises[k] for k, body in enumerate(second)]
     )
-    strains = expansion[first], jnp.where(rings[second], 0.0, expansion[second])
+    strains = expansion[first], xp.where(rings[second], 0.0, expansion[second])
     carrier = expansion[(drive.pinned or (0,))[0]]
     per_kelvin = interference_of_strains(drive=drive, strains=strains, carrier=carrier)
     change = ring_interference(drive=drive, forces=rest.normal, interference=per_kelvin)
-    largest = jnp.max(jnp.where(inside.ravel(), clear, -jnp.inf))
+    largest = xp.max(xp.where(inside.ravel(), clear, -xp.inf))
     on_ring = second == np.arange(rings.size)[:, None]
     return Mounting(
-        jnp.where(rings, jnp.sum(jnp.where(on_ring, friction, 0.0), axis=1), jnp.nan),
-        jnp.where(rings, jnp.max(jnp.where(on_ring, rises, -jnp.inf), axis=1), jnp.nan),
+        xp.where(rings, xp.sum(xp.where(on_ring, friction, 0.0), axis=1), xp.nan),
+        xp.where(rings, xp.max(xp.where(on_ring, rises, -xp.inf), axis=1), xp.nan),
         largest / change,
     )

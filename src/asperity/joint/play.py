@@ -3,10 +3,10 @@ r"""Play of a joint: the angle that its output turns on passing zero torque, wit
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -38,10 +38,10 @@ def play_angle(*, play: Play, output_torque: Real | np.ndarray) -> Array:
     unloading: play without friction makes lost motion, but no hysteresis. An empirical law; equation (A9) of
     :doc:`/equations`.
     """
-    torque = jnp.asarray(output_torque)
-    gradual = jnp.asarray(play.take_up_torque) > 0.0
-    scaled = torque / jnp.where(gradual, play.take_up_torque, 1.0)
-    return 0.5 * play.angle * jnp.where(gradual, jnp.tanh(scaled), jnp.sign(torque))
+    torque = xp.asarray(output_torque)
+    gradual = xp.asarray(play.take_up_torque) > 0.0
+    scaled = torque / xp.where(gradual, play.take_up_torque, 1.0)
+    return 0.5 * play.angle * xp.where(gradual, xp.tanh(scaled), xp.sign(torque))
 
 
 def play_compliance(*, play: Play, output_torque: Real | np.ndarray) -> Array:
@@ -51,9 +51,9 @@ def play_compliance(*, play: Play, output_torque: Real | np.ndarray) -> Array:
 
     For a take-up torque of 0 infinite at zero torque and 0 elsewhere. Equation (A9) of :doc:`/equations`.
     """
-    torque = jnp.asarray(output_torque)
-    gradual = jnp.asarray(play.take_up_torque) > 0.0
-    width = jnp.where(gradual, play.take_up_torque, 1.0)
-    smooth = 0.5 * play.angle / width * (1.0 - jnp.tanh(torque / width) ** 2)
-    sudden = jnp.where((torque == 0.0) & (jnp.asarray(play.angle) > 0.0), jnp.inf, 0.0)
-    return jnp.where(gradual, smooth, sudden)
+    torque = xp.asarray(output_torque)
+    gradual = xp.asarray(play.take_up_torque) > 0.0
+    width = xp.where(gradual, play.take_up_torque, 1.0)
+    smooth = 0.5 * play.angle / width * (1.0 - xp.tanh(torque / width) ** 2)
+    sudden = xp.where((torque == 0.0) & (xp.asarray(play.angle) > 0.0), xp.inf, 0.0)
+    return xp.where(gradual, smooth, sudden)

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -24,6 +23,8 @@ from asperity.body.rim_range import (
     rim_stresses,
 )
 from asperity.body.shapes import Annulus
+from asperity.engine.arrays import xp
+from asperity.engine.control import vectorised
 from asperity.materials import Material
 
 #: Rims of a ring or of a hollow roller, in the order of every rim axis.
@@ -81,17 +82,17 @@ def body_rims(
     """Stresses of one body under the torque and at rest, with those of the pin in its bore, or of its seat."""
     batch = width.shape[1:]
     if not isinstance(member.body, Annulus):
-        nothing = jnp.full(batch, jnp.nan)
-        both = jnp.stack([nothing, nothing])
+        nothing = xp.full(batch, xp.nan)
+        both = xp.stack([nothing, nothing])
         return BodyRims(both, both, both, both, nothing, nothing, nothing)
     at, body = np.array(member.contacts), member.body
-    signs = jnp.asarray(turns).reshape((-1,) + (1,) * len(batch))
+    signs = xp.asarray(turns).reshape((-1,) + (1,) * len(batch))
     outward = 1.0 if body.loaded_rim == "inner" else -1.0
 
     def stress_range(forces: tuple[Array, ...], pressed: PinLoad | None) -> RimRange:
         normal, tangential = forces
         loads = RimLoads(
-            angles=jnp.broadcast_to(member.contact_angles, (len(at), *batch)),
+            angles=xp.broadcast_to(member.contact_angles, (len(at), *batch)),
             radial=outward * normal[at],
             tangential=signs * tangential[at],
             half_widths=width[at],
@@ -101,7 +102,7 @@ def body_rims(
         if pressed is not None:
             away = places_of(loads, sectors) - pressed.direction
             by_pin = pin_stress(
-                body=body, force=pressed.force, arc=jnp.sin(0.5 * pressed.angle) ** 2, away=away
+                body=body, force=pressed.force, arc=xp.sin(0.5 * pressed.angle) ** 2, away=away
             )
             stresses = RimStresses(
                 loaded_hoop=stresses.loaded_hoop + by_pin.rim_hoop,
@@ -120,10 +121,10 @@ def body_rims(
         return rim_range(body=body, stresses=stresses)
 
     # traced and compiled once
-    ranges = jax.vmap(stress_range)(tuple(map(jnp.stack, zip(*states, strict=True))), pin)
+    ranges = vectorised(stress_range)(tuple(map(xp.stack, zip(*states, strict=True))), pin)
     working, resting = (jax.tree.map(operator.itemgetter(i), ranges) for i in range(2))
     strength = material.yield_strength if material.tensile_strength is None else material.tensile_strength
-    safety = jnp.full(batch, jnp.nan)
+    safety = xp.full(batch, xp.nan)
     if material.fatigue_strength is not None:
         point_safety = fatigue_safety(
             mean=working.mean,
@@ -131,21 +132,21 @@ def body_rims(
             fatigue_strength=material.fatigue_strength,
             strength=strength,
         )
-        safety = jnp.min(point_safety, axis=0)
+        safety = xp.min(point_safety, axis=0)
     return BodyRims(
         stress=working.largest,
         stress_at_rest=resting.largest,
         mean=working.mean,
         amplitude=working.amplitude,
-        yield_safety=material.yield_strength / jnp.maximum(working.mises, resting.mises),
+        yield_safety=material.yield_strength / xp.maximum(working.mises, resting.mises),
         fatigue_safety=safety,
-        seat_pressure=-jnp.maximum(working.pull, resting.pull),
+        seat_pressure=-xp.maximum(working.pull, resting.pull),
     )
 
 
 def _centring_pressure(body: Annulus, loads: RimLoads) -> Array:
     """Amplitude F/(pi b L) of the pressure with which a housing holds a ring against forces that do not balance."""
-    cosine, sine = jnp.cos(loads.angles), jnp.sin(loads.angles)
-    x = jnp.sum(loads.radial * cosine - loads.tangential * sine, axis=0)
-    y = jnp.sum(loads.radial * sine + loads.tangential * cosine, axis=0)
-    return jnp.sqrt(x**2 + y**2) / (jnp.pi * body.outer_radius * body.length)
+    cosine, sine = xp.cos(loads.angles), xp.sin(loads.angles)
+    x = xp.sum(loads.radial * cosine - loads.tangential * sine, axis=0)
+    y = xp.sum(loads.radial * sine + loads.tangential * cosine, axis=0)
+    return xp.sqrt(x**2 + y**2) / (xp.pi * body.outer_radius * body.length)

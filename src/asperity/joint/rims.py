@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import jax
-import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
+from asperity.engine.arrays import xp
+from asperity.engine.control import put
 from asperity.joint.bodies import exact_bodies
 from asperity.joint.bores import pin_forces, pins_in_bores, push_angles
 from asperity.joint.description import Joint, places, tracks_of
@@ -36,7 +38,7 @@ def joint_rims(joint: Joint, result: JointResult) -> BodyRims:
     of rotation is not included.
     """
     states = (working_forces(joint, result), (result.rest.normal, result.rest.tangential))
-    width = jnp.asarray(result.diagnostics.hertz_half_width)
+    width = xp.asarray(result.diagnostics.hertz_half_width)
     sectors = 1 if joint.unlike is None else joint.unlike.sectors
     return _in_order(_bending_bodies(joint, states, width, sectors), bends(joint))
 
@@ -70,23 +72,23 @@ def _pin_load(joint: Joint, number: int, states: tuple[tuple[Array, Array], ...]
     if bores is None or number not in drive.pinned:
         return None
     at = drive.pinned.index(number)
-    forces = jnp.stack([pin_forces(drive, *state) for state in states])
-    angles = [bores.contact.angle(jnp.where(force == 0.0, 1.0, jnp.abs(force)))[at] for force in forces]
-    force = jnp.where(bores.contact.scale[at] > 0.0, forces[:, at], 0.0)
+    forces = xp.stack([pin_forces(drive, *state) for state in states])
+    angles = [bores.contact.angle(xp.where(force == 0.0, 1.0, xp.abs(force)))[at] for force in forces]
+    force = xp.where(bores.contact.scale[at] > 0.0, forces[:, at], 0.0)
     # the pin pushes back
     return PinLoad(
-        jnp.abs(force), push_angles(drive)[at] + jnp.where(force > 0.0, jnp.pi, 0.0), jnp.stack(angles)
+        xp.abs(force), push_angles(drive)[at] + xp.where(force > 0.0, xp.pi, 0.0), xp.stack(angles)
     )
 
 
 def _in_order(rims: list[BodyRims], bending: tuple[bool, ...]) -> BodyRims:
     """The bodies that bend in the order of all bodies; nan for the others."""
     at = [number for number, acts in enumerate(bending) if acts]
-    pair = jnp.full((2, len(bending)), jnp.nan)
-    one = jnp.full(len(bending), jnp.nan)
+    pair = xp.full((2, len(bending)), xp.nan)
+    one = xp.full(len(bending), xp.nan)
     empty = BodyRims(pair, pair, pair, pair, one, one, one)
 
     def placed(base: Array, *values: Array) -> Array:
-        return base.at[..., jnp.array(at)].set(jnp.stack(values, axis=-1)) if values else base
+        return put(base, (..., np.array(at)), xp.stack(values, axis=-1)) if values else base
 
     return jax.tree.map(placed, empty, *rims)

@@ -11,10 +11,10 @@ import jax
 import numpy as np
 
 from asperity.body.stepped import WIDEST_BORE
-from asperity.compilation import Program, compile_fast
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.drive.state.state import ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
+from asperity.engine.control import at_once
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.assembled import Pressed
 from asperity.joint.bores import overhang, refuse_pins
@@ -24,9 +24,7 @@ from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.fit import refuse_loose
 from asperity.joint.housing import refuse_housing
 from asperity.joint.loading_cam import mean_preload
-from asperity.joint.rims import bends, joint_rims
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
-from asperity.precision import require_double_precision
 from asperity.units import format_apart, format_quantity
 
 _TRIES = 12  # of a preload that carries a torque
@@ -58,14 +56,9 @@ class Solution(eqx.Module):
 def solution_of(joint: Joint) -> Solution:
     """Everything about one joint, of NumPy's numbers, without a judgement whether it exists."""
     joint = in_motion(joint)
-    programs = _programs(joint)
-    result_program = _result_program(joint, programs)
-    if any(bends(joint)):
-        compile_fast(joint_rims, joint, result_program.results)  # which every document asks for next
-    without_torque, states = _states(joint, programs)
-    result = jax.tree.map(np.asarray, result_program(joint, without_torque.laws, states))
-    under = programs.under_torque.with_first(joint, without_torque)
-    capacities = torque_capacities(joint, without_torque, under)
+    without_torque, states = _states(joint)
+    result = at_once(joint_result, joint, without_torque.laws, states)
+    capacities = torque_capacities(joint, without_torque)
     both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacities for i in range(2)]
     return Solution(result, without_torque.laws, states, *both)
 
@@ -73,10 +66,9 @@ def solution_of(joint: Joint) -> Solution:
 def joint_state(joint: Joint) -> JointResult:
     """What one joint does under its own torque and speed, of NumPy's numbers, without its capacities."""
     joint = in_motion(joint)
-    programs = _programs(joint)
-    result_program = _result_program(joint, programs)
-    without_torque, states = _states(joint, programs)
-    return jax.tree.map(np.asarray, result_program(joint, without_torque.laws, states))
+    without_torque, states = _states(joint)
+    result: JointResult = at_once(joint_result, joint, without_torque.laws, states)
+    return result
 
 
 class DirectedLimits(NamedTuple):
@@ -90,48 +82,29 @@ class DirectedLimits(NamedTuple):
 def states_and_limits(joint: Joint) -> tuple[DriveStates, DirectedLimits]:
     """States of one joint, of NumPy's numbers, and its capacities in the direction of its torque; nothing else."""
     joint = in_motion(joint)
-    programs = _programs(joint)
-    without_torque, states = _states(joint, programs)
-    under = programs.under_torque.with_first(joint, without_torque)
+    without_torque, states = _states(joint)
     direction = -1.0 if float(joint.output_torque) < 0.0 else 1.0
     limits = [
-        torque_capacity(joint, without_torque, under, direction=direction, rolls=rolls, holds=holds)
+        torque_capacity(joint, without_torque, direction=direction, rolls=rolls, holds=holds)
         for rolls, holds in ((False, False), (True, False), (False, True))
     ]
     return states, DirectedLimits(*limits)
 
 
-class _Programs(NamedTuple):
-    """What is compiled to find the states of one joint; that under its torque serves its capacities too."""
-
-    assembled: Program
-    under_torque: Program
-
-
-def _programs(joint: Joint) -> _Programs:
-    first = compile_fast(assembled_joint, joint)
-    torque, flag = np.asarray(joint.output_torque), np.asarray(False)
-    return _Programs(first, compile_fast(under_torque, joint, first.results, torque, flag, flag))
-
-
-def _result_program(joint: Joint, programs: _Programs) -> Program:
-    """What the states of a joint mean."""
-    first, second = programs.assembled.results, programs.under_torque.results
-    pressed = None if joint.cam is None else second.pressed
-    states = DriveStates(first.rest, second.state, second.state, pressed)
-    return compile_fast(joint_result, joint, first.laws, states)
-
-
-def _states(joint: Joint, programs: _Programs) -> tuple[Pressed, DriveStates]:
+def _states(joint: Joint) -> tuple[Pressed, DriveStates]:
     """The assembled joint, and its states under its torque."""
-    without_torque: Pressed = jax.tree.map(np.asarray, programs.assembled(joint))
-    torque, no = np.asarray(joint.output_torque), np.asarray(False)
+    without_torque: Pressed = at_once(assembled_joint, joint)
     standing, rolling = (
-        programs.under_torque(joint, without_torque, torque, np.asarray(rolls), no) for rolls in (False, True)
+        at_once(
+            lambda *given, rolls=rolls: under_torque(*given, rolls=rolls, holds=False),
+            joint,
+            without_torque,
+            joint.output_torque,
+        )
+        for rolls in (False, True)
     )
     pressed = None if joint.cam is None else standing.pressed
-    states = DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
-    return without_torque, jax.tree.map(np.asarray, states)
+    return without_torque, DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
 
 
 def solve_joint(joint: Joint) -> Solution:
@@ -153,10 +126,7 @@ def solve_joint(joint: Joint) -> Solution:
         If the bodies do not fit, or the output torque exceeds the torque capacity; with the numbers.
     NoSolutionError
         If no balance was found.
-    PrecisionError
-        If JAX is in single precision.
     """
-    require_double_precision()
     numbers = refuse_impossible_joint(joint)
     solution = solution_of(numbers)
     _refuse_unsolved(numbers, solution)
@@ -306,7 +276,7 @@ def _pressed_with(joint: Joint, key: str, size: float) -> Joint:
     unlike = joint.unlike
     for _ in range(0 if unlike is None else _SETTLINGS):
         assert unlike is not None
-        rest = compile_fast(assembled_joint, in_motion(joint))(in_motion(joint)).rest
+        rest = at_once(assembled_joint, in_motion(joint)).rest
         unlike = dataclasses.replace(unlike, reference_force=rest.normal)
         joint = jax.tree.map(np.asarray, dataclasses.replace(joint, unlike=unlike))
     return joint
@@ -315,10 +285,8 @@ def _pressed_with(joint: Joint, key: str, size: float) -> Joint:
 def _standing_capacity(joint: Joint, direction: float) -> TorqueCapacity:
     """Capacity of one joint, standing, in one direction, 1 or −1."""
     joint = in_motion(joint)
-    programs = _programs(joint)
-    without_torque: Pressed = jax.tree.map(np.asarray, programs.assembled(joint))
-    under = programs.under_torque.with_first(joint, without_torque)
-    return torque_capacity(joint, without_torque, under, direction=direction, rolls=False, holds=False)
+    without_torque: Pressed = at_once(assembled_joint, joint)
+    return torque_capacity(joint, without_torque, direction=direction, rolls=False, holds=False)
 
 
 def refuse_not_pressed(joint: Joint, *assembled: DriveState) -> None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.drive.layout.existence import LEAST_OUTPUT_SHARE, has_room, output_share
 from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.engine.arrays import xp
 from asperity.joint.bores import overhang, pin_room
 from asperity.joint.capacity import smaller_sizes
 from asperity.joint.description import Joint
@@ -80,31 +80,31 @@ def flag_attributes() -> dict[str, object]:
 def joint_status(joint: Joint, result: JointResult) -> Array:
     """Status code of one joint."""
     drive, residual = joint.drive, result.forces.balance_residual
-    at_rest = jnp.all(result.rest.normal > 0.0) & (result.rest.residual < STATE_TOLERANCE)
+    at_rest = xp.all(result.rest.normal > 0.0) & (result.rest.residual < STATE_TOLERANCE)
     if result.cam is not None:
         at_rest = at_rest & (result.pressed.residual < STATE_TOLERANCE)
     wide = result.diagnostics.hertz_half_width >= smaller_sizes(joint)
-    loose = jnp.asarray(False)
+    loose = xp.asarray(False)
     if joint.interference is not None:  # a force is always above 0
-        left = jnp.max(jnp.asarray(joint.pattern)) * joint.interference
+        left = xp.max(xp.asarray(joint.pattern)) * joint.interference
         if joint.fit is not None:
-            left = jnp.asarray(joint.fit.interference + joint.fit.thermal_change)
+            left = xp.asarray(joint.fit.interference + joint.fit.thermal_change)
         loose = left <= 0.0
-    carried = jnp.isfinite(residual) | ~jnp.all(jnp.isfinite(result.forces.normal))
-    locked = jnp.any(jnp.concatenate(pin_room(joint)) >= 1.0)
-    code = jnp.zeros((), dtype=jnp.int8)
+    carried = xp.isfinite(residual) | ~xp.all(xp.isfinite(result.forces.normal))
+    locked = xp.any(xp.concatenate(pin_room(joint)) >= 1.0)
+    code = xp.zeros((), dtype=xp.int8)
     for condition, value in (
         (~has_room(drive), NO_ROOM),
         (output_share(drive) < LEAST_OUTPUT_SHARE, IDLE),
         (locked, LOCKED),
-        (jnp.any(overhang(joint) > 1.0), SHORT),
-        (jnp.any(housing_room(joint) <= 0.0), INSIDE),
+        (xp.any(overhang(joint) > 1.0), SHORT),
+        (xp.any(housing_room(joint) <= 0.0), INSIDE),
         (loose, LOOSE),
         (~at_rest, UNBALANCED),
-        (jnp.any(wide) | ~result.walls_hold, TOO_WIDE),
+        (xp.any(wide) | ~result.walls_hold, TOO_WIDE),
         (~carried, SLIPS),
         (~(residual < STATE_TOLERANCE), UNBALANCED),
         (~result.contact_law_holds, ALL_PLASTIC),
     ):
-        code = jnp.where((code == 0) & condition, jnp.asarray(value, dtype=jnp.int8), code)
+        code = xp.where((code == 0) & condition, xp.asarray(value, dtype=xp.int8), code)
     return code

@@ -7,7 +7,6 @@ import functools
 from typing import Any, NamedTuple
 
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.drive import speed_ratio
@@ -20,6 +19,8 @@ from asperity.drive.stiffness.network import (
     with_shafts,
 )
 from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
+from asperity.engine.arrays import xp
+from asperity.engine.control import vectorised
 from asperity.joint.bodies import body_compliance, walls_known
 from asperity.joint.bores import PinLoads, pin_compliances, pin_forces, pins_in_bores, pressed_bores
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
@@ -48,30 +49,30 @@ class AssemblySprings(NamedTuple):
 
 def widths_of_bodies(*, contacts: JointContacts, loaded: LoadedContacts) -> tuple[Array, Array]:
     r"""Half-widths at which the compliance of exact bodies is taken, shape (contacts, ...) [m]."""
-    touching = jnp.asarray(loaded.interfaces.normal) > 0.0
-    sticking = jnp.asarray(loaded.interfaces.tangential) > 0.0
-    width = jnp.where(touching, loaded.half_width, _CLOSED * contacts.pairs.effective_radius)
-    return width, width * jnp.sqrt(jnp.where(sticking, 1.0 - loaded.traction, 1.0))
+    touching = xp.asarray(loaded.interfaces.normal) > 0.0
+    sticking = xp.asarray(loaded.interfaces.tangential) > 0.0
+    width = xp.where(touching, loaded.half_width, _CLOSED * contacts.pairs.effective_radius)
+    return width, width * xp.sqrt(xp.where(sticking, 1.0 - loaded.traction, 1.0))
 
 
 def springs_of_compliance(*, compliance: Array, half_width: Array, loaded: LoadedContacts) -> AssemblySprings:
     """Springs of the contacts from the compliance of their bodies, the asperities in series."""
     interfaces = loaded.interfaces
-    touching = jnp.asarray(interfaces.normal) > 0.0
-    sticking = jnp.asarray(interfaces.tangential) > 0.0
-    acts = jnp.concatenate([touching, sticking])
-    asperities = jnp.concatenate(
+    touching = xp.asarray(interfaces.normal) > 0.0
+    sticking = xp.asarray(interfaces.tangential) > 0.0
+    acts = xp.concatenate([touching, sticking])
+    asperities = xp.concatenate(
         [
-            jnp.broadcast_to(interfaces.asperity_normal, touching.shape),
-            jnp.broadcast_to(interfaces.asperity_tangential, sticking.shape),
+            xp.broadcast_to(interfaces.asperity_normal, touching.shape),
+            xp.broadcast_to(interfaces.asperity_tangential, sticking.shape),
         ]
     )
-    diagonal = jnp.einsum("ii...->i...", compliance)
+    diagonal = xp.einsum("ii...->i...", compliance)
     if loaded.crown is not None:
-        diagonal = diagonal + jnp.concatenate(jnp.broadcast_arrays(*loaded.crown))
-    stiffness = jnp.where(acts, 1.0 / (diagonal + 1.0 / jnp.where(acts, asperities, 1.0)), 0.0)
-    others = 1.0 - jnp.eye(acts.shape[0]).reshape((acts.shape[0],) * 2 + (1,) * (acts.ndim - 1))
-    coupling = jnp.where(acts[:, None] & acts[None], others * compliance, 0.0)
+        diagonal = diagonal + xp.concatenate(xp.broadcast_arrays(*loaded.crown))
+    stiffness = xp.where(acts, 1.0 / (diagonal + 1.0 / xp.where(acts, asperities, 1.0)), 0.0)
+    others = 1.0 - xp.eye(acts.shape[0]).reshape((acts.shape[0],) * 2 + (1,) * (acts.ndim - 1))
+    coupling = xp.where(acts[:, None] & acts[None], others * compliance, 0.0)
     half = touching.shape[0]
     return AssemblySprings(stiffness[:half], stiffness[half:], coupling, compliance, half_width)
 
@@ -110,19 +111,19 @@ def loaded_stiffness(
     loaded, friction = _under_forces(contacts, normal_force, tangential_force, slides)
     published, series, assembly = stiffness_levels(joint, contacts, loaded, friction, pins)
     loaded = loaded._replace(
-        traction=jnp.where(holds, loaded.traction, 1.0),
+        traction=xp.where(holds, loaded.traction, 1.0),
         rough=dataclasses.replace(
-            loaded.rough, tangential_stiffness=jnp.where(holds, loaded.rough.tangential_stiffness, 0.0)
+            loaded.rough, tangential_stiffness=xp.where(holds, loaded.rough.tangential_stiffness, 0.0)
         ),
         interfaces=dataclasses.replace(
             loaded.interfaces,
-            asperity_tangential=jnp.where(holds, loaded.interfaces.asperity_tangential, 0.0),
-            bulk_tangential=jnp.where(holds, loaded.interfaces.bulk_tangential, 0.0),
+            asperity_tangential=xp.where(holds, loaded.interfaces.asperity_tangential, 0.0),
+            bulk_tangential=xp.where(holds, loaded.interfaces.bulk_tangential, 0.0),
         ),
     )
     law_holds, walls = _laws_hold(joint, loaded, normal_force)
-    published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
-    assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
+    published, series = jax.tree.map(lambda value: xp.where(law_holds, value, xp.nan), (published, series))
+    assembly = jax.tree.map(lambda value: xp.where(law_holds & walls, value, xp.nan), assembly)
     return LoadedStiffness(loaded, published, series, assembly, law_holds, walls)
 
 
@@ -136,17 +137,17 @@ def _under_forces(
         contacts=contacts,
         normal_force=normal_force,
         # in series with a contact that slides another bears just its friction, and no more under a higher torque
-        tangential_force=jnp.where(slides == 0.0, jnp.clip(tangential_force, -most, most), 0.0),
+        tangential_force=xp.where(slides == 0.0, xp.clip(tangential_force, -most, most), 0.0),
     )
     return loaded, slides * friction
 
 
 def _laws_hold(joint: Joint, loaded: LoadedContacts, normal_force: Array) -> tuple[Array, Array]:
     """Whether every loaded contact has an elastic spot; whether every wall and every crowned line is known."""
-    law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (normal_force <= 0.0))
+    law_holds = xp.all((loaded.rough.normal_stiffness > 0.0) | (normal_force <= 0.0))
     walls = walls_known(joint=joint, half_width=loaded.half_width)
     if loaded.lines is not None:
-        walls = walls & jnp.all(loaded.lines.solved | (normal_force <= 0.0))
+        walls = walls & xp.all(loaded.lines.solved | (normal_force <= 0.0))
     return law_holds, walls
 
 
@@ -165,8 +166,8 @@ def working_springs(
     loaded, friction = _under_forces(contacts, normal_force, tangential_force, slides)
     rings = ring_springs(joint)
     springs = spring_laws(**_springs_of_assembly(joint, contacts, loaded, friction, pins, rings, None))
-    known = jnp.stack(_laws_hold(joint, loaded, normal_force)).all()
-    return springs._replace(laws=jnp.where(known, springs.laws, jnp.nan))
+    known = xp.stack(_laws_hold(joint, loaded, normal_force)).all()
+    return springs._replace(laws=xp.where(known, springs.laws, xp.nan))
 
 
 def stiffness_levels(
@@ -176,9 +177,9 @@ def stiffness_levels(
 
     The signs of the pins' forces say which sides of their bores they press; without force those that a torque presses.
     """
-    ratio, interfaces = jnp.asarray(speed_ratio(joint.drive)), loaded.interfaces
-    held = jax.vmap(functools.partial(_with_held_centres, joint, sliding_friction))(
-        jnp.stack([jnp.asarray(interfaces.asperity_tangential), jnp.asarray(interfaces.tangential)])
+    ratio, interfaces = xp.asarray(speed_ratio(joint.drive)), loaded.interfaces
+    held = vectorised(functools.partial(_with_held_centres, joint, sliding_friction))(
+        xp.stack([xp.asarray(interfaces.asperity_tangential), xp.asarray(interfaces.tangential)])
     )
     rings = ring_springs(joint)
     network = network_stiffness(
@@ -216,7 +217,7 @@ def _springs_of_assembly(
     """
     normal, tangential, coupling = loaded.interfaces.normal, loaded.interfaces.tangential, None
     if added is None and pins_in_bores(joint) is not None:
-        added = _with_held_centres(joint, sliding_friction, jnp.asarray(tangential)).tangential_force
+        added = _with_held_centres(joint, sliding_friction, xp.asarray(tangential)).tangential_force
     pin_compliance, by_pin = _pins(joint, pins, added)
     if joint.body_model == "exact":
         normal, tangential, coupling = _springs_of_bodies(joint, contacts, loaded, by_pin)
@@ -234,8 +235,8 @@ def _springs_of_assembly(
 
 def _compliance(stiffness: Real) -> Array:
     """Of springs; nan for those that carry nothing [m/N]."""
-    acts = jnp.asarray(stiffness) > 0.0
-    return jnp.where(acts, 1.0 / jnp.where(acts, stiffness, 1.0), jnp.nan)
+    acts = xp.asarray(stiffness) > 0.0
+    return xp.where(acts, 1.0 / xp.where(acts, stiffness, 1.0), xp.nan)
 
 
 def _pins(joint: Joint, loads: PinLoads, added: Array | None) -> tuple[Array, Array | None]:
@@ -248,10 +249,10 @@ def _pins(joint: Joint, loads: PinLoads, added: Array | None) -> tuple[Array, Ar
     if bores is None:
         return compliance, None
     assert added is not None
-    by_torque = pin_forces(joint.drive, jnp.zeros_like(added), added)
+    by_torque = pin_forces(joint.drive, xp.zeros_like(added), added)
     pressed = pressed_bores(bores, loads, by_torque)
     in_bore = bores.pin_slope(pressed, loads.added, loads.tangential)
-    return compliance + in_bore, jnp.concatenate(bores.by_pin(pressed))
+    return compliance + in_bore, xp.concatenate(bores.by_pin(pressed))
 
 
 def _springs_of_bodies(
@@ -267,9 +268,9 @@ def _springs_of_bodies(
     coupling = springs.coupling
     if by_pin is not None:
         assert coupling is not None
-        acts = jnp.concatenate([springs.normal_stiffness, springs.tangential_stiffness]) > 0.0
-        by_pin = jnp.where(acts[:, None], by_pin, 0.0)
-        coupling = jnp.block([[coupling, by_pin], [by_pin.T, jnp.zeros((by_pin.shape[1],) * 2)]])
+        acts = xp.concatenate([springs.normal_stiffness, springs.tangential_stiffness]) > 0.0
+        by_pin = xp.where(acts[:, None], by_pin, 0.0)
+        coupling = xp.block([[coupling, by_pin], [by_pin.T, xp.zeros((by_pin.shape[1],) * 2)]])
     return springs.normal_stiffness, springs.tangential_stiffness, coupling
 
 
@@ -277,9 +278,9 @@ def _assembly(joint: Joint, network: NetworkStiffness, rings: Array | None, rati
     """The drive in series with its shafts, and the shares of all springs in its compliance."""
     drive = joint.drive
     across = 0 if joint.pin_transverse_stiffness is None else len(drive.pinned)
-    bending = jnp.zeros(len(drive.contacts))
+    bending = xp.zeros(len(drive.contacts))
     if rings is not None:
-        bending = rings * network.normal_force**2 * jnp.asarray(drive.sectors) * network.output
+        bending = rings * network.normal_force**2 * xp.asarray(drive.sectors) * network.output
     output, input_share, output_share = with_shafts(
         stiffness=network.output,
         ratio=ratio,
@@ -291,9 +292,9 @@ def _assembly(joint: Joint, network: NetworkStiffness, rings: Array | None, rati
         stiffness=TorsionalStiffness(sun=output / ratio**2, output=output),
         tangential_share=network.tangential_share * between_shafts,
         normal_share=(network.normal_share - bending) * between_shafts,
-        ring_bending_share=jnp.sum(bending) * between_shafts,
-        pin_share=(network.pin_share + jnp.sum(network.support_share[:across])) * between_shafts,
-        planet_support_share=jnp.sum(network.support_share[across:]) * between_shafts,
+        ring_bending_share=xp.sum(bending) * between_shafts,
+        pin_share=(network.pin_share + xp.sum(network.support_share[:across])) * between_shafts,
+        planet_support_share=xp.sum(network.support_share[across:]) * between_shafts,
         input_shaft_share=input_share,
         output_shaft_share=output_share,
     )

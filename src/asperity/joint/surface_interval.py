@@ -8,15 +8,11 @@ from typing import Any
 import jax
 import numpy as np
 
-from asperity.compilation import compile_fast
 from asperity.contact.roller_pairs import Roughness
+from asperity.engine.control import entries, stacked
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.evaluation import JointResult
 from asperity.joint.solve import joint_state
-
-#: So many surfaces are computed one after the other by the programs of the joint, 10 to 25 ms each; a program for them
-#: compiles for 7 to 40 s.
-_FEW = 8
 
 
 def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple[int, ...]) -> JointResult:
@@ -25,15 +21,7 @@ def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple
         lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=())
     )
     samples = jax.tree.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
-    if shape[0] > _FEW:
-        return compile_fast(_results_of_surfaces, numbers, samples)(numbers, samples)
-    alone = (jax.tree.map(lambda leaf, k=k: np.asarray(leaf[k]), samples) for k in range(shape[0]))
-    states = [joint_state(dataclasses.replace(numbers, surfaces=surface)) for surface in alone]
-    return jax.tree.map(lambda *leaves: np.stack(leaves), *states)
-
-
-def _results_of_surfaces(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
-    return jax.vmap(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
+    return stacked([joint_state(dataclasses.replace(numbers, surfaces=one)) for one in entries(samples)])
 
 
 def result_ends(

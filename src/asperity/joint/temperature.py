@@ -9,12 +9,12 @@ from typing import Any
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.drive.layout.expansion import interference_of_strains, ring_expansion, ring_interference
 from asperity.drive.state.states import rest_forces
+from asperity.engine.arrays import xp
 from asperity.errors import InputError
 from asperity.joint.description import ContactFit, Joint, places
 from asperity.joint.fit import fit_document
@@ -27,7 +27,7 @@ from asperity.types import Real
 def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
     """Interference that a kelvin adds to each contact of a joint, shape (contacts,) [m/K]."""
     drive = joint.drive
-    expansions = [jnp.asarray(material.thermal_expansion) for material in joint.materials]
+    expansions = [xp.asarray(material.thermal_expansion) for material in joint.materials]
     first, second = places(drive)
     outer = []
     for contact, body in enumerate(second):
@@ -47,19 +47,19 @@ def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
                 plane_state=joint.plane_state if joint.housing is None else "plane_stress",
             )
         outer.append(expansion)
-    inner = jnp.stack([expansions[body] for body in first])
+    inner = xp.stack([expansions[body] for body in first])
     carrier = expansions[drive.pinned[0]] if drive.pinned else expansions[0]
-    return interference_of_strains(drive=drive, strains=(inner, jnp.stack(outer)), carrier=carrier)
+    return interference_of_strains(drive=drive, strains=(inner, xp.stack(outer)), carrier=carrier)
 
 
 def contact_fit(
     joint: Joint, *, assembly_temperature: Real, working_temperature: Real, housing_expansion: Real | None
 ) -> ContactFit:
     """How a drive was assembled, and what temperature does to it."""
-    drive, pattern = joint.drive, jnp.asarray(joint.pattern)
+    drive, pattern = joint.drive, xp.asarray(joint.pattern)
     forces = rest_forces(drive=drive, pattern=pattern)
     change = contact_expansion(joint, housing_expansion=housing_expansion)
-    assembled = pattern * jnp.asarray(joint.interference)
+    assembled = pattern * xp.asarray(joint.interference)
     return ContactFit(
         interference=ring_interference(drive=drive, forces=forces, interference=assembled),
         change_per_kelvin=ring_interference(drive=drive, forces=forces, interference=change),
@@ -130,7 +130,7 @@ def temperature_curves(joint: Joint, solved_at: Callable[[float], Solution | Non
     margin = max(_LEAST_MARGIN, 0.5 * (ends[1] - ends[0]))
     temperature = np.linspace(ends[0] - margin, ends[1] + margin, _TEMPERATURES)
     curves = _of_drive(joint, [solved_at(celsius) for celsius in temperature])
-    return TemperatureCurves(*map(jnp.asarray, (temperature, *curves)))
+    return TemperatureCurves(*map(xp.asarray, (temperature, *curves)))
 
 
 def _of_drive(joint: Joint, solutions: list[Solution | None]) -> tuple[np.ndarray, ...]:

@@ -9,7 +9,7 @@ import equinox as eqx
 from jax import Array
 
 from asperity.drive.state.first_limit import FirstLimit
-from asperity.types import namespace
+from asperity.engine.arrays import xp
 from asperity.units import format_quantity
 
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.
@@ -68,7 +68,6 @@ def named_capacity(
 ) -> TorqueCapacity:
     """The capacity with its kind of limit and contact, from the first of many limits, :func:`limit_entries`."""
     kinds, places = zip(("none", contacts), *entries, strict=True)
-    xp = namespace(limit)
     return TorqueCapacity(
         output_torque=limit.value,
         limit=xp.asarray([LIMIT_KINDS.index(kind) for kind in kinds])[1 + limit.which],

@@ -6,11 +6,11 @@ import dataclasses
 from typing import Any, NamedTuple
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.state.state import DriveState
+from asperity.engine.arrays import xp
 from asperity.implicit import settled_root
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.description import Joint, UnlikeSectors, joint_contacts
@@ -50,14 +50,14 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
     def repeated(values: tuple[Any, ...]) -> tuple[Any, ...]:
         return values * sectors if len(values) == count else values
 
-    held = jnp.array([drive.bodies[body].name in floating for body in drive.floating])
+    held = xp.array([drive.bodies[body].name in floating for body in drive.floating])
     cam = joint.cam
     if cam is not None:
         cam = dataclasses.replace(cam, pattern=repeated(cam.pattern))
     fit = joint.fit
     if fit is not None:
         fit = dataclasses.replace(
-            fit, contact_change_per_kelvin=jnp.tile(fit.contact_change_per_kelvin, sectors)
+            fit, contact_change_per_kelvin=xp.tile(fit.contact_change_per_kelvin, sectors)
         )
     return dataclasses.replace(
         joint,
@@ -80,7 +80,7 @@ def unfolded_joint(joint: Joint, sizes: SectorSizes, *, sectors: int, floating: 
         unlike=UnlikeSectors(
             added=sizes.added.ravel(),
             reference_force=sizes.reference_force.ravel(),
-            support_stiffness=jnp.where(held, sizes.support_stiffness, 0.0),
+            support_stiffness=xp.where(held, sizes.support_stiffness, 0.0),
             sectors=sectors,
         ),
     )
@@ -121,8 +121,8 @@ def settled_sectors(
     def change(ratio: Array) -> Array:
         return around(base * ratio).rest.normal.reshape(ratio.shape) / equal - ratio
 
-    ratio = settled_root(change, jnp.ones_like(sizes.added))
+    ratio = settled_root(change, xp.ones_like(sizes.added))
     without_torque = around(base * ratio)
-    left = jnp.max(jnp.abs(without_torque.rest.normal.reshape(ratio.shape) / (equal * ratio) - 1.0))
+    left = xp.max(xp.abs(without_torque.rest.normal.reshape(ratio.shape) / (equal * ratio) - 1.0))
     settled = dataclasses.replace(sizes, reference_force=base * ratio)
     return SettledSectors(settled, without_torque, alone.rest, left)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -11,11 +10,12 @@ from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.loads import MemberLoads, drag_pairs, member_loads
 from asperity.drive.state.state import Resistance
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
+from asperity.engine.arrays import xp
+from asperity.engine.control import put
 from asperity.joint.description import Joint, track_lengths
 from asperity.joint.evaluation import JointResult
 from asperity.joint.laws import centrifugal_forces
 from asperity.rolling.turning import driving_sense
-from asperity.types import namespace
 
 
 def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
@@ -23,7 +23,6 @@ def working_loads(joint: Joint, result: JointResult) -> MemberLoads:
 
     Of steady rolling where the input turns, else of the state standing under the torque; nan where there is none.
     """
-    xp = namespace(joint, result)
     known = xp.where(joint.input_speed != 0.0, xp.isfinite(result.rolling.residual), result.solved)
     normal, tangential, resistance = _contact_forces(joint, result)
     loads = member_loads(
@@ -44,7 +43,7 @@ def working_forces(joint: Joint, result: JointResult) -> tuple[Array, Array]:
 
 def _contact_forces(joint: Joint, result: JointResult) -> tuple[Array, Array, Resistance]:
     """Normal and tangential forces in the working state, and what resists rolling, counter-clockwise."""
-    xp, turns, sense = namespace(joint, result), joint.input_speed != 0.0, driving_sense(joint.drive)
+    turns, sense = joint.input_speed != 0.0, driving_sense(joint.drive)
     moving, standing = result.rolling, result.forces
     return (
         xp.where(turns, moving.normal, standing.normal),
@@ -55,7 +54,6 @@ def _contact_forces(joint: Joint, result: JointResult) -> tuple[Array, Array, Re
 
 def loads_without_torque(joint: Joint, result: JointResult) -> MemberLoads:
     """Loads of the structure of an assembled joint without torque; pure."""
-    xp = namespace(joint, result)
     return member_loads(
         drive=joint.drive,
         normal=xp.asarray(result.rest.normal),
@@ -70,7 +68,7 @@ def forces_on_axis(joint: Joint, normal: Array, tangential: Array, pin_force: Ar
     Of contacts, counter-clockwise, shape (contacts,), and pins, shape (pins,) [N]; equation (I4) of :doc:`/equations`.
     """
     drive = joint.drive
-    axis_forces = jnp.zeros(len(drive.members))
+    axis_forces = xp.zeros(len(drive.members))
     if joint.unlike is None:
         return axis_forces
     bodies = tuple(body.name for body in drive.bodies if body.on_axis)
@@ -78,7 +76,7 @@ def forces_on_axis(joint: Joint, normal: Array, tangential: Array, pin_force: Ar
         drive=drive, bodies=bodies, normal=normal, tangential=tangential, pin_force=pin_force
     )
     at = np.array([drive.members.index(name) for name in (*bodies, CARRIER)])
-    return axis_forces.at[at].set(jnp.linalg.norm(forces, axis=1))
+    return put(axis_forces, at, xp.linalg.norm(forces, axis=1))
 
 
 def member_speeds(joint: Joint, result: JointResult) -> Array:
@@ -86,7 +84,7 @@ def member_speeds(joint: Joint, result: JointResult) -> Array:
 
     0 where the input stands, nan where the joint does not roll.
     """
-    xp, speed = namespace(joint, result), joint.input_speed
+    speed = joint.input_speed
     creepage = driving_sense(joint.drive) * xp.sign(speed) * result.rolling.creepage
     unit, _ = creeping_speeds(drive=joint.drive, creepage=creepage)
     return xp.where(speed != 0.0, unit * speed, 0.0)
@@ -103,7 +101,6 @@ def pin_bending(joint: Joint, force: Array) -> tuple[Array, Array]:
 
     nan where the pins have no length, or no diameter; equation (L1) of :doc:`/equations`.
     """
-    xp = namespace(joint, force)
     if joint.pin is None:
         unknown = xp.full_like(force, xp.nan)
         return unknown, unknown

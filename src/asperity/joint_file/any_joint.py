@@ -8,12 +8,13 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.existence import neighbours
 from asperity.drive.layout.wedge import wedges
+from asperity.engine.arrays import xp
+from asperity.engine.control import vectorised
 from asperity.joint.description import bearing_names, pin_names
 from asperity.joint.evaluation import evaluated_with_laws
 from asperity.joint.pin_bound import stiffness_bound
@@ -35,7 +36,7 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
 @functools.lru_cache(maxsize=32)
 def _results_of_structure(structure: str) -> dict[str, Result]:
     values = json.loads(structure)
-    shapes = [jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)]
+    shapes = [jax.ShapeDtypeStruct((), xp.float64) for _ in numbers(values)]
     bounds: list[str] = []
 
     def described(*scalars: Array) -> Drive:
@@ -70,7 +71,7 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
             present(SolvedJoint(parts_with_branches(with_numbers(values, scalars)), no_result, None))
         )
 
-    jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)))
+    jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), xp.float64) for _ in numbers(values)))
     return tuple(int(row) for row, present in enumerate(presence) if present)
 
 
@@ -105,8 +106,8 @@ def evaluated_points(
     status, named = _pointwise(values, points, results)
     table = results_of(values)
     # where only the springs of the structure vary, one status serves all points
-    return jnp.broadcast_to(status, points), {
-        name: jnp.broadcast_to(value, (*table[name].row_shape, *points)) for name, value in named.items()
+    return xp.broadcast_to(status, points), {
+        name: xp.broadcast_to(value, (*table[name].row_shape, *points)) for name, value in named.items()
     }
 
 
@@ -114,9 +115,9 @@ def _pointwise(
     values: Values, points: tuple[int, ...], results: tuple[str, ...]
 ) -> tuple[Array, dict[str, Array]]:
     """The chain of a drive, which is written for one joint, at every point."""
-    leaves = [jnp.asarray(leaf, dtype=float) for leaf in numbers(values)]
+    leaves = [xp.asarray(leaf, dtype=float) for leaf in numbers(values)]
     varied = [0 if leaf.ndim else None for leaf in leaves]
-    flat = [jnp.broadcast_to(leaf, points).reshape(-1) if leaf.ndim else leaf for leaf in leaves]
+    flat = [xp.broadcast_to(leaf, points).reshape(-1) if leaf.ndim else leaf for leaf in leaves]
 
     def one(*scalars: Array) -> tuple[Array, dict[str, Array]]:
         joint = joint_with_branches(with_numbers(values, scalars))
@@ -128,7 +129,7 @@ def _pointwise(
         return status, {
             name: value.reshape(*value.shape, *(1 for _ in points)) for name, value in named.items()
         }
-    status, named = jax.vmap(one, in_axes=varied, out_axes=-1)(*flat)
+    status, named = vectorised(one, in_axes=varied, out_axes=-1)(*flat)
     return status.reshape(points), {
         name: value.reshape(*value.shape[:-1], *points) for name, value in named.items()
     }

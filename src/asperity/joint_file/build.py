@@ -7,7 +7,6 @@ import math
 from collections.abc import Collection
 from typing import Any, NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -17,6 +16,7 @@ from asperity.drive.layout.expansion import interference_of_sizes
 from asperity.drive.mechanism import Bearings
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.pin_beam import PinBeam
+from asperity.engine.arrays import xp
 from asperity.joint.body_shape import BodyShape, Housing, on_pin
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.housing import in_housing
@@ -68,7 +68,7 @@ def joint_from_values(values: Values) -> Joint:
     law = contact_law_of(surfaces, stated=model.get("contact_law"))
     rings = pattern
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
-        pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
+        pattern = tuple(xp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
     temperature = values.get("temperature")
     joint = Joint(
@@ -235,13 +235,13 @@ def added_by_branches(values: Values, count: int) -> Array:
     """Interference that the sizes of each branch add to its contacts, shape (branches, contacts) [m]; pure."""
     drive, *_ = layout_of(values)
     parts = [
-        jnp.outer(
-            jnp.stack([jnp.asarray(one, dtype=float) for one in track_deviations]),
+        xp.outer(
+            xp.stack([xp.asarray(one, dtype=float) for one in track_deviations]),
             _per_size(drive, sized_tracks(values)[name]),
         )
         for name, track_deviations in _deviations(values, count).items()
     ]
-    return jnp.sum(jnp.stack(parts), axis=0)
+    return xp.sum(xp.stack(parts), axis=0)
 
 
 def _deviations(values: Values, count: int) -> dict[str, list[Any]]:
@@ -261,7 +261,7 @@ def _deviations(values: Values, count: int) -> dict[str, list[Any]]:
 def _per_size(drive: Drive, sides: Collection[tuple[str, str]]) -> Array:
     """Interference of each contact over the deviation of a radius, shape (contacts,) [-]."""
     first, second = (
-        jnp.array([1.0 if (contact.name, side) in sides else 0.0 for contact in drive.contacts])
+        xp.array([1.0 if (contact.name, side) in sides else 0.0 for contact in drive.contacts])
         for side in ("first", "second")
     )
     return interference_of_sizes(drive=drive, first=first, second=second)
@@ -340,7 +340,7 @@ def _grown(values: Values, drive: Drive) -> Array:
     """Interference of each contact that the deviations of finished parts from their nominal sizes add, [m]."""
     if "contact" in values:
         first, second = (
-            jnp.stack(
+            xp.stack(
                 [entry[side] - values["nominal"][index][side] for index, entry in values["contact"].items()]
             )
             for side in _SIDES
@@ -353,5 +353,5 @@ def _grown(values: Values, drive: Drive) -> Array:
             first=drive.first_radius - nominal.first_radius,
             second=drive.second_radius - nominal.second_radius,
         )
-    inside = jnp.array([contact.internal for contact in drive.contacts])
-    return jnp.where(inside, drive.second_radius - nominal.second_radius, 0.0)
+    inside = xp.array([contact.internal for contact in drive.contacts])
+    return xp.where(inside, drive.second_radius - nominal.second_radius, 0.0)

@@ -9,11 +9,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple, TextIO
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.contact.asperity import AsperityBase
 from asperity.contact.fractal import Surface
 from asperity.contact.interface import RoughContact
@@ -23,6 +21,8 @@ from asperity.contact.roller_pairs import (
     roller_pairs,
     rough_contacts,
 )
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once
 from asperity.errors import InputError, nearest, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Key
@@ -282,18 +282,12 @@ def _number(text: str) -> float:
 def _evaluated(
     columns: dict[str, np.ndarray], frequency_ratio: float, asperity_base: AsperityBase
 ) -> dict[str, np.ndarray]:
-    """Results of some rows in the units of their columns; computed in one of a few sizes, compiled once each."""
-    count = columns["D"].size
-    size = 1 << max(count - 1, 63).bit_length()
-    si = {
-        name: jnp.asarray(np.resize(columns[name] / from_si(1.0, key.unit), size))
-        for name, key in INPUT_COLUMNS.items()
-    }
-    surface = Surface(si["D"], si["G_mm"], jnp.full(size, frequency_ratio), asperity_base)
-    model_number = jnp.asarray(np.resize(columns[MODEL_COLUMN], size))
-    contacts = compile_fast(_contacts, si, surface, model_number)(si, surface, model_number)
+    """Results of some rows in the units of their columns."""
+    si = {name: columns[name] / from_si(1.0, key.unit) for name, key in INPUT_COLUMNS.items()}
+    surface = Surface(si["D"], si["G_mm"], np.full(si["D"].size, frequency_ratio), asperity_base)
+    contacts = at_once(_contacts, si, surface, columns[MODEL_COLUMN])
     return {
-        name: np.asarray(getattr(contacts, field))[:count] * from_si(1.0, unit)
+        name: np.asarray(getattr(contacts, field)) * from_si(1.0, unit)
         for name, (field, unit) in OUTPUT_COLUMNS.items()
     }
 
@@ -316,7 +310,7 @@ def _contacts(si: dict[str, Array], surface: Surface, model_number: Array) -> Ro
             contact_modulus=contact_modulus(**elastic),
             tangential_contact_modulus=tangential_contact_modulus(**elastic),
             hardness=si["H_MPa"],
-            yield_strength=jnp.nan,  # has no part in the contact law
+            yield_strength=xp.nan,  # has no part in the contact law
         ),
         surface=surface,
     )

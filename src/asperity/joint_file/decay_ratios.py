@@ -10,7 +10,6 @@ import jax
 import numpy as np
 from jax import Array
 
-from asperity.compilation import call_compiled
 from asperity.contact.persson_2007 import (
     PERSSON_OVER_BOUNDARY_ELEMENTS,
     WaveSpectrum,
@@ -19,6 +18,7 @@ from asperity.contact.persson_2007 import (
     sorted_waves,
     waves_along_line,
 )
+from asperity.engine.control import at_once, vectorised
 from asperity.errors import InputError
 from asperity.joint_file import limits
 from asperity.joint_file.drawn_surface import Ends, exponential_ratios
@@ -93,7 +93,7 @@ def _by_theory(measured: MeasuredRoughness, contacts: FeltContacts, *, form: boo
         spectra.append(waves_along_line(*waves, half_width=0.5 * one.width) if form else sorted_waves(*waves))
     loads = loads * [one.width if form else 1.0 for one in contacts.felt.values()]
     moduli = np.array([float(moduli.contact_modulus) for moduli in contacts.moduli])
-    return call_compiled(_theory, jax.tree.map(lambda *leaves: np.stack(leaves), *spectra), loads, moduli)
+    return at_once(_theory, jax.tree.map(lambda *leaves: np.stack(leaves), *spectra), loads, moduli)
 
 
 def _theory(waves: WaveSpectrum, pressure: Array, modulus: Array) -> tuple[Array, Array]:
@@ -106,7 +106,7 @@ def _theory(waves: WaveSpectrum, pressure: Array, modulus: Array) -> tuple[Array
             contact_fraction(rms_slope=spectrum.rms_slope, **state),
         )
 
-    return jax.vmap(one)(waves, pressure, modulus)
+    return vectorised(one)(waves, pressure, modulus)
 
 
 def _by_elements(measured: MeasuredRoughness, contacts: FeltContacts) -> tuple[Ends, list[str]]:

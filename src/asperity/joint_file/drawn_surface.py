@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 
 from asperity.contact.exponential import DECAY_LENGTH_RATIO, OVER_BOUNDARY_ELEMENTS, RandomRoughness
 from asperity.contact.persson_2007 import PERSSON_OVER_BOUNDARY_ELEMENTS
+from asperity.engine.arrays import xp
 from asperity.joint.evaluation import JointResult
 from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.joint_file import limits
@@ -187,7 +187,7 @@ def interval_of_heights(
     surfaces = [lengths[path] for path in (f"surface.{name}" for name in names) if path in lengths]
     result = over_surfaces(
         joint_from_case(case),
-        tuple(RandomRoughness(jnp.asarray(of_surface)) for of_surface in surfaces or lengths.values()),
+        tuple(RandomRoughness(xp.asarray(of_surface)) for of_surface in surfaces or lengths.values()),
         shape=(6,),
     )
     key, unit = ("rms_height_m", DECAY_LENGTH_RATIO) if which == "exponential" else ("decay_length_m", 1.0)

@@ -7,9 +7,8 @@ import math
 from contextlib import suppress
 from typing import Any, NamedTuple
 
-import jax.numpy as jnp
-
 from asperity.contact.exponential import RandomRoughness
+from asperity.engine.arrays import xp
 from asperity.errors import AsperityError, InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
@@ -78,7 +77,7 @@ class MeasuredSurface(NamedTuple):
                 with suppress(InputError):  # a law that the measurement does not serve
                     ratios, _ = ratios_of(self.pair, contacts)
                     surfaces[law] = tuple(
-                        RandomRoughness(jnp.asarray(ratio * one.rms_height))
+                        RandomRoughness(xp.asarray(ratio * one.rms_height))
                         for (_, ratio, _), one in zip(ratios.values(), contacts.felt.values(), strict=True)
                     )
         return laws_side_by_side(joint, result, used=used, surfaces=surfaces)

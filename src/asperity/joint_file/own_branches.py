@@ -5,9 +5,8 @@ from __future__ import annotations
 import dataclasses
 from typing import TYPE_CHECKING
 
-import jax.numpy as jnp
-
 from asperity.drive.layout.drive import Drive
+from asperity.engine.arrays import xp
 from asperity.implicit import SETTLED
 from asperity.joint.unfolding import SectorSizes, settled_sectors, unfolded_joint
 from asperity.joint_file.build import added_by_branches, deviations_of, joint_from_case, joint_from_values
@@ -48,7 +47,7 @@ def joint_with_branches(values: Values) -> Joint:
         return joint_from_values(values)
     joint, sizes, sectors, floating = _sectors(values)
     settled = settled_sectors(sectors, floating, joint, sizes)
-    force = jnp.where(settled.change < SETTLED, settled.sizes.reference_force, jnp.nan)
+    force = xp.where(settled.change < SETTLED, settled.sizes.reference_force, xp.nan)
     sizes = dataclasses.replace(settled.sizes, reference_force=force)
     full_joint = unfolded_joint(joint, sizes, sectors=sectors, floating=floating)
     return dataclasses.replace(
@@ -68,8 +67,8 @@ def _sectors(values: Values) -> tuple[Joint, SectorSizes, int, tuple[str, ...]]:
     """A joint with equal branches, what differs between them, their number, and what floats on the axis."""
     joint, count = joint_from_values(values), len(values["branch"])
     added = added_by_branches(values, count)
-    support = jnp.asarray(values.get("compliance", {}).get("sun_support_stiffness", 0.0), dtype=float)
-    sizes = SectorSizes(added, jnp.zeros_like(added), support)
+    support = xp.asarray(values.get("compliance", {}).get("sun_support_stiffness", 0.0), dtype=float)
+    sizes = SectorSizes(added, xp.zeros_like(added), support)
     return joint, sizes, count, _floating(values, joint.drive)
 
 

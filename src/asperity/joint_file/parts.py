@@ -18,16 +18,15 @@ from asperity.drive.layout.drives import (
     wedge_drive,
 )
 from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.engine.arrays import xp
 from asperity.joint.body_shape import SOLID, BodyShape, ring_shape
 from asperity.joint_file.part_names import WEDGE_TYPE, track_of, type_of
 from asperity.joint_file.si_tables import Values
-from asperity.types import namespace
 
 
 def general_layout(values: Values) -> tuple[Drive, tuple[BodyShape, ...], tuple[float, ...]]:
     """The drive that the rollers and contacts of a file make."""
     rollers, contacts, drive = values["roller"].values(), values["contact"].values(), values["drive"]
-    xp = namespace(values["roller"], values["contact"], drive)
     housing = values.get("compliance", {}).get("ring_housing_stiffness")
     made = Drive(
         bodies=tuple(Body(roller["name"], roller["place"]) for roller in rollers),
@@ -72,7 +71,6 @@ def general_layout(values: Values) -> tuple[Drive, tuple[BodyShape, ...], tuple[
 
 def _centre(roller: Values) -> Any:
     angle = roller.get("angle", 0.5 * math.pi)
-    xp = namespace(angle)
     return roller.get("orbit", 0.0) * xp.stack([xp.cos(angle), xp.sin(angle)])
 
 

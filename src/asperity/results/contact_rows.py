@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from asperity.engine.arrays import xp
 from asperity.results.result import Result
 from asperity.results.solved import ONLY_SPOTS, SolvedJoint, has_spots
-from asperity.types import namespace
 from asperity.unit_table import Dimension
 
 _force = functools.partial(Result, group="forces")
@@ -33,7 +33,7 @@ def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, 
     def value(solved: SolvedJoint) -> Any:
         result = solved.result
         plastic = (result.forces.normal > 0.0) & (result.contacts.normal_stiffness <= 0.0)
-        return namespace(plastic).where(plastic, np.nan, operator.attrgetter(path)(result))
+        return xp.where(plastic, np.nan, operator.attrgetter(path)(result))
 
     note = f"{note}; {_PLASTIC}" if note else _PLASTIC
     return _contact(name, label, dimension, unit, value, note=note)
@@ -45,7 +45,7 @@ def _crowned(name: str, label: str, path: str, note: str) -> Result:
     def value(solved: SolvedJoint) -> Any:
         quantity = operator.attrgetter(path)(solved.result)
         normal = solved.result.forces.normal
-        return namespace(normal).full_like(normal, np.nan) if quantity is None else quantity
+        return xp.full_like(normal, np.nan) if quantity is None else quantity
 
     return _contact(
         name, label, _NUMBER, "1", value, note=f"{note}; nan where no roller of the joint is crowned"

@@ -5,9 +5,8 @@ from __future__ import annotations
 import functools
 from typing import Any
 
-import jax.numpy as jnp
-
 from asperity.drive.structure.bearing_life import LARGEST_LOAD_RATIO
+from asperity.engine.arrays import xp
 from asperity.joint.bores import bore_stiffness, pin_contact_angles
 from asperity.joint.housing import seated
 from asperity.joint.rims import bends
@@ -66,7 +65,7 @@ _REMEDY = "choose a thicker wall, a stronger material or less preload"
 
 
 def _larger(name: str) -> Any:
-    return lambda solved: jnp.max(getattr(solved.rims, name), axis=0)
+    return lambda solved: xp.max(getattr(solved.rims, name), axis=0)
 
 
 def _pressed(solved: SolvedJoint) -> tuple[bool, ...]:

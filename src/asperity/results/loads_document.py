@@ -8,12 +8,12 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 
 import asperity
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.state.loads import MemberLoads, pin_components
+from asperity.engine.arrays import xp
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.housing import ring_fit, seated
@@ -131,10 +131,10 @@ def _rows(
     """Part, position, quantity, SI unit, and a value for each case."""
     drive, members = joint.drive, joint.drive.members
     turned = np.abs(np.stack(speeds, axis=-1))
-    relative = np.stack([np.asarray(pin_speeds(drive, jnp.asarray(speed))) for speed in speeds], axis=-1)
+    relative = np.stack([np.asarray(pin_speeds(drive, xp.asarray(speed))) for speed in speeds], axis=-1)
     pins = [pin_components(drive=drive, force=load.pin) for load in loads]
     radial, tangential = np.moveaxis(np.asarray(pins), 0, -1)
-    moment, stress = map(np.asarray, pin_bending(joint, jnp.hypot(radial, tangential)))
+    moment, stress = map(np.asarray, pin_bending(joint, xp.hypot(radial, tangential)))
     for k, body in enumerate(drive.pinned):
         part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
         yield *part, "radial force", "N", radial[k]

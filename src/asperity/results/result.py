@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from asperity.engine.arrays import xp
 from asperity.joint.pin_bound import bounded
 from asperity.joint.status import Needs
 from asperity.results.notes import Severity
-from asperity.types import namespace
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
@@ -51,7 +51,6 @@ class Limit:
         Relative to the bound, of a lower one as the bound over the value: with a force a safety falls as its inverse.
         Absolute for a bound of 0; nan where the value is.
         """
-        xp = namespace(value)
         excess = xp.where(xp.isnan(value), xp.nan, -xp.inf)
         if math.isfinite(self.highest):
             over = value / self.highest - 1.0 if self.highest > 0.0 else value - self.highest

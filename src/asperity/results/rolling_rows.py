@@ -5,8 +5,7 @@ from __future__ import annotations
 import functools
 from typing import Any
 
-import jax.numpy as jnp
-
+from asperity.engine.arrays import xp
 from asperity.results.result import Limit, Result
 from asperity.results.solved import SolvedJoint
 from asperity.unit_table import Dimension
@@ -25,7 +24,7 @@ _STANDING = "nan where the input stands"
 def _crown_factor(solved: SolvedJoint) -> Any:
     rolling = solved.result.rolling
     factor = rolling.crown_creepage_factor
-    return jnp.full_like(rolling.normal, jnp.nan) if factor is None else factor
+    return xp.full_like(rolling.normal, xp.nan) if factor is None else factor
 
 
 ROWS = (

@@ -10,17 +10,17 @@ from typing import Any, TypeVar
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.branches.branches import AssembledBranches, assembled_branches
-from asperity.compilation import call_compiled
 from asperity.contact.fractal import Surface
 from asperity.drive.layout.drive import sectors_of_members
 from asperity.drive.layout.existence import neighbour_gaps, neighbours
 from asperity.drive.state.loads import MemberLoads
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
@@ -61,7 +61,7 @@ class JointSize(eqx.Module):
     @property
     def envelope_volume(self) -> Array:
         """Volume of the cylinder around the rolling parts [m^3]."""
-        return 0.25 * jnp.pi * self.envelope_diameter**2 * self.envelope_length
+        return 0.25 * xp.pi * self.envelope_diameter**2 * self.envelope_length
 
 
 def _without_torque(joint: Joint, result: JointResult) -> tuple[Joint, JointResult]:
@@ -92,14 +92,12 @@ def joint_size(joint: Joint, result: JointResult) -> JointSize:
             outer += [radius + wall for radius, _ in tracks_of(joint, number)]
     if joint.housing is not None and any(seated(joint)):
         outer.append(joint.housing.outer_radius)
-    copies = jnp.asarray(joint.drive.sectors) / sectors_of_members(joint.drive)[:-1]
+    copies = xp.asarray(joint.drive.sectors) / sectors_of_members(joint.drive)[:-1]
     stepped = any(len(tracks_of(joint, number)) > 1 for number in range(len(joint.shapes)))
-    stated = [jnp.asarray(shape.length) for shape in joint.shapes if shape.length is not None]
-    length = (
-        jnp.nan if stepped else jnp.max(jnp.stack([*contact_values(joint, joint.contact_lengths), *stated]))
-    )
-    diameter = 2.0 * jnp.max(jnp.stack([jnp.asarray(radius) for radius in outer]))
-    return JointSize(diameter, jnp.asarray(length), jnp.sum(copies * result.masses))
+    stated = [xp.asarray(shape.length) for shape in joint.shapes if shape.length is not None]
+    length = xp.nan if stepped else xp.max(xp.stack([*contact_values(joint, joint.contact_lengths), *stated]))
+    diameter = 2.0 * xp.max(xp.stack([xp.asarray(radius) for radius in outer]))
+    return JointSize(diameter, xp.asarray(length), xp.sum(copies * result.masses))
 
 
 class SolvedJoint:
@@ -144,9 +142,9 @@ class SolvedJoint:
     def bearings(self) -> BearingLives:
         """Lives of the rolling bearings; nothing to compute where none has ratings."""
         if not any(self.has_bearings):
-            nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
+            nothing = xp.full((len(self.has_bearings), *xp.shape(self.result.solved)), xp.nan)
             return BearingLives(nothing, nothing, nothing, nothing, nothing)
-        return call_compiled(self._bearing_lives, self.joint, self.result, self.laws)
+        return at_once(self._bearing_lives, self.joint, self.result, self.laws)
 
     @functools.cached_property
     def rims(self) -> Any:
@@ -190,7 +188,7 @@ class SolvedJoint:
     @functools.cached_property
     def standing_capacity_of_direction(self) -> TorqueCapacity:
         """Torque capacity in the direction of the output torque, likewise."""
-        backwards = (jnp.asarray(self.joint.output_torque) < 0.0).astype(int)
+        backwards = (xp.asarray(self.joint.output_torque) < 0.0).astype(int)
         return self._capacity(rolls=False, index=backwards)
 
     @functools.cached_property
@@ -219,7 +217,7 @@ class SolvedJoint:
 
     def _rims(self, joint: Joint, result: JointResult) -> Any:
         """The bodies along the last axis."""
-        return call_compiled(joint_rims, in_motion(joint), result)
+        return at_once(joint_rims, in_motion(joint), result)
 
     def at_temperature(self, temperature: float) -> Solution | None:
         """What one joint does at another working temperature [degC]; None where it is loose there."""
@@ -285,12 +283,12 @@ class SolvedJoint:
 
     def mounting(self, gap: Any = 0.0) -> Mounting:
         """Force and temperatures that mount its rings, with a radial gap around the rollers [m]."""
-        return call_compiled(mounting, in_motion(self.joint), self.result, gap)
+        return at_once(mounting, in_motion(self.joint), self.result, gap)
 
     @functools.cached_property
     def seats(self) -> Seats:
         """How its rings sit in their housing under the joint's torque."""
-        return call_compiled(seats, in_motion(self.joint), self.loads)
+        return at_once(seats, in_motion(self.joint), self.loads)
 
     @functools.cached_property
     def size(self) -> Any:

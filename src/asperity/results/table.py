@@ -8,10 +8,10 @@ import functools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.wedge import wedges
+from asperity.engine.arrays import xp
 from asperity.errors import InputError
 from asperity.joint.pin_bound import stiffness_bound
 from asperity.results import contact_rows, drive_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
@@ -167,8 +167,8 @@ def result_values(names: Sequence[str], solved: SolvedJoint) -> dict[str, Array]
     for name in names:
         value = RESULTS[name].of(solved)
         if isinstance(value, list | tuple):
-            value = jnp.stack(jnp.broadcast_arrays(*value))
-        values[name] = jnp.asarray(value, dtype=float)
+            value = xp.stack(xp.broadcast_arrays(*value))
+        values[name] = xp.asarray(value, dtype=float)
     return values
 
 

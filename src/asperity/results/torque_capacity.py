@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -25,6 +24,8 @@ from asperity.drive.state.first_limit import (
     with_derivative,
 )
 from asperity.drive.state.states import DriveStates
+from asperity.engine.arrays import xp
+from asperity.engine.control import map_over, traced_once
 from asperity.joint.assembled import Pressed
 from asperity.joint.capacity import first_guess, limits_of, loading
 from asperity.joint.description import Joint, in_motion
@@ -35,7 +36,6 @@ from asperity.results import contact_rows, limit_rows, load_rows, rolling_rows, 
 from asperity.results.notes import Severity
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
-from asperity.types import namespace
 
 #: Severities of the limits that a torque must keep.
 JUDGED: tuple[Severity, ...] = ("function", "damage")
@@ -123,14 +123,13 @@ def torque_capacity(solved: SolvedJoint, *, reverse: bool = False) -> JointCapac
 def capacity_of_direction(solved: SolvedJoint) -> JointCapacity:
     """The same in the direction of the output torque."""
     both, torque = torque_capacities(solved), solved.joint.output_torque
-    xp = namespace(both, torque)
     return jax.tree.map(lambda leaf: xp.where(torque < 0.0, leaf[1], leaf[0]), both)
 
 
 def torque_safety(solved: SolvedJoint) -> Any:
     """Torque capacity over the torque, both in the direction of the torque [-]; 0 where there is no capacity."""
-    capacity = jnp.asarray(capacity_of_direction(solved).output_torque)
-    return jnp.where(capacity > 0.0, capacity / jnp.abs(jnp.asarray(solved.joint.output_torque)), 0.0)
+    capacity = xp.asarray(capacity_of_direction(solved).output_torque)
+    return xp.where(capacity > 0.0, capacity / xp.abs(xp.asarray(solved.joint.output_torque)), 0.0)
 
 
 def excesses_of_rows(solved: SolvedJoint) -> Array:
@@ -140,10 +139,9 @@ def excesses_of_rows(solved: SolvedJoint) -> Array:
         assert row.limit is not None
         value = row.of(solved)
         if isinstance(value, list | tuple):
-            value = jnp.stack(jnp.broadcast_arrays(*value))
-        excess = row.limit.excess(namespace(value).asarray(value, dtype=float))
-        excesses.append(namespace(excess).atleast_1d(excess)[np.array(_places_of(row, solved))])
-    xp = namespace(*excesses)
+            value = xp.stack(xp.broadcast_arrays(*value))
+        excess = row.limit.excess(xp.asarray(value, dtype=float))
+        excesses.append(xp.atleast_1d(excess)[np.array(_places_of(row, solved))])
     together: Array = xp.concatenate([*excesses, xp.zeros(0)])
     return together
 
@@ -187,7 +185,6 @@ def _entries_of_rows(solved: SolvedJoint) -> list[_Entry]:
 def _named(solved: SolvedJoint, limit: FirstLimit, entries: list[_Entry]) -> JointCapacity:
     nothing = _Entry(CAPACITY_LIMITS.index("none"), len(place_names(solved)) - 1)
     codes, places = zip(nothing, *entries, strict=True)
-    xp = namespace(limit)
     return JointCapacity(limit.value, xp.asarray(codes)[1 + limit.which], xp.asarray(places)[1 + limit.which])
 
 
@@ -246,7 +243,6 @@ def _in_direction(
 
 def _up_to(slip: Any, guess: Any) -> dict[str, Any]:
     """Where the search for a limit of the rows begins, and how far it goes: to the torque at which a contact slips."""
-    xp = namespace(slip, guess)
     known = xp.isfinite(slip) & (slip > 0.0)
     return {
         "first_guess": xp.where(known, _BELOW * xp.where(known, slip, 1.0), guess),
@@ -259,22 +255,22 @@ def _of_program(solved: SolvedJoint) -> JointCapacity:
     joint = _without_duty(in_motion(solved.joint))
     assert solved.laws is not None
     without_torque = Pressed(solved.laws, solved.result.rest)
-    loaded, guess = loading(joint, without_torque), jnp.asarray(first_guess(joint, solved.result.rest))
+    loaded, guess = loading(joint, without_torque), xp.asarray(first_guess(joint, solved.result.rest))
     at_rest, in_rolling = (_entries_of_search(solved, prefix) for prefix in ("", _IN_ROLLING))
     before_rows = len(at_rest) + len(in_rolling)
 
-    @jax.jit  # traced once for the search and for the derivative
+    @traced_once  # traced once for the search and for the derivative
     def excesses(torque: Array) -> Array:
         """Of the search, standing and in rolling, then of the rows; every contact that stands holds."""
         standing, rolling = _both(
-            jax.lax.map(lambda rolls: loaded(torque, rolls, ~rolls), jnp.array([False, True]))
+            map_over(lambda rolls: loaded(torque, rolls, ~rolls), xp.array([False, True]))
         )
         pressed = None if joint.cam is None else standing.pressed
         states = DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
         there = dataclasses.replace(joint, output_torque=torque)
         result = joint_result(there, without_torque.laws, states)
         rows = excesses_of_rows(SolvedJoint(there, result, without_torque.laws))
-        return jnp.concatenate([standing.excesses, rolling.excesses, jnp.asarray(rows)])
+        return xp.concatenate([standing.excesses, rolling.excesses, xp.asarray(rows)])
 
     def slip_of(given: tuple[Array, Array]) -> FirstLimit:
         """Where the first contact slips standing, or in rolling."""
@@ -290,17 +286,17 @@ def _of_program(solved: SolvedJoint) -> JointCapacity:
             excesses=lambda torque: excesses(sign * torque)[before_rows:], **_up_to(slip.value, guess)
         )
         rows = rows._replace(which=before_rows + rows.which)
-        first = jax.tree.map(lambda *leaves: jnp.where(jnp.isfinite(rows.value), *leaves), rows, slip)
+        first = jax.tree.map(lambda *leaves: xp.where(xp.isfinite(rows.value), *leaves), rows, slip)
         return with_derivative(excesses=lambda torque: excesses(sign * torque), limit=first)
 
-    ways = jnp.array([1.0, -1.0])
-    slips = jax.lax.map(slip_of, (jnp.tile(ways, 2), jnp.repeat(jnp.array([False, True]), 2)))
+    ways = xp.array([1.0, -1.0])
+    slips = map_over(slip_of, (xp.tile(ways, 2), xp.repeat(xp.array([False, True]), 2)))
     standing, rolling = _both(jax.tree.map(lambda leaf: leaf.reshape(2, 2), slips))
-    rolling = rolling._replace(which=jnp.where(rolling.which < 0, -1, len(at_rest) + rolling.which))
+    rolling = rolling._replace(which=xp.where(rolling.which < 0, -1, len(at_rest) + rolling.which))
     stands = standing.value <= rolling.value
-    slip = jax.tree.map(lambda *leaves: jnp.where(stands, *leaves), standing, rolling)
+    slip = jax.tree.map(lambda *leaves: xp.where(stands, *leaves), standing, rolling)
     entries = [*at_rest, *in_rolling, *_entries_of_rows(solved)]
-    return _named(solved, jax.lax.map(first_of, (ways, slip)), entries)
+    return _named(solved, map_over(first_of, (ways, slip)), entries)
 
 
 def _both(pair: Any) -> tuple[Any, Any]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact import carter
@@ -20,6 +19,8 @@ from asperity.contact.skew import (
 )
 from asperity.contact.strip_theory import strip_creepage
 from asperity.drive.state.creep import CreepLaw
+from asperity.engine.arrays import xp
+from asperity.engine.control import once, scan
 from asperity.joint.contacts import JointContacts, rough_joint_contacts
 from asperity.joint.crowned_contacts import rough_slices, slice_friction
 from asperity.joint.fit import per_contact
@@ -82,15 +83,15 @@ def contact_creep(
     layer's is that on all. In a skewed contact the factors are those at the slip ratio of both forces together.
     """
     stiffness = rough_joint_contacts(
-        contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
+        contacts=contacts, normal_force=normal_force, tangential_force=xp.zeros_like(tangential_force)
     ).layer_stiffness
-    friction = jnp.asarray(contacts.pairs.friction_coefficient)
-    limit = friction * jnp.where(normal_force > 0.0, normal_force, 1.0)
-    q = jnp.clip(jnp.abs(tangential_force) / limit, _LEAST_SLIP, _MOST_SLIP)
+    friction = xp.asarray(contacts.pairs.friction_coefficient)
+    limit = friction * xp.where(normal_force > 0.0, normal_force, 1.0)
+    q = xp.clip(xp.abs(tangential_force) / limit, _LEAST_SLIP, _MOST_SLIP)
     creep = _creep_at(contacts, skew, normal_force, q, stiffness)
     # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
-    scale = jax.lax.optimization_barrier(creep.law.gross_slip_scale)
-    return creep._replace(law=CreepLaw(jnp.broadcast_to(friction, scale.shape), scale))
+    scale = once(creep.law.gross_slip_scale)
+    return creep._replace(law=CreepLaw(xp.broadcast_to(friction, scale.shape), scale))
 
 
 def _creep_at(
@@ -102,7 +103,7 @@ def _creep_at(
 ) -> ContactCreep:
     """The law at slip ratios."""
     pairs = contacts.pairs
-    normal = jnp.where(normal_force > 0.0, normal_force, 1.0)
+    normal = xp.where(normal_force > 0.0, normal_force, 1.0)
     friction = pairs.friction_coefficient
     kappa = 4.0 * pairs.moduli.tangential_contact_modulus / pairs.moduli.contact_modulus
     smooth = carter.gross_slip_creepage(
@@ -139,10 +140,10 @@ def _creep_at(
 
     if skew is None:
         ratio, layer, lateral_ratio, crown = factors(q)
-        across, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
+        across, skew_factor = xp.zeros_like(layer), xp.ones_like(layer)
     else:
-        q = jnp.broadcast_to(q, normal_force.shape)
-        across = jnp.broadcast_to(per_contact(skew), q.shape)
+        q = xp.broadcast_to(q, normal_force.shape)
+        across = xp.broadcast_to(per_contact(skew), q.shape)
 
         def combined(slip_ratio: Array, _: None) -> tuple[Array, tuple[Any, ...]]:
             """How far a contact slips by both forces together, and what this follows from."""
@@ -154,15 +155,15 @@ def _creep_at(
                 gross_slip_creepage=limit,
                 lateral_gross_slip_creepage=limit * lateral_ratio,
             )
-            both = jnp.clip(jnp.where(skewed.solved, skewed.slip_ratio, q), _LEAST_SLIP, _MOST_SLIP)
+            both = xp.clip(xp.where(skewed.solved, skewed.slip_ratio, q), _LEAST_SLIP, _MOST_SLIP)
             return both, (ratio, layer, lateral_ratio, crown, limit, skewed)
 
-        _, passes = jax.lax.scan(combined, q, length=1 + _COMBINED_PASSES)
+        _, passes = scan(combined, q, length=1 + _COMBINED_PASSES)
         ratio, layer, lateral_ratio, crown, limit, skewed = jax.tree.map(lambda leaf: leaf[-1], passes)
         alone = carter.creepage(slip_ratio=q, gross_slip_creepage=limit)
-        skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
+        skew_factor = xp.where(skewed.solved, skewed.longitudinal_creepage / alone, xp.nan)
     smooth = smooth if crown is None else smooth * crown
-    scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, normal_force.shape)
+    scale = xp.broadcast_to(smooth / xp.sqrt(normal) * layer * skew_factor, normal_force.shape)
     return ContactCreep(
         CreepLaw(friction, scale), ratio, layer, skew_factor, lateral_ratio, across, skew is None, crown
     )
@@ -174,9 +175,9 @@ def _layer_ratio(contacts: JointContacts, layer_stiffness: Array) -> Array:
     ratio = layer_ratio(
         contact_modulus=contacts.pairs.moduli.contact_modulus,
         contact_length=contacts.pairs.contact_length,
-        normal_stiffness=jnp.where(stiff, layer_stiffness, 1.0),
+        normal_stiffness=xp.where(stiff, layer_stiffness, 1.0),
     )
-    return jnp.where(stiff, ratio, jnp.nan)
+    return xp.where(stiff, ratio, xp.nan)
 
 
 class _Slices(NamedTuple):
@@ -197,10 +198,10 @@ def _slices(contacts: JointContacts, normal: Array) -> _Slices:
         model=contacts.contact_factor_model,
         lines=lines,
         normal_force=normal,
-        tangential_force=jnp.zeros_like(normal),
+        tangential_force=xp.zeros_like(normal),
     )
     ratio = _layer_ratio(contacts, rough.layer_stiffness)
-    return _Slices(ratio, jnp.isfinite(ratio), *slice_friction(pairs=pairs, lines=lines))
+    return _Slices(ratio, xp.isfinite(ratio), *slice_friction(pairs=pairs, lines=lines))
 
 
 def _sliced(
@@ -209,17 +210,17 @@ def _sliced(
     """Factors of the crowns and of the asperities on the creepage that all slices share; layer ratio in the middle."""
     moduli = contacts.pairs.moduli
     factor = layer_creepage_factor(
-        layer_ratio=jnp.where(slices.known, slices.ratio, 0.0),
+        layer_ratio=xp.where(slices.known, slices.ratio, 0.0),
         slip_ratio=slip_ratio,
         stiffness_ratio=4.0 * moduli.tangential_contact_modulus / moduli.contact_modulus,
     )
     # slices so lightly loaded that every spot is plastic have no stiffness to count
-    factor = jnp.where(slices.known, factor, 1.0)
+    factor = xp.where(slices.known, factor, 1.0)
     smooth, rough = (
         strip_creepage(slip_ratio=slip_ratio, capacity=slices.capacity, gross_slip_creepage=limit)
         for limit in (slices.limits, slices.limits * factor)
     )
-    return jnp.asarray(smooth / even), jnp.asarray(rough / smooth), slices.ratio[0]
+    return xp.asarray(smooth / even), xp.asarray(rough / smooth), slices.ratio[0]
 
 
 class ContactFriction(NamedTuple):
@@ -243,7 +244,7 @@ def contact_friction(
     )
     lost = capacity_loss(creep=creep, friction_coefficient=friction, width_over_radius=width)
     axial = axial_force(friction_coefficient=friction, normal_force=normal_force, lateral_slip_ratio=lateral)
-    return ContactFriction(lateral, lost, jnp.asarray(axial))
+    return ContactFriction(lateral, lost, xp.asarray(axial))
 
 
 def lateral_slip_ratio(
@@ -251,10 +252,10 @@ def lateral_slip_ratio(
 ) -> Array:
     """Axial force of the contacts over their friction; 0 for parallel axes, shape (contacts, ...) [-]."""
     if creep.parallel:
-        return jnp.zeros_like(creepage)
+        return xp.zeros_like(creepage)
     limits = _gross_slip_creepages(creep, friction_coefficient, width_over_radius)
     _, lateral = skewed_slip_ratios(longitudinal_creepage=creepage, lateral_creepage=creep.skew, **limits)
-    return jnp.asarray(lateral)
+    return xp.asarray(lateral)
 
 
 def capacity_loss(*, creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real) -> Array:
@@ -277,15 +278,15 @@ def capacity_loss(*, creep: ContactCreep, friction_coefficient: Real, width_over
     Equation (B6) of :doc:`/equations`.
     """
     if creep.parallel:
-        return jnp.zeros_like(creep.skew)
+        return xp.zeros_like(creep.skew)
     limits = _gross_slip_creepages(creep, friction_coefficient, width_over_radius)
-    return jnp.asarray(1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits))
+    return xp.asarray(1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits))
 
 
 def _gross_slip_creepages(
     creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real
 ) -> dict[str, Real]:
-    limit = jnp.broadcast_to(friction_coefficient * width_over_radius * creep.layer_factor, creep.skew.shape)
+    limit = xp.broadcast_to(friction_coefficient * width_over_radius * creep.layer_factor, creep.skew.shape)
     if creep.crown_factor is not None:
         limit = limit * creep.crown_factor
     return {"gross_slip_creepage": limit, "lateral_gross_slip_creepage": limit * creep.lateral_ratio}

@@ -8,13 +8,13 @@ from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import ContactLaws
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once, vectorised
 from asperity.joint.assembled import Pressed
 from asperity.joint.description import Joint, joint_contacts
 from asperity.joint.evaluation import JointResult
@@ -67,23 +67,21 @@ def rolling_curves(
     speeds = np.linspace(0.0, _OVER_SPEED * speed, _SPEEDS + 1)[1:] if speed > 0.0 else np.zeros(0)
     grid_speed, grid_torque = np.meshgrid(speeds, torque[1:], indexing="ij")
     loads = (
-        jnp.concatenate([torque, grid_torque.ravel()]),
-        jnp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
+        xp.concatenate([torque, grid_torque.ravel()]),
+        xp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
     )
-    given = (numbers, jax.tree.map(np.asarray, Pressed(laws, result.rest)), *loads)
-    over = compile_fast(_over_loads, *given)(*given)
-    drift, turns, hours, efficiency = jax.tree.map(np.asarray, over)
+    drift, turns, hours, efficiency = at_once(_over_loads, numbers, Pressed(laws, result.rest), *loads)
     traction, creepage = creep_curves(joint, result)
     return RollingCurves(
-        torque_capacity=jnp.asarray(torque_capacity),
+        torque_capacity=xp.asarray(torque_capacity),
         contact_traction=traction,
         contact_creepage=creepage,
-        torque=jnp.asarray(torque),
+        torque=xp.asarray(torque),
         drift_per_output_turn=drift[:_TORQUES],
         life_turns=turns[:_TORQUES],
         life_hours=hours[:_TORQUES],
-        map_torque=jnp.asarray(torque[1:]),
-        map_speed=jnp.asarray(speeds),
+        map_torque=xp.asarray(torque[1:]),
+        map_speed=xp.asarray(speeds),
         efficiency=efficiency[_TORQUES:].reshape(grid_torque.shape),
     )
 
@@ -106,7 +104,7 @@ def rolling_over_loads(
 ) -> RollingResult:
     """Steady rolling of a joint under torques at speeds."""
     contacts = joint_contacts(joint)
-    return jax.vmap(rolling_at(joint, contacts, without_torque))(torque, input_speed)
+    return vectorised(rolling_at(joint, contacts, without_torque))(torque, input_speed)
 
 
 _POINTS, _LARGEST_SHARE = 60, 0.98
@@ -126,15 +124,15 @@ def creep_curves(joint: Joint, result: JointResult) -> CreepCurves:
     """
     numbers: Any = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     normal = np.asarray(result.rolling.normal)
-    return CreepCurves(*jax.tree.map(np.asarray, compile_fast(_curves, numbers, normal)(numbers, normal)))
+    return CreepCurves(*at_once(_curves, numbers, normal))
 
 
 def _curves(joint: Joint, normal: Array) -> tuple[Array, Array]:
     contacts = joint_contacts(joint)
 
     def at(share: Array) -> tuple[Array, Array]:
-        tangential = jnp.asarray(contacts.pairs.friction_coefficient) * share * normal
+        tangential = xp.asarray(contacts.pairs.friction_coefficient) * share * normal
         law = creep_law(joint, contacts, normal, tangential).law
         return tangential / normal, creepages(law=law, normal=normal, tangential=tangential)
 
-    return jax.vmap(at, out_axes=-1)(jnp.linspace(0.0, _LARGEST_SHARE, _POINTS))
+    return vectorised(at, out_axis=-1)(xp.linspace(0.0, _LARGEST_SHARE, _POINTS))

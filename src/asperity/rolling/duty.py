@@ -6,12 +6,12 @@ import dataclasses
 from collections.abc import Callable
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.rolling_fatigue import damage_shares, life_at_reliability, spectrum_life
 from asperity.drive.state.state import BodiesOfContacts
+from asperity.engine.arrays import xp
+from asperity.engine.control import vectorised
 from asperity.joint.fit import per_contact
 from asperity.rolling.conditions import RollingConditions
 from asperity.rolling.life import drive_lives, failure_shares
@@ -99,8 +99,8 @@ def duty_life(
     Equation (B8) of :doc:`/equations`.
     """
     points = per_contact(conditions.duty)
-    rolling = jax.vmap(rolled)(points.output_torque, points.sun_speed)
-    turns_a_second = rolling.output_speed / (2.0 * jnp.pi)
+    rolling = vectorised(rolled)(points.output_torque, points.sun_speed)
+    turns_a_second = rolling.output_speed / (2.0 * xp.pi)
     spectrum = {
         "lives": rolling.cycles,
         "cycle_rates": rolling.cycles_per_turn * turns_a_second[:, None, None],
@@ -117,9 +117,9 @@ def duty_life(
     )
     return DutyLife(
         hours=hours,
-        turns=hours * 3600.0 * jnp.sum(points.share * turns_a_second, axis=0),
-        damage_shares=jnp.sum(shares, axis=(1, 2)),
+        turns=hours * 3600.0 * xp.sum(points.share * turns_a_second, axis=0),
+        damage_shares=xp.sum(shares, axis=(1, 2)),
         load_hours=rolling.life_hours.drive,
-        shakedown_ratios=jnp.max(rolling.shakedown_ratio, axis=1),
-        slip_ratios=jnp.max(rolling.slip_ratio, axis=1),
+        shakedown_ratios=xp.max(rolling.shakedown_ratio, axis=1),
+        slip_ratios=xp.max(rolling.slip_ratio, axis=1),
     )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -11,6 +10,7 @@ from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life
 from asperity.drive.state.state import BodiesOfContacts, RollingSpeeds
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 _MILLION = 1e6
@@ -43,7 +43,7 @@ def track_lives(*, pairs: RollerPairs, half_width: Real, peak_pressure: Real) ->
     )
     # the volume alone differs between the two bodies
     driven = driving * (pairs.radius_1 / pairs.radius_2) ** (1.0 / WEIBULL_SLOPE)
-    return jnp.stack(jnp.broadcast_arrays(driving, driven))
+    return xp.stack(xp.broadcast_arrays(driving, driven))
 
 
 def sliced_track_lives(*, pairs: RollerPairs, lines: CrownedLine, peak_pressure: Array) -> Array:
@@ -55,15 +55,15 @@ def sliced_track_lives(*, pairs: RollerPairs, lines: CrownedLine, peak_pressure:
     :doc:`/equations`.
     """
     lives = track_lives(pairs=pairs, half_width=lines.half_width, peak_pressure=peak_pressure)
-    shortest = jnp.min(lives, axis=1)
-    rate = jnp.sum(lines.length_share * (lives / shortest[:, None]) ** -WEIBULL_SLOPE, axis=1)
-    return jnp.asarray(shortest * rate ** (-1.0 / WEIBULL_SLOPE))
+    shortest = xp.min(lives, axis=1)
+    rate = xp.sum(lines.length_share * (lives / shortest[:, None]) ** -WEIBULL_SLOPE, axis=1)
+    return xp.asarray(shortest * rate ** (-1.0 / WEIBULL_SLOPE))
 
 
 def cycle_rates(*, bodies: BodiesOfContacts, speeds: RollingSpeeds) -> Array:
     """Stress cycles of every track per time by one contact of one branch, shape (2, contacts, ...) [1/s]."""
-    turns = speeds.body / (2.0 * jnp.pi)
-    return jnp.stack([turns[jnp.array(bodies.driving)], turns[jnp.array(bodies.driven)]])
+    turns = speeds.body / (2.0 * xp.pi)
+    return xp.stack([turns[xp.array(bodies.driving)], turns[xp.array(bodies.driven)]])
 
 
 def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> DriveLives:
@@ -99,8 +99,8 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     G. Lundberg and A. Palmgren, Acta Polytechnica 7 (1947); equation (B8) of :doc:`/equations`.
     """
     # (B8), once for each track
-    driving, driven = _of_one_branch(bodies, jnp.asarray(tracks), planet_count) ** -WEIBULL_SLOPE
-    body = jnp.stack(
+    driving, driven = _of_one_branch(bodies, xp.asarray(tracks), planet_count) ** -WEIBULL_SLOPE
+    body = xp.stack(
         [
             sum(
                 side[k] * (planet_count if shared else 1.0)
@@ -115,7 +115,7 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     return DriveLives(
         contact=life_at_rate(contact),
         body=life_at_rate(body),
-        drive=life_at_rate(planet_count * jnp.sum(contact, axis=0)),
+        drive=life_at_rate(planet_count * xp.sum(contact, axis=0)),
     )
 
 
@@ -127,24 +127,24 @@ def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real
     From the lives of the tracks as for :func:`drive_lives`; nan where no track fails. The hazards of Weibull lives of
     one slope are in this ratio at any time. Equation (B8) of :doc:`/equations`.
     """
-    lives = _of_one_branch(bodies, jnp.asarray(tracks), planet_count)
-    shortest = jnp.min(lives, axis=(0, 1))
+    lives = _of_one_branch(bodies, xp.asarray(tracks), planet_count)
+    shortest = xp.min(lives, axis=(0, 1))
     rates = (lives / shortest) ** -WEIBULL_SLOPE
-    return rates / jnp.sum(rates, axis=(0, 1))
+    return rates / xp.sum(rates, axis=(0, 1))
 
 
 def _of_one_branch(bodies: BodiesOfContacts, tracks: Array, planet_count: Real) -> Array:
     """Lives of tracks, of one on a body that n branches share that at the n-th part of the rate at which it fails."""
     by_sector = (2, bodies.sectors, -1, *tracks.shape[2:])
-    damage = jnp.sum(1.0 / tracks.reshape(by_sector), axis=1, keepdims=True) * planet_count
-    together = jnp.broadcast_to(1.0 / damage, tracks.reshape(by_sector).shape).reshape(tracks.shape)
-    branches = bodies.sectors * jnp.asarray(planet_count, dtype=float)
+    damage = xp.sum(1.0 / tracks.reshape(by_sector), axis=1, keepdims=True) * planet_count
+    together = xp.broadcast_to(1.0 / damage, tracks.reshape(by_sector).shape).reshape(tracks.shape)
+    branches = bodies.sectors * xp.asarray(planet_count, dtype=float)
     shared = np.array([[bodies.shared[b] for b in side] for side in (bodies.driving, bodies.driven)])
     shared = shared.reshape(*shared.shape, *(1,) * (tracks.ndim - 2))
-    return jnp.where(shared, together * branches ** (1.0 / WEIBULL_SLOPE), tracks)
+    return xp.where(shared, together * branches ** (1.0 / WEIBULL_SLOPE), tracks)
 
 
 def life_at_rate(rate: Array) -> Array:
     """Life of what fails at a rate L^(-e), shape of the rate; the rates of the parts of a system add up: (B8)."""
     endless = rate == 0.0
-    return jnp.where(endless, jnp.inf, jnp.where(endless, 1.0, rate) ** (-1.0 / WEIBULL_SLOPE))
+    return xp.where(endless, xp.inf, xp.where(endless, 1.0, rate) ** (-1.0 / WEIBULL_SLOPE))

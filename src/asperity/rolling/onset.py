@@ -14,14 +14,14 @@ from __future__ import annotations
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift, still_stroke, swing_drift_share
 from asperity.drive.layout.drive import Drive, creeping_speeds, speeds
 from asperity.drive.state.creep import drift_per_turn
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once, fori_loop
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
@@ -78,15 +78,15 @@ def contacts_in_series(*, drive: Drive, rolling: RollingResult, half_width: Arra
     ideal = speeds(drive)
     forwards = driving_sense(drive) * rolling.creepage
     ahead, _ = creeping_speeds(drive=drive, creepage=forwards)
-    resisted = jnp.where(jnp.abs(ahead[out]) > jnp.abs(ideal[out]), -1.0, 1.0)
+    resisted = xp.where(xp.abs(ahead[out]) > xp.abs(ideal[out]), -1.0, 1.0)
     speed, rolled = creeping_speeds(drive=drive, creepage=resisted * forwards)
-    work = jnp.abs(rolling.tangential * rolling.creepage) * rolled
+    work = xp.abs(rolling.tangential * rolling.creepage) * rolled
     loss = 1.0 - speed[out] / ideal[out]
-    turned = jnp.abs(speed[out])
+    turned = xp.abs(speed[out])
     return ContactsInSeries(
         half_width=half_width,
-        slip_ratio=1.0 - jnp.asarray(rolling.stick_fraction) ** 2,
-        share=work / jnp.sum(work),
+        slip_ratio=1.0 - xp.asarray(rolling.stick_fraction) ** 2,
+        share=work / xp.sum(work),
         distance=rolled / turned,
         input_angle=1.0 / turned,
         drift_per_output_turn=drift_per_turn(loss),
@@ -167,7 +167,7 @@ def creep_lag(*, contacts: ContactsInSeries, angle: Real) -> Array:
     ----------
     Equation (B10) of :doc:`/equations`; :func:`asperity.contact.rolling_in.rolling_in_shift`.
     """
-    turned = jnp.asarray(angle)
+    turned = xp.asarray(angle)
 
     def along(values: Array) -> Array:
         return values.reshape(-1, *(1,) * turned.ndim)
@@ -179,8 +179,8 @@ def creep_lag(*, contacts: ContactsInSeries, angle: Real) -> Array:
         slip_ratio=along(contacts.slip_ratio),
         creepage=1.0,
     )
-    per_angle = contacts.drift_per_output_turn / (2.0 * jnp.pi)
-    return per_angle * jnp.sum(along(contacts.share) * rolled / distance, axis=0)
+    per_angle = contacts.drift_per_output_turn / (2.0 * xp.pi)
+    return per_angle * xp.sum(along(contacts.share) * rolled / distance, axis=0)
 
 
 def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
@@ -208,7 +208,7 @@ def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
     ----------
     Equation (B10) of :doc:`/equations`.
     """
-    turned = jnp.asarray(angle)
+    turned = xp.asarray(angle)
 
     def along(values: Array) -> Array:
         return values.reshape(-1, *(1,) * turned.ndim)
@@ -218,8 +218,8 @@ def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
         half_width=along(contacts.half_width),
         slip_ratio=along(contacts.slip_ratio),
     )
-    per_angle = contacts.drift_per_output_turn / (2.0 * jnp.pi)
-    return 2.0 * turned * per_angle * jnp.sum(along(contacts.share) * kept, axis=0)
+    per_angle = contacts.drift_per_output_turn / (2.0 * xp.pi)
+    return 2.0 * turned * per_angle * xp.sum(along(contacts.share) * kept, axis=0)
 
 
 def rolling_onset(
@@ -235,7 +235,8 @@ def rolling_onset(
     numbers = jax.tree.map(
         lambda leaf: np.asarray(leaf, dtype=float), (joint.drive, result.rolling, width, windup, creep_share)
     )
-    return jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
+    found: RollingOnset = at_once(_onset, *numbers)
+    return found
 
 
 def _onset(
@@ -243,21 +244,21 @@ def _onset(
 ) -> RollingOnset:
     contacts = contacts_in_series(drive=drive, rolling=rolling, half_width=half_width)
     allowed = creep_share * windup
-    drift = contacts.drift_per_output_turn / (2.0 * jnp.pi)
+    drift = contacts.drift_per_output_turn / (2.0 * xp.pi)
 
     def halve(_: int, ends: tuple[Array, Array]) -> tuple[Array, Array]:
         middle = 0.5 * (ends[0] + ends[1])
         below = creep_lag(contacts=contacts, angle=middle) < allowed
-        return jnp.where(below, middle, ends[0]), jnp.where(below, ends[1], middle)
+        return xp.where(below, middle, ends[0]), xp.where(below, ends[1], middle)
 
     # the creep grows with the angle and is never below half the drift
-    ends = jnp.zeros_like(allowed), 2.01 * allowed / drift
-    static = jax.lax.fori_loop(0, _HALVINGS, halve, ends)[1]
+    ends = xp.zeros_like(allowed), 2.01 * allowed / drift
+    static = fori_loop(0, _HALVINGS, halve, ends)[1]
     width = 2.0 * contacts.half_width / contacts.distance
-    steady = jnp.max(width)
+    steady = xp.max(width)
     lag = rolling_in_lag(half_width=contacts.half_width, slip_ratio=contacts.slip_ratio)
     still = still_stroke(half_width=contacts.half_width, slip_ratio=contacts.slip_ratio)
-    angle = jnp.maximum(3.0 * steady, 1.2 * static) * jnp.linspace(0.0, 1.0, _POINTS)
+    angle = xp.maximum(3.0 * steady, 1.2 * static) * xp.linspace(0.0, 1.0, _POINTS)
     return RollingOnset(
         contacts=contacts,
         windup=windup,
@@ -265,8 +266,8 @@ def _onset(
         static_angle=static,
         width_angle=width,
         steady_angle=steady,
-        missing_angle=drift * jnp.sum(contacts.share * lag / contacts.distance),
-        still_angle=jnp.min(still / contacts.distance),
+        missing_angle=drift * xp.sum(contacts.share * lag / contacts.distance),
+        still_angle=xp.min(still / contacts.distance),
         angle=angle,
         lag=windup + creep_lag(contacts=contacts, angle=angle),
         swing_drift=swing_drift(contacts=contacts, angle=angle),

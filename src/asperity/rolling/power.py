@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.crowned_line import CrownedLine
@@ -14,8 +13,9 @@ from asperity.contact.rolling_losses import (
     inlet_rolling_power,
 )
 from asperity.drive.state.state import DriveState, RollingSpeeds
+from asperity.engine.arrays import xp
 from asperity.rolling.conditions import RollingConditions
-from asperity.types import Real, namespace
+from asperity.types import Real
 
 
 class RollingPower(eqx.Module):
@@ -89,28 +89,28 @@ def rolling_power(
         tangential_force=state.tangential, creepage=state.creepage, rolling_speed=rolling
     )
     skew = count * creep_power(tangential_force=axial_force, creepage=lateral_creepage, rolling_speed=rolling)
-    absent = jnp.full_like(creep, jnp.nan)
+    absent = xp.full_like(creep, xp.nan)
     counted = creep + skew
     hysteresis: Real = absent
     oil: Real = absent
     if conditions.hysteresis_loss_factor is not None:
         turned = speeds.driving / pairs.radius_1 + pairs.sign * speeds.driven / pairs.radius_2
-        hysteresis = count * jnp.abs(state.hysteresis_moment) * turned
+        hysteresis = count * xp.abs(state.hysteresis_moment) * turned
         counted = counted + hysteresis
     if conditions.viscosity is not None:
         oil = count * inlet_rolling_power(
-            rolling_force=jnp.abs(state.drag), contact_length=1.0, entrainment_speed=rolling
+            rolling_force=xp.abs(state.drag), contact_length=1.0, entrainment_speed=rolling
         )
         counted = counted + oil
-    loss = jnp.sum(counted, axis=0) + bearing_power
-    entering, leaving, efficiency = _passed(jnp.asarray(output_torque * speeds.output), loss)
+    loss = xp.sum(counted, axis=0) + bearing_power
+    entering, leaving, efficiency = _passed(xp.asarray(output_torque * speeds.output), loss)
     return RollingPower(
         creep=creep,
         skew=skew,
         hysteresis=hysteresis,
         oil=oil,
         bearings=bearing_power,
-        contact=jnp.asarray(counted),
+        contact=xp.asarray(counted),
         loss=loss,
         input=entering,
         output=leaving,
@@ -121,11 +121,11 @@ def rolling_power(
 def _passed(at_output: Array, loss: Array) -> tuple[Array, Array, Array]:
     """Powers that enter and leave [W] and the efficiency [-]; the power at the output is negative where it drives."""
     drives = at_output >= 0.0
-    entering = jnp.where(drives, at_output + loss, -at_output)
-    leaving = jnp.where(drives, at_output, -at_output - loss)
+    entering = xp.where(drives, at_output + loss, -at_output)
+    leaving = xp.where(drives, at_output, -at_output - loss)
     works = (leaving >= 0.0) & (entering > 0.0)
-    efficiency = jnp.where(works, leaving / jnp.where(works, entering, 1.0), jnp.nan)
-    return entering, jnp.where(leaving >= 0.0, leaving, jnp.nan), efficiency
+    efficiency = xp.where(works, leaving / xp.where(works, entering, 1.0), xp.nan)
+    return entering, xp.where(leaving >= 0.0, leaving, xp.nan), efficiency
 
 
 def rolling_input_torque(
@@ -139,7 +139,6 @@ def rolling_input_torque(
     angular velocities [rad/s] only the sizes count; that of the output is reduced by creep. Balance of powers, with the
     losses of equations (B3) and (B9) of :doc:`/equations`.
     """
-    xp = namespace(power.loss, output_torque, output_speed, input_speed)
     speed = xp.abs(xp.asarray(input_speed))
     turns = speed > 0.0
     entering = output_torque * xp.abs(output_speed) + power.loss
@@ -181,14 +180,14 @@ def oil_drag(
     N. Biboulet and L. Houpert, Proc. IMechE J 224 (2010) 765; equation (B9) of :doc:`/equations`.
     """
     turns = rolling_speed > 0.0
-    pressed = jnp.where(normal_force > 0.0, normal_force, 1.0)
+    pressed = xp.where(normal_force > 0.0, normal_force, 1.0)
     force = inlet_rolling_force(
         viscosity=viscosity,
-        entrainment_speed=jnp.where(turns, rolling_speed, 1.0),
+        entrainment_speed=xp.where(turns, rolling_speed, 1.0),
         line_load=pressed / pairs.contact_length if lines is None else lines.line_load,
         effective_radius=pairs.effective_radius,
         contact_modulus=pairs.moduli.contact_modulus,
     )
     if lines is not None:
-        force = jnp.sum(lines.length_share * force, axis=0)
-    return jnp.where(turns, force * pairs.contact_length, 0.0)
+        force = xp.sum(lines.length_share * force, axis=0)
+    return xp.where(turns, force * pairs.contact_length, 0.0)

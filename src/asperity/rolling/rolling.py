@@ -8,7 +8,6 @@ from typing import TypeVar
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.creep_layer import peak_pressure_factor, width_factor
@@ -21,6 +20,7 @@ from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
 from asperity.drive.state.loads import friction_moments, friction_power
 from asperity.drive.state.state import BodiesOfContacts, DriveState, RollingSpeeds, surface_speeds
+from asperity.engine.arrays import xp
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, bodies_of_contacts, places
 from asperity.rolling.creep import ContactCreep, ContactFriction, contact_friction
@@ -154,18 +154,18 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
     rolling ``state`` have the sense of the drive.
     """
     pairs = contacts.pairs
-    normal = jnp.where(state.normal > 0.0, state.normal, 1.0)
+    normal = xp.where(state.normal > 0.0, state.normal, 1.0)
     traction = state.tangential / normal
     strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)
     unit = _speeds_of_unit_input(joint, state)
-    input_speed = jnp.abs(jnp.asarray(joint.input_speed))
+    input_speed = xp.abs(xp.asarray(joint.input_speed))
     speeds, turns = jax.tree.map(lambda speed: speed * input_speed, unit), input_speed > 0.0
     friction = contact_friction(pairs=pairs, creep=creep, normal_force=normal, creepage=state.creepage)
     tracks, per_turn, lives = _lives(joint, strips, unit)
-    turns_an_hour = 3600.0 * speeds.output / (2.0 * jnp.pi)
+    turns_an_hour = 3600.0 * speeds.output / (2.0 * xp.pi)
     power = _power(joint, pairs, state, speeds, (friction.axial, creep.skew))
     stuck, flash_temperature = _flash(joint, pairs, strips, friction, power, speeds, traction)
-    pressure = jnp.asarray(
+    pressure = xp.asarray(
         peak_pressure(
             normal_force=strips.largest_load,
             contact_length=pairs.contact_length,
@@ -184,7 +184,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         hysteresis_moment=state.hysteresis_moment,
         skew_drag=state.skew_drag,
         traction_coefficient=traction,
-        slip_ratio=jnp.abs(traction) / (pairs.friction_coefficient * (1.0 - friction.lost)),
+        slip_ratio=xp.abs(traction) / (pairs.friction_coefficient * (1.0 - friction.lost)),
         stick_fraction=stuck,
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
@@ -194,10 +194,10 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         skew_creepage_factor=creep.skew_factor,
         capacity_loss=friction.lost,
         axial_force=friction.axial,
-        axial_thrust=_thrust(bodies_of_contacts(joint), friction.axial, jnp.asarray(joint.drive.sectors)),
+        axial_thrust=_thrust(bodies_of_contacts(joint), friction.axial, xp.asarray(joint.drive.sectors)),
         speed_loss=state.speed_loss,
         drift_per_output_turn=drift,
-        drift_rate=_where(turns, drift * speeds.output / (2.0 * jnp.pi)),
+        drift_rate=_where(turns, drift * speeds.output / (2.0 * xp.pi)),
         power=_where(turns, power),
         flash_temperature=flash_temperature,
         film_thickness=film,
@@ -208,7 +208,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         cycles_per_turn=per_turn,
         life_turns=lives,
         life_hours=_where(
-            turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)
+            turns, jax.tree.map(lambda life: life / xp.where(turns, turns_an_hour, 1.0), lives)
         ),
         residual=state.residual,
         crown_creepage_factor=creep.crown_factor,
@@ -219,7 +219,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
 
 def _without_duty(like: Array) -> dict[str, Array]:
     """Results of a duty where none is stated."""
-    unknown, no_loads = jnp.full_like(like, jnp.nan), jnp.zeros((0, *like.shape))
+    unknown, no_loads = xp.full_like(like, xp.nan), xp.zeros((0, *like.shape))
     lives = dict.fromkeys(("duty_life_hours", "duty_life_turns"), unknown)
     loads = ("duty_damage_shares", "duty_load_hours", "duty_shakedown_ratios", "duty_slip_ratios")
     return lives | dict.fromkeys(loads, no_loads)
@@ -233,9 +233,9 @@ def _power(
     across: tuple[Array, Array],
 ) -> RollingPower:
     """Budget of powers; ``across`` are axial forces and creepages of the contacts."""
-    sense = jnp.where(jnp.asarray(joint.input_speed) < 0.0, -1.0, 1.0)
+    sense = xp.where(xp.asarray(joint.input_speed) < 0.0, -1.0, 1.0)
     return rolling_power(
-        branches=jnp.asarray(joint.drive.sectors),
+        branches=xp.asarray(joint.drive.sectors),
         pairs=pairs,
         conditions=joint.rolling,
         state=state,
@@ -243,7 +243,7 @@ def _power(
         axial_force=across[0],
         lateral_creepage=across[1],
         bearing_power=_bearing_power(joint, state),
-        output_torque=sense * jnp.asarray(joint.output_torque),
+        output_torque=sense * xp.asarray(joint.output_torque),
     )
 
 
@@ -254,18 +254,18 @@ def _speeds_of_unit_input(joint: Joint, state: DriveState) -> RollingSpeeds:
     return RollingSpeeds(
         driving=one,
         driven=two,
-        body=jnp.abs(state.speed[:-1] - state.speed[drive.members.index(CARRIER)]),
-        output=jnp.abs(state.speed[drive.members.index(drive.output)]),
+        body=xp.abs(state.speed[:-1] - state.speed[drive.members.index(CARRIER)]),
+        output=xp.abs(state.speed[drive.members.index(drive.output)]),
     )
 
 
 def _lives(joint: Joint, strips: RollingStrips, unit: RollingSpeeds) -> tuple[Array, Array, DriveLives]:
     """Lives of the tracks in cycles, their cycles in one turn of the output, and lives in turns of the output."""
-    bodies, branches = bodies_of_contacts(joint), jnp.asarray(joint.drive.sectors)
+    bodies, branches = bodies_of_contacts(joint), xp.asarray(joint.drive.sectors)
     # above the shakedown limit the surface flows at every passage, and no law of elastic fatigue holds
-    tracks = jnp.where(strips.shakedown_ratio < 1.0, strips.tracks, jnp.nan)
+    tracks = xp.where(strips.shakedown_ratio < 1.0, strips.tracks, xp.nan)
     rates = cycle_rates(bodies=bodies, speeds=unit)
-    per_turn = rates * (2.0 * jnp.pi / unit.output)
+    per_turn = rates * (2.0 * xp.pi / unit.output)
     reliable = life_at_reliability(life=tracks, reliability=joint.rolling.reliability)
     return tracks, per_turn, drive_lives(bodies=bodies, tracks=reliable / per_turn, planet_count=branches)
 
@@ -284,10 +284,10 @@ def _flash(
 
     def stick(coefficient: Array) -> Array:
         ratio = coefficient / pairs.friction_coefficient
-        return jnp.asarray(stick_fraction(longitudinal_slip_ratio=ratio, lateral_slip_ratio=friction.lateral))
+        return xp.asarray(stick_fraction(longitudinal_slip_ratio=ratio, lateral_slip_ratio=friction.lateral))
 
     stuck = in_middle = stick(traction)
-    heat = jnp.asarray((power.creep + power.skew) / (jnp.asarray(joint.drive.sectors) * pairs.contact_length))
+    heat = xp.asarray((power.creep + power.skew) / (xp.asarray(joint.drive.sectors) * pairs.contact_length))
     if strips.middle_power_ratio is not None:
         heat = heat * strips.middle_power_ratio
         in_middle = stick(strips.middle_traction)
@@ -302,7 +302,7 @@ def _flash(
 
 def _where(condition: Array, values: _Values) -> _Values:
     """The numbers where a condition holds, nan elsewhere."""
-    return jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
+    return jax.tree.map(lambda value: xp.where(condition, value, xp.nan), values)
 
 
 def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:
@@ -311,15 +311,15 @@ def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:
     for number, shared in enumerate(bodies.shared):
         pushed = [axial[k] for k, body in enumerate(bodies.driven) if body == number]
         pushed += [-axial[k] for k, body in enumerate(bodies.driving) if body == number]
-        force = functools.reduce(operator.add, pushed, jnp.zeros_like(axial[0]))
+        force = functools.reduce(operator.add, pushed, xp.zeros_like(axial[0]))
         thrust.append(branches * force if shared else force)
-    return jnp.stack(jnp.broadcast_arrays(*thrust))
+    return xp.stack(xp.broadcast_arrays(*thrust))
 
 
 def _bearing_power(joint: Joint, state: DriveState) -> Array:
     """Power lost in bearings and pins at the joint's speed [W]."""
     if joint.bearings is None:
-        return jnp.zeros_like(state.speed_loss)
+        return xp.zeros_like(state.speed_loss)
     sense = leading_sense(rotation=joint.input_speed, output_torque=joint.output_torque)
     moments = friction_moments(
         drive=joint.drive,

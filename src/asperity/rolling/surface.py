@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.crowned_line import CrownedLine
@@ -22,6 +21,7 @@ from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.shakedown import shakedown_limit, shear_yield_strength
 from asperity.drive.state.state import RollingSpeeds
+from asperity.engine.arrays import xp
 from asperity.joint.contacts import JointContacts
 from asperity.joint.crowned_contacts import slice_slip_ratios
 from asperity.materials import Material
@@ -44,27 +44,26 @@ def flash_temperatures(
     """
     effusivities = [[_effusivity(material) for material in pair] for pair in materials]
     first, second = (
-        jnp.stack(jnp.broadcast_arrays(*(jnp.asarray(pair[side]) for pair in effusivities)))
-        for side in (0, 1)
+        xp.stack(xp.broadcast_arrays(*(xp.asarray(pair[side]) for pair in effusivities))) for side in (0, 1)
     )
     turns = speeds.driving > 0.0
     slips = stick_fraction < 1.0
     rise = flash_temperature(
         friction_power=friction_power,
-        surface_speed_1=jnp.where(turns, speeds.driving, 1.0),
-        surface_speed_2=jnp.where(turns, speeds.driven, 1.0),
+        surface_speed_1=xp.where(turns, speeds.driving, 1.0),
+        surface_speed_2=xp.where(turns, speeds.driven, 1.0),
         half_width=half_width,
         effusivity_1=first,
         effusivity_2=second,
     )
-    factor = partial_slip_flash_factor(stick_fraction=jnp.where(slips, stick_fraction, 0.0))
-    known = turns & ~jnp.isnan(first + second)
-    return jnp.where(known, jnp.where(slips, rise * factor, 0.0), jnp.nan)
+    factor = partial_slip_flash_factor(stick_fraction=xp.where(slips, stick_fraction, 0.0))
+    known = turns & ~xp.isnan(first + second)
+    return xp.where(known, xp.where(slips, rise * factor, 0.0), xp.nan)
 
 
 def _effusivity(material: Material) -> Real:
     if material.thermal_conductivity is None or material.specific_heat_capacity is None:
-        return jnp.full_like(jnp.asarray(material.density, dtype=float), jnp.nan)
+        return xp.full_like(xp.asarray(material.density, dtype=float), xp.nan)
     return thermal_effusivity(
         conductivity=material.thermal_conductivity,
         density=material.density,
@@ -79,24 +78,24 @@ def oil_film(
 
     Shape (5, ...).
     """
-    absent = jnp.full_like(normal_force, jnp.nan)
+    absent = xp.full_like(normal_force, xp.nan)
     if conditions.viscosity is None or conditions.pressure_viscosity_coefficient is None:
         return absent, absent
     turns = rolling_speed > 0.0
     thickness = minimum_film_thickness(
         viscosity=conditions.viscosity,
         pressure_coefficient=conditions.pressure_viscosity_coefficient,
-        entrainment_speed=jnp.where(turns, rolling_speed, 1.0),
+        entrainment_speed=xp.where(turns, rolling_speed, 1.0),
         line_load=normal_force / pairs.contact_length,
         effective_radius=pairs.effective_radius,
         contact_modulus=pairs.moduli.contact_modulus,
     )
-    thickness = jnp.where(turns, thickness, jnp.nan)
+    thickness = xp.where(turns, thickness, xp.nan)
     if conditions.roughness is None:
         return thickness, absent
-    roughness = jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, conditions.roughness)))
+    roughness = xp.stack(xp.broadcast_arrays(*map(xp.asarray, conditions.roughness)))
     roughness = roughness.reshape(*roughness.shape, *(1,) * (thickness.ndim - roughness.ndim))
-    return thickness, jnp.asarray(film_ratio(film_thickness=thickness, roughness=roughness))
+    return thickness, xp.asarray(film_ratio(film_thickness=thickness, roughness=roughness))
 
 
 class RollingStrips(NamedTuple):
@@ -120,15 +119,15 @@ class RollingStrips(NamedTuple):
 def mean_half_width(*, pairs: RollerPairs, lines: CrownedLine | None, normal_force: Array) -> Array:
     """Half-widths of the contacts, of crowned ones the mean by load, shape (contacts, ...) [m]."""
     if lines is None:
-        return jnp.asarray(pairs.half_width(normal_force))
+        return xp.asarray(pairs.half_width(normal_force))
     loads = lines.line_load * pairs.contact_length
-    return jnp.sum(loads * lines.length_share * lines.half_width, axis=0) / normal_force
+    return xp.sum(loads * lines.length_share * lines.half_width, axis=0) / normal_force
 
 
 def rolling_strips(*, contacts: JointContacts, normal_force: Array, traction: Array) -> RollingStrips:
     """What the contacts' strips experience in rolling."""
     pairs = contacts.pairs
-    width = jnp.asarray(pairs.half_width(normal_force))
+    width = xp.asarray(pairs.half_width(normal_force))
     lines = contacts.loads_along(normal_force)
     if lines is None:
         pressure = peak_pressure(
@@ -148,23 +147,23 @@ def rolling_strips(*, contacts: JointContacts, normal_force: Array, traction: Ar
     pressures = peak_pressure(normal_force=lines.line_load, contact_length=1.0, half_width=lines.half_width)
     loads = lines.line_load * pairs.contact_length
     slips = traction != 0.0
-    share = ratios[0] * friction / jnp.where(slips, traction, 1.0)
+    share = ratios[0] * friction / xp.where(slips, traction, 1.0)
     return RollingStrips(
         largest_half_width=lines.half_width[0],
         largest_load=loads[0],
         middle_traction=friction * ratios[0],
-        middle_power_ratio=jnp.where(slips, share, 1.0) * loads[0] / normal_force,
-        tracks=sliced_track_lives(pairs=pairs, lines=lines, peak_pressure=jnp.asarray(pressures)),
-        shakedown_ratio=jnp.max(_shakedown_ratio(pairs, pressures, friction * ratios), axis=0),
+        middle_power_ratio=xp.where(slips, share, 1.0) * loads[0] / normal_force,
+        tracks=sliced_track_lives(pairs=pairs, lines=lines, peak_pressure=xp.asarray(pressures)),
+        shakedown_ratio=xp.max(_shakedown_ratio(pairs, pressures, friction * ratios), axis=0),
         lines=lines,
     )
 
 
 def _shakedown_ratio(pairs: RollerPairs, pressure: Real, traction: Array) -> Array:
-    return jnp.asarray(
+    return xp.asarray(
         pressure
         / (
             shear_yield_strength(yield_strength=pairs.moduli.yield_strength)
-            * shakedown_limit(friction_coefficient=jnp.abs(traction))
+            * shakedown_limit(friction_coefficient=xp.abs(traction))
         )
     )

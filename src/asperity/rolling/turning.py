@@ -11,13 +11,13 @@ from jax import Array
 from asperity.drive.layout.drive import CARRIER, Drive, speeds
 from asperity.drive.state.state import DriveState, Resistance
 from asperity.drive.state.states import loaded_states
+from asperity.engine.arrays import xp
 from asperity.joint.assembled import Pressed
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, body_masses, places
 from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.rolling.rolling import RollingResult, turning
-from asperity.types import namespace
 
 
 def driving_sense(drive: Drive) -> Array:
@@ -27,7 +27,7 @@ def driving_sense(drive: Drive) -> Array:
     """
     first, _ = places(drive)
     speed = speeds(drive)
-    return namespace(speed).sign(speed[np.array(first)] - speed[drive.members.index(CARRIER)])
+    return xp.sign(speed[np.array(first)] - speed[drive.members.index(CARRIER)])
 
 
 def with_driving_sense(state: DriveState, sense: Array) -> DriveState:

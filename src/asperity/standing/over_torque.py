@@ -7,16 +7,17 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.drive.layout.drive import creeping_speeds
 from asperity.drive.state.creep import drift_per_turn
 from asperity.drive.state.first_limit import slip_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
 from asperity.drive.state.states import loaded_state, loaded_states, standing_state
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once, map_over, vectorised
+from asperity.engine.derivatives import value_and_slope
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
 from asperity.joint.bores import pin_loads
@@ -87,14 +88,7 @@ def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction:
 def in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
     """What a program of a joint, its assembled state, torques and further numbers gives at all torques."""
     moving = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
-    without_torque = jax.tree.map(np.asarray, compile_fast(assembled_joint, moving)(moving))
-    asked = np.asarray(torques, dtype=float)
-    filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
-    batches = []
-    for part in filled.reshape(-1, BATCH):
-        arguments = (moving, without_torque, part, *map(np.asarray, numbers))
-        batches.append(jax.tree.map(np.asarray, compile_fast(program, *arguments)(*arguments)))
-    return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *batches)
+    return at_once(program, moving, at_once(assembled_joint, moving), np.asarray(torques, float), *numbers)
 
 
 def standing_program(
@@ -102,7 +96,7 @@ def standing_program(
 ) -> StandingOverTorque:
     """What is compiled to wind an assembled joint up."""
     contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
-    return jax.lax.map(_stands(joint, contacts, without_torque, no_slip_friction), torques)
+    return map_over(_stands(joint, contacts, without_torque, no_slip_friction), torques)
 
 
 def _stands(
@@ -140,13 +134,13 @@ def over_torque_program(
         return OverTorque(
             **_standing(joint, contacts, no_slip_friction, under.standing, under.rest, under.cam)._asdict(),
             drift=_drift(joint, torque, under),
-            efficiency=jnp.where(works, turned.power.efficiency, jnp.nan),
-            total_loss=jnp.where(works, turned.power.loss, jnp.nan),
-            life_hours=jnp.where(works, turned.life_hours.drive, jnp.nan),
-            life_turns=jnp.where(works, turned.life_turns.drive, jnp.nan),
+            efficiency=xp.where(works, turned.power.efficiency, xp.nan),
+            total_loss=xp.where(works, turned.power.loss, xp.nan),
+            life_hours=xp.where(works, turned.life_hours.drive, xp.nan),
+            life_turns=xp.where(works, turned.life_turns.drive, xp.nan),
         )
 
-    return jax.lax.map(at, torques)
+    return map_over(at, torques)
 
 
 def slope_of_lost_speed(
@@ -162,9 +156,9 @@ def slope_of_lost_speed(
     :func:`rolling_with_its_torque`.
     """
 
-    def lost(torque: Array) -> tuple[Array, DriveState]:
+    def rolling_at_torque(torque: Array) -> DriveState:
         laws, rest = pressed(torque)
-        rolling = loaded_state(
+        return loaded_state(
             drive=joint.drive,
             laws=laws,
             rest=rest,
@@ -172,10 +166,9 @@ def slope_of_lost_speed(
             rolls=True,
             creep_of=creep_under(joint, contacts),
         )
-        return rolling.speed_loss, rolling
 
-    _, slope, rolling = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
-    return jnp.where(rolling.residual < STATE_TOLERANCE, slope, jnp.nan), rolling
+    rolling, slope = value_and_slope(rolling_at_torque, (torque,), (xp.ones_like(torque),))
+    return xp.where(rolling.residual < STATE_TOLERANCE, slope.speed_loss, xp.nan), rolling
 
 
 def curve_program(joint: Joint, torques: Array, no_slip_friction: Real, shown: str) -> dict[str, Array]:
@@ -198,7 +191,7 @@ def curve_program(joint: Joint, torques: Array, no_slip_friction: Real, shown: s
         drift = _drift(joint, torque, under)
         return {"drift": drift, "slip_ratio": _slip_ratio(contacts, under.standing), "solved": solved}
 
-    return jax.lax.map(at, torques)
+    return map_over(at, torques)
 
 
 class _Under(NamedTuple):
@@ -235,12 +228,12 @@ def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> C
 
 def _sense(rotation: Real) -> Array:
     """-1 of a drive that rolls backwards, else 1."""
-    return jnp.where(jnp.asarray(rotation) < 0.0, -1.0, 1.0)
+    return xp.where(xp.asarray(rotation) < 0.0, -1.0, 1.0)
 
 
 def with_its_torque(joint: Joint) -> DriveLoad:
     """Loads of a joint that stands and begins to move with its torque, as in a wind-up; the torque is to be put in."""
-    return dataclasses.replace(drive_load(joint, body_masses(joint), 0.0), standing_rotation=jnp.zeros(()))
+    return dataclasses.replace(drive_load(joint, body_masses(joint), 0.0), standing_rotation=xp.zeros(()))
 
 
 def rolling_with_its_torque(joint: Joint, contacts: JointContacts) -> DriveLoad:
@@ -259,8 +252,8 @@ def _standing(
 ) -> StandingOverTorque:
     """Stiffness of the joint that stands, assembled so at ``rest``, with and without slip."""
     sense = driving_sense(joint.drive)
-    friction_coefficient = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
-    frictions = jnp.stack([friction_coefficient, jnp.full_like(friction_coefficient, no_slip_friction)])
+    friction_coefficient = xp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
+    frictions = xp.stack([friction_coefficient, xp.full_like(friction_coefficient, no_slip_friction)])
 
     def levels(friction: Array) -> tuple[Array, Array, Array]:
         pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
@@ -269,16 +262,16 @@ def _standing(
             dataclasses.replace(contacts, pairs=pairs),
             state.normal,
             sense * state.tangential,
-            jnp.where(friction == friction_coefficient, state.slides, 0.0),
+            xp.where(friction == friction_coefficient, state.slides, 0.0),
             pin_loads(state, rest),
         )
         return (
-            jnp.asarray(stiffness.published.output),
-            jnp.asarray(stiffness.series_with_bulk.output),
-            jnp.asarray(with_its_cam(stiffness.assembly, cam).stiffness.output),
+            xp.asarray(stiffness.published.output),
+            xp.asarray(stiffness.series_with_bulk.output),
+            xp.asarray(with_its_cam(stiffness.assembly, cam).stiffness.output),
         )
 
-    published, series, assembly = jax.vmap(levels)(frictions)
+    published, series, assembly = vectorised(levels)(frictions)
     return StandingOverTorque(
         balanced=state.worst < STATE_TOLERANCE,
         solved=state.residual < STATE_TOLERANCE,
@@ -295,7 +288,7 @@ def _slip_ratio(contacts: JointContacts, state: DriveState) -> Array:
         tangential_force=state.tangential,
         friction_coefficient=contacts.pairs.friction_coefficient,
     )
-    return jnp.where(state.slides == 0.0, slip, 1.0)
+    return xp.where(state.slides == 0.0, slip, 1.0)
 
 
 def _drift(joint: Joint, torque: Array, under: _Under) -> Array:
@@ -304,15 +297,15 @@ def _drift(joint: Joint, torque: Array, under: _Under) -> Array:
     out = drive.members.index(drive.output)
 
     def turned(creepage: Array) -> Array:
-        return jnp.abs(creeping_speeds(drive=drive, creepage=creepage)[0][out])
+        return xp.abs(creeping_speeds(drive=drive, creepage=creepage)[0][out])
 
-    senses = own * jnp.array([1.0, -1.0])
-    creepages = jnp.stack([under.rolling.creepage, under.backwards.creepage])
-    speed = jax.lax.map(turned, jnp.concatenate([senses[:, None] * creepages, 0.0 * creepages[:1]]))
+    senses = own * xp.array([1.0, -1.0])
+    creepages = xp.stack([under.rolling.creepage, under.backwards.creepage])
+    speed = map_over(turned, xp.concatenate([senses[:, None] * creepages, 0.0 * creepages[:1]]))
     # angle lost in one turn of the output, (B3); negative where the creep runs ahead
     drift = drift_per_turn(1.0 - speed[:2] / speed[2])
-    works = jnp.stack([under.rolling.residual, under.backwards.residual]) < STATE_TOLERANCE
-    with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
-    one, other = jnp.where(works, senses * drift, jnp.nan)
+    works = xp.stack([under.rolling.residual, under.backwards.residual]) < STATE_TOLERANCE
+    with_torque = xp.where(torque < 0.0, -1.0, 1.0)
+    one, other = xp.where(works, senses * drift, xp.nan)
     first = senses[0] == with_torque
-    return jnp.stack([jnp.where(first, one, other), jnp.where(first, other, one)])
+    return xp.stack([xp.where(first, one, other), xp.where(first, other, one)])

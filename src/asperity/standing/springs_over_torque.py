@@ -6,15 +6,16 @@ import dataclasses
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState, surface_speeds
 from asperity.drive.state.states import standing_state
 from asperity.drive.stiffness.network import SpringLaws
+from asperity.engine.arrays import xp
+from asperity.engine.control import at_once, map_over
+from asperity.engine.derivatives import value_and_slope
 from asperity.joint.assembled import Pressed
 from asperity.joint.bores import PinLoads, pin_loads
 from asperity.joint.contacts import JointContacts
@@ -71,18 +72,18 @@ def springs_program(joint: Joint, without_torque: Pressed, torques: Array) -> Sp
         assembly = with_its_cam(loaded_stiffness(joint, contacts, *forces).assembly, cam)
         solved = state.residual < STATE_TOLERANCE
         slope, rolling = slope_of_lost_speed(joint, contacts, pressed, rolls, torque)
-        known = jnp.where(rolling.residual < STATE_TOLERANCE, 1.0, jnp.nan)
+        known = xp.where(rolling.residual < STATE_TOLERANCE, 1.0, xp.nan)
         by_normal, by_tangential = _creep_slopes(joint, contacts, rolling)
         return SpringsOverTorque(
-            stiffness=jnp.where(solved, jnp.asarray(assembly.stiffness.output), jnp.nan),
-            cam_compliance=jnp.zeros(()) if cam is None else jnp.asarray(cam.compliance),
+            stiffness=xp.where(solved, xp.asarray(assembly.stiffness.output), xp.nan),
+            cam_compliance=xp.zeros(()) if cam is None else xp.asarray(cam.compliance),
             springs=working_springs(joint, contacts, *forces),
             lost_speed_slope=slope,
             creep_by_normal=known * by_normal,
             creep_by_tangential=known * by_tangential,
         )
 
-    return jax.lax.map(at, torques)
+    return map_over(at, torques)
 
 
 def springs_of_solution(joint: Joint, solution: Solution) -> SpringLaws:
@@ -95,8 +96,7 @@ def springs_of_solution(joint: Joint, solution: Solution) -> SpringLaws:
         standing.slides,
         pin_loads(standing, result.pressed),
     )
-    arguments = (moving, solution.laws, *jax.tree.map(np.asarray, forces))
-    found: SpringLaws = jax.tree.map(np.asarray, compile_fast(_of_forces, *arguments)(*arguments))
+    found: SpringLaws = at_once(_of_forces, moving, solution.laws, *forces)
     return found
 
 
@@ -116,8 +116,8 @@ def _creep_slopes(joint: Joint, contacts: JointContacts, rolling: DriveState) ->
     def creeps(normal: Array, tangential: Array) -> Array:
         return creepages(law=law(normal, tangential).law, normal=normal, tangential=tangential)
 
-    forces, ones = (rolling.normal, rolling.tangential), jnp.ones_like(rolling.normal)
-    _, by_normal = jax.jvp(creeps, forces, (ones, 0.0 * ones))
-    _, by_tangential = jax.jvp(creeps, forces, (0.0 * ones, ones))
+    forces, ones = (rolling.normal, rolling.tangential), xp.ones_like(rolling.normal)
+    _, by_normal = value_and_slope(creeps, forces, (ones, 0.0 * ones))
+    _, by_tangential = value_and_slope(creeps, forces, (0.0 * ones, ones))
     mean = 0.5 * (one + two)
     return mean * by_normal, mean * by_tangential

@@ -6,10 +6,10 @@ import math
 from typing import NamedTuple
 
 import equinox as eqx
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.engine.arrays import xp
 from asperity.joint.description import Joint
 from asperity.standing.over_torque import over_torque, standing_over_torque
 
@@ -69,14 +69,14 @@ def both_senses(*, joint: Joint, torque: Array | np.ndarray) -> BothSenses:
     slip = np.max(np.asarray(results.slip_ratio), axis=1)
     solved = np.asarray(results.solved)
     levels = {
-        name: jnp.asarray(np.where(solved, np.asarray(getattr(results, name))[:, 0], np.nan))
+        name: xp.asarray(np.where(solved, np.asarray(getattr(results, name))[:, 0], np.nan))
         for name in LEVELS
     }
-    driving, braking = jnp.asarray(results.drift).T
+    driving, braking = xp.asarray(results.drift).T
     return BothSenses(
-        torque=jnp.asarray(torque),
+        torque=xp.asarray(torque),
         **levels,
-        slip_ratio=jnp.asarray(np.where(solved, slip, np.nan)),
+        slip_ratio=xp.asarray(np.where(solved, slip, np.nan)),
         driving_drift=driving,
         braking_drift=braking,
     )

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
+from asperity.engine.arrays import xp
 from asperity.errors import NoSolutionError
 from asperity.precision import require_double_precision
 from asperity.types import Real
@@ -125,7 +125,7 @@ def pair_curves() -> dict[str, PairCurve]:
     ]
     sizes = [values.size for _, values, _ in axes.values()]
     batch = {
-        key: jnp.concatenate(
+        key: xp.concatenate(
             [np.broadcast_to(case[key], size) for case, size in zip(cases, sizes, strict=True)]
         )
         for key in preset.TABLE_1
@@ -158,7 +158,7 @@ def joint_curves() -> dict[str, JointCurves]:
     axes = _joint_axes()
     grids = [preset.operating_grid(output_torque=t, **{name: values}) for t, name, values in axes.values()]
     batch: preset.OperatingPoint = jax.tree.map(
-        lambda *leaves: jnp.asarray(np.concatenate([np.ravel(leaf) for leaf in leaves])), *grids
+        lambda *leaves: xp.asarray(np.concatenate([np.ravel(leaf) for leaf in leaves])), *grids
     )
     shown, solved = _published(preset.table_2_joint(batch))
     if not np.all(solved):

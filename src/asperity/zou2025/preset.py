@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass
 
 import equinox as eqx
-import jax.numpy as jnp
 import numpy as np
 from jax.typing import ArrayLike
 
@@ -14,6 +13,7 @@ from asperity.contact.fractal import Surface
 from asperity.contact.interface import RoughContact
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
 from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.engine.arrays import xp
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
 from asperity.zou2025.published import PublishedJoint
@@ -145,7 +145,7 @@ def operating_grid(**varied: ArrayLike) -> OperatingPoint:
     axes = np.meshgrid(*(np.asarray(v, dtype=float) for v in varied.values()), indexing="ij")
     values.update(zip(varied, axes, strict=True))
     shape = axes[0].shape if axes else ()
-    return OperatingPoint(**{name: jnp.asarray(np.broadcast_to(v, shape)) for name, v in values.items()})
+    return OperatingPoint(**{name: xp.asarray(np.broadcast_to(v, shape)) for name, v in values.items()})
 
 
 def steel() -> Material:
@@ -197,10 +197,10 @@ def table_2_joint(point: OperatingPoint) -> PublishedJoint:
     scale = np.asarray(point.radius_scale)  # NumPy: a single product is not worth compiling
     return PublishedJoint(
         geometry=DriveGeometry(
-            sun_radius=jnp.asarray(SUN_RADIUS * scale),
-            planet_radius=jnp.asarray(PLANET_RADIUS * scale),
-            loading_roller_radius=jnp.asarray(LOADING_ROLLER_RADIUS * scale),
-            ring_radius=jnp.asarray(RING_RADIUS * scale),
+            sun_radius=xp.asarray(SUN_RADIUS * scale),
+            planet_radius=xp.asarray(PLANET_RADIUS * scale),
+            loading_roller_radius=xp.asarray(LOADING_ROLLER_RADIUS * scale),
+            ring_radius=xp.asarray(RING_RADIUS * scale),
             planet_count=3.0,
             left_push_angle=0.0,
             right_push_angle=0.0,

@@ -11,7 +11,6 @@ import math
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.fractal import Surface
@@ -25,6 +24,7 @@ from asperity.drive.stiffness.torsional_stiffness import (
 )
 from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, contact_radii, triangle
+from asperity.engine.arrays import xp
 from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts
 from asperity.materials import Material, pair
 from asperity.types import Real
@@ -73,10 +73,8 @@ class PublishedResult(eqx.Module):
 
 def _with_one_rank(joint: PublishedJoint) -> PublishedJoint:
     """The same joint, every number with the rank of the batch: contact and batch axes never meet in broadcasting."""
-    rank = max(jnp.ndim(leaf) for leaf in jax.tree.leaves(joint))
-    return jax.tree.map(
-        lambda leaf: jnp.reshape(leaf, (1,) * (rank - jnp.ndim(leaf)) + jnp.shape(leaf)), joint
-    )
+    rank = max(xp.ndim(leaf) for leaf in jax.tree.leaves(joint))
+    return jax.tree.map(lambda leaf: xp.reshape(leaf, (1,) * (rank - xp.ndim(leaf)) + xp.shape(leaf)), joint)
 
 
 def published_joint(joint: PublishedJoint) -> PublishedResult:
@@ -121,18 +119,18 @@ def published_joint(joint: PublishedJoint) -> PublishedResult:
     rough = rough_joint_contacts(
         contacts=contacts, normal_force=forces.normal, tangential_force=forces.tangential
     )
-    holds = jnp.all((rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
+    holds = xp.all((rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
     series = series_torsional_stiffness(geometry=geometry, tangential_stiffness=rough.tangential_stiffness)
     return PublishedResult(
         forces=forces,
         tangential_stiffness=rough.tangential_stiffness,
-        contact_torsional_stiffness=jnp.asarray(
+        contact_torsional_stiffness=xp.asarray(
             contact_torsional_stiffness(
                 tangential_stiffness=rough.tangential_stiffness, radius=driven_radii(geometry)
             )
         ),
         stiffness=TorsionalStiffness(
-            sun=jnp.where(holds, series.sun, jnp.nan), output=jnp.where(holds, series.output, jnp.nan)
+            sun=xp.where(holds, series.sun, xp.nan), output=xp.where(holds, series.output, xp.nan)
         ),
         solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
     )

@@ -6,11 +6,11 @@ import dataclasses
 from typing import Any
 
 import equinox as eqx
-import jax
 import numpy as np
 
 from asperity.drive.layout.drive import Drive, gaps, incidence
-from asperity.types import namespace
+from asperity.engine.arrays import uses_jax, xp
+from asperity.engine.control import fori_loop
 
 _STEPS = 30
 _LONGEST_STEP = 0.2  # over the smallest radius
@@ -40,7 +40,7 @@ def closed(drive: Drive) -> Drive:
     ----------
     Equation (M1) of :doc:`/equations`.
     """
-    if namespace(drive) is not np:
+    if uses_jax(drive):
         return _traced_closed(drive)
     centres = drive.centres
     with np.errstate(all="ignore"):  # of a layout that cannot exist they are nan, as with JAX
@@ -54,20 +54,19 @@ def closed(drive: Drive) -> Drive:
 
 @eqx.filter_jit
 def _traced_closed(drive: Drive) -> Drive:
-    centres = jax.lax.fori_loop(0, _STEPS, lambda _, centres: centres + _move(drive, centres), drive.centres)
+    centres = fori_loop(0, _STEPS, lambda _, centres: centres + _move(drive, centres), drive.centres)
     return dataclasses.replace(drive, centres=centres, motion=None)
 
 
 def _least_radius(drive: Drive) -> Any:
-    xp = namespace(drive)
     return xp.minimum(xp.min(drive.first_radius), xp.min(drive.second_radius))
 
 
 def _move(drive: Drive, centres: Any) -> Any:
     """How far all centres move in one step."""
-    xp, placed = namespace(drive, centres), dataclasses.replace(drive, centres=centres, motion=None)
+    placed = dataclasses.replace(drive, centres=centres, motion=None)
     approach, clearance = incidence(placed).approach, gaps(placed)
-    if xp is np and not (np.all(np.isfinite(approach)) and np.all(np.isfinite(clearance))):
+    if not uses_jax(approach) and not (np.all(np.isfinite(approach)) and np.all(np.isfinite(clearance))):
         return np.full_like(centres, np.nan)
     moved, *_ = xp.linalg.lstsq(approach, clearance, rcond=None)
     longest = _LONGEST_STEP * _least_radius(drive)

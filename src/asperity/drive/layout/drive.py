@@ -13,14 +13,14 @@ import math
 from typing import Any, Literal, NamedTuple
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
+from asperity.engine.arrays import xp
+from asperity.engine.control import traced_once
 from asperity.linear import least_squares, product
-from asperity.types import Real, namespace
+from asperity.types import Real
 
 #: The member that carries the pins; it has no contacts of its own.
 CARRIER = "carrier"
@@ -192,13 +192,12 @@ class Drive(eqx.Module):
 
 def sectors_of_members(drive: Drive) -> Array:
     """In how many sectors the contacts of each member lie, shape (members,): all for those on the axis, else one."""
-    xp, on_axis = namespace(drive.sectors), np.array([*(body.place == "axis" for body in drive.bodies), True])
+    on_axis = np.array([*(body.place == "axis" for body in drive.bodies), True])
     return xp.where(on_axis, xp.asarray(drive.sectors, dtype=float), 1.0)
 
 
 def sector_rotation(drive: Drive, sector: ArrayLike) -> Array:
     """Rotation from the first sector of a drive to others by number, counter-clockwise, shape (..., 2, 2) [-]."""
-    xp = namespace(sector, drive.sectors)
     angle = 2.0 * math.pi * xp.asarray(sector, dtype=float) / xp.asarray(drive.sectors, dtype=float)
     cosine, sine = xp.cos(angle), xp.sin(angle)
     return xp.stack([xp.stack([cosine, -sine], axis=-1), xp.stack([sine, cosine], axis=-1)], axis=-2)
@@ -237,7 +236,7 @@ def _normals(drive: Drive) -> tuple[Array, Array]:
 
 
 def _length(vectors: Array) -> Array:
-    return namespace(vectors).sqrt((vectors**2).sum(axis=1))
+    return xp.sqrt((vectors**2).sum(axis=1))
 
 
 def contact_angles(drive: Drive) -> tuple[Array, Array]:
@@ -257,7 +256,6 @@ def contact_angles(drive: Drive) -> tuple[Array, Array]:
         return drive.motion[2]
     normals, copies = _normals(drive)
     towards = -_sides(drive).outward[:, None] * product(copies.swapaxes(1, 2), normals)
-    xp = namespace(normals)
     return xp.arctan2(normals[:, 1], normals[:, 0]), xp.arctan2(towards[:, 1], towards[:, 0])
 
 
@@ -280,14 +278,12 @@ def incidence(drive: Drive) -> Incidence:
     """
     if drive.motion is not None:
         return drive.motion[0]
-    if namespace(drive) is not np:
-        return _traced_incidence(drive)
-    with np.errstate(all="ignore"):  # of a layout that cannot exist they are nan, as with JAX
+    with np.errstate(all="ignore"):  # of a layout that cannot exist they are nan
         return _incidence(drive)
 
 
+@traced_once
 def _incidence(drive: Drive) -> Incidence:
-    xp = namespace(drive)
     sides, (normals, copies) = _sides(drive), _normals(drive)
     tangents = xp.stack([-normals[:, 1], normals[:, 0]], axis=1)
     moves = _movable(drive)
@@ -310,9 +306,6 @@ def _incidence(drive: Drive) -> Incidence:
         pins=(push[:, :, None] * moves[pinned]).sum(axis=1),
         levers=centres[:, 0] * push[:, 1] - centres[:, 1] * push[:, 0],
     )
-
-
-_traced_incidence = jax.jit(_incidence)  # traced once for each layout
 
 
 def _movable(drive: Drive) -> np.ndarray:
@@ -415,14 +408,14 @@ def creeping_speeds(*, drive: Drive, creepage: Array) -> tuple[Array, Array]:
     first = np.array([members.index(contact.first) for contact in drive.contacts])
     second = np.array([members.index(contact.second) for contact in drive.contacts])
     unit = np.eye(len(members))
-    rolled = jnp.zeros_like(turning)
+    rolled = xp.zeros_like(turning)
     for body, radius in ((first, drive.first_radius), (second, drive.second_radius)):
-        half = 0.5 * radius * jnp.sign(ideal[body] - ideal[carrier])
+        half = 0.5 * radius * xp.sign(ideal[body] - ideal[carrier])
         rolled = rolled + half[:, None] * (unit[body] - unit[carrier])
     known = [members.index(drive.input), members.index(drive.grounded)]
     free = np.array([i for i in range(len(members)) if i not in known])
     matrix = turning - creepage[:, None] * rolled
-    scale = jnp.max(jnp.abs(turning))
+    scale = xp.max(xp.abs(turning))
     speed_ratio = least_squares(matrix[:, free] / scale, -drive.sense * matrix[:, known[0]] / scale)
     speed = drive.sense * unit[known[0]] + product(unit[free].T, speed_ratio)
     return speed, product(rolled, speed)

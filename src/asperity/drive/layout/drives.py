@@ -8,7 +8,8 @@ import numpy as np
 
 from asperity.drive.layout.drive import CARRIER, Body, Closure, Contact, Drive
 from asperity.drive.wedge.geometry import DriveGeometry, triangle
-from asperity.types import Real, namespace
+from asperity.engine.arrays import xp
+from asperity.types import Real
 
 #: What the paper assumes of its drive: both contacts of a planet with its loading rollers have one coefficient (A3).
 EQUAL_COEFFICIENTS = (("pwr", "pwl"),)
@@ -38,7 +39,6 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: Real, closure: Closure
     Equation (A1) of :doc:`/equations`.
     """
     sides = triangle(geometry)
-    xp = namespace(geometry, sides)
     x, y = sides.roller_orbit * sides.sin_polar, sides.roller_orbit * sides.cos_polar
     zero = xp.zeros_like(x)
     sun, planet, roller, ring = (
@@ -106,7 +106,6 @@ def planetary_drive(*, sun_radius: Real, planet_radius: Real, planet_count: Real
     ----------
     Willis' equation with a fixed ring.
     """
-    xp = namespace(sun_radius, planet_radius)
     sun, planet = xp.asarray(sun_radius, dtype=float), xp.asarray(planet_radius, dtype=float)
     origin = xp.zeros(2)
     return Drive(
@@ -153,7 +152,6 @@ def two_row_multiroller(
     A. L. Nasvytis's multiroller drive as described in NASA's reports on it; the ratio follows from rolling without
     slip.
     """
-    xp = namespace(sun_radius, first_row_radii, second_row_radii, roller_count)
     sun = xp.asarray(sun_radius, dtype=float)
     (x_1, y_1), (x_2, y_2) = (
         tuple(xp.asarray(radius, dtype=float) for radius in row)
@@ -211,7 +209,6 @@ def stepped_planet_drive(*, sun_radius: Real, planet_radii: tuple[Real, Real], p
     ----------
     Willis' equation applied to both rings.
     """
-    xp = namespace(sun_radius, planet_radii)
     sun = xp.asarray(sun_radius, dtype=float)
     one, two = (xp.asarray(radius, dtype=float) for radius in planet_radii)
     origin = xp.zeros(2)

@@ -11,8 +11,8 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, gaps, incidence, speeds
+from asperity.engine.arrays import xp
 from asperity.errors import InputError
-from asperity.types import namespace
 
 #: Largest distance between the bodies of a contact, relative to their radii, that is accepted.
 TOUCH_TOLERANCE = 1e-9
@@ -93,7 +93,6 @@ def refuse_impossible(drive: Drive) -> None:
 
 def has_room(drive: Drive) -> Array:
     """Whether the bodies of every contact touch, and no others overlap; for programs, where nothing can be raised."""
-    xp = namespace(drive)
     touch = abs(gaps(drive)) <= TOUCH_TOLERANCE * xp.asarray(drive.second_radius)
     return xp.all(xp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
 
@@ -147,7 +146,6 @@ def neighbour_gaps(drive: Drive) -> dict[tuple[str, str], Array]:
     for k, contact in enumerate(drive.contacts):
         radii.setdefault(contact.first, []).append(drive.first_radius[k])
         radii.setdefault(contact.second, []).append(drive.second_radius[k])
-    xp = namespace(drive)
     step = 2.0 * math.pi / xp.asarray(drive.sectors, dtype=float)
     x, y = drive.centres[:, 0], drive.centres[:, 1]
     squares = x**2 + y**2
@@ -172,7 +170,6 @@ def neighbour_gaps(drive: Drive) -> dict[tuple[str, str], Array]:
 
 def _polar(x: Array, y: Array) -> Array:
     """Polar angle; 0 for the axis itself."""
-    xp = namespace(x, y)
     off_axis = (x != 0.0) | (y != 0.0)
     return xp.where(off_axis, xp.arctan2(y, xp.where(off_axis, x, 1.0)), 0.0)
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.body.press_fit import rim_compliance
 from asperity.drive.layout.drive import Drive
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -80,7 +80,7 @@ def interference_of_sizes(*, drive: Drive, first: Array, second: Array) -> Array
     The approach of two circles whose radii change; equations (I2) and (I4) of :doc:`/equations`.
     """
     inside = np.array([contact.internal for contact in drive.contacts])
-    return first + jnp.where(inside, -1.0, 1.0) * second
+    return first + xp.where(inside, -1.0, 1.0) * second
 
 
 def ring_interference(*, drive: Drive, forces: Array, interference: Array) -> Array:
@@ -107,7 +107,7 @@ def ring_interference(*, drive: Drive, forces: Array, interference: Array) -> Ar
     Virtual work, as in equation (I1) of :doc:`/equations`.
     """
     inside = np.array([contact.internal for contact in drive.contacts])
-    return jnp.sum(forces * interference) / jnp.sum(jnp.where(inside, forces, 0.0))
+    return xp.sum(forces * interference) / xp.sum(xp.where(inside, forces, 0.0))
 
 
 def ring_expansion(
@@ -163,10 +163,10 @@ def ring_expansion(
         modulus, poisson = modulus / (1.0 - poisson**2), poisson / (1.0 - poisson)
     narrowing = 1.0 - poisson + (1.0 + poisson) * (inner_radius / outer) ** 2
     compliance = rim_compliance(rim=outer, other=inner_radius, youngs_modulus=modulus, poisson_ratio=poisson)
-    rigid = jnp.isinf(jnp.asarray(housing_stiffness))
-    held = jnp.where(rigid, 0.0, housing_stiffness) * compliance
-    share = jnp.where(rigid, 1.0, held / (1.0 + held))
-    return jnp.asarray(ring + (housing - ring) * share * 2.0 / narrowing)
+    rigid = xp.isinf(xp.asarray(housing_stiffness))
+    held = xp.where(rigid, 0.0, housing_stiffness) * compliance
+    share = xp.where(rigid, 1.0, held / (1.0 + held))
+    return xp.asarray(ring + (housing - ring) * share * 2.0 / narrowing)
 
 
 def loosening_rise(*, interference: Real, change_per_kelvin: Real) -> Array:
@@ -175,5 +175,5 @@ def loosening_rise(*, interference: Real, change_per_kelvin: Real) -> Array:
     From the interference at the assembly [m] and what a kelvin adds to it [m/K]; of either sign, infinite for a drive
     that temperature does not change. Equation (I2) of :doc:`/equations`, which is linear in the temperature.
     """
-    moves = jnp.asarray(change_per_kelvin) != 0.0
-    return jnp.where(moves, -interference / jnp.where(moves, change_per_kelvin, 1.0), math.inf)
+    moves = xp.asarray(change_per_kelvin) != 0.0
+    return xp.where(moves, -interference / xp.where(moves, change_per_kelvin, 1.0), math.inf)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.drive import Body, Closure, Contact, Drive, incidence, sector_rotation
+from asperity.engine.arrays import xp
 
 
 def unfolded(drive: Drive, *, sectors: int, floating: tuple[str, ...] = ()) -> Drive:
@@ -66,10 +66,10 @@ def unfolded(drive: Drive, *, sectors: int, floating: tuple[str, ...] = ()) -> D
         drive,
         bodies=tuple(bodies),
         contacts=tuple(contacts),
-        centres=jnp.stack(centres),
-        first_radius=jnp.tile(drive.first_radius, sectors),
-        second_radius=jnp.tile(drive.second_radius, sectors),
-        push_angles=jnp.tile(drive.push_angles, sectors),
+        centres=xp.stack(centres),
+        first_radius=xp.tile(drive.first_radius, sectors),
+        second_radius=xp.tile(drive.second_radius, sectors),
+        push_angles=xp.tile(drive.push_angles, sectors),
         sectors=1.0,
         closure=_closure_of_sectors(drive.closure, sectors),
         motion=None,
@@ -122,5 +122,5 @@ def forces_on_centre(
     matrices = incidence(dataclasses.replace(drive, bodies=loose, motion=None))
     on_bodies = -(matrices.approach.T @ normal + matrices.sliding.T @ tangential).reshape(-1, 2)
     on_carrier = (matrices.pins.T @ pin_force).reshape(-1, 2).sum(axis=0)
-    numbers = jnp.array([drive.members.index(name) for name in bodies])
-    return jnp.concatenate([on_bodies[numbers], on_carrier[None]])
+    numbers = xp.array([drive.members.index(name) for name in bodies])
+    return xp.concatenate([on_bodies[numbers], on_carrier[None]])

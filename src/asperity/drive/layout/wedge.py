@@ -8,7 +8,8 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import Drive
-from asperity.types import Real, namespace
+from asperity.engine.arrays import xp
+from asperity.types import Real
 
 
 class WedgeAngles(NamedTuple):
@@ -84,7 +85,6 @@ def wedge_angles(drive: Drive) -> WedgeAngles:
 
 def _angle_between(one: Array, other: Array) -> Real:
     """Angle between two vectors, without sign [rad]."""
-    xp = namespace(one)
     cross = one[0] * other[1] - one[1] * other[0]
     return xp.arctan2(abs(cross), (one * other).sum())
 
@@ -94,6 +94,5 @@ def self_locking_ratio(drive: Drive, friction_coefficient: Array) -> Real:
 
     [-].
     """
-    xp = namespace(friction_coefficient)
     inner = np.array([pair[0] for pair in wedges(drive)])
     return xp.tan(0.5 * wedge_angles(drive).wedge) / friction_coefficient[inner].min()

@@ -14,13 +14,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.body.conforming_pin import MODES, SHARED, clearance_share, clearance_slopes, share_series
 from asperity.body.pin_contact import PinContact
+from asperity.engine.arrays import xp
+from asperity.engine.control import traced_once
 from asperity.linear import product
 from asperity.types import Real
 
@@ -52,7 +52,7 @@ def by_amplitude(modes: Array) -> Array:
     """What the amplitudes of :class:`PressedBores` do, from what the modes of a pressure do, along the last axis."""
     series, odd = share_series(power=1), SHARED[1:] % 2 == 1
     signs = [modes[..., 1:] @ (series * chosen[:, None]) for chosen in (odd, ~odd)]
-    return jnp.concatenate([modes[..., :1], *signs], axis=-1)
+    return xp.concatenate([modes[..., :1], *signs], axis=-1)
 
 
 class Bores(eqx.Module):
@@ -78,18 +78,18 @@ class Bores(eqx.Module):
 
     def under(self, force: Array, largest: Real) -> PressedBores:
         """Pins under forces of the rollers on them along their push, shape (pins,) [N]; ``largest`` is their scale."""
-        return _pressed(self.contact, force, TURNOVER * jnp.asarray(largest))
+        return _pressed(self.contact, force, TURNOVER * xp.asarray(largest))
 
     def beyond_turnover(self, force: Array) -> PressedBores:
         """The same of forces that press one side of the bore, whose size is above 0."""
-        return _pressed(self.contact, force, jnp.zeros(()))
+        return _pressed(self.contact, force, xp.zeros(()))
 
     def moved(self, force: Array, pressed: PressedBores) -> tuple[Array, Array]:
         """Approach and slip of the contacts under the forces of the pins, shape (contacts,) [m]."""
         return (
-            product(self.along_normal, force) + jnp.sum(self.rim_normal * pressed.amplitude, axis=(1, 2)),
+            product(self.along_normal, force) + xp.sum(self.rim_normal * pressed.amplitude, axis=(1, 2)),
             product(self.along_tangential, force)
-            + jnp.sum(self.rim_tangential * pressed.amplitude, axis=(1, 2)),
+            + xp.sum(self.rim_tangential * pressed.amplitude, axis=(1, 2)),
         )
 
     def by_pin(self, pressed: PressedBores) -> tuple[Array, Array]:
@@ -98,8 +98,8 @@ class Bores(eqx.Module):
         These are the compliances of the pin under forces of the contacts too.
         """
         return (
-            self.along_normal + jnp.sum(self.rim_normal * pressed.slope, axis=2),
-            self.along_tangential + jnp.sum(self.rim_tangential * pressed.slope, axis=2),
+            self.along_normal + xp.sum(self.rim_normal * pressed.slope, axis=2),
+            self.along_tangential + xp.sum(self.rim_tangential * pressed.slope, axis=2),
         )
 
     def pin_moved(self, pressed: PressedBores, normal: Array, change: Array, tangential: Array) -> Array:
@@ -112,24 +112,24 @@ class Bores(eqx.Module):
             pressed.approach
             + product(self.along_normal.T, normal)
             + product(self.along_tangential.T, tangential)
-            + jnp.sum(pressed.slope * self._moves(change, tangential), axis=1)
+            + xp.sum(pressed.slope * self._moves(change, tangential), axis=1)
         )
 
     def pin_slope(self, pressed: PressedBores, change: Array, tangential: Array) -> Array:
         """Slope of :meth:`pin_moved` by the force of each pin, shape (pins,) [m/N]."""
-        return pressed.compliance + jnp.sum(pressed.curvature * self._moves(change, tangential), axis=1)
+        return pressed.compliance + xp.sum(pressed.curvature * self._moves(change, tangential), axis=1)
 
     def _moves(self, change: Array, tangential: Array) -> Array:
         """Motion of each amplitude of the bores under forces of the contacts, shape (pins, amplitudes) [m]."""
-        return jnp.sum(
+        return xp.sum(
             self.rim_normal * change[:, None, None] + self.rim_tangential * tangential[:, None, None], axis=0
         )
 
 
-@jax.jit  # traced once for all equations and slopes
+@traced_once  # traced once for all equations and slopes
 def _pressed(contact: PinContact, force: Array, small: Array) -> PressedBores:
     """Pins under forces; ``small`` is the force within which they change sides [N]."""
-    size = jnp.sqrt(force**2 + small**2)
+    size = xp.sqrt(force**2 + small**2)
     side, turning = force / size, small**2 / size**3  # slopes of the size
     angle = contact.angle(size)
     by_size, approach = contact.slopes(size, angle), contact.approach(size, angle)
@@ -142,18 +142,18 @@ def _pressed(contact: PinContact, force: Array, small: Array) -> PressedBores:
 
     number = np.arange(_COSINES, dtype=float)
     turn = angle[:, None] * number
-    waves, sines = jnp.cos(turn), -number * jnp.sin(turn)
-    arc, first, second = jnp.sin(0.5 * angle) ** 2, 0.5 * jnp.sin(angle), 0.5 * jnp.cos(angle)
+    waves, sines = xp.cos(turn), -number * xp.sin(turn)
+    arc, first, second = xp.sin(0.5 * angle) ** 2, 0.5 * xp.sin(angle), 0.5 * xp.cos(angle)
     by_arc, bend, _ = clearance_slopes(arc)
-    even = jnp.concatenate([(1.0 + clearance_share(arc=arc))[:, None], waves], axis=1)
-    even_1 = jnp.concatenate([(by_arc * first)[:, None], sines], axis=1)
-    even_2 = jnp.concatenate([(bend * first**2 + by_arc * second)[:, None], -(number**2) * waves], axis=1)
+    even = xp.concatenate([(1.0 + clearance_share(arc=arc))[:, None], waves], axis=1)
+    even_1 = xp.concatenate([(by_arc * first)[:, None], sines], axis=1)
+    even_2 = xp.concatenate([(bend * first**2 + by_arc * second)[:, None], -(number**2) * waves], axis=1)
     even_1, even_2 = by_force(even_1, even_2)
     inward, sides, turns, along = (part[:, None] for part in (small - size, -side, -turning, force))
     odd, odd_1, odd_2 = (part[:, 1:] for part in (even, even_1, even_2))
 
     def together(of_even: Array, of_odd: Array) -> Array:
-        return jnp.concatenate([of_even[:, :1], of_odd, of_even[:, 1:]], axis=1)
+        return xp.concatenate([of_even[:, :1], of_odd, of_even[:, 1:]], axis=1)
 
     return PressedBores(
         amplitude=together(inward * even, along * odd),

@@ -3,10 +3,10 @@ r"""Creep law of the contacts of a rolling drive, and the angle that its output 
 from __future__ import annotations
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 from jax import Array
 
+from asperity.engine.arrays import xp
+from asperity.engine.derivatives import with_rule
 from asperity.types import Real
 
 #: Largest relative residual of a rolling state that is accepted as solved.
@@ -56,32 +56,32 @@ def creepages(*, law: CreepLaw, normal: Array, tangential: Array) -> Array:
     F. W. Carter, Proc. R. Soc. A 112 (1926) 151; equation (B1) of :doc:`/equations`.
     """
     touching = normal > 0.0
-    safe_normal = jnp.where(touching, normal, 1.0)
+    safe_normal = xp.where(touching, normal, 1.0)
     q = tangential / (law.friction_coefficient * safe_normal)
-    return jnp.where(touching, law.gross_slip_scale * _creep_shape(safe_normal, q), 0.0)
+    return xp.where(touching, law.gross_slip_scale * _creep_shape(safe_normal, q), 0.0)
 
 
-@jax.custom_jvp
+@with_rule
 def _creep_shape(normal: Array, q: Array) -> Array:
     """Carter's curve, √N [1 − √(1 − q)] with the sign of q, and its tangent near gross slip."""
-    return jnp.sqrt(normal) * _carter(q)[0]
+    return xp.sqrt(normal) * _carter(q)[0]
 
 
 @_creep_shape.defjvp
 def _creep_shape_jvp(primals: tuple[Array, Array], tangents: tuple[Array, Array]) -> tuple[Array, Array]:
     (normal, q), (normal_dot, q_dot) = primals, tangents
     share, slope = _carter(q)
-    size = jnp.sqrt(normal)
+    size = xp.sqrt(normal)
     return size * share, (0.5 * share / size) * normal_dot + (size * slope) * q_dot
 
 
 def _carter(q: Array) -> tuple[Array, Array]:
     """1 − √(1 − q) with the sign of q, and its slope."""
-    size = jnp.abs(q)
-    held = jnp.minimum(size, _NEAR_SLIP)
-    root = jnp.sqrt(1.0 - held)
+    size = xp.abs(q)
+    held = xp.minimum(size, _NEAR_SLIP)
+    root = xp.sqrt(1.0 - held)
     slope = 0.5 / root
-    return jnp.sign(q) * (held / (1.0 + root) + slope * (size - held)), slope
+    return xp.sign(q) * (held / (1.0 + root) + slope * (size - held)), slope
 
 
 def drift_per_turn(loss: Real) -> Array:
@@ -101,5 +101,5 @@ def drift_per_turn(loss: Real) -> Array:
     ----------
     Equation (B3) of :doc:`/equations`.
     """
-    share = jnp.asarray(loss)
-    return 2.0 * jnp.pi * share / (1.0 - share)
+    share = xp.asarray(loss)
+    return 2.0 * xp.pi * share / (1.0 - share)

@@ -6,8 +6,6 @@ import dataclasses
 import functools
 from typing import Any, NamedTuple
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -32,6 +30,9 @@ from asperity.drive.state.state import (
     surface_speeds,
 )
 from asperity.drive.state.supports import Supports, with_supports
+from asperity.engine.arrays import xp
+from asperity.engine.control import cond, put, traced_once
+from asperity.engine.derivatives import without_slopes
 from asperity.linear import product
 
 #: Kinds of states: assembled without torque, standing under one, rolling under one.
@@ -122,14 +123,14 @@ def machine_of(
     reference = laws.reference_force
     # the derivative of a largest number is 0/0 where XLA rounds it differently a second time, and scales need none
     scales = laws.springs.secant_compliance * reference, reference, drive.second_radius
-    length, largest, lever = (jax.lax.stop_gradient(jnp.max(scale)) for scale in scales)
+    length, largest, lever = (without_slopes(xp.max(scale)) for scale in scales)
     return Machine(
         drive=drive,
         laws=laws,
         matrices=with_supports(incidence(drive), supports),
         ideal=speeds(drive),
         pattern=pattern,
-        friction=jnp.broadcast_to(laws.creep.friction_coefficient, reference.shape),
+        friction=xp.broadcast_to(laws.creep.friction_coefficient, reference.shape),
         length=length,
         largest=largest,
         lever=lever,
@@ -146,7 +147,7 @@ def turning_members(drive: Drive) -> list[int]:
 def speeds_and_turns(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, Array]:
     """Speeds over that of the input [-] and rotations [rad] of all members, shape (members,); equation (M3)."""
     turning = np.eye(len(machine.drive.members))[turning_members(machine.drive)]
-    rolls = jnp.where(jnp.asarray(kind) == ROLLING, 1.0, 0.0)
+    rolls = xp.where(xp.asarray(kind) == ROLLING, 1.0, 0.0)
     turn = product(turning.T, x.turn)
     return machine.ideal + rolls * turn, (1.0 - rolls) * turn * machine.length / machine.lever
 
@@ -165,17 +166,17 @@ def contact_interference(machine: Machine, x: Unknowns) -> Array:
 
 def forces_on(drive: Drive, load: DriveLoad) -> Array:
     """Forces on the floating bodies, shape (floating, 2) [N]; equation (M3)."""
-    return jnp.zeros((len(drive.floating), 2)) if load.body_force is None else load.body_force
+    return xp.zeros((len(drive.floating), 2)) if load.body_force is None else load.body_force
 
 
 def no_displacement(drive: Drive) -> Array:
     """Displacements of a drive that has not moved: zeros, shape (2 floating,) [m]."""
-    return jnp.zeros(2 * len(drive.floating))
+    return xp.zeros(2 * len(drive.floating))
 
 
 def no_force(drive: Drive) -> Array:
     """Forces of the pins of a drive that is not pressed, shape (pins,) [N]."""
-    return jnp.zeros(len(drive.pinned))
+    return xp.zeros(len(drive.pinned))
 
 
 class Responses(NamedTuple):
@@ -189,7 +190,7 @@ class Responses(NamedTuple):
 
 def responses_of(approach: Array, *others: Array) -> Responses:
     """Responses of contacts, zeros for those that are not given, shape (contacts,)."""
-    nothing = jnp.zeros_like(approach)
+    nothing = xp.zeros_like(approach)
     slip, creepage = others or (nothing, nothing)
     return Responses(approach, slip, creepage, Resistance(nothing, nothing, nothing))
 
@@ -204,18 +205,18 @@ def contact_responses(machine: Machine, task: Task, normal: Array, tangential: A
     approach = contact_approach(laws=dataclasses.replace(laws, coupling=None), normal=normal)
     if known_kind(task) == ASSEMBLED:
         return responses_of(approach)
-    skew_drag = jnp.zeros_like(normal)
+    skew_drag = xp.zeros_like(normal)
     if machine.creep_of is not None:
         law, known = machine.creep_of, creep.gross_slip_scale
 
         def under_forces() -> tuple[Array, Array]:
             creeping = law(normal, tangential)
-            return jnp.asarray(creeping.law.gross_slip_scale), creeping.skew_drag
+            return xp.asarray(creeping.law.gross_slip_scale), creeping.skew_drag
 
-        scale, skew_drag = jax.lax.cond(
-            (jnp.asarray(task.kind) == ROLLING) & ~jnp.asarray(task.by_laws),
+        scale, skew_drag = cond(
+            (xp.asarray(task.kind) == ROLLING) & ~xp.asarray(task.by_laws),
             under_forces,
-            lambda: (jnp.asarray(known), skew_drag),
+            lambda: (xp.asarray(known), skew_drag),
         )
         creep = dataclasses.replace(creep, gross_slip_scale=scale)
     responses = responses_of(
@@ -228,17 +229,17 @@ def contact_responses(machine: Machine, task: Task, normal: Array, tangential: A
 
 def _resistance(drive: Drive, task: Task, normal: Array, skew_drag: Array) -> Resistance:
     """What resists rolling, signed, shape (contacts,); 0 where nothing rolls."""
-    resistance_of, none = task.load.resistance_of, jnp.zeros_like(normal)
+    resistance_of, none = task.load.resistance_of, xp.zeros_like(normal)
     if resistance_of is None:
         return Resistance(none, none, none)
-    rolls = jnp.asarray(task.kind) == ROLLING
-    drag, moment = jax.lax.cond(rolls, resistance_of, lambda normal: (none, none), normal)
+    rolls = xp.asarray(task.kind) == ROLLING
+    drag, moment = cond(rolls, resistance_of, lambda normal: (none, none), normal)
     return signed_resistance(drive, Resistance(drag, moment, skew_drag), backwards=_backwards(task))
 
 
 def _backwards(task: Task) -> Array:
     """-1 of a drive that rolls against its ideal speeds, else 1."""
-    return jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
+    return xp.where(xp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
 
 
 class Misfits(NamedTuple):
@@ -252,7 +253,7 @@ class Misfits(NamedTuple):
     held: Array
 
 
-@functools.partial(jax.jit, static_argnames="pressed_sectors")  # traced once for all kinds of states
+@functools.partial(traced_once, fixed=("pressed_sectors",))  # traced once for all kinds of states
 def state_misfits(
     machine: Machine, task: Task, pressed_sectors: int, slides: Array, x: Unknowns, responses: Responses
 ) -> Misfits:
@@ -266,7 +267,7 @@ def state_misfits(
     normal, tangential = contact_forces(machine, x)
     pin, moved = x.pin * largest, x.displacement * length
     speed, turned = speeds_and_turns(machine, x, task.kind)
-    kind = jnp.asarray(task.kind)
+    kind = xp.asarray(task.kind)
 
     approach, slip, creep, resistance = responses
     if laws.coupling is not None:
@@ -289,27 +290,27 @@ def state_misfits(
     if task.load.resistance_of is not None:
         force = force + product(matrices.sliding.T, drag_pairs(drive, resistance.drag))
     if task.load.support_stiffness is not None:
-        force = force + jnp.repeat(task.load.support_stiffness, 2) * moved
+        force = force + xp.repeat(task.load.support_stiffness, 2) * moved
     moments = moments_of(machine, task, tangential, pin, resistance)
     out = drive.members.index(drive.output)
     resists = np.eye(len(drive.members))[out]
-    moments = moments - resists * jnp.sign(machine.ideal[out]) * task.load.output_torque
+    moments = moments - resists * xp.sign(machine.ideal[out]) * task.load.output_torque
     moments = moments[np.array(turning_members(drive), dtype=int)] / (lever * largest)
     size = (x.interference * length - task.size) / length
     if pressed_sectors:
-        preload = jnp.sum(preload_weights(normal.size, pressed_sectors) * normal)
-        size = jnp.where(kind == ASSEMBLED, (preload - task.size) / largest, size)
-    held = jnp.where(
+        preload = xp.sum(preload_weights(normal.size, pressed_sectors) * normal)
+        size = xp.where(kind == ASSEMBLED, (preload - task.size) / largest, size)
+    held = xp.where(
         kind == ROLLING,
         rolling / lever * 1e3,
-        jnp.where(kind == STANDING, _with_equal_coefficients(machine, x, standing / length), x.tangential),
+        xp.where(kind == STANDING, _with_equal_coefficients(machine, x, standing / length), x.tangential),
     )
     equations = Unknowns(
         misfit / length,
-        jnp.where(slides == 0.0, held, x.tangential - slides * x.normal),
+        xp.where(slides == 0.0, held, x.tangential - slides * x.normal),
         _of_pins(machine, task, (normal, tangential), pin, moved, pressed),
         (force - forces_on(drive, task.load).ravel()) / largest,
-        jnp.where(kind == ASSEMBLED, x.turn, moments),
+        xp.where(kind == ASSEMBLED, x.turn, moments),
         size,
     )
     return Misfits(equations, held)
@@ -337,13 +338,13 @@ def _with_equal_coefficients(machine: Machine, x: Unknowns, slip: Array) -> Arra
     differs = (traction[second] * x.normal[first] - traction[first] * x.normal[second]) / machine.friction[
         second
     ]
-    return slip.at[second].set(differs)
+    return put(slip, second, differs)
 
 
 def change_of_normal(task: Task, normal: Array) -> Array:
     """What the torque has added to the normal forces, shape (contacts,) [N]; nothing in the assembled drive."""
-    before = jnp.zeros_like(normal) if task.normal_at_rest is None else task.normal_at_rest
-    return jnp.where(jnp.asarray(task.kind) == ASSEMBLED, 0.0, normal - before)
+    before = xp.zeros_like(normal) if task.normal_at_rest is None else task.normal_at_rest
+    return xp.where(xp.asarray(task.kind) == ASSEMBLED, 0.0, normal - before)
 
 
 def _of_pins(
@@ -356,7 +357,7 @@ def _of_pins(
 ) -> Array:
     """Misfits of the pins: their springs, or their forces without torque where those stay; then of the supports."""
     drive, matrices, supports = machine.drive, machine.matrices, task.load.supports
-    count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
+    count, loaded = len(drive.pinned), xp.asarray(task.kind) != ASSEMBLED
     springs = product(matrices.pins[:count], moved) - task.load.pin_compliance * pin[:count]
     if machine.laws.bores is not None and pressed is not None:
         normal, tangential = forces
@@ -366,12 +367,12 @@ def _of_pins(
         [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
     )
     constant = (pin[:count] - task.pin_at_rest) / machine.largest
-    pin_misfits = jnp.where(loaded & kept, constant, springs / machine.length)
+    pin_misfits = xp.where(loaded & kept, constant, springs / machine.length)
     if supports is None:
         return pin_misfits
     beside = product(supports.direction, moved - task.origin) - supports.compliance * pin[count:]
-    return jnp.concatenate(
-        [pin_misfits, jnp.where(loaded, beside / machine.length, pin[count:] / machine.largest)]
+    return xp.concatenate(
+        [pin_misfits, xp.where(loaded, beside / machine.length, pin[count:] / machine.largest)]
     )
 
 
@@ -386,14 +387,14 @@ def moments_of(
     moments = member_moments(machine.drive, machine.matrices, tangential, pin)
     if task.load.resistance_of is not None and resistance is not None:
         moments = moments + resistance_moments(machine.drive, resistance)
-    load, kind = task.load, jnp.asarray(task.kind)
+    load, kind = task.load, xp.asarray(task.kind)
     if load.bearings is None:
         return moments
     sense = leading_sense(
-        rotation=jnp.where(kind == ROLLING, load.rotation, load.standing_rotation),
+        rotation=xp.where(kind == ROLLING, load.rotation, load.standing_rotation),
         output_torque=load.output_torque,
     )
-    return moments + jnp.where(kind == ASSEMBLED, 0.0, 1.0) * friction_moments(
+    return moments + xp.where(kind == ASSEMBLED, 0.0, 1.0) * friction_moments(
         drive=machine.drive,
         bearings=load.bearings,
         pin_force=pin,

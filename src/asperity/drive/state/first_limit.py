@@ -6,12 +6,14 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.engine.arrays import xp
+from asperity.engine.control import while_loop
+from asperity.engine.derivatives import without_slopes
 from asperity.implicit import implicit_root
-from asperity.types import Real, namespace
+from asperity.types import Real
 
 #: Relative width of the last interval of the search.
 SEARCH_TOLERANCE = 1e-13
@@ -55,7 +57,7 @@ class _Search(NamedTuple):
 
 def _within(state: _Search) -> Array:
     """Where to look next: near the root of the chord, but no farther off than halving can make up for."""
-    xp, lower, upper = namespace(state), state.lower, state.upper
+    lower, upper = state.lower, state.upper
     width, half = upper - lower, 0.5 * (lower + upper)
     chord = (state.above * lower - state.below * upper) / (state.above - state.below)
     side = xp.sign(half - chord)
@@ -87,8 +89,8 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
     """
     limit = friction_coefficient * normal_force
     touching = limit > 0.0
-    force = jnp.abs(tangential_force)
-    return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
+    force = xp.abs(tangential_force)
+    return xp.where(touching, force / xp.where(touching, limit, 1.0), xp.where(force > 0.0, xp.inf, 0.0))
 
 
 _Loop = Callable[[Callable[[_Search], Array], Callable[[_Search], _Search], _Search], _Search]
@@ -96,7 +98,6 @@ _Loop = Callable[[Callable[[_Search], Array], Callable[[_Search], _Search], _Sea
 
 def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real, loop: _Loop) -> _Search:
     """The interval of the first limit, narrowed to its last digits; none beyond so many times the start."""
-    xp = namespace(start)
 
     def unfinished(state: _Search) -> Array:
         wide = (state.upper - state.lower > SEARCH_TOLERANCE * state.upper) & (
@@ -198,6 +199,8 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
     ----------
     Equation (A9) of :doc:`/equations`. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2021) 5.
     """
+    if not uses_jax(first_guess, excesses(xp.asarray(first_guess))):
+        return first_limit_of_numbers(excesses=excesses, first_guess=first_guess)
     excesses = jax.jit(excesses)  # traced once for the search and for the derivative
     found = searched_limit(excesses=excesses, first_guess=first_guess)
     return with_derivative(excesses=excesses, limit=found)
@@ -207,34 +210,34 @@ def searched_limit(
     *, excesses: Callable[[Array], Array], first_guess: Real, farthest: Real = FARTHEST
 ) -> FirstLimit:
     """That of :func:`first_limit`, without derivatives, which are not traced either."""
-    start, farthest = jax.lax.stop_gradient((jnp.asarray(first_guess), jnp.asarray(farthest)))
+    start, farthest = without_slopes((xp.asarray(first_guess), xp.asarray(farthest)))
     program = jax.make_jaxpr(jax.jit(excesses))(start)
-    fixed = jax.lax.stop_gradient(program.consts)
+    fixed = without_slopes(program.consts)
 
     def excesses_of(value: Array) -> Array:
         (excess,) = jax.core.eval_jaxpr(program.jaxpr, fixed, value)
         return excess
 
-    last = _searched(excesses_of, start, farthest, jax.lax.while_loop)
+    last = _searched(excesses_of, start, farthest, while_loop)
     at_once = last.bracketed & (last.upper <= SMALLEST_SHARE * start)
-    value = jnp.where(last.bracketed, jnp.where(at_once, 0.0, last.lower), jnp.inf)
-    return jax.lax.stop_gradient(FirstLimit(value, jnp.where(last.bracketed, last.which, -1)))
+    value = xp.where(last.bracketed, xp.where(at_once, 0.0, last.lower), xp.inf)
+    return without_slopes(FirstLimit(value, xp.where(last.bracketed, last.which, -1)))
 
 
 def with_derivative(*, excesses: Callable[[Array], Array], limit: FirstLimit) -> FirstLimit:
     """A limit that is known, with its implicit derivative; none where it is reached at once, or never."""
     reached = (limit.which >= 0) & (limit.value > 0.0)
-    known = jnp.where(reached, limit.value, 1.0)
+    known = xp.where(reached, limit.value, 1.0)
 
     def excess(value: Array) -> Array:
-        at = jnp.where(reached, limit.which, 0)
-        chosen = jnp.take_along_axis(excesses(value), at[None], axis=0)[0]
-        return jnp.where(reached, chosen, value - known)
+        at = xp.where(reached, limit.which, 0)
+        chosen = xp.take_along_axis(excesses(value), at[None], axis=0)[0]
+        return xp.where(reached, chosen, value - known)
 
     def divide(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
-        slope = linear(jnp.ones_like(right_side))
-        return right_side / jnp.where(slope == 0.0, 1.0, slope)
+        slope = linear(xp.ones_like(right_side))
+        return right_side / xp.where(slope == 0.0, 1.0, slope)
 
     # the root is known: the search returns it, and implicit_root gives it the implicit derivative
     root = implicit_root(excess, known, lambda _, known_root: known_root, divide)
-    return FirstLimit(jnp.where(reached, root, limit.value), limit.which)
+    return FirstLimit(xp.where(reached, root, limit.value), limit.which)

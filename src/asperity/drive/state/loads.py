@@ -19,15 +19,14 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members, speeds
 from asperity.drive.mechanism import Bearings, bearing_torque
 from asperity.drive.state.state import Resistance
+from asperity.engine.arrays import xp
 from asperity.linear import product
-from asperity.types import namespace
 
 
 def signed_resistance(drive: Drive, size: Resistance, *, backwards: Array | float) -> Resistance:
@@ -37,7 +36,7 @@ def signed_resistance(drive: Drive, size: Resistance, *, backwards: Array | floa
     """
     first, _ = _bodies(drive)
     speed = speeds(drive)
-    ahead = backwards * namespace(speed).sign(speed[first] - speed[drive.members.index(CARRIER)])
+    ahead = backwards * xp.sign(speed[first] - speed[drive.members.index(CARRIER)])
     return Resistance(*(ahead * each for each in size))
 
 
@@ -219,7 +218,7 @@ def pin_components(*, drive: Drive, force: Array) -> tuple[Array, Array]:
 
     Positive away from the axis, and in the sense in which the input turns.
     """
-    xp, push = namespace(drive.push_angles, force), drive.push_angles
+    push = drive.push_angles
     return force * xp.sin(push), -drive.sense * force * xp.cos(push)
 
 
@@ -230,7 +229,7 @@ def member_moments(drive: Drive, matrices: Incidence, tangential: Array, pin: Ar
     """
     members = drive.members
     carrier = members.index(CARRIER)
-    moments = namespace(matrices, tangential, pin).where(
+    moments = xp.where(
         np.arange(len(members)) == carrier,
         (matrices.levers * pin).sum(),
         -product(matrices.turning.T, tangential),
@@ -277,13 +276,13 @@ def friction_moments(
     """
     carrier = drive.members.index(CARRIER)
     unit, sectors = np.eye(len(drive.members)), sectors_of_members(drive)
-    moments = jnp.zeros(len(drive.members))
+    moments = xp.zeros(len(drive.members))
     for member, torque in ((drive.input, bearings.sun_torque), (drive.output, bearings.carrier_torque)):
         number = drive.members.index(member)
-        moments = moments - 2.0 * torque * jnp.sign(ideal[number]) * unit[number]
+        moments = moments - 2.0 * torque * xp.sign(ideal[number]) * unit[number]
     for pin, body in enumerate(drive.pinned):
         torque = 2.0 * bearing_torque(bearings=bearings, pin_force=pin_force[pin])
-        braking = -torque * jnp.sign(ideal[body] - ideal[carrier])
+        braking = -torque * xp.sign(ideal[body] - ideal[carrier])
         moments = moments + braking * unit[body]
         if on_carrier:
             moments = moments - sectors[carrier] * braking * unit[carrier]
@@ -292,5 +291,5 @@ def friction_moments(
 
 def friction_power(*, drive: Drive, moments: Array, speed: Array) -> Array:
     r"""Power that the bearings take, :math:`-\sum M \omega` over all members of all sectors [W]."""
-    copies = jnp.asarray(drive.sectors, dtype=float) / sectors_of_members(drive)
-    return -jnp.sum(copies * moments * speed)
+    copies = xp.asarray(drive.sectors, dtype=float) / sectors_of_members(drive)
+    return -xp.sum(copies * moments * speed)

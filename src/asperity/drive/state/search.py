@@ -8,8 +8,6 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import jax
-import jax.flatten_util
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -35,6 +33,9 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.slopes import newton_step, responses_and_slopes, state_slopes
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, DriveState
+from asperity.engine.arrays import xp
+from asperity.engine.control import in_one, while_loop
+from asperity.engine.derivatives import value_and_slope, with_rule, without_slopes
 from asperity.linear import solve, solve_in_turn
 from asperity.types import Real
 
@@ -47,7 +48,7 @@ _SHORT_STEP = 1e-6
 
 def tied_zeros(values: Array) -> Array:
     """Zeros that are batched where some values are: JAX traces a loop once more for every start that is not."""
-    return jnp.where(values > jnp.inf, 1.0, 0.0)
+    return xp.where(values > xp.inf, 1.0, 0.0)
 
 
 def newton(
@@ -85,7 +86,7 @@ def newton(
     ----------
     Newton's method.
     """
-    start, shape = jax.flatten_util.ravel_pytree(first)
+    start, shape = in_one(first)
 
     def unfinished(state: tuple[Array, Array, Array, Array]) -> Array:
         _, size, before, steps = state
@@ -94,16 +95,16 @@ def newton(
 
     def improve(state: tuple[Array, Array, Array, Array]) -> tuple[Array, Array, Array, Array]:
         x, before, _, steps = state
-        step, _ = jax.flatten_util.ravel_pytree(step_at(shape(x)))
+        step, _ = in_one(step_at(shape(x)))
         normal, falling = x[:positive], step[:positive]
-        room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
-        share = jnp.minimum(1.0, jnp.min(room))
-        return x - share * step, jnp.max(jnp.abs(step)), before, steps + 1
+        room = xp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, xp.inf)
+        share = xp.minimum(1.0, xp.min(room))
+        return x - share * step, xp.max(xp.abs(step)), before, steps + 1
 
     nothing = tied_zeros(start[0])
     # no step has gone before the first one: it foretells nothing
     begin = (start, nothing + 1.0, nothing, nothing.astype(int))
-    x, size, _, _ = jax.lax.while_loop(unfinished, improve, begin)
+    x, size, _, _ = while_loop(unfinished, improve, begin)
     return shape(x), size
 
 
@@ -126,12 +127,12 @@ def assembled_guess(machine: Machine) -> Unknowns:
     """An assembled drive with the reference forces, from which its state is sought."""
     drive, reference = machine.drive, machine.laws.reference_force
     return Unknowns(
-        jnp.ones_like(reference),
-        jnp.zeros_like(reference),
-        jnp.zeros(machine.matrices.levers.size),
+        xp.ones_like(reference),
+        xp.zeros_like(reference),
+        xp.zeros(machine.matrices.levers.size),
         no_displacement(drive),
-        jnp.zeros(len(turning_members(drive))),
-        jnp.ones(1),
+        xp.zeros(len(turning_members(drive))),
+        xp.ones(1),
     )
 
 
@@ -141,9 +142,9 @@ def started_from(machine: Machine, state: DriveState, size: Array) -> Unknowns:
     return Unknowns(
         state.normal / reference,
         state.tangential / (machine.friction * reference),
-        jnp.pad(state.pin_force / machine.largest, (0, machine.matrices.levers.size - state.pin_force.size)),
+        xp.pad(state.pin_force / machine.largest, (0, machine.matrices.levers.size - state.pin_force.size)),
         state.displacement.ravel() / machine.length,
-        (state.speed - machine.ideal)[jnp.array(turning_members(machine.drive))],
+        (state.speed - machine.ideal)[xp.array(turning_members(machine.drive))],
         (size / machine.length)[None],
     )
 
@@ -201,18 +202,18 @@ def solved(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    fixed_machine, fixed_task = jax.lax.stop_gradient((machine, task))
+    fixed_machine, fixed_task = without_slopes((machine, task))
     fixed_task = of_kind(fixed_task, known_kind(task))
     nothing = tied_zeros(fixed_machine.laws.reference_force)
-    first: Unknowns = jax.tree.map(lambda leaf: jax.lax.stop_gradient(leaf) + nothing[0], start)
-    may_slide = (jnp.asarray(task.kind) == STANDING) & ~jnp.asarray(holds)
-    begin = nothing if slides is None else nothing + jax.lax.stop_gradient(slides)
+    first: Unknowns = jax.tree.map(lambda leaf: without_slopes(leaf) + nothing[0], start)
+    may_slide = (xp.asarray(task.kind) == STANDING) & ~xp.asarray(holds)
+    begin = nothing if slides is None else nothing + without_slopes(slides)
     paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
 
     def improve(state: _Search) -> _Search:
         first_trial = state.steps == 0
         # a known state is only evaluated
-        longest = jnp.where(known, 0.0, jnp.where(first_trial, jnp.inf, _LOST))
+        longest = xp.where(known, 0.0, xp.where(first_trial, xp.inf, _LOST))
         misfits_at = partial(state_misfits, fixed_machine, fixed_task, pressed_sectors, state.trial)
 
         def step_at(x: Unknowns) -> Unknowns:
@@ -225,17 +226,17 @@ def solved(
         misfits = misfits_at(tried, responses)
         balanced = (_worst(misfits.all) < _BALANCED) & (step < _DETERMINED)
         last, held = jax.tree.map(
-            lambda new, old: jnp.where(balanced | first_trial, new, old),
+            lambda new, old: xp.where(balanced | first_trial, new, old),
             (Balance(tried, responses, state.trial), misfits.held),
             (state.last, state.held),
         )
         trial = _next_slides(last.unknowns, last.slides, held, paired)
-        going = balanced & may_slide & jnp.any(trial != last.slides) & (state.steps < 2 * nothing.size)
+        going = balanced & may_slide & xp.any(trial != last.slides) & (state.steps < 2 * nothing.size)
         return _Search(last, held, trial, going, state.steps + 1)
 
     started = Balance(first, responses_of(nothing), begin)
     start_of = _Search(started, begin, begin, nothing[0] == 0.0, nothing[0].astype(int))
-    last = jax.lax.while_loop(lambda state: state.going, improve, start_of).last
+    last = while_loop(lambda state: state.going, improve, start_of).last
     return _with_derivatives(machine, task, last, pressed_sectors=pressed_sectors)
 
 
@@ -259,7 +260,7 @@ _Root = tuple[Unknowns, Responses]
 _Fixed = tuple[int, int | None]  # sectors that are pressed together, kind of the state where that is known
 
 
-@partial(jax.custom_jvp, nondiff_argnums=(0,))
+@partial(with_rule, fixed=1)
 def _known_root(fixed: _Fixed, root: _Root, given: _Given) -> _Root:
     return root
 
@@ -276,10 +277,10 @@ def _derivative(fixed: _Fixed, primals: tuple[Any, Any], tangents: tuple[Any, An
         return state_misfits(machine, task, pressed_sectors, slides, at, responses).all, responses
 
     machine, task, slides = given[0], of_kind(given[1], kind), given[2]
-    _, (change, by_given) = jax.jvp(equations, (given,), (moved,))
+    _, (change, by_given) = value_and_slope(equations, (given,), (moved,))
     responses = responses_and_slopes(machine, task, at)
     step = newton_step(state_slopes(machine, task, pressed_sectors, slides, at, responses), change, solve)
-    by_root = jax.tree.map(jnp.negative, step)
+    by_root = jax.tree.map(xp.negative, step)
     normal, tangential = contact_forces(machine, by_root)
     by_forces = jax.tree.map(
         lambda *slopes: slopes[0] + slopes[1] * normal + slopes[2] * tangential,
@@ -293,16 +294,16 @@ def _derivative(fixed: _Fixed, primals: tuple[Any, Any], tangents: tuple[Any, An
 def _next_slides(x: Unknowns, slides: Array, held: Array, paired: np.ndarray) -> Array:
     """Contacts that slide in the next trial: one that has fallen back holds, or else one beyond its friction slides."""
     back = slides * held  # positive where the slip is less than that at which the contact begins to slide
-    over = jnp.where((slides == 0.0) & ~paired, jnp.abs(x.tangential) - x.normal, 0.0) / x.normal
-    returns = jnp.max(back) > STATE_TOLERANCE
-    place = jnp.where(returns, jnp.argmax(back), jnp.argmax(over))
-    sign = jnp.where(returns, 0.0, jnp.sign(x.tangential[place]))
-    changes = (returns | (jnp.max(over) > SLIP_TOLERANCE)) & (jnp.arange(slides.size) == place)
-    return jnp.where(changes, sign, slides)
+    over = xp.where((slides == 0.0) & ~paired, xp.abs(x.tangential) - x.normal, 0.0) / x.normal
+    returns = xp.max(back) > STATE_TOLERANCE
+    place = xp.where(returns, xp.argmax(back), xp.argmax(over))
+    sign = xp.where(returns, 0.0, xp.sign(x.tangential[place]))
+    changes = (returns | (xp.max(over) > SLIP_TOLERANCE)) & (xp.arange(slides.size) == place)
+    return xp.where(changes, sign, slides)
 
 
 def _worst(residuals: Unknowns) -> Array:
-    return jnp.max(jnp.abs(jnp.concatenate(list(residuals))))
+    return xp.max(xp.abs(xp.concatenate(list(residuals))))
 
 
 def state_of(machine: Machine, task: Task, found: Balance) -> DriveState:
@@ -311,12 +312,12 @@ def state_of(machine: Machine, task: Task, found: Balance) -> DriveState:
     normal, tangential = contact_forces(machine, x)
     pin = x.pin * machine.largest
     speed, turned = speeds_and_turns(machine, x, task.kind)
-    rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
+    rolls = xp.where(xp.asarray(task.kind) == ROLLING, 1.0, 0.0)
     misfits = state_misfits(machine, task, False, slides, x, responses)
-    within = jnp.abs(tangential) <= machine.friction * normal * (1.0 + SLIP_TOLERANCE)
-    carried = jnp.all((normal > 0.0) & within)
-    worst = _worst(misfits.all._replace(interference=jnp.zeros(1)))
-    worst = jnp.maximum(worst, jnp.max(slides * misfits.held))  # what slides less than its law must hold
+    within = xp.abs(tangential) <= machine.friction * normal * (1.0 + SLIP_TOLERANCE)
+    carried = xp.all((normal > 0.0) & within)
+    worst = _worst(misfits.all._replace(interference=xp.zeros(1)))
+    worst = xp.maximum(worst, xp.max(slides * misfits.held))  # what slides less than its law must hold
     out, entry = drive.members.index(drive.output), drive.members.index(drive.input)
     return DriveState(
         normal=normal,

@@ -11,7 +11,6 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
@@ -36,6 +35,9 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.loads import drag_pairs, resistance_levers
 from asperity.drive.state.state import Resistance
+from asperity.engine.arrays import xp
+from asperity.engine.control import fori_loop, put
+from asperity.engine.derivatives import jacobian, value_and_slopes
 from asperity.linear import product
 
 
@@ -81,13 +83,12 @@ class ResponsesAndSlopes(NamedTuple):
 
 def responses_and_slopes(machine: Machine, task: Task, x: Unknowns) -> ResponsesAndSlopes:
     """Of :func:`asperity.drive.state.equations.contact_responses`."""
-    forces, none = contact_forces(machine, x), jnp.zeros_like(x.normal)
+    forces, none = contact_forces(machine, x), xp.zeros_like(x.normal)
     one = none + 1.0
-    directions = jnp.stack([one, none]), jnp.stack([none, one])
-    slopes = functools.partial(jax.jvp, functools.partial(contact_responses, machine, task), forces)
-    # both directions in one program, the value once
-    value, both = jax.vmap(lambda *direction: slopes(direction), out_axes=(None, 0))(*directions)
-    return ResponsesAndSlopes(value, *(jax.tree.map(lambda leaf, k=k: leaf[k], both) for k in range(2)))
+    value, slopes = value_and_slopes(
+        functools.partial(contact_responses, machine, task), forces, [(one, none), (none, one)]
+    )
+    return ResponsesAndSlopes(value, *slopes)
 
 
 def state_slopes(
@@ -103,13 +104,13 @@ def state_slopes(
     largest, matrices, count = machine.largest, machine.matrices, x.normal.size
     turning = matrices.turning[:, np.array(turning_members(machine.drive), dtype=int)]
     turns = turning.shape[1]
-    assembled = jnp.asarray(task.kind) == ASSEMBLED
+    assembled = xp.asarray(task.kind) == ASSEMBLED
     pressed = _pressed(machine, x)
     approach_pins, slip_pins = _by_pins(machine, x, pressed)
     held = _held_rows(machine, task, x, slip_pins, responses)
     if len(numbers_of_pairs(machine.drive)):
         held = _with_equal_coefficients(machine, task, x, held)
-    sliding = _HeldRows(-_diagonal(slides), jnp.eye(count), *(jnp.zeros_like(rows) for rows in held[2:]))
+    sliding = _HeldRows(-_diagonal(slides), xp.eye(count), *(xp.zeros_like(rows) for rows in held[2:]))
     held = _in_rows((slides != 0.0) | assembled, sliding, held)
     pins_by_normal, pins_by_tangential = _pins_by_contacts(machine, task, x, pressed)
     moments = -turning.T * _moment_scale(machine)[:, None] * limit / (machine.lever * largest)
@@ -123,24 +124,24 @@ def state_slopes(
         approach=_approaches(machine, responses.by_normal.approach),
         held_normal=held.normal,
         held_tangential=held.tangential,
-        approach_moves=jnp.concatenate(
-            [-matrices.approach, jnp.zeros((count, turns)), approach_pins, -machine.pattern[:, None]], axis=1
+        approach_moves=xp.concatenate(
+            [-matrices.approach, xp.zeros((count, turns)), approach_pins, -machine.pattern[:, None]], axis=1
         ),
-        held_moves=jnp.concatenate([*held[2:], jnp.zeros((count, 1))], axis=1),
-        normal=jnp.concatenate(
+        held_moves=xp.concatenate([*held[2:], xp.zeros((count, 1))], axis=1),
+        normal=xp.concatenate(
             [
                 (matrices.approach.T + forces) * reference / largest,
                 resisted * reference / (machine.lever * largest),
                 pins_by_normal,
-                jnp.where(assembled, preload / largest, 0.0)[None],
+                xp.where(assembled, preload / largest, 0.0)[None],
             ]
         ),
-        tangential=jnp.concatenate(
+        tangential=xp.concatenate(
             [
                 (matrices.sliding.T + forces_along) * limit / largest,
-                jnp.where(assembled, 0.0, moments + resisted_along * limit / (machine.lever * largest)),
+                xp.where(assembled, 0.0, moments + resisted_along * limit / (machine.lever * largest)),
                 pins_by_tangential,
-                jnp.zeros((1, count)),
+                xp.zeros((1, count)),
             ]
         ),
         structure=_of_structure(machine, task, pressed_sectors, x, pressed),
@@ -152,7 +153,7 @@ def _by_resistance(machine: Machine, task: Task, slopes: Resistance) -> tuple[Ar
     drive, matrices = machine.drive, machine.matrices
     members = np.array(turning_members(drive), dtype=int)
     if task.load.resistance_of is None:
-        return jnp.zeros(matrices.sliding.T.shape), jnp.zeros((members.size, slopes.drag.size))
+        return xp.zeros(matrices.sliding.T.shape), xp.zeros((members.size, slopes.drag.size))
     moments = [lever[members] * slope for lever, slope in zip(resistance_levers(drive), slopes, strict=True)]
     return matrices.sliding.T * drag_pairs(drive, slopes.drag), moments[0] + moments[1] + moments[2]
 
@@ -177,9 +178,9 @@ def _by_pins(machine: Machine, x: Unknowns, pressed: PressedBores | None) -> tup
     """Slopes of approaches and slips by the forces of pins in bores and of supports, shape (contacts, pins)."""
     count, bores = len(machine.drive.pinned), machine.laws.bores
     if bores is None or pressed is None:
-        return (jnp.zeros((x.normal.size, x.pin.size)),) * 2
+        return (xp.zeros((x.normal.size, x.pin.size)),) * 2
     approach, slip = (
-        jnp.pad(slope, ((0, 0), (0, x.pin.size - count))) * machine.largest / machine.length
+        xp.pad(slope, ((0, 0), (0, x.pin.size - count))) * machine.largest / machine.length
         for slope in bores.by_pin(pressed)
     )
     return approach, slip
@@ -190,15 +191,15 @@ def _held_rows(
 ) -> _HeldRows:
     """Slopes of the slip while the drive stands, of creep times rolled length while it rolls."""
     laws, matrices = machine.laws, machine.matrices
-    stands, rolls = jnp.asarray(task.kind) == STANDING, jnp.asarray(task.kind) == ROLLING
+    stands, rolls = xp.asarray(task.kind) == STANDING, xp.asarray(task.kind) == ROLLING
     speed, _ = speeds_and_turns(machine, x, task.kind)
     one, two = _rolled_by_speeds(machine.drive, speed)
     rolled_by = 0.5 * (one + two)
-    backwards = jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
+    backwards = xp.where(xp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
     rolled = backwards * product(rolled_by, speed)
-    scale = jnp.where(rolls, 1e3 / machine.lever, 1.0 / machine.length)
+    scale = xp.where(rolls, 1e3 / machine.lever, 1.0 / machine.length)
     by_normal, by_tangential = (
-        _diagonal(jnp.where(rolls, slope.creepage * rolled, slope.slip) * force * scale)
+        _diagonal(xp.where(rolls, slope.creepage * rolled, slope.slip) * force * scale)
         for slope, force in (
             (responses.by_normal, laws.reference_force),
             (responses.by_tangential, machine.friction * laws.reference_force),
@@ -210,9 +211,9 @@ def _held_rows(
     return _HeldRows(
         normal=by_normal,
         tangential=by_tangential,
-        displacement=jnp.where(stands, -matrices.sliding, 0.0),
-        turn=jnp.where(rolls, rolling_turns, -turning / machine.lever),
-        pin=jnp.where(stands, slip_pins, 0.0),
+        displacement=xp.where(stands, -matrices.sliding, 0.0),
+        turn=xp.where(rolls, rolling_turns, -turning / machine.lever),
+        pin=xp.where(stands, slip_pins, 0.0),
     )
 
 
@@ -220,56 +221,56 @@ def _with_equal_coefficients(machine: Machine, task: Task, x: Unknowns, held: _H
     """Rows of a standing drive in which the second contact of each pair has the traction coefficient of the first."""
     first, second = numbers_of_pairs(machine.drive).T
     ratio = machine.friction[first] / machine.friction[second]
-    none = jax.tree.map(jnp.zeros_like, held)
-    by_normal = none.normal.at[second, first].set(x.tangential[second])
-    by_tangential = none.tangential.at[second, first].set(-ratio * x.normal[second])
+    none = jax.tree.map(xp.zeros_like, held)
+    by_normal = put(none.normal, (second, first), x.tangential[second])
+    by_tangential = put(none.tangential, (second, first), -ratio * x.normal[second])
     equal = none._replace(
-        normal=by_normal.at[second, second].set(-ratio * x.tangential[first]),
-        tangential=by_tangential.at[second, second].set(x.normal[first]),
+        normal=put(by_normal, (second, second), -ratio * x.tangential[first]),
+        tangential=put(by_tangential, (second, second), x.normal[first]),
     )
-    is_second = jnp.asarray(np.isin(np.arange(x.normal.size), second))
-    return _in_rows(is_second & (jnp.asarray(task.kind) == STANDING), equal, held)
+    is_second = xp.asarray(np.isin(np.arange(x.normal.size), second))
+    return _in_rows(is_second & (xp.asarray(task.kind) == STANDING), equal, held)
 
 
 def _in_rows(where: Array, chosen: _HeldRows, held: _HeldRows) -> _HeldRows:
     """Rows of one kind at some contacts, of another at the others."""
-    return jax.tree.map(lambda one, other: jnp.where(where[:, None], one, other), chosen, held)
+    return jax.tree.map(lambda one, other: xp.where(where[:, None], one, other), chosen, held)
 
 
 def _moment_scale(machine: Machine) -> Array:
     """Copies of each turning member in the drive; none of the carrier, on which contacts have no moment."""
     members = np.array(turning_members(machine.drive), dtype=int)
     carrier = members == machine.drive.members.index(CARRIER)
-    return jnp.where(carrier, 0.0, sectors_of_members(machine.drive)[members])
+    return xp.where(carrier, 0.0, sectors_of_members(machine.drive)[members])
 
 
 def _of_structure(
     machine: Machine, task: Task, pressed_sectors: int, x: Unknowns, pressed: PressedBores | None
 ) -> Array:
     """Slopes of the balances, the pins and the size by the structure."""
-    load, assembled = task.load, jnp.asarray(task.kind) == ASSEMBLED
+    load, assembled = task.load, xp.asarray(task.kind) == ASSEMBLED
     members = np.array(turning_members(machine.drive), dtype=int)
     moved, turns, pins = x.displacement.size, members.size, x.pin.size
-    supports = jnp.zeros((moved, moved))
+    supports = xp.zeros((moved, moved))
     if load.support_stiffness is not None:
-        supports = _diagonal(jnp.repeat(load.support_stiffness, 2)) * machine.length / machine.largest
+        supports = _diagonal(xp.repeat(load.support_stiffness, 2)) * machine.length / machine.largest
     _, tangential = contact_forces(machine, x)
-    by_pins = jax.jacfwd(lambda pin: moments_of(machine, task, tangential, pin, None)[members])(
-        x.pin * machine.largest
+    by_pins = jacobian(
+        lambda pin: moments_of(machine, task, tangential, pin, None)[members], x.pin * machine.largest
     )
     pin_rows, pin_slopes = _of_pins(machine, task, x, pressed)
-    size = jnp.where(assembled & (pressed_sectors > 0), 0.0, 1.0).reshape(1, 1)
-    return jnp.block(
+    size = xp.where(assembled & (pressed_sectors > 0), 0.0, 1.0).reshape(1, 1)
+    return xp.block(
         [
-            [supports, jnp.zeros((moved, turns)), machine.matrices.pins.T, jnp.zeros((moved, 1))],
+            [supports, xp.zeros((moved, turns)), machine.matrices.pins.T, xp.zeros((moved, 1))],
             [
-                jnp.zeros((turns, moved)),
-                jnp.where(assembled, np.eye(turns), 0.0),
-                jnp.where(assembled, 0.0, by_pins / machine.lever),
-                jnp.zeros((turns, 1)),
+                xp.zeros((turns, moved)),
+                xp.where(assembled, np.eye(turns), 0.0),
+                xp.where(assembled, 0.0, by_pins / machine.lever),
+                xp.zeros((turns, 1)),
             ],
-            [pin_rows, jnp.zeros((pins, turns)), _diagonal(pin_slopes), jnp.zeros((pins, 1))],
-            [jnp.zeros((1, moved + turns + pins)), size],
+            [pin_rows, xp.zeros((pins, turns)), _diagonal(pin_slopes), xp.zeros((pins, 1))],
+            [xp.zeros((1, moved + turns + pins)), size],
         ]
     )
 
@@ -287,13 +288,13 @@ def newton_step(slopes: Slopes, residual: Unknowns, solver: Callable[[Array, Arr
     tangential = _triangular(slopes.held_tangential, -slopes.held_moves - slopes.held_normal @ normal)
     held = residual.tangential - product(slopes.held_normal, alone)
     held = _triangular(slopes.held_tangential, held[:, None])[:, 0]
-    rest = jnp.concatenate([residual.displacement, residual.turn, residual.pin, residual.interference])
+    rest = xp.concatenate([residual.displacement, residual.turn, residual.pin, residual.interference])
     structural_step = solver(
         slopes.structure + slopes.normal @ normal + slopes.tangential @ tangential,
         rest - product(slopes.normal, alone) - product(slopes.tangential, held),
     )
     ends = np.cumsum([residual.displacement.size, residual.turn.size, residual.pin.size])
-    displacement, turn, pin, interference = jnp.split(structural_step, ends)
+    displacement, turn, pin, interference = xp.split(structural_step, ends)
     return Unknowns(
         normal=product(normal, structural_step) + alone,
         tangential=product(tangential, structural_step) + held,
@@ -308,17 +309,17 @@ def _pins_by_contacts(
     machine: Machine, task: Task, x: Unknowns, pressed: PressedBores | None
 ) -> tuple[Array, Array]:
     """Slopes of the equations of pins and supports by normal and tangential forces, shape (pins, contacts)."""
-    drive, laws, none = machine.drive, machine.laws, jnp.zeros((x.pin.size, x.normal.size))
+    drive, laws, none = machine.drive, machine.laws, xp.zeros((x.pin.size, x.normal.size))
     if laws.bores is None or pressed is None:
         return none, none
-    assembled, count = jnp.asarray(task.kind) == ASSEMBLED, len(drive.pinned)
+    assembled, count = xp.asarray(task.kind) == ASSEMBLED, len(drive.pinned)
     normal, tangential = laws.bores.by_pin(pressed)
-    normal = jnp.where(assembled, laws.bores.along_normal, normal)
-    moves = jnp.where(_kept(machine, task), 0.0, 1.0 / machine.length)[:, None]
+    normal = xp.where(assembled, laws.bores.along_normal, normal)
+    moves = xp.where(_kept(machine, task), 0.0, 1.0 / machine.length)[:, None]
     reference = laws.reference_force
     return (
-        none.at[:count].set(-moves * normal.T * reference),
-        none.at[:count].set(-moves * tangential.T * machine.friction * reference),
+        put(none, np.s_[:count], -moves * normal.T * reference),
+        put(none, np.s_[:count], -moves * tangential.T * machine.friction * reference),
     )
 
 
@@ -328,27 +329,27 @@ def _kept(machine: Machine, task: Task) -> Array:
     kept = np.array(
         [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
     )
-    return jnp.asarray(kept) & (jnp.asarray(task.kind) != ASSEMBLED)
+    return xp.asarray(kept) & (xp.asarray(task.kind) != ASSEMBLED)
 
 
 def _of_pins(machine: Machine, task: Task, x: Unknowns, pressed: PressedBores | None) -> tuple[Array, Array]:
     """Slopes of the equations of pins and supports by the displacements, and each by its own force."""
     drive, load = machine.drive, task.load
-    count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
+    count, loaded = len(drive.pinned), xp.asarray(task.kind) != ASSEMBLED
     constant = _kept(machine, task)
-    compliance: Array = jnp.broadcast_to(load.pin_compliance, (count,))
+    compliance: Array = xp.broadcast_to(load.pin_compliance, (count,))
     if machine.laws.bores is not None and pressed is not None:
         bores, (normal, tangential) = machine.laws.bores, contact_forces(machine, x)
         compliance = compliance + bores.pin_slope(pressed, change_of_normal(task, normal), tangential)
     soft = compliance * machine.largest / machine.length
-    rows = jnp.where(constant[:, None], 0.0, machine.matrices.pins[:count])
-    slopes = jnp.where(constant, 1.0, -soft)
+    rows = xp.where(constant[:, None], 0.0, machine.matrices.pins[:count])
+    slopes = xp.where(constant, 1.0, -soft)
     if load.supports is None:
         return rows, slopes
     beside = -load.supports.compliance * machine.largest / machine.length
     return (
-        jnp.concatenate([rows, jnp.where(loaded, load.supports.direction, 0.0)]),
-        jnp.concatenate([slopes, jnp.where(loaded, beside, 1.0)]),
+        xp.concatenate([rows, xp.where(loaded, load.supports.direction, 0.0)]),
+        xp.concatenate([slopes, xp.where(loaded, beside, 1.0)]),
     )
 
 
@@ -362,7 +363,7 @@ def _rolled_by_speeds(drive: Drive, speed: Array) -> tuple[Array, Array]:
         ([contact.second for contact in drive.contacts], drive.second_radius),
     ):
         rows = relative[np.array([members.index(body) for body in bodies])]
-        sides.append((radius * jnp.sign(product(rows, speed)))[:, None] * rows)
+        sides.append((radius * xp.sign(product(rows, speed)))[:, None] * rows)
     return sides[0], sides[1]
 
 
@@ -373,7 +374,7 @@ def _diagonal(values: Array) -> Array:
 
 def _triangular(matrix: Array, columns: Array) -> Array:
     """Solve for contacts each of which depends on itself, and perhaps on one that depends on itself only."""
-    diagonal = jnp.diagonal(matrix)
+    diagonal = xp.diagonal(matrix)
     beside = matrix - _diagonal(diagonal)
     uncoupled = columns / diagonal[:, None]
     return uncoupled - beside @ uncoupled / diagonal[:, None]
@@ -385,9 +386,7 @@ def _inverse(matrix: Array) -> Array:
 
     def without_column(k: Array, table: Array) -> Array:
         row = table[k] / table[k, k]
-        return jnp.where((rows == k)[:, None], row, table - table[:, k, None] * row)
+        return xp.where((rows == k)[:, None], row, table - table[:, k, None] * row)
 
-    table = jax.lax.fori_loop(
-        0, rows.size, without_column, jnp.concatenate([matrix, np.eye(rows.size)], axis=1)
-    )
+    table = fori_loop(0, rows.size, without_column, xp.concatenate([matrix, np.eye(rows.size)], axis=1))
     return table[:, rows.size :]

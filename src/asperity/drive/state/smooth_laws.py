@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import jax.numpy as jnp
-
 from asperity.contact.hertz_line import (
     effective_radius,
     half_width,
@@ -15,6 +13,7 @@ from asperity.drive.layout.drive import Drive
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.state import ContactLaws
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -37,10 +36,10 @@ def smooth_contact_laws(
     1953.
     """
     one, two = drive.first_radius, drive.second_radius
-    internal = jnp.array([contact.internal for contact in drive.contacts])
-    radius = effective_radius(radius_1=one, radius_2=two, sign=jnp.where(internal, -1.0, 1.0))
+    internal = xp.array([contact.internal for contact in drive.contacts])
+    radius = effective_radius(radius_1=one, radius_2=two, sign=xp.where(internal, -1.0, 1.0))
     contact_modulus = youngs_modulus / (2.0 * (1.0 - poisson_ratio**2))
-    force = jnp.broadcast_to(jnp.asarray(reference_force, dtype=float), one.shape)
+    force = xp.broadcast_to(xp.asarray(reference_force, dtype=float), one.shape)
     width = half_width(
         normal_force=force,
         contact_length=contact_length,
@@ -52,7 +51,7 @@ def smooth_contact_laws(
         "youngs_modulus": youngs_modulus,
         "poisson_ratio": poisson_ratio,
     }
-    secant = roller_secant_compliance(radius=one, half_width=width, **body) + jnp.where(
+    secant = roller_secant_compliance(radius=one, half_width=width, **body) + xp.where(
         internal,
         ring_secant_compliance(wall_thickness=ring_wall_thickness, half_width=width, **body),
         roller_secant_compliance(radius=two, half_width=width, **body),
@@ -63,7 +62,7 @@ def smooth_contact_laws(
         ),
         reference_force=force,
         creep=CreepLaw(
-            friction_coefficient=jnp.broadcast_to(friction_coefficient, one.shape),
-            gross_slip_scale=friction_coefficient * width / (radius * jnp.sqrt(force)),
+            friction_coefficient=xp.broadcast_to(friction_coefficient, one.shape),
+            gross_slip_scale=friction_coefficient * width / (radius * xp.sqrt(force)),
         ),
     )

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.body.rim_moments import RimKernel
@@ -16,6 +15,7 @@ from asperity.drive.mechanism import Bearings, NormalSprings, total_approach
 from asperity.drive.state.bores import Bores
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.supports import Supports
+from asperity.engine.arrays import xp
 from asperity.linear import product
 from asperity.types import Real
 
@@ -219,7 +219,7 @@ class DriveState(eqx.Module):
     @property
     def residual(self) -> Array:
         """Largest relative residual of all equations [-]; infinite where a contact has lifted off or friction fails."""
-        return jnp.where(self.carried, self.worst, jnp.inf)
+        return xp.where(self.carried, self.worst, xp.inf)
 
 
 def contact_approach(*, laws: ContactLaws, normal: Array) -> Array:
@@ -243,7 +243,7 @@ def contact_approach(*, laws: ContactLaws, normal: Array) -> Array:
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    approach = jnp.asarray(
+    approach = xp.asarray(
         total_approach(springs=laws.springs, normal_force=normal, rest_force=laws.reference_force)
     )
     if laws.coupling is not None:
@@ -280,13 +280,13 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     Integrals of the incremental compliances :func:`asperity.contact.interface.bulk_tangential_stiffness` and of
     equation (24) of Zou et al. 2025 or of (A10) of :doc:`/equations`.
     """
-    limit = laws.creep.friction_coefficient * jnp.where(normal > 0.0, normal, 1.0)
+    limit = laws.creep.friction_coefficient * xp.where(normal > 0.0, normal, 1.0)
     # without a force too, where the slope is that of both sides
-    sign = jnp.where(tangential < 0.0, -1.0, 1.0)
+    sign = xp.where(tangential < 0.0, -1.0, 1.0)
     q = sign * tangential / limit
-    held = jnp.minimum(q, _NEAR_SLIP)
+    held = xp.minimum(q, _NEAR_SLIP)
     left = 1.0 - held
-    log = jnp.log(left)
+    log = xp.log(left)
     bodies, bend = (
         laws.springs.incremental_compliance,
         laws.springs.secant_compliance - laws.springs.incremental_compliance,
@@ -295,13 +295,13 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     slope = bodies - bend * log
     if laws.asperity_compliance is not None:
         power = 1.0 - laws.slip_exponent
-        yielded = -log if power == 0.0 else -jnp.expm1(log * power) / power
+        yielded = -log if power == 0.0 else -xp.expm1(log * power) / power
         slip = slip + laws.asperity_compliance * yielded
-        slope = slope + laws.asperity_compliance * jnp.exp(-log * laws.slip_exponent)
+        slope = slope + laws.asperity_compliance * xp.exp(-log * laws.slip_exponent)
     slip = limit * (slip + slope * (q - held))
     crowns = laws.springs.crowns
     if crowns is not None and laws.lateral_strain_compliance is not None:
-        pressed = jnp.where(normal > 0.0, normal, 1.0)
+        pressed = xp.where(normal > 0.0, normal, 1.0)
         slip = slip + crown_slip(
             normal_force=pressed,
             stick_force=left * pressed,
@@ -319,11 +319,11 @@ def surface_speeds(*, drive: Drive, speed: Array) -> tuple[Array, Array]:
     """
     members = drive.members
     carrier = speed[members.index(CARRIER)]
-    first = jnp.array([members.index(contact.first) for contact in drive.contacts])
-    second = jnp.array([members.index(contact.second) for contact in drive.contacts])
+    first = xp.array([members.index(contact.first) for contact in drive.contacts])
+    second = xp.array([members.index(contact.second) for contact in drive.contacts])
     return (
-        drive.first_radius * jnp.abs(speed[first] - carrier),
-        drive.second_radius * jnp.abs(speed[second] - carrier),
+        drive.first_radius * xp.abs(speed[first] - carrier),
+        drive.second_radius * xp.abs(speed[second] - carrier),
     )
 
 

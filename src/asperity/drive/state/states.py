@@ -20,7 +20,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.layout.drive import Drive, incidence
@@ -37,6 +36,9 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.search import assembled_guess, known_state, solved, started_from, state_of
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState, contact_approach
+from asperity.engine.arrays import xp
+from asperity.engine.control import scan
+from asperity.engine.derivatives import without_slopes
 from asperity.linear import product, solve
 from asperity.types import Real
 
@@ -107,16 +109,16 @@ def state_at_rest(
     Equation (M3) of :doc:`/equations`.
     """
     machine = machine_of(drive, laws, pattern, added, None if load is None else load.supports)
-    given = jnp.asarray(preload if interference is None else interference, dtype=float)
-    springs = DriveLoad(jnp.zeros(())) if load is None else load
-    unloaded = dataclasses.replace(springs, output_torque=jnp.zeros(()), body_force=None)
+    given = xp.asarray(preload if interference is None else interference, dtype=float)
+    springs = DriveLoad(xp.zeros(())) if load is None else load
+    unloaded = dataclasses.replace(springs, output_torque=xp.zeros(()), body_force=None)
     task = Task(ASSEMBLED, given, unloaded, no_displacement(drive), no_force(drive))
     pressed = sectors if interference is None else 0
     if known is None:
         found = solved(machine, task, assembled_guess(machine), pressed_sectors=pressed)
         return state_of(machine, task, found)
     pattern_interference = known.interference if added is None else known.interference - added
-    unknowns = started_from(machine, known, jnp.sum(pattern * pattern_interference) / jnp.sum(pattern**2))
+    unknowns = started_from(machine, known, xp.sum(pattern * pattern_interference) / xp.sum(pattern**2))
     found = known_state(machine, task, unknowns, known.slides, pressed_sectors=pressed)
     return state_of(machine, task, found)
 
@@ -149,9 +151,9 @@ def rolling_state(
     ----------
     Equations (B1), (B3) and (M3) of :doc:`/equations`.
     """
-    size = jnp.max(interference)
+    size = xp.max(interference)
     machine = machine_of(drive, laws, interference / size)
-    load = DriveLoad(jnp.asarray(output_torque))
+    load = DriveLoad(xp.asarray(output_torque))
     task = Task(ROLLING, size, load, no_displacement(drive), start.pin_force, start.normal)
     found = solved(machine, task, started_from(machine, start, size), pressed_sectors=0)
     return state_of(machine, task, found)
@@ -250,7 +252,7 @@ def loaded_state(
     Equation (M3) of :doc:`/equations`.
     """
     rolling, standing = _rolling_kinds(creep_of), (STANDING, _KNOWN_STANDING)
-    kinds = tuple(jnp.where(rolls, *either) for either in zip(rolling, standing, strict=False))
+    kinds = tuple(xp.where(rolls, *either) for either in zip(rolling, standing, strict=False))
     return _loaded(drive, laws, rest, load, [(STANDING,) if rolls is False else kinds], creep_of, holds)[-1]
 
 
@@ -303,17 +305,17 @@ def _loaded(
 ) -> list[DriveState]:
     """One state after the other, each from the one before it; those of one tuple by one program."""
     laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
-    size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
+    size = without_slopes(xp.max(rest.interference))  # a scale, as those of machine_of
     machine = machine_of(drive, laws, rest.interference / size, supports=load.supports, creep_of=creep_of)
     borne = dataclasses.replace(load, body_force=forces_on(drive, load))
     loaded = Task(STANDING, size, borne, rest.displacement.ravel(), rest.pin_force, rest.normal)
 
     def step(before: _Start, kind: Array | int) -> tuple[_Start, DriveState]:
         first, known = (kind == state_kind for state_kind in (_FIRST_ROLLING, _KNOWN_STANDING))
-        kind = jnp.where(first, ROLLING, jnp.where(known, STANDING, kind))
+        kind = xp.where(first, ROLLING, xp.where(known, STANDING, kind))
         task = loaded._replace(kind=kind, by_laws=first)
         unknowns, slides = before
-        begin = jnp.where(kind == STANDING, slides, 0.0)
+        begin = xp.where(kind == STANDING, slides, 0.0)
         found = solved(machine, task, unknowns, slides=begin, pressed_sectors=0, known=known, holds=holds)
         return (found.unknowns, found.slides), state_of(machine, task, found)
 
@@ -323,7 +325,7 @@ def _loaded(
             last, state = step(last, alike[0])
             solved_states.append(state)
             continue
-        last, states = jax.lax.scan(step, last, jnp.stack([jnp.asarray(kind) for kind in alike]))
+        last, states = scan(step, last, xp.stack([xp.asarray(kind) for kind in alike]))
         solved_states += [jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
     return solved_states
 
@@ -377,13 +379,13 @@ def rest_forces(*, drive: Drive, pattern: Array) -> Array:
     """
     matrices = incidence(drive)
     contacts, moves, pins = matrices.approach.shape[0], matrices.approach.shape[1], matrices.pins.shape[0]
-    none = jnp.zeros
-    system = jnp.block(
+    none = xp.zeros
+    system = xp.block(
         [
-            [jnp.eye(contacts), none((contacts, pins)), -matrices.approach, -pattern[:, None]],
+            [xp.eye(contacts), none((contacts, pins)), -matrices.approach, -pattern[:, None]],
             [none((pins, contacts)), none((pins, pins)), matrices.pins, none((pins, 1))],
             [matrices.approach.T, matrices.pins.T, none((moves, moves)), none((moves, 1))],
-            [jnp.eye(1, contacts), none((1, pins)), none((1, moves)), none((1, 1))],
+            [xp.eye(1, contacts), none((1, pins)), none((1, moves)), none((1, 1))],
         ]
     )
-    return solve(system, jnp.eye(system.shape[0])[-1])[:contacts]
+    return solve(system, xp.eye(system.shape[0])[-1])[:contacts]

@@ -5,11 +5,11 @@ from __future__ import annotations
 import dataclasses
 from typing import NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import Drive, Incidence
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -44,24 +44,24 @@ def carrier_supports(
     compliances: list[Array] = []
     if pin_transverse_stiffness is not None:
         pinned = np.array(drive.pinned, dtype=int)
-        x, y = (drive.centres[pinned] / jnp.hypot(*drive.centres[pinned].T)[:, None]).T
-        cosine, sine = jnp.cos(drive.push_angles), jnp.sin(drive.push_angles)
+        x, y = (drive.centres[pinned] / xp.hypot(*drive.centres[pinned].T)[:, None]).T
+        cosine, sine = xp.cos(drive.push_angles), xp.sin(drive.push_angles)
         # radial times cosine less the clockwise tangent times sine
         bodies += drive.pinned
-        units += list(jnp.stack([x * cosine - y * sine, y * cosine + x * sine], axis=1))
-        compliances += [1.0 / jnp.asarray(pin_transverse_stiffness, dtype=float)] * len(drive.pinned)
+        units += list(xp.stack([x * cosine - y * sine, y * cosine + x * sine], axis=1))
+        compliances += [1.0 / xp.asarray(pin_transverse_stiffness, dtype=float)] * len(drive.pinned)
     if planet_support_stiffness is not None:
         bodies += [body for body in planets for _ in range(2)]
-        units += list(jnp.asarray(np.tile(np.eye(2), (len(planets), 1))))
-        compliances += [1.0 / jnp.asarray(planet_support_stiffness, dtype=float)] * (2 * len(planets))
+        units += list(xp.asarray(np.tile(np.eye(2), (len(planets), 1))))
+        compliances += [1.0 / xp.asarray(planet_support_stiffness, dtype=float)] * (2 * len(planets))
     if not bodies:
         return None
-    places = jnp.asarray(np.eye(len(drive.bodies))[bodies][:, list(drive.floating)])
-    along, centres = jnp.stack(units), drive.centres[np.array(bodies)]
+    places = xp.asarray(np.eye(len(drive.bodies))[bodies][:, list(drive.floating)])
+    along, centres = xp.stack(units), drive.centres[np.array(bodies)]
     return Supports(
         direction=(places[:, :, None] * along[:, None, :]).reshape(len(bodies), -1),
         lever=centres[:, 0] * along[:, 1] - centres[:, 1] * along[:, 0],
-        compliance=jnp.stack(compliances),
+        compliance=xp.stack(compliances),
     )
 
 
@@ -71,6 +71,6 @@ def with_supports(matrices: Incidence, supports: Supports | None) -> Incidence:
         return matrices
     return dataclasses.replace(
         matrices,
-        pins=jnp.concatenate([matrices.pins, supports.direction]),
-        levers=jnp.concatenate([matrices.levers, supports.lever]),
+        pins=xp.concatenate([matrices.pins, supports.direction]),
+        levers=xp.concatenate([matrices.levers, supports.lever]),
     )

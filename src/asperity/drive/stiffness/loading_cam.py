@@ -9,10 +9,10 @@ from __future__ import annotations
 import dataclasses
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 
@@ -52,7 +52,7 @@ def cam_preload(*, least_preload: Real, force_per_torque: Real, output_torque: R
     ----------
     Equation (I3) of :doc:`/equations`.
     """
-    return jnp.asarray(least_preload + force_per_torque * jnp.abs(jnp.asarray(output_torque)))
+    return xp.asarray(least_preload + force_per_torque * xp.abs(xp.asarray(output_torque)))
 
 
 def cam_angle(
@@ -91,7 +91,7 @@ def cam_angle(
     ----------
     Equation (I3) of :doc:`/equations`.
     """
-    return jnp.asarray(branches * force_per_torque * jnp.sum(rest_force * closed, axis=0) / preload)
+    return xp.asarray(branches * force_per_torque * xp.sum(rest_force * closed, axis=0) / preload)
 
 
 def cam_compliance(
@@ -129,7 +129,7 @@ def cam_compliance(
         force_per_torque=force_per_torque,
         closed=softness,
     )
-    return jnp.asarray(force_per_torque * per_force)
+    return xp.asarray(force_per_torque * per_force)
 
 
 def with_cam(*, assembly: Assembly, compliance: Real) -> Assembly:
@@ -154,7 +154,7 @@ def with_cam(*, assembly: Assembly, compliance: Real) -> Assembly:
     Equation (I3) of :doc:`/equations`.
     """
     held = assembly.stiffness
-    kept = 1.0 / (1.0 + jnp.asarray(held.output) * compliance)
+    kept = 1.0 / (1.0 + xp.asarray(held.output) * compliance)
     shares = {
         field.name: getattr(assembly, field.name) * kept
         for field in dataclasses.fields(assembly)
@@ -183,4 +183,4 @@ def held_cam_stiffness(assembly: Assembly) -> Array:
     ----------
     Equation (I3) of :doc:`/equations`.
     """
-    return jnp.asarray(assembly.stiffness.output / (1.0 - assembly.loading_cam_share))
+    return xp.asarray(assembly.stiffness.output / (1.0 - assembly.loading_cam_share))

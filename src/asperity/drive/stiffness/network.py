@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, incidence, sectors_of_members
 from asperity.drive.state.supports import Supports, with_supports
+from asperity.engine.arrays import xp
+from asperity.engine.control import put
 from asperity.linear import product, solve
 from asperity.types import Real
 
@@ -99,31 +100,31 @@ def network_stiffness(
     springs = _springs(drive, normal_compliance, tangential_compliance, coupling, pin_compliance, supports)
     count, first = len(drive.contacts), 0 if normal_compliance is None else len(drive.contacts)
     tied = np.eye(len(turning)) if first else _tied(drive, [drive.members[i] for i in turning])
-    scale, length = jnp.mean(tangential_compliance), jnp.max(drive.second_radius)
+    scale, length = xp.mean(tangential_compliance), xp.max(drive.second_radius)
     copies = sectors_of_members(drive)[turning]
     turns = product(tied.T, springs.turns[:, turning] / length)
     moments = product(tied.T, springs.moments[:, turning] * copies / length)
-    kinematic, static = (jnp.concatenate([springs.moves, columns], axis=1) for columns in (turns, moments))
+    kinematic, static = (xp.concatenate([springs.moves, columns], axis=1) for columns in (turns, moments))
     laws, moved_by, slides = _with_sliding(springs.compliance / scale, kinematic, sliding_friction, first)
-    bearings = jnp.zeros(kinematic.shape[1])
+    bearings = xp.zeros(kinematic.shape[1])
     if first and support_stiffness is not None:
-        bearings = bearings.at[: 2 * len(support_stiffness)].set(jnp.repeat(support_stiffness, 2) * scale)
-    system = jnp.block([[laws, -moved_by], [static.T, jnp.diag(bearings)]])
+        bearings = put(bearings, np.s_[: 2 * len(support_stiffness)], xp.repeat(support_stiffness, 2) * scale)
+    system = xp.block([[laws, -moved_by], [static.T, xp.diag(bearings)]])
     output = tied[turning == drive.members.index(drive.output)]
     place = len(system) - tied.shape[1] + int(np.argmax(output))
-    force, moved = jnp.split(solve(system, -jnp.eye(len(system))[place] / length), [len(kinematic)])
-    turned = jnp.abs(moved[place - len(kinematic)]) * scale / length
-    longer = jnp.where(slides, product(kinematic, moved) * scale, product(springs.compliance, force))
+    force, moved = xp.split(solve(system, -xp.eye(len(system))[place] / length), [len(kinematic)])
+    turned = xp.abs(moved[place - len(kinematic)]) * scale / length
+    longer = xp.where(slides, product(kinematic, moved) * scale, product(springs.compliance, force))
     shares, end = drive.sectors * force * longer / turned, first + count
     held = drive.sectors * bearings * scale * moved**2 / turned
     return NetworkStiffness(
         output=1.0 / turned,
         tangential_share=shares[first:end],
-        normal_share=shares[:count] if first else jnp.zeros(count),
-        pin_share=jnp.sum(shares[end : end + len(drive.pinned)]),
+        normal_share=shares[:count] if first else xp.zeros(count),
+        pin_share=xp.sum(shares[end : end + len(drive.pinned)]),
         tangential_force=force[first:end],
-        normal_force=force[:count] if first else jnp.zeros(count),
-        support_share=jnp.concatenate([shares[end + len(drive.pinned) :], held]),
+        normal_force=force[:count] if first else xp.zeros(count),
+        support_share=xp.concatenate([shares[end + len(drive.pinned) :], held]),
     )
 
 
@@ -188,11 +189,11 @@ def spring_laws(
     Equations (A8) and (M1) of :doc:`/equations`.
     """
     springs = _springs(drive, normal_compliance, tangential_compliance, coupling, pin_compliance, supports)
-    motions = jnp.concatenate([springs.moves, springs.turns], axis=1)
+    motions = xp.concatenate([springs.moves, springs.turns], axis=1)
     laws, _, slides = _with_sliding(springs.compliance, motions, sliding_friction, normal_compliance.size)
-    bearings = jnp.zeros(motions.shape[1])
+    bearings = xp.zeros(motions.shape[1])
     if support_stiffness is not None:
-        bearings = bearings.at[: 2 * support_stiffness.size].set(jnp.repeat(support_stiffness, 2))
+        bearings = put(bearings, np.s_[: 2 * support_stiffness.size], xp.repeat(support_stiffness, 2))
     return SpringLaws(laws, motions, slides, bearings)
 
 
@@ -216,22 +217,22 @@ def _springs(
     """Tangential springs of held centres; of floating ones the normal springs before, pins and supports behind them."""
     matrices = incidence(drive)
     if normal_compliance is None:  # the held centres pass their moments on to the carrier
-        held = jnp.zeros((tangential_compliance.size, 0))
-        return _Springs(jnp.diag(tangential_compliance), held, matrices.turning, matrices.turning)
-    pins = jnp.broadcast_to(jnp.asarray(pin_compliance, dtype=float), (len(drive.pinned),))
+        held = xp.zeros((tangential_compliance.size, 0))
+        return _Springs(xp.diag(tangential_compliance), held, matrices.turning, matrices.turning)
+    pins = xp.broadcast_to(xp.asarray(pin_compliance, dtype=float), (len(drive.pinned),))
     if supports is not None:
-        pins = jnp.concatenate([pins, supports.compliance])
+        pins = xp.concatenate([pins, supports.compliance])
         matrices = with_supports(matrices, supports)
     carrier = np.eye(len(drive.members))[drive.members.index(CARRIER)]
-    levers, nothing = -matrices.levers[:, None] * carrier, jnp.zeros_like(matrices.turning)
-    compliance = jnp.diag(jnp.concatenate([normal_compliance, tangential_compliance, pins]))
+    levers, nothing = -matrices.levers[:, None] * carrier, xp.zeros_like(matrices.turning)
+    compliance = xp.diag(xp.concatenate([normal_compliance, tangential_compliance, pins]))
     if coupling is not None:
-        compliance = compliance + jnp.pad(coupling, (0, len(compliance) - len(coupling)))
+        compliance = compliance + xp.pad(coupling, (0, len(compliance) - len(coupling)))
     return _Springs(
         compliance=compliance,
-        moves=jnp.concatenate([matrices.approach, matrices.sliding, matrices.pins]),
-        turns=jnp.concatenate([nothing, matrices.turning, jnp.zeros_like(levers)]),
-        moments=jnp.concatenate([nothing, matrices.turning * (1.0 - carrier), levers]),
+        moves=xp.concatenate([matrices.approach, matrices.sliding, matrices.pins]),
+        turns=xp.concatenate([nothing, matrices.turning, xp.zeros_like(levers)]),
+        moments=xp.concatenate([nothing, matrices.turning * (1.0 - carrier), levers]),
     )
 
 
@@ -241,15 +242,15 @@ def _with_sliding(
     """Laws of springs, what lengthens them, and which slide: contacts whose tangential springs start at ``first``."""
     size = len(kinematic)
     if friction is None:
-        return compliance, kinematic, jnp.zeros(size, dtype=bool)
+        return compliance, kinematic, xp.zeros(size, dtype=bool)
     behind = size - first - friction.size
-    laws = jnp.eye(size)
+    laws = xp.eye(size)
     if first:
-        laws = laws - jnp.pad(jnp.diag(friction), ((first, behind), (0, first + behind)))
-    slides = jnp.pad(friction != 0.0, (first, behind))
+        laws = laws - xp.pad(xp.diag(friction), ((first, behind), (0, first + behind)))
+    slides = xp.pad(friction != 0.0, (first, behind))
     return (
-        jnp.where(slides[:, None], laws, compliance),
-        jnp.where(slides[:, None], 0.0, kinematic),
+        xp.where(slides[:, None], laws, compliance),
+        xp.where(slides[:, None], 0.0, kinematic),
         slides,
     )
 
@@ -287,7 +288,7 @@ def with_shafts(
     Elementary: the angle of the input shaft divided by the ratio, under the torque divided by the ratio.
     """
     # derivatives of a rigid shaft: 0
-    at_input = 1.0 / jnp.asarray(input_shaft_stiffness, dtype=float) / ratio**2
-    at_output = 1.0 / jnp.asarray(output_shaft_stiffness, dtype=float)
+    at_input = 1.0 / xp.asarray(input_shaft_stiffness, dtype=float) / ratio**2
+    at_output = 1.0 / xp.asarray(output_shaft_stiffness, dtype=float)
     compliance = 1.0 / stiffness + at_input + at_output
     return 1.0 / compliance, at_input / compliance, at_output / compliance

@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.wedge.geometry import DriveGeometry, speed_ratio
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 #: One arcminute in radians.
@@ -79,8 +79,8 @@ def driven_radii(geometry: DriveGeometry) -> Real:
     ----------
     Zou et al. 2025, equation (30) as used in Fig. 6; only this choice gives the order of the curves there.
     """
-    planet, roller = jnp.broadcast_arrays(geometry.planet_radius, geometry.loading_roller_radius)
-    return jnp.stack([planet, roller, roller, roller, roller])
+    planet, roller = xp.broadcast_arrays(geometry.planet_radius, geometry.loading_roller_radius)
+    return xp.stack([planet, roller, roller, roller, roller])
 
 
 def referred_to_sun(*, torsional_stiffness: Real, sun_radius: Real, radius: Real) -> Real:
@@ -145,8 +145,8 @@ def series_torsional_stiffness(*, geometry: DriveGeometry, tangential_stiffness:
         referred_to_sun(torsional_stiffness=stage_wo, sun_radius=sun, radius=roller),
     )
     holds = (stages[0] > 0.0) & (stages[1] > 0.0) & (stages[2] > 0.0)
-    compliance = sum(1.0 / jnp.where(holds, stage, 1.0) for stage in stages)
-    at_sun = jnp.where(holds, geometry.planet_count / compliance, 0.0)  # (25)
+    compliance = sum(1.0 / xp.where(holds, stage, 1.0) for stage in stages)
+    at_sun = xp.where(holds, geometry.planet_count / compliance, 0.0)  # (25)
     return TorsionalStiffness(sun=at_sun, output=at_sun * speed_ratio(geometry) ** 2)
 
 

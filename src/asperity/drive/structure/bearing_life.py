@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Literal
 
 import equinox as eqx
-import jax.numpy as jnp
 from jax import Array
 
+from asperity.engine.arrays import xp
 from asperity.types import Real
 
 #: Rolling elements of a bearing.
@@ -71,10 +71,10 @@ def basic_rating_life(*, dynamic_rating: Real, load: Real, exponent: float) -> A
     >>> float(basic_rating_life(dynamic_rating=2000.0, load=1000.0, exponent=3.0))
     8000000.0
     """
-    loaded = jnp.asarray(load) > 0.0
-    ratio = dynamic_rating / jnp.where(loaded, load, 1.0)
-    life = jnp.where(loaded, 1e6 * ratio**exponent, jnp.inf)
-    return jnp.where(jnp.isnan(load), jnp.nan, life)
+    loaded = xp.asarray(load) > 0.0
+    ratio = dynamic_rating / xp.where(loaded, load, 1.0)
+    life = xp.where(loaded, 1e6 * ratio**exponent, xp.inf)
+    return xp.where(xp.isnan(load), xp.nan, life)
 
 
 def static_safety(*, static_rating: Real, load: Real) -> Array:
@@ -97,6 +97,6 @@ def static_safety(*, static_rating: Real, load: Real) -> Array:
     ----------
     ISO 76:2006, Rolling bearings – Static load ratings; equation (L2) of :doc:`/equations`.
     """
-    loaded = jnp.asarray(load) > 0.0
-    safety = jnp.where(loaded, static_rating / jnp.where(loaded, load, 1.0), jnp.inf)
-    return jnp.where(jnp.isnan(load), jnp.nan, safety)
+    loaded = xp.asarray(load) > 0.0
+    safety = xp.where(loaded, static_rating / xp.where(loaded, load, 1.0), xp.inf)
+    return xp.where(xp.isnan(load), xp.nan, safety)

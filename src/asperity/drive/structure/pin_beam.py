@@ -8,7 +8,8 @@ from typing import Literal
 import equinox as eqx
 from jax import Array
 
-from asperity.types import Real, namespace
+from asperity.engine.arrays import xp
+from asperity.types import Real
 
 #: How the carrier holds a pin.
 PinSupport = Literal["both_ends", "one_end"]
@@ -85,7 +86,7 @@ def pin_bending_stress(*, moment: Real, diameter: Real) -> Array:
     ----------
     Statics of a beam; (L1) of :doc:`/equations`.
     """
-    xp, solid = namespace(moment, diameter), diameter > 0.0
+    solid = diameter > 0.0
     return xp.where(solid, 32.0 * moment / (math.pi * xp.where(solid, diameter, 1.0) ** 3), xp.nan)
 
 
@@ -138,7 +139,7 @@ def pin_beam_compliance(
     S. P. Timoshenko, Phil. Mag. 41 (1921) 744, the energy of bending moment and shear force; k of a solid round section
     by G. R. Cowper, J. Appl. Mech. 33 (1966) 335. Equation (L4) of :doc:`/equations`.
     """
-    xp, length, width = namespace(free_length, roller_length, diameter), free_length, roller_length
+    length, width = free_length, roller_length
     area = 0.25 * math.pi * xp.asarray(diameter) ** 2
     bending = youngs_modulus * area * diameter**2 / 16.0
     shear_factor = 6.0 * (1.0 + poisson_ratio) / (7.0 + 6.0 * poisson_ratio)

@@ -11,12 +11,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.mechanism import Mechanism, RestState, bearing_torque
 from asperity.drive.wedge.geometry import Triangle
+from asperity.engine.arrays import xp
+from asperity.engine.derivatives import with_rule
 from asperity.types import Real
 
 
@@ -66,7 +66,7 @@ class BranchForces(NamedTuple):
     right_bearing_torque: Array
 
 
-@jax.custom_jvp
+@with_rule
 def _reciprocal(x: Array) -> Array:
     """1/x, whose derivative reuses the value instead of dividing again."""
     return 1.0 / x
@@ -108,8 +108,8 @@ def branch_forces(
     """
     side, geometry, bearings = branch.sides, branch.mechanism.geometry, branch.mechanism.bearings
     radius = geometry.loading_roller_radius
-    cos_l, sin_l = jnp.cos(geometry.left_push_angle), jnp.sin(geometry.left_push_angle)
-    cos_r, sin_r = jnp.cos(geometry.right_push_angle), jnp.sin(geometry.right_push_angle)
+    cos_l, sin_l = xp.cos(geometry.left_push_angle), xp.sin(geometry.left_push_angle)
+    cos_r, sin_r = xp.cos(geometry.right_push_angle), xp.sin(geometry.right_push_angle)
     difference = sun_force * ((1.0 + side.cos_direction) / side.sin_direction)  # (2) x and moment
     n_pwr, n_pwl = 0.5 * (load_sum + difference), 0.5 * (load_sum - difference)
     if right_force is None:
@@ -124,10 +124,10 @@ def branch_forces(
     push_r = n_pwr * side.sin_wedge - t_pwr * (1.0 + side.cos_wedge)
     constant = 2.0 * bearings.loading_roller_torque / radius
     pin_friction = 0.5 * bearings.pin_friction_coefficient * bearings.pin_friction_diameter / radius
-    f_cl = (push_l - constant) * jnp.where(
+    f_cl = (push_l - constant) * xp.where(
         push_l > constant, 1.0 / (cos_l + pin_friction), 1.0 / (cos_l - pin_friction)
     )
-    f_cr = (push_r + constant) * jnp.where(
+    f_cr = (push_r + constant) * xp.where(
         push_r > -constant, 1.0 / (cos_r - pin_friction), 1.0 / (cos_r + pin_friction)
     )
     b_l, b_r = (bearing_torque(bearings=bearings, pin_force=force) for force in (f_cl, f_cr))
@@ -166,7 +166,7 @@ def carrier_residual(branch: Branch, force: BranchForces) -> Array:
     """
     geometry = branch.mechanism.geometry
     left, right = geometry.left_push_angle, geometry.right_push_angle
-    push = force.pin_left * jnp.cos(left) - force.pin_right * jnp.cos(right)
+    push = force.pin_left * xp.cos(left) - force.pin_right * xp.cos(right)
     torque = 2.0 * branch.mechanism.bearings.carrier_torque + branch.output_torque
     return push - torque / (geometry.planet_count * branch.sides.roller_orbit)  # (5)
 
@@ -201,8 +201,8 @@ def contact_floors(branch: Branch, sun_force: Array) -> tuple[Array, Array]:
     difference = sun_force * ((1.0 + side.cos_direction) / side.sin_direction)
     product = centrifugal**2 - 4.0 * side.cos_direction * side.sin_direction * sun_force * difference
     real = product > 0.0
-    root = jnp.where(real, jnp.sqrt(jnp.where(real, product, 1.0)), -centrifugal)
-    return jnp.abs(difference), (centrifugal + root) * (0.5 / side.cos_direction)
+    root = xp.where(real, xp.sqrt(xp.where(real, product, 1.0)), -centrifugal)
+    return xp.abs(difference), (centrifugal + root) * (0.5 / side.cos_direction)
 
 
 def held_load_sum(branch: Branch, load_sum: Array, sun_force: Array) -> Array:
@@ -221,5 +221,5 @@ def held_load_sum(branch: Branch, load_sum: Array, sun_force: Array) -> Array:
         The larger of S and of both :func:`contact_floors` [N].
     """
     roller, planet = contact_floors(branch, sun_force)
-    floor = jnp.where(roller > planet, roller, planet)
-    return jnp.where(load_sum > floor, load_sum, floor)
+    floor = xp.where(roller > planet, roller, planet)
+    return xp.where(load_sum > floor, load_sum, floor)

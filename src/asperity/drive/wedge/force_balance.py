@@ -12,7 +12,6 @@ from collections.abc import Sequence
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.mechanism import Bearings, Mechanism, NormalSprings, compression, steepest_compliance
@@ -25,6 +24,9 @@ from asperity.drive.wedge.branch import (
     held_load_sum,
 )
 from asperity.drive.wedge.geometry import DriveGeometry, Triangle
+from asperity.engine.arrays import xp
+from asperity.engine.control import once, while_loop
+from asperity.engine.derivatives import linearised
 from asperity.implicit import implicit_root
 from asperity.types import Real
 
@@ -82,7 +84,7 @@ def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
     sp, pwr, pwl, wro, wlo = approaches
     side, geometry = branch.sides, branch.mechanism.geometry
     right, left = (
-        side.cos_wedge + side.sin_wedge * jnp.tan(angle)
+        side.cos_wedge + side.sin_wedge * xp.tan(angle)
         for angle in (geometry.right_push_angle, geometry.left_push_angle)
     )
     misfit = 2.0 * side.cos_direction * sp + pwr + pwl + right * wro + left * wlo
@@ -111,11 +113,11 @@ def closure_misfit(branch: Branch, force: BranchForces) -> Real:
     if branch.mechanism.closure == "constant_pin_force":
         return force.pin_right - branch.rest.pin_force_right
     if branch.mechanism.springs.crowns is not None:
-        normal = jnp.stack(jnp.broadcast_arrays(*force.normal))
+        normal = xp.stack(xp.broadcast_arrays(*force.normal))
         together = compression(
             springs=branch.mechanism.springs, normal_force=normal, rest_force=branch.rest.normal_force
         )
-        return _misfit(branch, list(jnp.asarray(together)))
+        return _misfit(branch, list(xp.asarray(together)))
     # contact by contact: XLA does not vectorise logarithms of a stacked array inside a fused loop
     springs = _contact_springs(branch.mechanism.springs)
     return _misfit(
@@ -130,9 +132,9 @@ def closure_misfit(branch: Branch, force: BranchForces) -> Real:
 def _closure_steepness(branch: Branch) -> Real:
     """Upper bound of the slope of the closure over S: that of all contacts nearly unloaded [-]."""
     if branch.mechanism.closure == "constant_pin_force":
-        return jnp.asarray(1.0)
+        return xp.asarray(1.0)
     if branch.mechanism.springs.crowns is not None:
-        return _misfit(branch, list(jnp.asarray(steepest_compliance(branch.mechanism.springs))))
+        return _misfit(branch, list(xp.asarray(steepest_compliance(branch.mechanism.springs))))
     return _misfit(
         branch, [steepest_compliance(spring) for spring in _contact_springs(branch.mechanism.springs)]
     )
@@ -156,7 +158,7 @@ def _solve_two_by_two(linear, right_side: tuple[Array, Array]) -> tuple[Array, A
     The second equation is the carrier's moment, which always depends on v = T_sp. XLA stores quotients
     instead of recomputing them for every use: each entry of the matrix is used only once.
     """
-    one, zero = jnp.ones_like(right_side[0]), jnp.zeros_like(right_side[0])
+    one, zero = xp.ones_like(right_side[0]), xp.zeros_like(right_side[0])
     a, c = linear((one, zero))
     b, d = linear((zero, one))
     e, f = right_side
@@ -174,20 +176,20 @@ def _newton(residuals, start: tuple[Array, Array]) -> tuple[Array, Array]:  # ty
 
     def improve(state: tuple[Array, Array, Array, Array]) -> tuple[Array, Array, Array, Array]:
         load_sum, sun_force, _, count = state
-        value, tangent_map = jax.linearize(residuals, (load_sum, sun_force))
+        value, tangent_map = linearised(residuals, (load_sum, sun_force))
         step = _solve_two_by_two(tangent_map, value)
-        allowed = _STEP_TOLERANCE * (jnp.abs(load_sum) + jnp.abs(sun_force))
-        moving = jnp.any((jnp.abs(step[0]) > allowed) | (jnp.abs(step[1]) > allowed))  # a nan stays unchanged
+        allowed = _STEP_TOLERANCE * (xp.abs(load_sum) + xp.abs(sun_force))
+        moving = xp.any((xp.abs(step[0]) > allowed) | (xp.abs(step[1]) > allowed))  # a nan stays unchanged
         return load_sum - step[0], sun_force - step[1], moving, count + 1
 
-    first = (*start, jnp.asarray(True), jnp.asarray(0))
-    load_sum, sun_force, *_ = jax.lax.while_loop(unfinished, improve, first)
+    first = (*start, xp.asarray(True), xp.asarray(0))
+    load_sum, sun_force, *_ = while_loop(unfinished, improve, first)
     return load_sum, sun_force
 
 
 def _largest(values: tuple[Array, ...]) -> Array:
     """Largest magnitude, compared one by one: XLA would first write a stacked array to memory."""
-    return functools.reduce(jnp.maximum, (jnp.abs(value) for value in values))
+    return functools.reduce(xp.maximum, (xp.abs(value) for value in values))
 
 
 def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
@@ -217,7 +219,7 @@ def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
         mechanism=mechanism,
         sides=sides,
         rest=mechanism.rest,
-        output_torque=jnp.asarray(output_torque),
+        output_torque=xp.asarray(output_torque),
         planet_centrifugal=mechanism.planet_mass * speed_squared * sides.planet_orbit,
         roller_centrifugal=mechanism.loading_roller_mass * speed_squared * sides.roller_orbit,
     )
@@ -231,8 +233,8 @@ def _without_losses(branch: Branch) -> tuple[Array, Array]:
     springs, first_rest = jax.tree.map(lambda leaf: leaf[0], (mechanism.springs, rest.normal_force))
     batch = dataclasses.replace(mechanism, springs=springs, rest=rest._replace(normal_force=first_rest))
     leaves = jax.tree.leaves((batch, branch.output_torque))
-    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in leaves))
-    return jnp.broadcast_to(2.0 * rest.normal_force[1], shape), jnp.broadcast_to(sun_force, shape)
+    shape = xp.broadcast_shapes(*(xp.shape(leaf) for leaf in leaves))
+    return xp.broadcast_to(2.0 * rest.normal_force[1], shape), xp.broadcast_to(sun_force, shape)
 
 
 def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
@@ -270,13 +272,13 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     load_sum, sun_force = implicit_root(residuals, _without_losses(branch), _newton, _solve_two_by_two)
     held = held_load_sum(branch, load_sum, sun_force)
     force = branch_forces(branch, held, sun_force)
-    force = jax.lax.optimization_barrier(force)  # prevents XLA from recomputing them for every use
+    force = once(force)  # prevents XLA from recomputing them for every use
     lifted = load_sum < held
-    closure_error = jnp.where(lifted, 0.0, jnp.abs(closure_misfit(branch, force)))
+    closure_error = xp.where(lifted, 0.0, xp.abs(closure_misfit(branch, force)))
     # removes the rounding error of a lifted contact; the balance below uses the result
     roller_floor, planet_floor = contact_floors(branch, sun_force)
-    sun_contact, *others = (jnp.maximum(value, 0.0) for value in force.normal)
-    normals = (jnp.where(lifted & (planet_floor >= roller_floor), 0.0, sun_contact), *others)
+    sun_contact, *others = (xp.maximum(value, 0.0) for value in force.normal)
+    normals = (xp.where(lifted & (planet_floor >= roller_floor), 0.0, sun_contact), *others)
     geometry, bearings, traction = mechanism.geometry, mechanism.bearings, force.tangential[0]
     input_torque = 2.0 * bearings.sun_torque + geometry.planet_count * geometry.sun_radius * traction  # (1)
     scale = _largest((*normals, *force.tangential))
@@ -296,12 +298,12 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
         roller_centrifugal=branch.roller_centrifugal,
     )
     return DriveForces(
-        normal=jnp.stack(jnp.broadcast_arrays(*normals)),
-        tangential=jnp.stack(jnp.broadcast_arrays(*force.tangential)),
+        normal=xp.stack(xp.broadcast_arrays(*normals)),
+        tangential=xp.stack(xp.broadcast_arrays(*force.tangential)),
         pin_left=force.pin_left,
         pin_right=force.pin_right,
         input_torque=input_torque,
-        output_torque=jnp.broadcast_to(branch.output_torque, scale.shape),
+        output_torque=xp.broadcast_to(branch.output_torque, scale.shape),
         left_bearing_torque=force.left_bearing_torque,
         right_bearing_torque=force.right_bearing_torque,
         balance_residual=_largest(equations) / scale,
@@ -359,8 +361,8 @@ def balance_equations(
     n_sp, n_pwr, n_pwl, n_wro, n_wlo = normal
     t_sp, t_pwr, t_pwl, t_wro, t_wlo = tangential
     cos_th, sin_th, cos_b, sin_b = side.cos_direction, side.sin_direction, side.cos_wedge, side.sin_wedge
-    cos_l, sin_l = jnp.cos(geometry.left_push_angle), jnp.sin(geometry.left_push_angle)
-    cos_r, sin_r = jnp.cos(geometry.right_push_angle), jnp.sin(geometry.right_push_angle)
+    cos_l, sin_l = xp.cos(geometry.left_push_angle), xp.sin(geometry.left_push_angle)
+    cos_r, sin_r = xp.cos(geometry.right_push_angle), xp.sin(geometry.right_push_angle)
     sun, roller = geometry.sun_radius, geometry.loading_roller_radius
     count, orbit = geometry.planet_count, side.roller_orbit
     return (

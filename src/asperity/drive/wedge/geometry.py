@@ -7,9 +7,9 @@ planet–right and planet–left loading roller ``pwr``, ``pwl``, right and left
 from __future__ import annotations
 
 import equinox as eqx
-import jax.numpy as jnp
 
-from asperity.types import Real, namespace
+from asperity.engine.arrays import xp
+from asperity.types import Real
 
 #: The contacts of a branch in the order of the contact axis: name, driving and driven body.
 CONTACT_BODIES: dict[str, tuple[str, str]] = {
@@ -96,7 +96,6 @@ def triangle(geometry: DriveGeometry) -> Triangle:
     roller_distance = geometry.planet_radius + geometry.loading_roller_radius
     roller_orbit = geometry.ring_radius - geometry.loading_roller_radius
     legs = 2.0 * planet_orbit * roller_orbit  # none where the loading roller is as large as the ring
-    xp = namespace(legs)
     cos_polar = (planet_orbit**2 + roller_orbit**2 - roller_distance**2) / xp.where(legs == 0.0, xp.nan, legs)
     closes = xp.abs(cos_polar) < 1.0
     sin_polar = xp.sqrt(xp.where(closes, 1.0 - cos_polar**2, xp.nan))
@@ -175,9 +174,9 @@ def contact_radii(geometry: DriveGeometry) -> tuple[Real, Real, Real]:
     Zou et al. 2025, Table 2 and the two signs of equation (11).
     """
     names = ("sun", "planet", "loading_roller", "ring")
-    values = jnp.broadcast_arrays(*(getattr(geometry, f"{name}_radius") for name in names))
+    values = xp.broadcast_arrays(*(getattr(geometry, f"{name}_radius") for name in names))
     radius = dict(zip(names, values, strict=True))
-    driving, driven = (jnp.stack([radius[body[side]] for body in CONTACT_BODIES.values()]) for side in (0, 1))
-    inside = jnp.array([body[1] == "ring" for body in CONTACT_BODIES.values()])
-    sign = jnp.where(inside, -1.0, 1.0).reshape((len(CONTACT_BODIES),) + (1,) * values[0].ndim)
+    driving, driven = (xp.stack([radius[body[side]] for body in CONTACT_BODIES.values()]) for side in (0, 1))
+    inside = xp.array([body[1] == "ring" for body in CONTACT_BODIES.values()])
+    sign = xp.where(inside, -1.0, 1.0).reshape((len(CONTACT_BODIES),) + (1,) * values[0].ndim)
     return driving, driven, sign

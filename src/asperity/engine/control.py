@@ -1,0 +1,182 @@
+"""Loops, branches and maps of the formula code: Python's for numbers that are known, XLA's within its programs.
+
+Under NumPy a loop ends as soon as it may, a branch that is not taken costs nothing, and a map is one call after the
+other.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import Any
+
+import jax
+import numpy as np
+
+from asperity.engine.arrays import Dual, uses_jax, xp
+
+
+def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], state: Any) -> Any:
+    """A state, improved while it is unfinished, as :func:`jax.lax.while_loop`.
+
+    A state of NumPy's numbers that becomes one of JAX's on the way, by what the functions close over, goes on as one.
+    """
+    while not uses_jax(state):
+        going = unfinished(state)
+        if isinstance(going, jax.Array):
+            break
+        if not going:
+            return state
+        state = improve(state)
+    return jax.lax.while_loop(unfinished, improve, state)
+
+
+def fori_loop(lower: int, upper: int, body: Callable[[Any, Any], Any], state: Any) -> Any:
+    """A state after a fixed number of steps, as :func:`jax.lax.fori_loop`."""
+    for index in range(lower, upper):
+        if uses_jax(state):
+            return jax.lax.fori_loop(index, upper, body, state)
+        state = body(index, state)
+    return state
+
+
+def scan(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, given: Any = None, length: int = 0) -> Any:
+    """The last state and what each step gave, stacked, as :func:`jax.lax.scan`."""
+    count = length if given is None else len(jax.tree.leaves(given)[0])
+    if uses_jax(state, given):
+        return jax.lax.scan(step, state, given, length=count)
+    outputs = []
+    for index in range(count):
+        now = None if given is None else jax.tree.map(lambda leaf, i=index: leaf[i], given)
+        state, output = step(state, now)
+        outputs.append(output)
+    return state, stacked(outputs)
+
+
+def last_of(step: Callable[[Any], tuple[Any, Any]], state: Any, length: int) -> Any:
+    """What the last of several steps gave; each takes the state that the one before it left."""
+    return jax.tree.map(lambda leaf: leaf[-1], scan(lambda state, _: step(state), state, None, length)[1])
+
+
+def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbers: Any) -> Any:
+    """One of two functions of the numbers, as :func:`jax.lax.cond`."""
+    if isinstance(condition, jax.Array):
+        return jax.lax.cond(condition, yes, no, *numbers)
+    return yes(*numbers) if condition else no(*numbers)
+
+
+def map_over(function: Callable[[Any], Any], given: Any) -> Any:
+    """A function of each entry of a module's first axis, one after the other, as :func:`jax.lax.map`."""
+    if uses_jax(given):
+        return jax.lax.map(function, given)
+    return stacked([function(entry) for entry in entries(given)])
+
+
+def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[..., Any]:
+    """A function over the first axes of its arguments, as :func:`jax.vmap`."""
+
+    def over(*arguments: Any) -> Any:
+        if uses_jax(arguments):
+            return jax.vmap(function, out_axes=out_axis)(*arguments)
+        return stacked([function(*each) for each in entries(arguments)], axis=out_axis)
+
+    return over
+
+
+def entries(given: Any) -> list[Any]:
+    """The entries of a module of arrays along their first axis."""
+    count = len(jax.tree.leaves(given)[0])
+    return [jax.tree.map(lambda leaf, i=i: leaf[i], given) for i in range(count)]
+
+
+def stacked(modules: list[Any], axis: int = 0) -> Any:
+    """Modules of numbers as one with an axis more."""
+    return jax.tree.map(lambda *leaves: xp.stack([xp.asarray(leaf) for leaf in leaves], axis=axis), *modules)
+
+
+def at_once(function: Callable[..., Any], *modules: Any) -> Any:
+    """A function of modules of numbers: under NumPy without its warnings, with NumPy's arrays as leaves.
+
+    This is the door to the formula code. Formulas choose between regimes by ``where``, so that what is not chosen may
+    divide by zero; nan and infinite numbers mean the same in both engines.
+    """
+    if uses_jax(modules):
+        return function(*modules)
+    with np.errstate(all="ignore"):
+        return jax.tree.map(np.asarray, function(*jax.tree.map(np.asarray, modules)))
+
+
+def once(number: Any) -> Any:
+    """A number that XLA computes once, not anew for every use."""
+    return jax.lax.optimization_barrier(number) if uses_jax(number) else number
+
+
+def traced_once(function: Callable[..., Any], *, fixed: tuple[str, ...] = ()) -> Callable[..., Any]:
+    """A function that is traced once for all its uses in the programs of JAX; ``fixed`` arguments are no numbers."""
+    of_jax = jax.jit(function, static_argnames=fixed)
+
+    @functools.wraps(function)
+    def either(*arguments: Any, **options: Any) -> Any:
+        return (of_jax if uses_jax(arguments, options) else function)(*arguments, **options)
+
+    return either
+
+
+def in_one(module: Any) -> tuple[Any, Callable[[Any], Any]]:
+    """All numbers of a module in one array of one axis, and the function that makes such a module of an array."""
+    leaves, structure = jax.tree.flatten(module)
+    shapes = [np.shape(leaf) for leaf in leaves]
+    ends = np.cumsum([math.prod(shape) for shape in shapes])
+
+    def apart(numbers: Any) -> Any:
+        parts = zip(shapes, np.concatenate([[0], ends[:-1]]), ends, strict=True)
+        return structure.unflatten([numbers[start:end].reshape(shape) for shape, start, end in parts])
+
+    return xp.concatenate([xp.ravel(leaf) for leaf in leaves]), apart
+
+
+def put(array: Any, place: Any, values: Any) -> Any:
+    """An array with other values at some places, as ``array.at[place].set(values)`` of JAX."""
+    return _changed(array, place, values, "set")
+
+
+def added_at(array: Any, place: Any, values: Any) -> Any:
+    """An array with values added at some places."""
+    return _changed(array, place, values, "add")
+
+
+def least_at(array: Any, place: Any, values: Any) -> Any:
+    """An array with the smaller ones of its values and others at some places."""
+    return _changed(array, place, values, "min")
+
+
+_CHANGES: dict[str, Callable[..., None]] = {
+    "set": lambda array, place, values: array.__setitem__(place, values),
+    "add": np.add.at,
+    "min": np.minimum.at,
+}
+
+
+def _changed(array: Any, place: Any, values: Any, how: str) -> Any:
+    if uses_jax(array, values):
+        return getattr(jax.numpy.asarray(array).at[place], how)(values)
+    if isinstance(array, Dual) or isinstance(values, Dual):
+        return _changed_with_slopes(array, place, values, how)
+    changed = np.array(array)
+    _CHANGES[how](changed, place, values)
+    return changed
+
+
+def _changed_with_slopes(array: Any, place: Any, values: Any, how: str) -> Any:
+    from asperity.engine.arrays import directions_at, highest_level, slopes_at, value_at
+
+    assert how != "min"
+    level = highest_level([array, values])
+    count = directions_at([array, values], level)
+    given = zip(slopes_at(array, level, count), slopes_at(values, level, count), strict=True)
+    slopes = [
+        _changed(np.zeros(array.shape) if one is None else one, place, 0.0 if other is None else other, how)
+        for one, other in given
+    ]
+    return Dual(_changed(value_at(array, level), place, value_at(values, level), how), slopes, level)
