@@ -29,8 +29,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from asperity.engine.elimination import optimised
 from asperity.kept_programs import Choices, KeptProgram, Request, keep, kept, without_the_cache_of_jax
-from asperity.linear import optimised
 
 _IN_ONE_PART = {
     "xla_backend_optimization_level": 0,

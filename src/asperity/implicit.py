@@ -6,13 +6,12 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
-import jax
-from jax import Array
-
+from asperity.engine import trees
 from asperity.engine.arrays import Dual, constant_at, highest_level, uses_jax, xp
-from asperity.engine.control import while_loop
+from asperity.engine.control import vectorised, while_loop
 from asperity.engine.derivatives import linearised, slopes_apart, without_slopes
 from asperity.linear import solve
+from asperity.types import Array
 
 #: Relative change at which the numbers of :func:`settled_root` are those that they give back [-].
 SETTLED = 1e-9
@@ -57,13 +56,15 @@ def implicit_root(
     """
     if not uses_jax(start, equations(start)):
         return _root_of_numbers(equations, start, search, solve)
+    import jax
+
     start = jax.lax.stop_gradient(start)
     # a function of its own, so that each of its uses and derivatives is written once
     program, shape = jax.make_jaxpr(jax.jit(equations), return_shape=True)(start)
     structure = jax.tree.structure(shape)
 
     def equations_of(x: Any, numbers: list[Any]) -> Any:
-        values = jax.core.eval_jaxpr(program.jaxpr, numbers, *jax.tree.leaves(x))
+        values = jax.core.eval_jaxpr(program.jaxpr, numbers, *trees.leaves(x))
         return jax.tree.unflatten(structure, values)
 
     fixed = jax.lax.stop_gradient(program.consts)
@@ -79,7 +80,7 @@ def implicit_root(
         at = root(solution, given)  # the root itself, so that this may be differentiated in turn
         _, change = jax.jvp(lambda numbers: equations_of(at, numbers), (given,), (moved,))
         _, linear = jax.linearize(lambda x: equations_of(x, given), at)
-        return at, jax.tree.map(lambda leaf: -leaf, solve(linear, change))
+        return at, trees.map(lambda leaf: -leaf, solve(linear, change))
 
     return root(solution, program.consts)
 
@@ -93,17 +94,17 @@ def _root_of_numbers(
     """The root of NumPy's numbers; with slopes where the equations have some at it."""
     found = without_slopes(search(lambda x: without_slopes(equations(x)), without_slopes(start)))
     misfit = equations(found)
-    level = highest_level(jax.tree.leaves(misfit))
+    level = highest_level(trees.leaves(misfit))
     if level == 0:
         return found
 
     def of_constants(x: Any) -> Any:
-        return jax.tree.map(lambda leaf: constant_at(leaf, level), equations(x))
+        return trees.map(lambda leaf: constant_at(leaf, level), equations(x))
 
     _, linear = linearised(of_constants, found)
     changes = slopes_apart(misfit, level)
-    steps = [jax.tree.map(operator.neg, solve(linear, change)) for change in changes]
-    return jax.tree.map(lambda leaf, *slopes: Dual(leaf, slopes, level), found, *steps)
+    steps = [trees.map(operator.neg, solve(linear, change)) for change in changes]
+    return trees.map(lambda leaf, *slopes: Dual(leaf, slopes, level), found, *steps)
 
 
 def settled_root(change: Callable[[Array], Array], start: Array) -> Array:
@@ -131,5 +132,7 @@ def _repeated(change: Callable[[Array], Array], start: Array) -> Array:
 def _solved(linear: Callable[[Array], Array], right: Array) -> Array:
     """The x for which a linear function of an array is another of its shape."""
     unit = xp.eye(right.size).reshape(right.size, *right.shape)
-    rows = jax.vmap(linear)(unit) if uses_jax(right) else xp.stack([linear(one) for one in unit])
+    if uses_jax(right):
+        unit = right.ravel()[0] * 0.0 + unit
+    rows = vectorised(linear)(unit)
     return solve(rows.reshape(right.size, right.size).T, right.ravel()).reshape(right.shape)

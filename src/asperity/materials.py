@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.types import Real
 
 
-class Material(eqx.Module):
+class Material(Module):
     """An isotropic elastic–plastic material, SI units.
 
     Parameters
@@ -170,7 +169,7 @@ def tangential_contact_modulus(
     return 1.0 / ((2.0 - poisson_ratio_1) / shear_1 + (2.0 - poisson_ratio_2) / shear_2)
 
 
-class ContactPair(eqx.Module):
+class ContactPair(Module):
     """Material properties of a pair of bodies in contact, SI units.
 
     Parameters

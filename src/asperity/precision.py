@@ -13,11 +13,16 @@ import threading
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.engine.jax_import import when_jax_is_imported
 from asperity.errors import PrecisionError, printable
 
 
 def use_double_precision() -> None:
-    """Switch JAX to 64-bit floats for this process; call it before the first computation."""
+    """Switch JAX to 64-bit floats for this process, as soon as it is imported; call it before the first computation."""
+    when_jax_is_imported(_switch)
+
+
+def _switch() -> None:
     import jax
 
     jax.config.update("jax_enable_x64", True)
@@ -61,6 +66,10 @@ def use_compilation_cache() -> None:
     If the folder cannot be written, the cache stays off; results never depend on it. It also stays off, and a note says
     so, if others can write to the folder: a compiled program is code that runs.
     """
+    when_jax_is_imported(_use_compilation_cache)
+
+
+def _use_compilation_cache() -> None:
     from pathlib import Path
 
     import jax

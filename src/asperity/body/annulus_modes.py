@@ -20,10 +20,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from jax import Array
-
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 class Wall(NamedTuple):

@@ -15,8 +15,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from jax import Array
-
 from asperity.body.annulus_modes import Channels, ModeField, Wall, added_compliance, mode_field
 from asperity.body.conforming_pin import SHARED, conforming_pressure, pressure_shares
 from asperity.body.rigid_modes import uniform_field
@@ -24,7 +22,7 @@ from asperity.body.rim_stress import mode_stress
 from asperity.body.shapes import Annulus, kolosov_constant
 from asperity.engine.arrays import xp
 from asperity.materials import shear_modulus
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Modes whose fields are those of an annulus without a resultant force.
 _MODES = SHARED[1:].astype(float)

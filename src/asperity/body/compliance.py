@@ -19,7 +19,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.body.annulus_modes import ModeCompliance, Wall, added_compliance, support_weights
 from asperity.body.punch import LARGEST_PUNCH_ARGUMENT, distance_moments, punch_factor
@@ -29,7 +28,7 @@ from asperity.body.shapes import Annulus, Disc, kolosov_constant
 from asperity.engine.arrays import xp
 from asperity.engine.control import scan
 from asperity.materials import shear_modulus
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Largest permissible share of the omitted modes in a compliance; above it the result is nan.
 TRUNCATION = 1e-8

@@ -17,9 +17,9 @@ import functools
 import math
 
 import numpy as np
-from jax import Array
 
 from asperity.engine.arrays import xp
+from asperity.types import Array
 
 #: Highest mode of the pressure that the wall of a roller answers in its own way; below the first that is left out the
 #: answer falls with the power 2n of the ratio of bore and roller.

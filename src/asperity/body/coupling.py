@@ -20,10 +20,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.body.annulus_modes import Wall
 from asperity.body.compliance import loaded_radius, wall_of
@@ -38,14 +35,16 @@ from asperity.body.rim_moments import (
     weighted_mean,
 )
 from asperity.body.shapes import Annulus, Disc, kolosov_constant
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import without_slopes
+from asperity.engine.module import Module, static
 from asperity.errors import InputError
 from asperity.materials import shear_modulus
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class BodyInMachine(eqx.Module):
+class BodyInMachine(Module):
     """A body and the positions of its contacts.
 
     Parameters
@@ -63,7 +62,7 @@ class BodyInMachine(eqx.Module):
     """
 
     body: Disc | Annulus
-    contacts: tuple[int, ...] = eqx.field(static=True)
+    contacts: tuple[int, ...] = static()
     contact_angles: Array
     sectors: Real | None
 
@@ -295,7 +294,7 @@ def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers,
     if not hollow:
         return _with_uniform(closed, pressure[places.body], xp.zeros(()))
     walls = [wall_of(bodies[number].body) for number in hollow]  # type: ignore[arg-type]
-    wall: Wall = jax.tree.map(lambda *leaves: _column(leaves, rank), *walls)
+    wall: Wall = trees.map(lambda *leaves: _column(leaves, rank), *walls)
     radial, twist = (0.5 * numbers.sectors[np.array(hollow)] * part for part in uniform_compliance(wall))
     into_bodies = np.eye(body_count)[:, hollow]
     solid = 1.0 - into_bodies.sum(axis=1).reshape((-1,) + (1,) * rank)
@@ -305,7 +304,7 @@ def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers,
 
     at = np.flatnonzero(np.isin(places.body, hollow))
     of = np.searchsorted(hollow, places.body[at])
-    wall = jax.tree.map(lambda leaf: leaf[of] if len(hollow) > 1 else leaf, wall)
+    wall = trees.map(lambda leaf: leaf[of] if len(hollow) > 1 else leaf, wall)
     alone = np.array([bodies[number].sectors is None for number in places.body[at]])
     far = other_rim(
         wall=wall,

@@ -11,9 +11,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.body.conforming_pin import (
     clearance_share,
@@ -27,6 +25,8 @@ from asperity.body.conforming_pin import (
 from asperity.engine.arrays import xp
 from asperity.engine.control import while_loop
 from asperity.engine.derivatives import without_slopes
+from asperity.engine.module import Module
+from asperity.types import Array
 
 #: Half-angle of a pin without clearance in a large plate [rad], and the relative change at which an arc is found.
 FITTING_ANGLE = 1.4805269486
@@ -49,7 +49,7 @@ class ForceSlopes(NamedTuple):
     approach: Array
 
 
-class PinContact(eqx.Module):
+class PinContact(Module):
     r"""Pins in bores.
 
     .. math:: C = C_1 + \frac{\hat C(u) + h_0 w_0^2 + \sum_k a_k \cos k\epsilon}{E' L}

@@ -7,11 +7,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from jax import Array
-
 from asperity.engine.arrays import xp
 from asperity.materials import Material
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 def rim_compliance(*, rim: Real, other: Real, youngs_modulus: Real, poisson_ratio: Real) -> Real:

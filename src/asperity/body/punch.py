@@ -10,11 +10,10 @@ from __future__ import annotations
 
 import math
 
-from jax import Array
 from numpy.polynomial.chebyshev import cheb2poly
 
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Largest argument of :func:`punch_factor`.
 LARGEST_PUNCH_ARGUMENT = 8.0

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from jax import Array
-
 from asperity.body.annulus_modes import Channels, ModeCompliance, Wall, components
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 def uniform_field(wall: Wall) -> tuple[Real, Real]:

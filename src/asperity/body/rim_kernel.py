@@ -15,11 +15,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.body.punch import mean_logarithm, mean_power
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Terms of the power series in the half-width; with 12 the first omitted term is below 1e-16 up to a = 0.1 R.
 _TERMS = 6

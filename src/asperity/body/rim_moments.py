@@ -17,17 +17,16 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.body.annulus_modes import Wall, added_compliance
 from asperity.body.rigid_modes import translation_compliance
 from asperity.body.rim_kernel import separated_derivatives
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import while_loop
 from asperity.engine.derivatives import value_and_slopes, with_rule
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Moments that are used, from the zeroth on.
 MOMENTS = 5
@@ -176,7 +175,7 @@ def _summed(
             for k in range(count)
         ]
         sums, slopes = value_and_slopes(lambda *moved: total(*moved, *still), moving, directions)
-        return sums, jax.tree.map(lambda *by: sum(map(xp.multiply, by, tangents[:count])), *slopes)
+        return sums, trees.map(lambda *by: sum(map(xp.multiply, by, tangents[:count])), *slopes)
 
     return of_numbers(*numbers, *fixed)
 
@@ -236,7 +235,7 @@ def other_rim(*, wall: Wall, angle: Array, sectors: Array, one_sector: np.ndarra
     ----------
     Equation (E2) of :doc:`/equations`.
     """
-    shapes = [xp.shape(leaf) for leaf in (*jax.tree.leaves(wall), sectors, one_sector)]
+    shapes = [xp.shape(leaf) for leaf in (*trees.leaves(wall), sectors, one_sector)]
     shape = xp.broadcast_shapes(angle.shape, *shapes)
     given = (angle, sectors, wall.ratio, wall.kolosov, *wall.radial, *wall.tangential)
     numbers = [xp.broadcast_to(xp.asarray(number, float), shape) for number in given]

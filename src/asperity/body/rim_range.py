@@ -9,9 +9,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.body.annulus_modes import Channels, Wall, mode_field
 from asperity.body.compliance import loaded_radius, wall_of
@@ -19,7 +17,8 @@ from asperity.body.rigid_modes import translation_field, uniform_field
 from asperity.body.shapes import Annulus, PlaneState
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import without_slopes
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 #: Points that divide a sector, and modes that are summed.
 POINTS, MODES = 180, 192
@@ -51,7 +50,7 @@ class RimLoads(NamedTuple):
     sectors: Real | None
 
 
-class RimStresses(eqx.Module):
+class RimStresses(Module):
     """Stresses along the rims of a body in one state, tension positive, shape (points, ...) [Pa].
 
     Parameters

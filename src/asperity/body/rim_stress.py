@@ -10,11 +10,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from jax import Array
-
 from asperity.body.annulus_modes import ModeField, Wall
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 class HoopStress(NamedTuple):

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, get_args
 
-import equinox as eqx
-
+from asperity.engine.module import Module, static
 from asperity.errors import InputError
 from asperity.types import Real
 
@@ -54,7 +53,7 @@ def kolosov_constant(*, poisson_ratio: Real, plane_state: PlaneState) -> Real:
     return (3.0 - poisson_ratio) / (1.0 + poisson_ratio)
 
 
-class Disc(eqx.Module):
+class Disc(Module):
     """A solid disc or roller with contacts on its rim, SI units.
 
     Parameters
@@ -75,10 +74,10 @@ class Disc(eqx.Module):
     length: Real
     youngs_modulus: Real
     poisson_ratio: Real
-    plane_state: PlaneState = eqx.field(static=True)
+    plane_state: PlaneState = static()
 
 
-class Annulus(eqx.Module):
+class Annulus(Module):
     """A ring or a hollow roller with contacts on one rim, SI units.
 
     The other rim is free, or supported by springs: traction = stiffness per area times displacement. Both
@@ -109,8 +108,8 @@ class Annulus(eqx.Module):
     poisson_ratio: Real
     radial_support_stiffness: Real
     tangential_support_stiffness: Real
-    loaded_rim: LoadedRim = eqx.field(static=True)
-    plane_state: PlaneState = eqx.field(static=True)
+    loaded_rim: LoadedRim = static()
+    plane_state: PlaneState = static()
 
     def __check_init__(self) -> None:
         """Raise if the rim is neither of the two."""

@@ -21,17 +21,16 @@ import functools
 import math
 from typing import NamedTuple
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.body.annulus_modes import Channels, Wall, channel_product, mode_field
 from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.engine.arrays import xp
 from asperity.engine.control import traced_once
 from asperity.engine.derivatives import without_slopes
+from asperity.engine.module import Module, static
 from asperity.materials import shear_modulus
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Bore over the diameter of the smaller track up to which the compliance is known.
 WIDEST_BORE = 0.65
@@ -41,7 +40,7 @@ _MODES = 48
 _ONE_RIM = 1e-5
 
 
-class SteppedRoller(eqx.Module):
+class SteppedRoller(Module):
     """A roller with two tracks and one bore through both, SI units.
 
     Parameters
@@ -63,7 +62,7 @@ class SteppedRoller(eqx.Module):
     bore_radius: Real
     youngs_modulus: Real
     poisson_ratio: Real
-    plane_state: PlaneState = eqx.field(static=True)
+    plane_state: PlaneState = static()
 
 
 class _Tracks(NamedTuple):

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from functools import partial
 from typing import NamedTuple
 
-import jax
 import numpy as np
 
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.layout.expansion import ring_interference
 from asperity.drive.state.state import STATE_TOLERANCE
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
 from asperity.errors import InputError, NoSolutionError
@@ -133,7 +133,7 @@ def assembled_branches(joint: Joint, sizes: SectorDeviations) -> AssembledBranch
     _refuse_unsettled(equal, sizes, settled, floating)
     unfolded = unfolded_joint(equal, settled.sizes, sectors=count, floating=floating)
     rolling = dataclasses.replace(unfolded.rolling, duty=equal.rolling.duty)
-    numbers: Joint = jax.tree.map(np.asarray, dataclasses.replace(unfolded, rolling=rolling))
+    numbers: Joint = trees.map(np.asarray, dataclasses.replace(unfolded, rolling=rolling))
     return AssembledBranches(equal, numbers, sizes, settled, floating)
 
 

@@ -8,7 +8,6 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.branches.branches import AssembledBranches, SectorDeviations, mean_interference
 from asperity.drive.layout.drive import CARRIER, incidence
@@ -24,6 +23,7 @@ from asperity.drive.state.states import DriveStates
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
 from asperity.joint.description import Joint
+from asperity.types import Array
 
 
 @dataclass(frozen=True)

@@ -52,12 +52,14 @@ def joint(
     refuse_lonely_measurement_of(surfaces, measurement_of)
     case = read_case(file, measured=not surfaces)
     prepare_computation()
-    from asperity.joint.measured_surface import measured_surface
-    from asperity.joint_file.measured_surface import case_with_surface
     from asperity.joint_file.solved_document import solve_with_surface
 
     with about(file):
-        case = case_with_surface(case, measured_surface(surfaces, measurement_of)) if surfaces else case
+        if surfaces:
+            from asperity.joint.measured_surface import measured_surface
+            from asperity.joint_file.measured_surface import case_with_surface
+
+            case = case_with_surface(case, measured_surface(surfaces, measurement_of))
         solved, document = solve_with_surface(case)
     if plot_file:
         from asperity.show.compliance_figure import joint_figure

@@ -15,11 +15,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from jax import Array
 
 from asperity.engine.arrays import xp
 from asperity.engine.control import traced_once
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Ranges of the table: layer ratio, slip ratio Q/(mu N), and tangential over normal stiffness of the asperities.
 LAYER_RATIO_RANGE = (0.003, 1000.0)

@@ -15,15 +15,14 @@ from __future__ import annotations
 import math
 from functools import partial
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.contact.strip_theory import strip_logarithm
 from asperity.engine.arrays import xp
 from asperity.engine.control import fori_loop
 from asperity.engine.derivatives import value_and_slope, with_rule
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 #: Slices of one half of the line; the two halves are alike.
 SLICES = 8
@@ -45,7 +44,7 @@ def _nodes() -> tuple[np.ndarray, np.ndarray]:
 _PLACE, _WEIGHT = _nodes()
 
 
-class CrownedLine(eqx.Module):
+class CrownedLine(Module):
     """A crowned line contact under load. SI units; the slices are the first axis of what is given for each.
 
     The first slice is the middle of the line, where load and width are largest; it has no length.
@@ -77,7 +76,7 @@ class CrownedLine(eqx.Module):
     solved: Array
 
 
-class CrownedLines(eqx.Module):
+class CrownedLines(Module):
     """Crowned contacts without load, as :func:`crowned_line` and :func:`crown_compression` take them; of one shape.
 
     Parameters

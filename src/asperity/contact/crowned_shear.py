@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from jax import Array
 
 from asperity.contact.crowned_line import compression_and_shortening, crown_compliance
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 # Gauss–Legendre over the cube root of the normal force, in which what ends of the line add is smooth down to no force
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)

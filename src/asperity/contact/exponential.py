@@ -10,11 +10,10 @@ real, measured surfaces follow it than one power law with D and G.
 
 from __future__ import annotations
 
-import equinox as eqx
-
 from asperity.contact.creep_layer import layer_ratio
 from asperity.contact.interface import RoughContact
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.types import Real
 
 #: Decay length over the rms of the heights. Persson's theory and simulations of self-affine surfaces have 0.4 to 0.5.
@@ -25,7 +24,7 @@ DECAY_LENGTH_RATIO = 0.48
 OVER_BOUNDARY_ELEMENTS = (0.39, 1.24)
 
 
-class RandomRoughness(eqx.Module):
+class RandomRoughness(Module):
     """Roughness of a contact by its decay length: one equivalent surface with the roughness of both bodies.
 
     Parameters

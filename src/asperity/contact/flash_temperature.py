@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from jax import Array
-
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Blok's constant: largest rise under a band of elliptic heat, with equal rise of both surfaces.
 FLASH_CONSTANT = 1.11

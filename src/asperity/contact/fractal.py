@@ -19,16 +19,14 @@ from __future__ import annotations
 
 import math
 
-import equinox as eqx
-from jax import Array
-
 from asperity.contact.asperity import AsperityBase, base_factor, slip_factor
 from asperity.contact.interface import RoughContact
 from asperity.contact.population import log_critical_area, log_domain_extension_factor
 from asperity.engine.arrays import xp
 from asperity.engine.control import once
 from asperity.engine.derivatives import value_and_slope, with_rule
-from asperity.types import Real
+from asperity.engine.module import Module, static
+from asperity.types import Array, Real
 
 #: Range of fractal dimensions in which the contact law is verified to rounding, narrower than what it accepts.
 VERIFIED_FRACTAL_DIMENSIONS = (1.02, 1.99)
@@ -38,7 +36,7 @@ _SERIES_LIMIT = 0.25
 _SERIES_TERMS = 11
 
 
-class Surface(eqx.Module):
+class Surface(Module):
     """Fractal roughness of a contact: one equivalent surface with the roughness of both bodies.
 
     Parameters
@@ -56,7 +54,7 @@ class Surface(eqx.Module):
     fractal_dimension: Real
     fractal_roughness: Real
     frequency_ratio: Real
-    asperity_base: AsperityBase = eqx.field(static=True)
+    asperity_base: AsperityBase = static()
 
 
 def _relative_expm1(x: Array) -> Array:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-from jax import Array
-
 from asperity.contact.hertz_line import partial_slip_compliance
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 
-class Interface(eqx.Module):
+class Interface(Module):
     """Stiffnesses of a contact by source; arrays of one broadcast shape [N/m].
 
     Parameters
@@ -107,7 +105,7 @@ def bulk_tangential_stiffness(
     return xp.where(holds, 1.0 / compliance, 0.0)
 
 
-class RoughContact(eqx.Module):
+class RoughContact(Module):
     """The state of one rough contact under load; arrays of one broadcast shape, SI units.
 
     Parameters

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import math
 
-import equinox as eqx
 import numpy as np
 import scipy.special
-from jax import Array
-from jax.scipy.special import erf
 from numpy.typing import NDArray
 
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import erf, xp
 from asperity.engine.control import traced_once
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 #: Stiffness by this theory over that of boundary elements, elastic: nine states in ten, of the same measured surfaces
 #: and pressures as :data:`asperity.contact.exponential.OVER_BOUNDARY_ELEMENTS`.
@@ -24,7 +22,7 @@ PERSSON_OVER_BOUNDARY_ELEMENTS = (0.43, 1.14)
 ENERGY_FACTOR = 0.45
 
 
-class WaveSpectrum(eqx.Module):
+class WaveSpectrum(Module):
     """The waves of one surface, from long to short.
 
     Parameters

@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-from jax import Array
-
 from asperity.contact.hertz_line import effective_radius, half_width
 from asperity.engine.arrays import xp
 from asperity.engine.control import once
 from asperity.engine.derivatives import value_and_slope, with_rule
-from asperity.types import Real
+from asperity.types import Array, Real
 
 ContactFactorModel = Literal["printed", "hertz_area", "unity"]
 

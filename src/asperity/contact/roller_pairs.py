@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from typing import get_args
 
-import equinox as eqx
-from jax import Array
-
 from asperity.contact import hertz_line
 from asperity.contact.exponential import RandomRoughness, random_contact
 from asperity.contact.fractal import Surface, fractal_contact
 from asperity.contact.interface import RoughContact
 from asperity.contact.population import ContactFactorModel, contact_factor
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.materials import ContactPair
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Models of the contact factor, in the order of the numbers of :func:`numbered_contact_factors`.
 CONTACT_FACTOR_MODELS: tuple[ContactFactorModel, ...] = get_args(ContactFactorModel)
@@ -24,7 +22,7 @@ CONTACT_FACTOR_MODELS: tuple[ContactFactorModel, ...] = get_args(ContactFactorMo
 Roughness = Surface | RandomRoughness
 
 
-class RollerPairs(eqx.Module):
+class RollerPairs(Module):
     """One or many roller pairs without load; numbers and arrays that broadcast. SI units.
 
     Parameters

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 
-from jax import Array
-
 from asperity.contact.shakedown_table import MISES, SHEAR
 from asperity.contact.stress_peaks import POISSON_RANGE, SHEAR_FRICTION, mises_friction
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 def shear_yield_strength(*, yield_strength: Real) -> Real:

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-from jax import Array
-
 from asperity.engine.arrays import xp
 from asperity.engine.control import fori_loop
 from asperity.engine.derivatives import value_and_slope, without_slopes
+from asperity.engine.module import Module
 from asperity.implicit import implicit_root
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Iterations of the solver for the longitudinal creepage, and the residual of the force that it must reach.
 _STEPS = 30
 _RESIDUAL = 1e-12
 
 
-class SkewedContact(eqx.Module):
+class SkewedContact(Module):
     """State of a line contact that rolls with creepage in both directions; arrays of one shape.
 
     Parameters

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.contact.subsurface_stress import PlaneStress, pressure_stress, traction_stress
+from asperity.engine import trees
 from asperity.engine.arrays import xp
-from asperity.engine.control import fori_loop, vectorised
-from asperity.types import Real
+from asperity.engine.control import fori_loop, traced_once, vectorised
+from asperity.engine.derivatives import jacobian
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 #: A squared stress over (place, friction, Poisson's ratio).
 Square = Callable[[Array, Array, Array], Array]
@@ -29,7 +28,7 @@ SHEAR_FRICTION = 0.37
 POISSON_RANGE = (0.19, 0.5)
 
 
-class StressPeak(eqx.Module):
+class StressPeak(Module):
     """A largest stress below the surface, over the peak pressure, and where it is, over the half-width.
 
     Parameters
@@ -71,7 +70,7 @@ def full_slip_stress(*, position: Real, depth: Real, friction_coefficient: Real)
     pulled = traction_stress(
         position=position, depth=depth, centre=0.0, half_width=1.0, peak_traction=friction_coefficient
     )
-    return jax.tree.map(lambda a, b: a + b, pressed, pulled)
+    return trees.map(lambda a, b: a + b, pressed, pulled)
 
 
 def mises_friction(poisson_ratio: Real) -> Real:
@@ -94,15 +93,15 @@ def mises_friction(poisson_ratio: Real) -> Real:
     return 0.34 + 0.129 * (poisson_ratio - 0.19)
 
 
-@partial(jax.jit, static_argnums=0)
+@partial(traced_once, fixed=("square",))
 def _peaks(square: Square, frictions: Array, poissons: Array, start: Array) -> StressPeak:
     """Follow a maximum of a squared stress from zero friction to each requested friction coefficient."""
 
     def one(friction: Array, poisson: Array) -> StressPeak:
         def shape(place: Array, level: Array) -> tuple[Array, Array, Array]:
             """Slope, second derivatives and their determinant."""
-            slope = jax.grad(square)(place, level, poisson)
-            bend = jax.hessian(square)(place, level, poisson)
+            slope = jacobian(lambda at: square(at, level, poisson), place)
+            bend = jacobian(lambda at: jacobian(lambda near: square(near, level, poisson), at), place)
             return slope, bend, bend[0, 0] * bend[1, 1] - bend[0, 1] ** 2
 
         def newton(_: int, state: tuple[Array, Array]) -> tuple[Array, Array]:
@@ -132,8 +131,8 @@ def _peaks(square: Square, frictions: Array, poissons: Array, start: Array) -> S
 
 def _peak(square: Square, friction: Real, poisson: Real, start: tuple[float, float]) -> StressPeak:
     frictions, poissons = xp.broadcast_arrays(xp.asarray(friction, float), xp.asarray(poisson, float))
-    peaks = _peaks(square, jnp.asarray(frictions.ravel()), jnp.asarray(poissons.ravel()), jnp.asarray(start))
-    return jax.tree.map(lambda leaf: leaf.reshape(frictions.shape), peaks)
+    peaks = _peaks(square, frictions.ravel(), poissons.ravel(), xp.asarray(start))
+    return trees.map(lambda leaf: leaf.reshape(frictions.shape), peaks)
 
 
 def _shear_square(place: Array, friction: Array, _: Array) -> Array:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from jax import Array
-
 from asperity.contact.carter import slip_ratio_at_creepage
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import with_rule
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Householder steps to the root.
 _SLICE_STEPS = 2

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-from jax import Array
-
 from asperity.contact.carter import stick_centre, stick_half_width
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 
-class PlaneStress(eqx.Module):
+class PlaneStress(Module):
     """In-plane stresses at points of a body in plane strain; tension is positive.
 
     Parameters
@@ -28,7 +26,7 @@ class PlaneStress(eqx.Module):
     shear: Array
 
 
-class _Potential(eqx.Module):
+class _Potential(Module):
     """Real and imaginary parts of W and of z dW/dx."""
 
     real: Array

@@ -6,14 +6,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 from numpy.typing import NDArray
 
 from asperity.contact.crowned_line import LEAST_TARGET
 from asperity.contact.strip_theory import strip_logarithm
 from asperity.engine.arrays import xp
 from asperity.engine.control import fori_loop, traced_once
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Places of the slices over the contact length, from its middle: both ends and the middle are among them.
 PLACES: NDArray[np.float64] = np.linspace(-0.5, 0.5, 201)

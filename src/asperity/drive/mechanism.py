@@ -5,21 +5,19 @@ from __future__ import annotations
 import math
 from typing import Literal, NamedTuple
 
-import equinox as eqx
-from jax import Array
-
 from asperity.contact.crowned_line import CrownedLines, crown_compliance, crown_compression
 from asperity.drive.wedge.geometry import DriveGeometry, Triangle
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import with_rule
-from asperity.types import Real
+from asperity.engine.module import Module, static
+from asperity.types import Array, Real
 
 Closure = Literal["elastic", "constant_pin_force"]
 
 _SMALL_LOAD = 1e-6
 
 
-class Bearings(eqx.Module):
+class Bearings(Module):
     r"""Friction torques of the bearings; a pin's is :math:`T_B + \tfrac14 \mu_b F_c d`.
 
     Each roller has two bearings, which share the force F_c of its pin.
@@ -90,7 +88,7 @@ def leading_sense(*, rotation: Real, output_torque: Real) -> Array:
     return xp.where(leading < 0.0, -1.0, 1.0)
 
 
-class CrownedSprings(eqx.Module):
+class CrownedSprings(Module):
     """What crowns add to the normal springs of the contacts around their preload; arrays of one shape.
 
     Parameters
@@ -134,7 +132,7 @@ def crowned_springs(*, lines: CrownedLines, rest_force: Array) -> CrownedSprings
     )
 
 
-class NormalSprings(eqx.Module):
+class NormalSprings(Module):
     r"""Compression of the five contacts around their preload, exact for every logarithmic line-contact law.
 
     .. math:: \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right] + \Delta\delta(N)
@@ -269,7 +267,7 @@ class RestState(NamedTuple):
     pin_force_right: Array
 
 
-class Mechanism(eqx.Module):
+class Mechanism(Module):
     """A preloaded drive: all data of its force balance except the torque. SI units.
 
     Parameters
@@ -304,7 +302,7 @@ class Mechanism(eqx.Module):
     carrier_speed: Real
     planet_mass: Real
     loading_roller_mass: Real
-    closure: Closure = eqx.field(static=True)
+    closure: Closure = static()
 
 
 def rest_state(*, geometry: DriveGeometry, sides: Triangle, preload: Real) -> RestState:

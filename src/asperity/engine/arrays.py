@@ -13,13 +13,15 @@ References: A. Griewank and A. Walther, Evaluating Derivatives, 2nd ed., SIAM 20
 
 from __future__ import annotations
 
+import importlib
 import math
+import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-import jax
-import jax.numpy as jnp
 import numpy as np
+
+from asperity.engine import trees
 
 #: What is NumPy's or Python's own, and therefore neither an array of JAX nor a number with slopes.
 _PLAIN = frozenset(
@@ -32,14 +34,22 @@ _PLAIN = frozenset(
 )
 
 
-def uses_jax(*numbers: Any) -> bool:
+def is_of_jax(number: Any) -> bool:
+    """Whether a number is an array of JAX, or stands for one in a program; False where nobody has imported JAX."""
+    if type(number) in _PLAIN:
+        return False
+    jax = sys.modules.get("jax")
+    return jax is not None and isinstance(number, jax.Array)
+
+
+def uses_jax(*modules: Any) -> bool:
     """Whether an array of JAX is among the leaves of modules of numbers."""
-    return any(isinstance(leaf, jax.Array) for leaf in jax.tree.leaves(numbers))
+    return "jax" in sys.modules and any(is_of_jax(leaf) for leaf in trees.leaves(modules))
 
 
 def as_numbers(tree: Any) -> Any:
     """A module of numbers with NumPy's floats as its leaves: what one joint is computed with."""
-    return jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), tree)
+    return trees.map(lambda leaf: np.asarray(leaf, dtype=float), tree)
 
 
 class Dual:
@@ -86,6 +96,14 @@ class Dual:
 
     def __getitem__(self, place: Any) -> Any:
         return _each(self, lambda part: part[place])
+
+    @property
+    def real(self) -> Any:
+        return _each(self, lambda part: part.real)
+
+    @property
+    def imag(self) -> Any:
+        return _each(self, lambda part: part.imag)
 
     def astype(self, kind: Any) -> Any:
         return self if kind is float else plain(self).astype(kind)
@@ -575,31 +593,30 @@ def _kinds(arguments: Iterable[Any]) -> tuple[bool, bool]:
         elif isinstance(argument, tuple | list):
             some = _kinds(argument)
             of_jax, duals = of_jax or some[0], duals or some[1]
-        elif isinstance(argument, jax.Array):
+        elif is_of_jax(argument):
             of_jax = True
     return of_jax, duals
 
 
 class _Arrays:
-    """The functions of one module of NumPy and of the same of JAX, by their names."""
+    """The functions of one module of NumPy and of the module of JAX with a name, by their names."""
 
-    def __init__(self, of_numpy: Any, of_jax: Any) -> None:
+    def __init__(self, of_numpy: Any, of_jax: str) -> None:
         self._of_numpy, self._of_jax = of_numpy, of_jax
 
     def __getattr__(self, name: str) -> Any:
         found = getattr(self._of_numpy, name)
         if name == "linalg":
-            found = _Arrays(np.linalg, jnp.linalg)
+            found = _Arrays(np.linalg, "jax.numpy.linalg")
         elif callable(found) and not isinstance(found, type):
-            found = _choosing(found, getattr(self._of_jax, name), _with_slopes(name))
+            found = _choosing(found, self._of_jax, name)
         setattr(self, name, found)
         return found
 
 
-def _choosing(
-    of_numpy: Callable[..., Any], of_jax: Callable[..., Any], with_slopes: Callable[..., Any]
-) -> Callable[..., Any]:
+def _choosing(of_numpy: Callable[..., Any], library: str, name: str) -> Callable[..., Any]:
     """One function of both libraries, and of numbers with slopes."""
+    with_slopes = _with_slopes(name)
 
     def function(*arguments: Any, **options: Any) -> Any:
         for argument in arguments:
@@ -610,7 +627,7 @@ def _choosing(
                 return of_numpy(*arguments)
         jax_array, dual = _kinds((*arguments, *options.values()))
         if jax_array:
-            return of_jax(*arguments, **options)
+            return getattr(importlib.import_module(library), name)(*arguments, **options)
         if dual:
             return with_slopes(*arguments, **options)
         return of_numpy(*arguments, **options)
@@ -621,4 +638,33 @@ def _choosing(
 if TYPE_CHECKING:
     import jax.numpy as xp
 else:
-    xp = _Arrays(np, jnp)
+    xp = _Arrays(np, "jax.numpy")
+
+
+def erf(x: Any) -> Any:
+    """The error function, elementwise."""
+    if is_of_jax(x):
+        from jax.scipy import special as of_jax
+
+        return of_jax.erf(x)
+    if type(x) is Dual:
+        slope = 2.0 / math.sqrt(math.pi) * xp.exp(-x.value * x.value)
+        return Dual(erf(x.value), [None if along is None else slope * along for along in x.slopes], x.level)
+    from scipy import special
+
+    return special.erf(x)
+
+
+def gamma(x: Any) -> Any:
+    """The gamma function, elementwise."""
+    if is_of_jax(x):
+        from jax.scipy import special as of_jax
+
+        return of_jax.gamma(x)
+    from scipy import special
+
+    if type(x) is Dual:
+        value = gamma(x.value)
+        slope = value * special.digamma(plain(x))
+        return Dual(value, [None if along is None else slope * along for along in x.slopes], x.level)
+    return special.gamma(x)

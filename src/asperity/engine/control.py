@@ -7,14 +7,24 @@ other.
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 from collections.abc import Callable
 from typing import Any
 
-import jax
 import numpy as np
 
-from asperity.engine.arrays import Dual, uses_jax, xp
+from asperity.engine import trees
+from asperity.engine.arrays import (
+    Dual,
+    directions_at,
+    highest_level,
+    is_of_jax,
+    slopes_at,
+    uses_jax,
+    value_at,
+    xp,
+)
 
 
 def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], state: Any) -> Any:
@@ -24,11 +34,13 @@ def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], 
     """
     while not uses_jax(state):
         going = unfinished(state)
-        if isinstance(going, jax.Array):
+        if is_of_jax(going):
             break
         if not going:
             return state
         state = improve(state)
+    import jax
+
     return jax.lax.while_loop(unfinished, improve, state)
 
 
@@ -36,6 +48,8 @@ def fori_loop(lower: int, upper: int, body: Callable[[Any, Any], Any], state: An
     """A state after a fixed number of steps, as :func:`jax.lax.fori_loop`."""
     for index in range(lower, upper):
         if uses_jax(state):
+            import jax
+
             return jax.lax.fori_loop(index, upper, body, state)
         state = body(index, state)
     return state
@@ -43,12 +57,14 @@ def fori_loop(lower: int, upper: int, body: Callable[[Any, Any], Any], state: An
 
 def scan(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, given: Any = None, length: int = 0) -> Any:
     """The last state and what each step gave, stacked, as :func:`jax.lax.scan`."""
-    count = length if given is None else len(jax.tree.leaves(given)[0])
+    count = length if given is None else len(trees.leaves(given)[0])
     if uses_jax(state, given):
+        import jax
+
         return jax.lax.scan(step, state, given, length=count)
     outputs = []
     for index in range(count):
-        now = None if given is None else jax.tree.map(lambda leaf, i=index: leaf[i], given)
+        now = None if given is None else trees.map(lambda leaf, i=index: leaf[i], given)
         state, output = step(state, now)
         outputs.append(output)
     return state, stacked(outputs)
@@ -56,12 +72,14 @@ def scan(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, given: Any = N
 
 def last_of(step: Callable[[Any], tuple[Any, Any]], state: Any, length: int) -> Any:
     """What the last of several steps gave; each takes the state that the one before it left."""
-    return jax.tree.map(lambda leaf: leaf[-1], scan(lambda state, _: step(state), state, None, length)[1])
+    return trees.map(lambda leaf: leaf[-1], scan(lambda state, _: step(state), state, None, length)[1])
 
 
 def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbers: Any) -> Any:
     """One of two functions of the numbers, as :func:`jax.lax.cond`."""
-    if isinstance(condition, jax.Array):
+    if is_of_jax(condition):
+        import jax
+
         return jax.lax.cond(condition, yes, no, *numbers)
     return yes(*numbers) if condition else no(*numbers)
 
@@ -69,6 +87,8 @@ def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbe
 def map_over(function: Callable[[Any], Any], given: Any) -> Any:
     """A function of each entry of a module's first axis, one after the other, as :func:`jax.lax.map`."""
     if uses_jax(given):
+        import jax
+
         return jax.lax.map(function, given)
     return stacked([function(entry) for entry in entries(given)])
 
@@ -78,6 +98,8 @@ def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[.
 
     def over(*arguments: Any) -> Any:
         if uses_jax(arguments):
+            import jax
+
             return jax.vmap(function, out_axes=out_axis)(*arguments)
         return stacked([function(*each) for each in entries(arguments)], axis=out_axis)
 
@@ -86,13 +108,13 @@ def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[.
 
 def entries(given: Any) -> list[Any]:
     """The entries of a module of arrays along their first axis."""
-    count = len(jax.tree.leaves(given)[0])
-    return [jax.tree.map(lambda leaf, i=i: leaf[i], given) for i in range(count)]
+    count = len(trees.leaves(given)[0])
+    return [trees.map(lambda leaf, i=i: leaf[i], given) for i in range(count)]
 
 
 def stacked(modules: list[Any], axis: int = 0) -> Any:
     """Modules of numbers as one with an axis more."""
-    return jax.tree.map(lambda *leaves: xp.stack([xp.asarray(leaf) for leaf in leaves], axis=axis), *modules)
+    return trees.map(lambda *leaves: xp.stack([xp.asarray(leaf) for leaf in leaves], axis=axis), *modules)
 
 
 def at_once(function: Callable[..., Any], *modules: Any) -> Any:
@@ -104,34 +126,48 @@ def at_once(function: Callable[..., Any], *modules: Any) -> Any:
     if uses_jax(modules):
         return function(*modules)
     with np.errstate(all="ignore"):
-        return jax.tree.map(np.asarray, function(*jax.tree.map(np.asarray, modules)))
+        return trees.map(np.asarray, function(*trees.map(np.asarray, modules)))
 
 
 def once(number: Any) -> Any:
     """A number that XLA computes once, not anew for every use."""
-    return jax.lax.optimization_barrier(number) if uses_jax(number) else number
+    if not uses_jax(number):
+        return number
+    import jax
+
+    return jax.lax.optimization_barrier(number)
 
 
 def traced_once(function: Callable[..., Any], *, fixed: tuple[str, ...] = ()) -> Callable[..., Any]:
     """A function that is traced once for all its uses in the programs of JAX; ``fixed`` arguments are no numbers."""
-    of_jax = jax.jit(function, static_argnames=fixed)
+
+    @functools.cache
+    def of_jax() -> Callable[..., Any]:
+        import jax
+
+        return jax.jit(function, static_argnames=fixed)
 
     @functools.wraps(function)
     def either(*arguments: Any, **options: Any) -> Any:
-        return (of_jax if uses_jax(arguments, options) else function)(*arguments, **options)
+        return (of_jax() if uses_jax(arguments, options) else function)(*arguments, **options)
 
     return either
 
 
 def in_one(module: Any) -> tuple[Any, Callable[[Any], Any]]:
     """All numbers of a module in one array of one axis, and the function that makes such a module of an array."""
-    leaves, structure = jax.tree.flatten(module)
-    shapes = [np.shape(leaf) for leaf in leaves]
-    ends = np.cumsum([math.prod(shape) for shape in shapes])
+    leaves = trees.leaves(module)
+    sizes = [math.prod(np.shape(leaf)) for leaf in leaves]
+    starts = [0, *itertools.accumulate(sizes)]
 
     def apart(numbers: Any) -> Any:
-        parts = zip(shapes, np.concatenate([[0], ends[:-1]]), ends, strict=True)
-        return structure.unflatten([numbers[start:end].reshape(shape) for shape, start, end in parts])
+        places = iter(zip(starts, sizes, strict=False))
+
+        def part(leaf: Any) -> Any:
+            start, size = next(places)
+            return numbers[start : start + size].reshape(np.shape(leaf))
+
+        return trees.map(part, module)
 
     return xp.concatenate([xp.ravel(leaf) for leaf in leaves]), apart
 
@@ -160,7 +196,9 @@ _CHANGES: dict[str, Callable[..., None]] = {
 
 def _changed(array: Any, place: Any, values: Any, how: str) -> Any:
     if uses_jax(array, values):
-        return getattr(jax.numpy.asarray(array).at[place], how)(values)
+        import jax.numpy as jnp
+
+        return getattr(jnp.asarray(array).at[place], how)(values)
     if isinstance(array, Dual) or isinstance(values, Dual):
         return _changed_with_slopes(array, place, values, how)
     changed = np.array(array)
@@ -169,8 +207,6 @@ def _changed(array: Any, place: Any, values: Any, how: str) -> Any:
 
 
 def _changed_with_slopes(array: Any, place: Any, values: Any, how: str) -> Any:
-    from asperity.engine.arrays import directions_at, highest_level, slopes_at, value_at
-
     assert how != "min"
     level = highest_level([array, values])
     count = directions_at([array, values], level)

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
-import jax
 import numpy as np
-from jax.custom_derivatives import SymbolicZero
 
+from asperity.engine import trees
 from asperity.engine.arrays import (
     Dual,
     directions_at,
     highest_level,
+    is_of_jax,
     plain,
     slopes_at,
     uses_jax,
@@ -42,8 +43,10 @@ def _next_level() -> Iterator[int]:
 def without_slopes(tree: Any) -> Any:
     """A module of numbers whose derivatives are 0, whatever they depend on."""
     if uses_jax(tree):
+        import jax
+
         return jax.lax.stop_gradient(tree)
-    return jax.tree.map(plain, tree)
+    return trees.map(plain, tree)
 
 
 def value_and_slope(
@@ -51,6 +54,8 @@ def value_and_slope(
 ) -> tuple[Any, Any]:
     """A function of modules of numbers and its slope in one direction: :func:`jax.jvp` under both engines."""
     if uses_jax(primals, tangents):
+        import jax
+
         return jax.jvp(function, primals, tangents)
     value, (slope,) = value_and_slopes(function, primals, [tangents])
     return value, slope
@@ -61,19 +66,23 @@ def value_and_slopes(
 ) -> tuple[Any, list[Any]]:
     """A function of modules of numbers, and its slopes in several directions, each of the structure of the value."""
     if uses_jax(primals, directions):
-        stacked = jax.tree.map(lambda *leaves: jax.numpy.stack(leaves), *directions)
+        import jax
+
+        stacked = trees.map(lambda *leaves: jax.numpy.stack(leaves), *directions)
         value, slopes = jax.vmap(lambda tangents: jax.jvp(function, primals, tangents), out_axes=(None, 0))(
             stacked
         )  # all directions in one program, the value once
-        return value, [jax.tree.map(lambda leaf, k=k: leaf[k], slopes) for k in range(len(directions))]
+        return value, [trees.map(lambda leaf, k=k: leaf[k], slopes) for k in range(len(directions))]
     with _next_level() as level:
-        given = jax.tree.map(lambda leaf, *slopes: Dual(leaf, slopes, level), primals, *directions)
+        given = trees.map(lambda leaf, *slopes: Dual(leaf, slopes, level), primals, *directions)
         return _apart(function(*given), level, len(directions))
 
 
 def jacobian(function: Callable[[Any], Any], at: Any) -> Any:
     """Slopes of an array by an array, both with one axis, shape (values, numbers): :func:`jax.jacfwd`."""
     if uses_jax(at):
+        import jax
+
         return jax.jacfwd(function)(at)
     value, slopes = value_and_slopes(function, (at,), [(row,) for row in np.eye(np.size(at))])
     return xp.stack(slopes, axis=-1) if slopes else np.zeros((*np.shape(value), 0))
@@ -82,6 +91,8 @@ def jacobian(function: Callable[[Any], Any], at: Any) -> Any:
 def linearised(function: Callable[[Any], Any], at: Any) -> tuple[Any, Callable[[Any], Any]]:
     """A function of a module of numbers and its slope there, as a function of the direction: :func:`jax.linearize`."""
     if uses_jax(at):
+        import jax
+
         return jax.linearize(function, at)
     return function(at), lambda direction: value_and_slope(function, (at,), (direction,))[1]
 
@@ -89,16 +100,14 @@ def linearised(function: Callable[[Any], Any], at: Any) -> tuple[Any, Callable[[
 def _apart(result: Any, level: int, count: int) -> tuple[Any, list[Any]]:
     """The value of a result and its slopes in each direction."""
 
-    value = jax.tree.map(lambda leaf: value_at(leaf, level), result)
-    return value, [
-        jax.tree.map(lambda leaf, k=k: _slope(leaf, level, count, k), result) for k in range(count)
-    ]
+    value = trees.map(lambda leaf: value_at(leaf, level), result)
+    return value, [trees.map(lambda leaf, k=k: _slope(leaf, level, count, k), result) for k in range(count)]
 
 
 def slopes_apart(module: Any, level: int) -> list[Any]:
     """Slopes of a module of numbers at a level, one module for each direction."""
-    count = directions_at(jax.tree.leaves(module), level)
-    return [jax.tree.map(lambda leaf, k=k: _slope(leaf, level, count, k), module) for k in range(count)]
+    count = directions_at(trees.leaves(module), level)
+    return [trees.map(lambda leaf, k=k: _slope(leaf, level, count, k), module) for k in range(count)]
 
 
 def _slope(leaf: Any, level: int, count: int, k: int) -> Any:
@@ -115,7 +124,6 @@ class with_rule:  # noqa: N801 - a decorator
 
     def __init__(self, function: Callable[..., Any], *, fixed: int = 0, none_for_zero: bool = False) -> None:
         self._function, self._fixed, self._none_for_zero = function, fixed, none_for_zero
-        self._of_jax = jax.custom_jvp(function, nondiff_argnums=tuple(range(fixed)))
         self._rule: Callable[..., tuple[Any, Any]] | None = None
         self.__doc__, self.__name__ = function.__doc__, function.__name__
         self.__module__, self.__wrapped__ = function.__module__, function
@@ -123,21 +131,31 @@ class with_rule:  # noqa: N801 - a decorator
     def defjvp(self, rule: Callable[..., tuple[Any, Any]]) -> Callable[..., tuple[Any, Any]]:
         """Set the rule, of the fixed arguments, the primals and the tangents."""
         self._rule = rule
+        return rule
 
-        def of_jax(*given: Any) -> tuple[Any, Any]:
+    @functools.cached_property
+    def _of_jax(self) -> Callable[..., Any]:
+        """The same for JAX."""
+        import jax
+
+        assert self._rule is not None
+        function, rule = jax.custom_jvp(self._function, nondiff_argnums=tuple(range(self._fixed))), self._rule
+
+        def with_none(*given: Any) -> tuple[Any, Any]:
             *fixed, primals, tangents = given
-            return rule(*fixed, primals, tuple(None if _is_zero(one) else one for one in tangents))
+            zero = jax.custom_derivatives.SymbolicZero
+            return rule(*fixed, primals, tuple(None if isinstance(one, zero) else one for one in tangents))
 
         if self._none_for_zero:
-            self._of_jax.defjvp(of_jax, symbolic_zeros=True)
+            function.defjvp(with_none, symbolic_zeros=True)
         else:
-            self._of_jax.defjvp(rule)
-        return rule
+            function.defjvp(rule)
+        return function
 
     def __call__(self, *arguments: Any) -> Any:
         fixed, numbers = arguments[: self._fixed], arguments[self._fixed :]
-        leaves = jax.tree.leaves(numbers)
-        if any(isinstance(leaf, jax.Array) for leaf in leaves):
+        leaves = trees.leaves(numbers)
+        if any(map(is_of_jax, leaves)):
             return self._of_jax(*arguments)
         level = highest_level(leaves)
         if level == 0:
@@ -146,18 +164,14 @@ class with_rule:  # noqa: N801 - a decorator
 
     def _with_slopes(self, fixed: tuple[Any, ...], numbers: tuple[Any, ...], level: int, count: int) -> Any:
         assert self._rule is not None
-        primals = jax.tree.map(lambda leaf: value_at(leaf, level), numbers)
+        primals = trees.map(lambda leaf: value_at(leaf, level), numbers)
         value, slopes = None, []
         for k in range(count):
             value, slope = self._rule(*fixed, primals, self._tangents(numbers, level, count, k))
             slopes.append(slope)
-        return jax.tree.map(lambda leaf, *along: Dual(leaf, along, level), value, *slopes)
+        return trees.map(lambda leaf, *along: Dual(leaf, along, level), value, *slopes)
 
     def _tangents(self, numbers: tuple[Any, ...], level: int, count: int, k: int) -> tuple[Any, ...]:
         if not self._none_for_zero:
-            return jax.tree.map(lambda leaf: _slope(leaf, level, count, k), numbers)
+            return trees.map(lambda leaf: _slope(leaf, level, count, k), numbers)
         return tuple(slopes_at(leaf, level, count)[k] for leaf in numbers)
-
-
-def _is_zero(tangent: Any) -> bool:
-    return isinstance(tangent, SymbolicZero)

@@ -5,16 +5,15 @@ from __future__ import annotations
 import functools
 from typing import Any, NamedTuple
 
-import jax
-from jax import Array
-
 from asperity.drive.state.state import ContactLaws, DriveState
 from asperity.drive.state.states import rest_forces, state_at_rest
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import scan
 from asperity.joint.contacts import JointContacts, bulk_springs
 from asperity.joint.description import Joint, body_masses
 from asperity.joint.laws import contact_laws, drive_load, ring_springs
+from asperity.types import Array
 
 #: A force that is small for every wall: over Young's modulus times length times interference.
 _SMALL_FORCE = 1e-5
@@ -54,7 +53,7 @@ def assembled(joint: Joint, contacts: JointContacts) -> Pressed:
         return pressed.rest.normal[0], pressed
 
     _, passes = scan(again, _expected_preload(joint, contacts, forces), None, length=_ASSEMBLIES)
-    return jax.tree.map(lambda leaf: leaf[-1], passes)
+    return trees.map(lambda leaf: leaf[-1], passes)
 
 
 def pressed_around(joint: Joint, contacts: JointContacts, reference_force: Array, **given: Any) -> Pressed:

@@ -5,10 +5,6 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, NamedTuple
 
-import equinox as eqx
-import jax
-from jax import Array
-
 from asperity.contact.rolling_fatigue import spectrum_life
 from asperity.drive.layout.drive import Drive
 from asperity.drive.state.loads import drag_pairs
@@ -20,8 +16,10 @@ from asperity.drive.structure.bearing_life import (
     basic_rating_life,
     static_safety,
 )
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import vectorised
+from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
 from asperity.joint.description import Joint, body_masses, joint_contacts
 from asperity.joint.evaluation import JointResult
@@ -35,10 +33,10 @@ from asperity.joint.working_loads import (
     working_forces,
     working_loads,
 )
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class BearingLives(eqx.Module):
+class BearingLives(Module):
     """Lives of the bearings of a joint, shape (bearings, ...). SI units; nan where a bearing has no ratings.
 
     Parameters
@@ -184,7 +182,7 @@ def _under_duty(joint: Joint, without_torque: Pressed, torques: Array, speeds: A
             load=rolling_load(dataclasses.replace(joint, input_speed=speed), contacts, masses, torque),
             creep_of=creep_under(joint, contacts),
         )
-        state = jax.tree.map(lambda rests, rolls: xp.where(speed > 0.0, rolls, rests), *both)
+        state = trees.map(lambda rests, rolls: xp.where(speed > 0.0, rolls, rests), *both)
         known = xp.where(state.residual < STATE_TOLERANCE, 1.0, xp.nan)
         tangential = state.tangential + drag_pairs(joint.drive, state.drag)
         loaded = forces_on_axis(joint, state.normal, tangential, state.pin_force)

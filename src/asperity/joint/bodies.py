@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 
 import numpy as np
-from jax import Array
 
 from asperity.body.coupling import BodyInMachine, coupled_compliance, machine_kernel
 from asperity.body.rim_moments import WIDEST_CONTACT, walls_resolved
@@ -30,7 +29,7 @@ from asperity.joint.description import (
     track_lengths,
     tracks_of,
 )
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 def exact_bodies(joint: Joint) -> list[BodyInMachine]:

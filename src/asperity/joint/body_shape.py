@@ -6,9 +6,8 @@ import dataclasses
 import math
 from typing import Literal
 
-import equinox as eqx
-
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module, static
 from asperity.materials import Material
 from asperity.types import Real
 
@@ -16,7 +15,7 @@ from asperity.types import Real
 RingSupport = Literal["rigid_housing", "free", "elastic_housing"]
 
 
-class BodyShape(eqx.Module):
+class BodyShape(Module):
     """What a body is besides its tracks.
 
     Parameters
@@ -35,9 +34,9 @@ class BodyShape(eqx.Module):
         Of the pin that presses in the bore of a hollow roller [m]; None where it is not known.
     """
 
-    kind: Literal["solid", "hollow", "ring"] = eqx.field(static=True)
+    kind: Literal["solid", "hollow", "ring"] = static()
     size: Real | None = None
-    support: RingSupport = eqx.field(static=True, default="free")
+    support: RingSupport = static(default="free")
     housing_stiffness: Real | None = None
     length: Real | None = None
     pin_diameter: Real | None = None
@@ -62,7 +61,7 @@ class BodyShape(eqx.Module):
 SOLID = BodyShape("solid")
 
 
-class Housing(eqx.Module):
+class Housing(Module):
     """The housing into which the rings are pressed that are not free.
 
     Parameters

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.body.bore import bore_modes
 from asperity.body.conforming_pin import SHARED
@@ -17,11 +15,13 @@ from asperity.drive.layout.drive import Drive, contact_angles, incidence
 from asperity.drive.state.bores import TURNOVER, Bores, PressedBores, by_amplitude
 from asperity.drive.state.state import DriveState
 from asperity.drive.structure.pin_beam import pin_beam_compliance
-from asperity.engine.arrays import xp
+from asperity.engine import trees
+from asperity.engine.arrays import is_of_jax, xp
 from asperity.engine.control import put
 from asperity.errors import InputError
 from asperity.joint.description import Joint, pin_names, places, track_lengths, tracks_of
 from asperity.linear import product
+from asperity.types import Array
 from asperity.units import format_quantity
 
 #: Largest radial clearance over the diameter of a pin at which its contact in the bore is that of nearly equal radii.
@@ -62,9 +62,7 @@ def pins_in_bores(joint: Joint) -> Bores | None:
         along.append(put(xp.zeros(2 * count), rows, coupled * modes[0].along))
         rim.append(put(xp.zeros((2 * count, SHARED.size)), rows, coupled * modes[0].rim))
         modes += modes[:1] * (most - len(modes))
-        laws.append(
-            jax.tree.map(lambda *tracks: xp.stack(tracks), *((m.shift, m.scale, m.wall) for m in modes))
-        )
+        laws.append(trees.map(lambda *tracks: xp.stack(tracks), *((m.shift, m.scale, m.wall) for m in modes)))
         pressed.append(presses & (np.arange(most) < len(tracks)))
     shift, scale, wall = (xp.stack(parts) for parts in zip(*laws, strict=True))
     along_normal, along_tangential = xp.split(xp.stack(along, axis=1), 2)
@@ -97,7 +95,7 @@ def _annuli(joint: Joint, body: int) -> list[Annulus]:
 
 def pins_bend(joint: Joint) -> bool:
     """Whether the bending of pins is computed: of a known diameter and length, without a stated stiffness."""
-    sized = joint.pin is not None and (isinstance(joint.pin.diameter, jax.Array) or joint.pin.diameter > 0.0)
+    sized = joint.pin is not None and (is_of_jax(joint.pin.diameter) or joint.pin.diameter > 0.0)
     return joint.pin_stiffness is None and sized and bool(joint.drive.pinned)
 
 

@@ -6,14 +6,13 @@ import dataclasses
 from collections.abc import Callable
 from typing import NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.body.rim_moments import WIDEST_CONTACT
 from asperity.drive.state.first_limit import FirstLimit, first_limit, first_limit_of_numbers, slip_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, least_at, map_over
 from asperity.joint.assembled import Pressed
@@ -30,7 +29,7 @@ from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.joint.torque_limits import TorqueCapacity, limit_entries, named_capacity
 from asperity.rolling.creep import capacity_loss
-from asperity.types import Real
+from asperity.types import Array, Real
 
 _LIFTED = 1e-12
 
@@ -191,7 +190,7 @@ def torque_capacities(joint: Joint, without_torque: Pressed) -> TorqueCapacities
             torque_capacity(joint, without_torque, direction=sign, rolls=rolls, holds=holds)
             for sign in (1.0, -1.0)
         ]
-        return jax.tree.map(lambda *ways: np.stack(ways), *both)
+        return trees.map(lambda *ways: np.stack(ways), *both)
 
     return TorqueCapacities(search(False, False), search(True, False), search(False, True))
 

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import equinox as eqx
-from jax import Array
-
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.hertz_line import (
@@ -20,6 +17,7 @@ from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_co
 from asperity.drive.mechanism import NormalSprings, crowned_springs
 from asperity.engine.arrays import xp
 from asperity.engine.control import traced_once
+from asperity.engine.module import Module, static
 from asperity.joint.crowned_contacts import (
     CrownCompliance,
     contact_of_slices,
@@ -30,10 +28,10 @@ from asperity.joint.crowned_contacts import (
 )
 from asperity.joint.fit import ClosureSprings
 from asperity.materials import Material
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class JointContacts(eqx.Module):
+class JointContacts(Module):
     """Everything about the contacts of a joint that no load changes; the contact axis comes first.
 
     Parameters
@@ -56,7 +54,7 @@ class JointContacts(eqx.Module):
     driving: Material
     driven: Material
     ring_wall_thickness: Real
-    contact_factor_model: ContactFactorModel = eqx.field(static=True)
+    contact_factor_model: ContactFactorModel = static()
     crown_curvature: Array | None = None
     rims: RimKernel | None = None
 

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import jax
-from jax import Array
-
 from asperity.contact.carter import gross_slip_creepage, slip_ratio_at_creepage
 from asperity.contact.crowned_line import CrownedLine, CrownedLines, crown_compliance, crowned_line
 from asperity.contact.crowned_shear import crown_shear_compliance
@@ -14,8 +11,10 @@ from asperity.contact.interface import RoughContact
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
 from asperity.contact.strip_theory import strip_creepage
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.materials import Material
+from asperity.types import Array
 
 
 class CrownCompliance(NamedTuple):
@@ -107,8 +106,8 @@ def rough_slices(
 
 def contact_of_slices(*, slices: RoughContact, lines: CrownedLine) -> RoughContact:
     """Spots and stiffnesses of contacts from those of their slices."""
-    added: RoughContact = jax.tree.map(lambda value: xp.sum(lines.length_share * value, axis=0), slices)
-    middle = jax.tree.map(lambda value: value[0], slices)
+    added: RoughContact = trees.map(lambda value: xp.sum(lines.length_share * value, axis=0), slices)
+    middle = trees.map(lambda value: value[0], slices)
     return RoughContact(
         largest_area=middle.largest_area,
         critical_area=middle.critical_area,

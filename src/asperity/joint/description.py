@@ -5,9 +5,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, Literal
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.body.shapes import PlaneState
 from asperity.contact.population import ContactFactorModel
@@ -19,13 +17,14 @@ from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.drive.structure.pin_beam import PinBeam
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module, static
 from asperity.joint.body_shape import BodyShape, Housing
 from asperity.joint.contacts import JointContacts, elastic_material
 from asperity.joint.fit import BodyModel, ClosureSprings, Fit, per_contact
 from asperity.joint.play import NO_PLAY, Play
 from asperity.materials import Material, pair
 from asperity.rolling.conditions import RollingConditions
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 class ContactFit(Fit):
@@ -38,7 +37,7 @@ class ContactFit(Fit):
     contact_change_per_kelvin: Array
 
 
-class UnlikeSectors(eqx.Module):
+class UnlikeSectors(Module):
     """What differs between the sectors of an unfolded drive, and the bearings of its floating bodies.
 
     ``added``, interference that the sizes of its bodies add to each contact [m], and ``reference_force``, normal forces
@@ -50,10 +49,10 @@ class UnlikeSectors(eqx.Module):
     added: Array
     reference_force: Array
     support_stiffness: Array
-    sectors: int = eqx.field(static=True)
+    sectors: int = static()
 
 
-class Joint(eqx.Module):
+class Joint(Module):
     """A joint. SI units; what differs between contacts is a tuple of one entry or one each.
 
     Parameters
@@ -130,7 +129,7 @@ class Joint(eqx.Module):
         the carrier.
     """
 
-    type: str = eqx.field(static=True)
+    type: str = static()
     drive: Drive
     shapes: tuple[BodyShape, ...]
     materials: tuple[Material, ...]
@@ -145,9 +144,9 @@ class Joint(eqx.Module):
     pin_stiffness: Real | None
     input_shaft_stiffness: Real
     output_shaft_stiffness: Real
-    contact_factor_model: ContactFactorModel = eqx.field(static=True)
-    body_model: BodyModel = eqx.field(static=True)
-    plane_state: PlaneState = eqx.field(static=True)
+    contact_factor_model: ContactFactorModel = static()
+    body_model: BodyModel = static()
+    plane_state: PlaneState = static()
     rolling: RollingConditions
     bearings: Bearings | None = None
     play: Play = NO_PLAY
@@ -158,15 +157,15 @@ class Joint(eqx.Module):
     crown_curvatures: tuple[Real, ...] | None = None
     unlike: UnlikeSectors | None = None
     cam: LoadingCam | None = None
-    closure_springs: ClosureSprings | None = eqx.field(static=True, default=None)
+    closure_springs: ClosureSprings | None = static(default=None)
     pin: PinBeam | None = None
     pin_clearance: Real = 0.0
-    pin_clearance_stated: bool = eqx.field(static=True, default=False)
+    pin_clearance_stated: bool = static(default=False)
     pin_transverse_stiffness: Real | None = None
     planet_support_stiffness: Real | None = None
     ring_bending_stiffness: Real | None = None
     housing: Housing | None = None
-    carrier_balance: Literal["complete", "printed"] = eqx.field(static=True, default="complete")
+    carrier_balance: Literal["complete", "printed"] = static(default="complete")
 
     @property
     def working_pattern(self) -> Array:

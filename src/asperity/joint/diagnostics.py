@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-from jax import Array
-
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.hertz_line import first_yield_pressure, peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.drive.state.first_limit import slip_ratio as traction_used
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.joint.contacts import LoadedContacts
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class Diagnostics(eqx.Module):
+class Diagnostics(Module):
     """How close a joint is to the limits of its model; every value is fine below 1 unless said otherwise.
 
     Parameters

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
-import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.contact.interface import Interface, RoughContact
 from asperity.drive.layout.drive import speed_ratio, speeds
@@ -19,7 +16,9 @@ from asperity.drive.stiffness.torsional_stiffness import (
     TorsionalStiffness,
     contact_torsional_stiffness,
 )
+from asperity.engine import trees
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module, static
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bodies import with_rims
 from asperity.joint.bores import pin_loads
@@ -31,10 +30,10 @@ from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.duty import with_duty_life
 from asperity.rolling.rolling import RollingResult, turning
 from asperity.rolling.turning import driving_sense, rolling_at, with_driving_sense
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class JointForces(eqx.Module):
+class JointForces(Module):
     """Forces of a joint that stands under its torque. SI units.
 
     ``normal`` and ``tangential`` of the contacts, shape (contacts,) [N], tangential positive where the first body
@@ -51,7 +50,7 @@ class JointForces(eqx.Module):
     closure_residual: Array
 
 
-class JointResult(eqx.Module):
+class JointResult(Module):
     """Everything the chain says about a joint; the fields are those of a joint result.
 
     Parameters
@@ -111,8 +110,8 @@ class JointResult(eqx.Module):
     contact_law_holds: Array
     walls_hold: Array
     solved: Array
-    bodies: BodiesOfContacts = eqx.field(static=True)
-    contact_names: tuple[str, ...] = eqx.field(static=True)
+    bodies: BodiesOfContacts = static()
+    contact_names: tuple[str, ...] = static()
     cam: CamOfJoint | None = None
 
     @property
@@ -148,13 +147,13 @@ def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
 
 def assembled_joint(joint: Joint) -> Pressed:
     """A joint under its preload or interference alone, and the laws of its contacts."""
-    joint = in_motion(jax.tree.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
+    joint = in_motion(trees.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
     return assembled(joint, with_rims(joint, joint_contacts(joint)))
 
 
 def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
     """The first half of the chain: laws of the contacts; the drive assembled, standing and rolling; equation (M3)."""
-    joint = in_motion(jax.tree.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
+    joint = in_motion(trees.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
     contacts = with_rims(joint, joint_contacts(joint))
     load = rolling_load(joint, contacts, body_masses(joint), joint.output_torque)
     return states_under_torque(joint, contacts, load, creep_under(joint, contacts))
@@ -162,7 +161,7 @@ def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
 
 def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:
     """The second half of the chain: what the states of :func:`laws_and_states` mean; equations (M1)–(M4)."""
-    joint = in_motion(jax.tree.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
+    joint = in_motion(trees.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
     drive, contacts = joint.drive, dataclasses.replace(joint_contacts(joint), rims=laws.rims)
     masses = body_masses(joint)
     rest = states.rest if states.pressed is None else states.pressed

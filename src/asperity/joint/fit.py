@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any, Literal
 
-import equinox as eqx
-import jax
-from jax import Array
-
 from asperity.drive.layout.expansion import loosening_rise
+from asperity.engine import trees
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.errors import InputError
-from asperity.types import Real
+from asperity.types import Array, Real
 from asperity.units import format_quantity
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]
@@ -20,7 +18,7 @@ ClosureSprings = Literal["bulk", "bulk_and_asperities"]
 BodyModel = Literal["exact", "springs"]
 
 
-class Fit(eqx.Module):
+class Fit(Module):
     """How a drive whose preload is made by interference was assembled, and what temperature does to it.
 
     Parameters
@@ -51,7 +49,7 @@ class Fit(eqx.Module):
 
 def per_contact(values: tuple[Any, ...]) -> Any:
     """Numbers or modules of numbers, one for all contacts or one for each, stacked along a first axis."""
-    return jax.tree.map(lambda *leaves: xp.stack(xp.broadcast_arrays(*map(xp.asarray, leaves))), *values)
+    return trees.map(lambda *leaves: xp.stack(xp.broadcast_arrays(*map(xp.asarray, leaves))), *values)
 
 
 #: Above this temperature no material of a roller is solid [degC].

@@ -6,8 +6,6 @@ import dataclasses
 import math
 from typing import NamedTuple
 
-from jax import Array
-
 from asperity.body.press_fit import PressFit, press_fit, rim_compliance
 from asperity.body.rim_range import mises_stress
 from asperity.drive.state.loads import MemberLoads
@@ -16,7 +14,7 @@ from asperity.errors import InputError
 from asperity.joint.body_shape import BodyShape, Housing
 from asperity.joint.description import Joint, track_lengths, tracks_of
 from asperity.materials import Material
-from asperity.types import Real
+from asperity.types import Array, Real
 from asperity.units import format_quantity
 
 

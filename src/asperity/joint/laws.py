@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.contact.carter import gross_slip_creepage
@@ -19,6 +17,7 @@ from asperity.drive.state.creep import CreepLaw, creepages
 from asperity.drive.state.state import ContactLaws, Creeping, CreepOf, DriveLoad, surface_speeds
 from asperity.drive.state.supports import Supports, carrier_supports
 from asperity.engine.arrays import xp
+from asperity.engine.module import Partial
 from asperity.joint.bodies import body_compliance
 from asperity.joint.bores import pin_compliances, pins_in_bores
 from asperity.joint.contacts import (
@@ -35,7 +34,7 @@ from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep, contact_friction
 from asperity.rolling.power import oil_drag
 from asperity.rolling.surface import mean_half_width
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) -> ContactLaws:
@@ -115,7 +114,7 @@ def creep_law(
 
 def creep_under(joint: Joint, contacts: JointContacts) -> CreepOf:
     """Creep by the law of :func:`creep_law` under any forces, as a module of numbers."""
-    return jax.tree_util.Partial(_creep_under, joint.rolling.skew, contacts)
+    return Partial(_creep_under, (joint.rolling.skew, contacts))
 
 
 def _creep_under(
@@ -195,7 +194,7 @@ def rolling_load(joint: Joint, contacts: JointContacts, masses: list[Real], torq
     size = xp.abs(xp.asarray(joint.input_speed, dtype=float))
     one, two = surface_speeds(drive=joint.drive, speed=xp.asarray(speeds(joint.drive)) * size)
     numbers = (rolling.viscosity, rolling.hysteresis_loss_factor, contacts, 0.5 * (one + two))
-    return dataclasses.replace(load, resistance_of=jax.tree_util.Partial(_resistance_under, *numbers))
+    return dataclasses.replace(load, resistance_of=Partial(_resistance_under, numbers))
 
 
 def _resistance_under(

@@ -7,23 +7,21 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
-import equinox as eqx
-from jax import Array
-
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState
 from asperity.drive.state.states import DriveStates, loaded_states, rest_forces
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_compliance, cam_preload, with_cam
 from asperity.drive.stiffness.torsional_stiffness import Assembly
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import value_and_slope, without_slopes
+from asperity.engine.module import Module
 from asperity.implicit import SETTLED, settled_root
 from asperity.joint.assembled import Pressed, assembled, pressed_around
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class CamOfJoint(eqx.Module):
+class CamOfJoint(Module):
     """What the cam of a joint does under a torque.
 
     Parameters

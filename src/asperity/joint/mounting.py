@@ -7,14 +7,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.expansion import interference_of_strains, ring_interference
 from asperity.engine.arrays import xp
 from asperity.joint.description import Joint, contact_values, places
 from asperity.joint.evaluation import JointResult, assembled_joint
 from asperity.joint.housing import heating, seated
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 class Mounting(NamedTuple):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-import jax
 import numpy as np
 
+from asperity.engine.arrays import is_of_jax
 from asperity.joint.bores import pins_bend
 from asperity.joint.description import Joint
 
@@ -19,7 +19,7 @@ def pins_rigid(joint: Joint) -> bool:
     stiffness = joint.pin_stiffness
     if not joint.drive.pinned or pins_bend(joint):
         return False
-    return stiffness is None or (not isinstance(stiffness, jax.Array) and bool(np.all(np.isinf(stiffness))))
+    return stiffness is None or (not is_of_jax(stiffness) and bool(np.all(np.isinf(stiffness))))
 
 
 def stiffness_bound(joint: Joint) -> str:

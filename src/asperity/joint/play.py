@@ -2,15 +2,14 @@ r"""Play of a joint: the angle that its output turns on passing zero torque, wit
 
 from __future__ import annotations
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 
-class Play(eqx.Module):
+class Play(Module):
     """Play at the output with the sun locked.
 
     Parameters

@@ -5,10 +5,7 @@ from __future__ import annotations
 import operator
 from typing import NamedTuple
 
-import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.body.bore import pin_stress
 from asperity.body.coupling import BodyInMachine
@@ -23,9 +20,12 @@ from asperity.body.rim_range import (
     rim_stresses,
 )
 from asperity.body.shapes import Annulus
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import vectorised
+from asperity.engine.module import Module
 from asperity.materials import Material
+from asperity.types import Array
 
 #: Rims of a ring or of a hollow roller, in the order of every rim axis.
 RIM_NAMES = ("inner", "outer")
@@ -42,7 +42,7 @@ class PinLoad(NamedTuple):
     angle: Array
 
 
-class BodyRims(eqx.Module):
+class BodyRims(Module):
     """Stresses and safeties of one body. SI units; nan for a solid one.
 
     Parameters
@@ -122,7 +122,7 @@ def body_rims(
 
     # traced and compiled once
     ranges = vectorised(stress_range)(tuple(map(xp.stack, zip(*states, strict=True))), pin)
-    working, resting = (jax.tree.map(operator.itemgetter(i), ranges) for i in range(2))
+    working, resting = (trees.map(operator.itemgetter(i), ranges) for i in range(2))
     strength = material.yield_strength if material.tensile_strength is None else material.tensile_strength
     safety = xp.full(batch, xp.nan)
     if material.fatigue_strength is not None:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import jax
 import numpy as np
-from jax import Array
 
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import put
 from asperity.joint.bodies import exact_bodies
@@ -15,6 +14,7 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.housing import ring_fit, seated
 from asperity.joint.rim_safety import BodyRims, PinLoad, body_rims
 from asperity.joint.working_loads import working_forces
+from asperity.types import Array
 
 
 def bends(joint: Joint) -> tuple[bool, ...]:
@@ -91,4 +91,4 @@ def _in_order(rims: list[BodyRims], bending: tuple[bool, ...]) -> BodyRims:
     def placed(base: Array, *values: Array) -> Array:
         return put(base, (..., np.array(at)), xp.stack(values, axis=-1)) if values else base
 
-    return jax.tree.map(placed, empty, *rims)
+    return trees.map(placed, empty, *rims)

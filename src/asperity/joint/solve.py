@@ -6,15 +6,15 @@ import dataclasses
 import math
 from typing import Any, NamedTuple
 
-import equinox as eqx
-import jax
 import numpy as np
 
 from asperity.body.stepped import WIDEST_BORE
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.drive.state.state import ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
+from asperity.engine import trees
 from asperity.engine.control import at_once
+from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.assembled import Pressed
 from asperity.joint.bores import overhang, refuse_pins
@@ -31,7 +31,7 @@ _TRIES = 12  # of a preload that carries a torque
 _SETTLINGS = 4  # of the forces around which the laws of unlike sectors are taken
 
 
-class Solution(eqx.Module):
+class Solution(Module):
     """A joint's result beside the torque that it can pass.
 
     ``result``: forces, contacts, stiffness, diagnostics and rolling; ``laws`` of its contacts, around their forces
@@ -59,7 +59,7 @@ def solution_of(joint: Joint) -> Solution:
     without_torque, states = _states(joint)
     result = at_once(joint_result, joint, without_torque.laws, states)
     capacities = torque_capacities(joint, without_torque)
-    both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacities for i in range(2)]
+    both = [trees.map(lambda leaf, i=i: leaf[i], part) for part in capacities for i in range(2)]
     return Solution(result, without_torque.laws, states, *both)
 
 
@@ -135,7 +135,7 @@ def solve_joint(joint: Joint) -> Solution:
 
 def refuse_impossible_joint(joint: Joint) -> Joint:
     """The joint with NumPy's numbers, unless its parts do not fit; nothing is compiled."""
-    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_impossible(joint.drive)
     refuse_housing(joint)  # first: what temperature does to the fit is not known without it
     refuse_loose(joint.fit)
@@ -278,7 +278,7 @@ def _pressed_with(joint: Joint, key: str, size: float) -> Joint:
         assert unlike is not None
         rest = at_once(assembled_joint, in_motion(joint)).rest
         unlike = dataclasses.replace(unlike, reference_force=rest.normal)
-        joint = jax.tree.map(np.asarray, dataclasses.replace(joint, unlike=unlike))
+        joint = trees.map(np.asarray, dataclasses.replace(joint, unlike=unlike))
     return joint
 
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from typing import Any, Literal
 
 import numpy as np
-from jax import Array
-from jax.typing import ArrayLike
 
 from asperity.drive.layout.existence import LEAST_OUTPUT_SHARE, has_room, output_share
 from asperity.drive.state.state import STATE_TOLERANCE
@@ -16,6 +14,7 @@ from asperity.joint.capacity import smaller_sizes
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.housing import housing_room
+from asperity.types import Array, ArrayLike
 
 #: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
 #: contact slips.

@@ -6,9 +6,6 @@ import dataclasses
 import functools
 from typing import Any, NamedTuple
 
-import jax
-from jax import Array
-
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE
 from asperity.drive.stiffness.network import (
@@ -19,6 +16,7 @@ from asperity.drive.stiffness.network import (
     with_shafts,
 )
 from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import vectorised
 from asperity.joint.bodies import body_compliance, walls_known
@@ -26,7 +24,7 @@ from asperity.joint.bores import PinLoads, pin_compliances, pin_forces, pins_in_
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
 from asperity.joint.description import Joint
 from asperity.joint.laws import ring_springs, supports_of
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Half-width over effective radius that stands for an open contact, whose springs are left out.
 _CLOSED = 1e-3
@@ -122,8 +120,8 @@ def loaded_stiffness(
         ),
     )
     law_holds, walls = _laws_hold(joint, loaded, normal_force)
-    published, series = jax.tree.map(lambda value: xp.where(law_holds, value, xp.nan), (published, series))
-    assembly = jax.tree.map(lambda value: xp.where(law_holds & walls, value, xp.nan), assembly)
+    published, series = trees.map(lambda value: xp.where(law_holds, value, xp.nan), (published, series))
+    assembly = trees.map(lambda value: xp.where(law_holds & walls, value, xp.nan), assembly)
     return LoadedStiffness(loaded, published, series, assembly, law_holds, walls)
 
 

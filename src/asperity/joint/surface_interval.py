@@ -5,22 +5,30 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-import jax
 import numpy as np
 
 from asperity.contact.roller_pairs import Roughness
+from asperity.engine import trees
 from asperity.engine.control import entries, stacked
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult
+from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.solve import joint_state
+
+#: So many surfaces are computed one after the other, 0.1 to 0.5 s each; a program for them compiles for 7 to 40 s.
+_FEW = 50
 
 
 def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple[int, ...]) -> JointResult:
     """One joint with many surfaces, whose numbers broadcast to the shape of one axis; the batch is the first axis."""
-    numbers = jax.tree.map(
-        lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=())
-    )
-    samples = jax.tree.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
+    numbers = trees.map(lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=()))
+    samples = trees.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
+    if shape[0] > _FEW:
+        import jax
+
+        over = jax.jit(
+            jax.vmap(lambda joint, one: evaluate(dataclasses.replace(joint, surfaces=one)), (None, 0))
+        )
+        return trees.map(np.asarray, over(numbers, samples))
     return stacked([joint_state(dataclasses.replace(numbers, surfaces=one)) for one in entries(samples)])
 
 

@@ -7,21 +7,20 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.expansion import interference_of_strains, ring_expansion, ring_interference
 from asperity.drive.state.states import rest_forces
+from asperity.engine import trees
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.errors import InputError
 from asperity.joint.description import ContactFit, Joint, places
 from asperity.joint.fit import fit_document
 from asperity.joint.loading_cam import mean_preload
 from asperity.joint.solve import Solution
 from asperity.joint.temperature_limits import TemperatureLimit
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 def contact_expansion(joint: Joint, *, housing_expansion: Real | None) -> Array:
@@ -78,7 +77,7 @@ def at_temperature(joint: Joint, temperature: float) -> Joint:
         rise = temperature - housing.assembly_temperature
         housing = dataclasses.replace(housing, temperature_rise=rise)
     heated = dataclasses.replace(joint, fit=fit, housing=housing)
-    return jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), heated)
+    return trees.map(lambda leaf: np.asarray(leaf, dtype=float), heated)
 
 
 def assembly_document(
@@ -101,7 +100,7 @@ _TEMPERATURES = 41
 _LEAST_MARGIN = 20.0  # of the axis beyond the temperatures of the file [K]
 
 
-class TemperatureCurves(eqx.Module):
+class TemperatureCurves(Module):
     """One joint over its working temperature [degC]; shape (n,), nan where it has no value.
 
     ``preload`` is the normal force of the first contact at rest, the mean of unlike sectors [N], 0 where the joint is

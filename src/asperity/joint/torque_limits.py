@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import equinox as eqx
-from jax import Array
-
 from asperity.drive.state.first_limit import FirstLimit
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
+from asperity.types import Array
 from asperity.units import format_quantity
 
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.
@@ -31,7 +30,7 @@ _SAME = 1e-6  # relative difference of torques that are said to be the same
 _PER_CONTACT = ("gross_slip", "lift_off", "contact_too_wide")  # these have a limit for each contact
 
 
-class TorqueCapacity(eqx.Module):
+class TorqueCapacity(Module):
     """How much torque a preloaded joint can pass in one direction.
 
     Parameters

@@ -5,19 +5,17 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, NamedTuple
 
-import equinox as eqx
-from jax import Array
-
 from asperity.drive.layout.unfolding import unfolded
 from asperity.drive.state.state import DriveState
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.implicit import settled_root
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.description import Joint, UnlikeSectors, joint_contacts
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class SectorSizes(eqx.Module):
+class SectorSizes(Module):
     """What differs between the sectors of a joint. SI units.
 
     Parameters

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, creeping_speeds
 from asperity.drive.layout.unfolding import forces_on_centre
@@ -16,6 +15,7 @@ from asperity.joint.description import Joint, track_lengths
 from asperity.joint.evaluation import JointResult
 from asperity.joint.laws import centrifugal_forces
 from asperity.rolling.turning import driving_sense
+from asperity.types import Array
 
 
 def working_loads(joint: Joint, result: JointResult) -> MemberLoads:

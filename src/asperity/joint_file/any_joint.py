@@ -7,14 +7,10 @@ import json
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-import jax
-from jax import Array
-
 from asperity.drive.layout.drive import Drive
 from asperity.drive.layout.existence import neighbours
 from asperity.drive.layout.wedge import wedges
 from asperity.engine.arrays import xp
-from asperity.engine.control import vectorised
 from asperity.joint.description import bearing_names, pin_names
 from asperity.joint.evaluation import evaluated_with_laws
 from asperity.joint.pin_bound import stiffness_bound
@@ -26,6 +22,7 @@ from asperity.joint_file.si_tables import Values, numbers, table_structure, with
 from asperity.results import Result, result_values
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_drive
+from asperity.types import Array
 
 
 def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
@@ -35,6 +32,8 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
 
 @functools.lru_cache(maxsize=32)
 def _results_of_structure(structure: str) -> dict[str, Result]:
+    import jax
+
     values = json.loads(structure)
     shapes = [jax.ShapeDtypeStruct((), xp.float64) for _ in numbers(values)]
     bounds: list[str] = []
@@ -70,6 +69,8 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
         presence.extend(
             present(SolvedJoint(parts_with_branches(with_numbers(values, scalars)), no_result, None))
         )
+
+    import jax
 
     jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), xp.float64) for _ in numbers(values)))
     return tuple(int(row) for row, present in enumerate(presence) if present)
@@ -129,7 +130,9 @@ def _pointwise(
         return status, {
             name: value.reshape(*value.shape, *(1 for _ in points)) for name, value in named.items()
         }
-    status, named = vectorised(one, in_axes=varied, out_axes=-1)(*flat)
+    import jax
+
+    status, named = jax.vmap(one, in_axes=varied, out_axes=-1)(*flat)
     return status.reshape(points), {
         name: value.reshape(*value.shape[:-1], *points) for name, value in named.items()
     }

@@ -8,7 +8,6 @@ from collections.abc import Collection
 from typing import Any, NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.branches.branches import SectorDeviations
 from asperity.drive.layout.drive import Drive, speed_ratio
@@ -46,6 +45,7 @@ from asperity.joint_file.section_build import (
 )
 from asperity.joint_file.si_tables import Values, si_values
 from asperity.materials import Material
+from asperity.types import Array
 
 _SIDES = ("first_radius", "second_radius")
 

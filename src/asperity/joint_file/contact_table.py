@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any, NamedTuple, TextIO
 
 import numpy as np
-from jax import Array
 
 from asperity.contact.asperity import AsperityBase
 from asperity.contact.fractal import Surface
@@ -29,6 +28,7 @@ from asperity.joint_file.quantity_key import Key
 from asperity.made_files import table_where
 from asperity.materials import ContactPair, contact_modulus, tangential_contact_modulus
 from asperity.reading import open_text
+from asperity.types import Array
 from asperity.unit_table import Dimension
 from asperity.units import from_si
 from asperity.writing import check_file, replacing

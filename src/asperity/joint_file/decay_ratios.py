@@ -6,9 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.contact.persson_2007 import (
     PERSSON_OVER_BOUNDARY_ELEMENTS,
@@ -18,6 +16,7 @@ from asperity.contact.persson_2007 import (
     sorted_waves,
     waves_along_line,
 )
+from asperity.engine import trees
 from asperity.engine.control import at_once, vectorised
 from asperity.errors import InputError
 from asperity.joint_file import limits
@@ -26,6 +25,7 @@ from asperity.joint_file.felt_heights import FeltContacts
 from asperity.joint_file.material_entries import ContactLaw
 from asperity.surface.height_spectrum import HeightSpectrum
 from asperity.surface.measured_roughness import MeasuredRoughness
+from asperity.types import Array
 from asperity.units import format_quantity
 
 
@@ -93,7 +93,7 @@ def _by_theory(measured: MeasuredRoughness, contacts: FeltContacts, *, form: boo
         spectra.append(waves_along_line(*waves, half_width=0.5 * one.width) if form else sorted_waves(*waves))
     loads = loads * [one.width if form else 1.0 for one in contacts.felt.values()]
     moduli = np.array([float(moduli.contact_modulus) for moduli in contacts.moduli])
-    return at_once(_theory, jax.tree.map(lambda *leaves: np.stack(leaves), *spectra), loads, moduli)
+    return at_once(_theory, trees.map(lambda *leaves: np.stack(leaves), *spectra), loads, moduli)
 
 
 def _theory(waves: WaveSpectrum, pressure: Array, modulus: Array) -> tuple[Array, Array]:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-import jax
 import numpy as np
 
 from asperity.contact.exponential import DECAY_LENGTH_RATIO, OVER_BOUNDARY_ELEMENTS, RandomRoughness
 from asperity.contact.persson_2007 import PERSSON_OVER_BOUNDARY_ELEMENTS
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.joint.evaluation import JointResult
 from asperity.joint.surface_interval import over_surfaces, result_ends
@@ -193,7 +193,7 @@ def interval_of_heights(
     key, unit = ("rms_height_m", DECAY_LENGTH_RATIO) if which == "exponential" else ("decay_length_m", 1.0)
     both, law, roughness = (
         result_ends(
-            jax.tree.map(lambda leaf, k=k: leaf[k : k + 2], result),
+            trees.map(lambda leaf, k=k: leaf[k : k + 2], result),
             shape=(2,),
             percentiles=(0.0, 100.0),
             least_usable=1.0,

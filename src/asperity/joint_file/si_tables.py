@@ -9,6 +9,7 @@ import functools
 import hashlib
 import itertools
 import json
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -16,6 +17,7 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel
 
+from asperity.engine.arrays import is_of_jax
 from asperity.errors import InputError, nearest
 from asperity.joint_file.case_types import CASES
 from asperity.joint_file.model import Case
@@ -281,9 +283,7 @@ def check_values(changes: Mapping[str, Any]) -> None:
 
 
 def _is_abstract(value: Any) -> bool:
-    import jax
-
-    return isinstance(value, jax.core.Tracer)
+    return is_of_jax(value) and isinstance(value, sys.modules["jax"].core.Tracer)
 
 
 Numbers = tuple[Any, ...]

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from jax import Array
 from scipy.optimize import brentq, minimize_scalar
 
 from asperity.contact.hertz_line import half_width
@@ -21,6 +20,7 @@ from asperity.contact.tilted_line import (
 from asperity.errors import NoSolutionError
 from asperity.joint.description import joint_contacts
 from asperity.results.solved import SolvedJoint
+from asperity.types import Array
 
 #: Drop over the approach of cylinders with this tilt, at most; and over the least that frees the ends, at most.
 _ROUNDEST, _WIDER = 1e3, 10.0

@@ -7,7 +7,6 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
-import jax
 import numpy as np
 
 import asperity
@@ -17,6 +16,7 @@ from asperity.drive.layout.wedge import wedge_angles, wedges
 from asperity.drive.state.loads import pin_components
 from asperity.drive.stiffness.loading_cam import held_cam_stiffness
 from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness
+from asperity.engine import trees
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.loading_cam import mean_preload
@@ -442,7 +442,7 @@ def _rims(solved: SolvedJoint) -> Document:
         return {}
     names, rims = solved.row_names("body"), solved.rims
     return {
-        names[number]: rim_entry(jax.tree.map(lambda leaf, number=number: leaf[..., number], rims))
+        names[number]: rim_entry(trees.map(lambda leaf, number=number: leaf[..., number], rims))
         for number, acts in enumerate(bends(solved.joint))
         if acts
     }

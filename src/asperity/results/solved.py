@@ -8,10 +8,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.branches.branches import AssembledBranches, assembled_branches
 from asperity.contact.fractal import Surface
@@ -19,8 +16,10 @@ from asperity.drive.layout.drive import sectors_of_members
 from asperity.drive.layout.existence import neighbour_gaps, neighbours
 from asperity.drive.state.loads import MemberLoads
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
+from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.bearing_lives import BearingLives, joint_bearing_lives
 from asperity.joint.capacity import capacity_both_ways
@@ -42,11 +41,12 @@ from asperity.joint.temperature_limits import AtTemperature, TemperatureLimit, t
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint.working_loads import working_loads
 from asperity.results.notes import Note, loss_notes, plausibility, rolling_notes, skew_notes
+from asperity.types import Array
 
 _Found = TypeVar("_Found")
 
 
-class JointSize(eqx.Module):
+class JointSize(Module):
     """Size and mass [kg] of the rolling parts of a drive.
 
     The envelope is the outer diameter of the largest body on the axis, or of the housing into which a ring is pressed,
@@ -173,7 +173,7 @@ class SolvedJoint:
         return capacity_both_ways(self.joint, self.result.rest, self.laws, rolls=True)
 
     def _capacity(self, *, rolls: bool, index: Any) -> TorqueCapacity:
-        return jax.tree.map(lambda leaf: leaf[index], self._rolling if rolls else self._standing)
+        return trees.map(lambda leaf: leaf[index], self._rolling if rolls else self._standing)
 
     @functools.cached_property
     def standing_capacity(self) -> TorqueCapacity:
@@ -206,7 +206,7 @@ class SolvedJoint:
     @functools.cached_property
     def duty_states(self) -> tuple[tuple[Joint, JointResult], ...]:
         """The joint under each load of its duty, and its result."""
-        numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), self.joint)
+        numbers: Joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), self.joint)
         states = []
         for point in numbers.rolling.duty:
             joint = dataclasses.replace(
@@ -300,7 +300,7 @@ def solved_with_capacities(
     joint: Joint, solution: Solution, branches: AssembledBranches | None = None
 ) -> SolvedJoint:
     """A joint whose capacities are known already, for the table of results."""
-    joint, result = jax.tree.map(np.asarray, joint), solution.result
+    joint, result = trees.map(np.asarray, joint), solution.result
     backwards = float(joint.output_torque) < 0.0
     rolling = solution.reverse_rolling_capacity if backwards else solution.rolling_capacity
     notes = (
@@ -312,7 +312,7 @@ def solved_with_capacities(
     solved = SolvedJoint(joint, result, solution.laws, notes, branches)
     solved.solution = solution
     solved._standing, solved._rolling = (
-        jax.tree.map(lambda *leaves: np.stack(leaves), *both)
+        trees.map(lambda *leaves: np.stack(leaves), *both)
         for both in (
             (solution.standing_capacity, solution.reverse_standing_capacity),
             (solution.rolling_capacity, solution.reverse_rolling_capacity),

@@ -8,8 +8,6 @@ import functools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from jax import Array
-
 from asperity.drive.layout.wedge import wedges
 from asperity.engine.arrays import xp
 from asperity.errors import InputError
@@ -18,6 +16,7 @@ from asperity.results import contact_rows, drive_rows, limit_rows, load_rows, ro
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
 from asperity.results.torque_capacity import place_labels
+from asperity.types import Array
 
 if TYPE_CHECKING:
     from asperity.standing.windup import StiffnessLevel

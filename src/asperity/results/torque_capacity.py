@@ -10,10 +10,7 @@ import dataclasses
 import math
 from typing import Any, NamedTuple
 
-import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.wedge import wedges
 from asperity.drive.state.first_limit import (
@@ -24,8 +21,10 @@ from asperity.drive.state.first_limit import (
     with_derivative,
 )
 from asperity.drive.state.states import DriveStates
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import map_over, traced_once
+from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
 from asperity.joint.capacity import first_guess, limits_of, loading
 from asperity.joint.description import Joint, in_motion
@@ -36,6 +35,7 @@ from asperity.results import contact_rows, limit_rows, load_rows, rolling_rows, 
 from asperity.results.notes import Severity
 from asperity.results.result import Result
 from asperity.results.solved import SolvedJoint
+from asperity.types import Array
 
 #: Severities of the limits that a torque must keep.
 JUDGED: tuple[Severity, ...] = ("function", "damage")
@@ -73,7 +73,7 @@ _BELOW = 1.0 - 1e-9
 PLACE_AXES = ("contact", "body", "bearing", "pin")
 
 
-class JointCapacity(eqx.Module):
+class JointCapacity(Module):
     """The torque capacity of a joint in one direction, or in both along the first axis.
 
     ``output_torque``: the largest that keeps every limit of function and damage, standing and in rolling [N·m]; 0 where
@@ -117,13 +117,13 @@ def torque_capacities(solved: SolvedJoint) -> JointCapacity:
 def torque_capacity(solved: SolvedJoint, *, reverse: bool = False) -> JointCapacity:
     """The same for positive torques, or for negative ones."""
     both = torque_capacities(solved)
-    return jax.tree.map(lambda leaf: leaf[int(reverse)], both)
+    return trees.map(lambda leaf: leaf[int(reverse)], both)
 
 
 def capacity_of_direction(solved: SolvedJoint) -> JointCapacity:
     """The same in the direction of the output torque."""
     both, torque = torque_capacities(solved), solved.joint.output_torque
-    return jax.tree.map(lambda leaf: xp.where(torque < 0.0, leaf[1], leaf[0]), both)
+    return trees.map(lambda leaf: xp.where(torque < 0.0, leaf[1], leaf[0]), both)
 
 
 def torque_safety(solved: SolvedJoint) -> Any:
@@ -213,7 +213,7 @@ def _of_numbers(solved: SolvedJoint) -> JointCapacity:
         _in_direction(solved, sign, [_slip(solved, *slip) for slip in slips], entries)
         for sign, slips in zip((1.0, -1.0), of_slip, strict=True)
     ]
-    return jax.tree.map(lambda *ways: np.stack(ways), *both)
+    return trees.map(lambda *ways: np.stack(ways), *both)
 
 
 def _slip(solved: SolvedJoint, capacity: TorqueCapacity, prefix: str) -> JointCapacity:
@@ -286,22 +286,22 @@ def _of_program(solved: SolvedJoint) -> JointCapacity:
             excesses=lambda torque: excesses(sign * torque)[before_rows:], **_up_to(slip.value, guess)
         )
         rows = rows._replace(which=before_rows + rows.which)
-        first = jax.tree.map(lambda *leaves: xp.where(xp.isfinite(rows.value), *leaves), rows, slip)
+        first = trees.map(lambda *leaves: xp.where(xp.isfinite(rows.value), *leaves), rows, slip)
         return with_derivative(excesses=lambda torque: excesses(sign * torque), limit=first)
 
     ways = xp.array([1.0, -1.0])
     slips = map_over(slip_of, (xp.tile(ways, 2), xp.repeat(xp.array([False, True]), 2)))
-    standing, rolling = _both(jax.tree.map(lambda leaf: leaf.reshape(2, 2), slips))
+    standing, rolling = _both(trees.map(lambda leaf: leaf.reshape(2, 2), slips))
     rolling = rolling._replace(which=xp.where(rolling.which < 0, -1, len(at_rest) + rolling.which))
     stands = standing.value <= rolling.value
-    slip = jax.tree.map(lambda *leaves: xp.where(stands, *leaves), standing, rolling)
+    slip = trees.map(lambda *leaves: xp.where(stands, *leaves), standing, rolling)
     entries = [*at_rest, *in_rolling, *_entries_of_rows(solved)]
     return _named(solved, map_over(first_of, (ways, slip)), entries)
 
 
 def _both(pair: Any) -> tuple[Any, Any]:
     """The two parts of arrays along their first axis."""
-    first, second = (jax.tree.map(lambda leaf, i=i: leaf[i], pair) for i in range(2))
+    first, second = (trees.map(lambda leaf, i=i: leaf[i], pair) for i in range(2))
     return first, second
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-
+from asperity.engine.module import Module
 from asperity.types import Real
 
 
-class DutyPoint(eqx.Module):
+class DutyPoint(Module):
     """One load of a duty.
 
     Parameters
@@ -25,7 +24,7 @@ class DutyPoint(eqx.Module):
     share: Real
 
 
-class RollingConditions(eqx.Module):
+class RollingConditions(Module):
     """Conditions under which a joint rolls. SI units.
 
     Parameters

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-import jax
-from jax import Array
-
 from asperity.contact import carter
 from asperity.contact.creep_layer import layer_creepage_factor, layer_ratio
 from asperity.contact.roller_pairs import RollerPairs
@@ -19,12 +16,13 @@ from asperity.contact.skew import (
 )
 from asperity.contact.strip_theory import strip_creepage
 from asperity.drive.state.creep import CreepLaw
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import once, scan
 from asperity.joint.contacts import JointContacts, rough_joint_contacts
 from asperity.joint.crowned_contacts import rough_slices, slice_friction
 from asperity.joint.fit import per_contact
-from asperity.types import Real
+from asperity.types import Array, Real
 
 # slip ratios between which the factors on Carter's creepage are taken
 _LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
@@ -159,7 +157,7 @@ def _creep_at(
             return both, (ratio, layer, lateral_ratio, crown, limit, skewed)
 
         _, passes = scan(combined, q, length=1 + _COMBINED_PASSES)
-        ratio, layer, lateral_ratio, crown, limit, skewed = jax.tree.map(lambda leaf: leaf[-1], passes)
+        ratio, layer, lateral_ratio, crown, limit, skewed = trees.map(lambda leaf: leaf[-1], passes)
         alone = carter.creepage(slip_ratio=q, gross_slip_creepage=limit)
         skew_factor = xp.where(skewed.solved, skewed.longitudinal_creepage / alone, xp.nan)
     smooth = smooth if crown is None else smooth * crown

@@ -6,27 +6,27 @@ import dataclasses
 import math
 from typing import Any, NamedTuple
 
-import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import ContactLaws
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, vectorised
+from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
 from asperity.joint.description import Joint, joint_contacts
 from asperity.joint.evaluation import JointResult
 from asperity.joint.laws import creep_law
 from asperity.rolling.rolling import RollingResult
 from asperity.rolling.turning import rolling_at
+from asperity.types import Array
 
 _TORQUES, _SPEEDS = 49, 17
 _OVER_TORQUE, _OVER_SPEED = 2.0, 1.5  # ends of the axes over the joint's own numbers
 
 
-class RollingCurves(eqx.Module):
+class RollingCurves(Module):
     """Curves and map of one joint that turns. SI units; nan where a contact slips or nothing turns.
 
     ``torque_capacity`` [N·m] is not finite if friction does not limit it. Creep curve of each contact under its normal
@@ -55,7 +55,7 @@ def rolling_curves(
     From 0 to the torque capacity [N·m], or to twice the joint's torque if it is infinite or nan; speeds up to 1.5 times
     the joint's.
     """
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: Joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     output_torque, speed = float(numbers.output_torque), float(numbers.sun_speed)
     limited = math.isfinite(torque_capacity)
@@ -122,7 +122,7 @@ def creep_curves(joint: Joint, result: JointResult) -> CreepCurves:
 
     Asperities and skew are taken at each traction; nan where the joint does not roll.
     """
-    numbers: Any = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: Any = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     normal = np.asarray(result.rolling.normal)
     return CreepCurves(*at_once(_curves, numbers, normal))
 

@@ -5,21 +5,19 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 
-import equinox as eqx
-from jax import Array
-
 from asperity.contact.rolling_fatigue import damage_shares, life_at_reliability, spectrum_life
 from asperity.drive.state.state import BodiesOfContacts
 from asperity.engine.arrays import xp
 from asperity.engine.control import vectorised
+from asperity.engine.module import Module
 from asperity.joint.fit import per_contact
 from asperity.rolling.conditions import RollingConditions
 from asperity.rolling.life import drive_lives, failure_shares
 from asperity.rolling.rolling import RollingResult
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class DutyLife(eqx.Module):
+class DutyLife(Module):
     """Life of a drive under its duty, and what each load does to it; loads first.
 
     ``hours`` and ``turns`` of the output are nan where a contact slips or lifts off under one of the loads, infinite

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life
 from asperity.drive.state.state import BodiesOfContacts, RollingSpeeds
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 _MILLION = 1e6
 
 
-class DriveLives(eqx.Module):
+class DriveLives(Module):
     """Lives at one survival, all in one unit.
 
     ``contact``: of both tracks of a contact of one branch, of a track that all branches share its part, shape

@@ -12,25 +12,24 @@ onset of rolling of each contact (:mod:`asperity.contact.rolling_in`) and its sh
 
 from __future__ import annotations
 
-import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift, still_stroke, swing_drift_share
 from asperity.drive.layout.drive import Drive, creeping_speeds, speeds
 from asperity.drive.state.creep import drift_per_turn
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, fori_loop
+from asperity.engine.module import Module
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.rolling.rolling import RollingResult
 from asperity.rolling.turning import driving_sense
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class ContactsInSeries(eqx.Module):
+class ContactsInSeries(Module):
     """What the creep of each contact adds to the angle of the output; arrays of shape (contacts,). SI units.
 
     Half-width [m]; ``slip_ratio``, share of the width that slips in Carter's sense, 1 − (c/a)² [-], T/(mu N) without
@@ -97,7 +96,7 @@ _POINTS = 241
 _HALVINGS = 60
 
 
-class RollingOnset(eqx.Module):
+class RollingOnset(Module):
     """Up to which angle a wind-up holds, and the curve beyond. SI units; angles of the output, without sign.
 
     Parameters
@@ -232,7 +231,7 @@ def rolling_onset(
         return None
     grown = np.sqrt(np.asarray(result.rolling.normal) / np.asarray(result.forces.normal))  # Hertz
     width = np.asarray(result.diagnostics.hertz_half_width) * grown
-    numbers = jax.tree.map(
+    numbers = trees.map(
         lambda leaf: np.asarray(leaf, dtype=float), (joint.drive, result.rolling, width, windup, creep_share)
     )
     found: RollingOnset = at_once(_onset, *numbers)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-from jax import Array
-
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_losses import (
@@ -14,11 +11,12 @@ from asperity.contact.rolling_losses import (
 )
 from asperity.drive.state.state import DriveState, RollingSpeeds
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.rolling.conditions import RollingConditions
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
-class RollingPower(eqx.Module):
+class RollingPower(Module):
     """Powers of a rolling joint, all branches together [W]; contact axis first. nan where the sun stands.
 
     Losses of each contact, shape (5, ...), nan for one that the joint leaves out: by creep along the rolling direction,

@@ -6,10 +6,6 @@ import functools
 import operator
 from typing import TypeVar
 
-import equinox as eqx
-import jax
-from jax import Array
-
 from asperity.contact.creep_layer import peak_pressure_factor, width_factor
 from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
@@ -20,19 +16,21 @@ from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
 from asperity.drive.state.loads import friction_moments, friction_power
 from asperity.drive.state.state import BodiesOfContacts, DriveState, RollingSpeeds, surface_speeds
+from asperity.engine import trees
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, bodies_of_contacts, places
 from asperity.rolling.creep import ContactCreep, ContactFriction, contact_friction
 from asperity.rolling.life import DriveLives, cycle_rates, drive_lives
 from asperity.rolling.power import RollingPower, rolling_power
 from asperity.rolling.surface import RollingStrips, flash_temperatures, oil_film, rolling_strips
-from asperity.types import Real
+from asperity.types import Array, Real
 
 _Values = TypeVar("_Values")
 
 
-class RollingResult(eqx.Module):
+class RollingResult(Module):
     """What a joint does in steady rolling. SI units; contact axis first. nan where a contact has lifted off or slips.
 
     Parameters
@@ -159,7 +157,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
     strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)
     unit = _speeds_of_unit_input(joint, state)
     input_speed = xp.abs(xp.asarray(joint.input_speed))
-    speeds, turns = jax.tree.map(lambda speed: speed * input_speed, unit), input_speed > 0.0
+    speeds, turns = trees.map(lambda speed: speed * input_speed, unit), input_speed > 0.0
     friction = contact_friction(pairs=pairs, creep=creep, normal_force=normal, creepage=state.creepage)
     tracks, per_turn, lives = _lives(joint, strips, unit)
     turns_an_hour = 3600.0 * speeds.output / (2.0 * xp.pi)
@@ -207,9 +205,7 @@ def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: D
         cycles=tracks,
         cycles_per_turn=per_turn,
         life_turns=lives,
-        life_hours=_where(
-            turns, jax.tree.map(lambda life: life / xp.where(turns, turns_an_hour, 1.0), lives)
-        ),
+        life_hours=_where(turns, trees.map(lambda life: life / xp.where(turns, turns_an_hour, 1.0), lives)),
         residual=state.residual,
         crown_creepage_factor=creep.crown_factor,
         **_without_duty(state.speed_loss),
@@ -302,7 +298,7 @@ def _flash(
 
 def _where(condition: Array, values: _Values) -> _Values:
     """The numbers where a condition holds, nan elsewhere."""
-    return jax.tree.map(lambda value: xp.where(condition, value, xp.nan), values)
+    return trees.map(lambda value: xp.where(condition, value, xp.nan), values)
 
 
 def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:

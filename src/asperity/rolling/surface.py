@@ -8,8 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from jax import Array
-
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.film_thickness import film_ratio, minimum_film_thickness
 from asperity.contact.flash_temperature import (
@@ -27,7 +25,7 @@ from asperity.joint.crowned_contacts import slice_slip_ratios
 from asperity.materials import Material
 from asperity.rolling.conditions import RollingConditions
 from asperity.rolling.life import sliced_track_lives, track_lives
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 def flash_temperatures(

@@ -6,7 +6,6 @@ import dataclasses
 from collections.abc import Callable
 
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, speeds
 from asperity.drive.state.state import DriveState, Resistance
@@ -18,6 +17,7 @@ from asperity.joint.description import Joint, body_masses, places
 from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
 from asperity.rolling.rolling import RollingResult, turning
+from asperity.types import Array
 
 
 def driving_sense(drive: Drive) -> Array:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-import jax
 import numpy as np
 
 from asperity.drive.layout.drive import speed_ratio
@@ -16,6 +14,8 @@ from asperity.drive.structure.dynamics import (
     sprung_drive,
 )
 from asperity.drive.structure.inertia import mass_matrix
+from asperity.engine import trees
+from asperity.engine.module import Module
 from asperity.errors import InputError
 from asperity.joint.bodies import body_spins, joint_inertias
 from asperity.joint.description import Joint, body_masses, in_motion
@@ -30,7 +30,7 @@ _TORQUES = 25
 _NEAR_CAPACITY = 0.98
 
 
-class Inertias(eqx.Module):
+class Inertias(Module):
     """What is coupled to a joint. SI units.
 
     Parameters
@@ -48,7 +48,7 @@ class Inertias(eqx.Module):
     loss_factor: Real
 
 
-class JointDynamics(eqx.Module):
+class JointDynamics(Module):
     """A joint with its inertias, linear about its output torque [N·m]. SI units, all referred to the output.
 
     Incremental stiffness of the assembled joint [N·m/rad]. Inertias [kg·m^2] as it rolls without slip: of motor and
@@ -75,7 +75,7 @@ def _about_torques(
     joint: Joint, inertias: Inertias, torques: np.ndarray
 ) -> tuple[JointDynamics, SprungDrive, SprungDrive]:
     """A joint about each of the torques, as NumPy arrays; about the last one on its springs, standing and turning."""
-    found = jax.tree.map(np.asarray, springs_over_torque(joint, torques))
+    found = trees.map(np.asarray, springs_over_torque(joint, torques))
     drive = in_motion(joint).drive
     ratio = float(np.asarray(speed_ratio(drive)))
     slope = found.lost_speed_slope * abs(float(joint.input_speed) / ratio)
@@ -132,7 +132,7 @@ def _shafts(joint: Joint, cam_compliance: float) -> tuple[float, float]:
     return at_motor, at_load + cam_compliance
 
 
-class Dynamics(eqx.Module):
+class Dynamics(Module):
     """What a designer of the control looks at.
 
     Parameters
@@ -163,14 +163,14 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
     solution = solve_joint(joint)
     if not float(solution.result.assembly.stiffness.output) > 0.0:
         raise InputError("the assembled joint has no stiffness, so that it has no natural frequency")
-    coupled: Inertias = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), inertias)
+    coupled: Inertias = trees.map(lambda leaf: np.asarray(leaf, dtype=float), inertias)
     output_torque = float(joint.output_torque)
     limit = _limit(solution, output_torque)
     largest = np.copysign(_NEAR_CAPACITY * limit, output_torque) if np.isfinite(limit) else output_torque
     torques = np.append(np.linspace(0.0, largest, _TORQUES), output_torque)
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     over, standing, turning = _about_torques(numbers, coupled, torques)
-    at = jax.tree.map(lambda values: values[-1], over)
+    at = trees.map(lambda values: values[-1], over)
     spread = np.geomspace(at.locked_frequency / 100.0, 10.0 * at.free_frequency, _FREQUENCIES)
     beside = np.outer([at.locked_frequency, at.free_frequency], [1.0 - _BESIDE, 1.0 + _BESIDE])
     frequency = np.sort(np.append(spread, beside))
@@ -180,7 +180,7 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
     ]
     return Dynamics(
         at,
-        jax.tree.map(lambda values: values[:-1], over),
+        trees.map(lambda values: values[:-1], over),
         frequency,
         *(angle for response in both for angle in response),
     )

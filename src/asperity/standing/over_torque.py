@@ -6,15 +6,14 @@ import dataclasses
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import creeping_speeds
 from asperity.drive.state.creep import drift_per_turn
 from asperity.drive.state.first_limit import slip_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
 from asperity.drive.state.states import loaded_state, loaded_states, standing_state
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, map_over, vectorised
 from asperity.engine.derivatives import value_and_slope
@@ -29,7 +28,7 @@ from asperity.joint.loading_cam import CamOfJoint, pressed_at, turned_cam, with_
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.rolling import turning
 from asperity.rolling.turning import driving_sense, with_driving_sense
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Torques of one call: one program serves curves of any number of points. Those of the page fill it: 49 of its curves
 #: over the torque, and 150 of its wind-up in three calls.
@@ -87,7 +86,7 @@ def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction:
 
 def in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
     """What a program of a joint, its assembled state, torques and further numbers gives at all torques."""
-    moving = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
+    moving = in_motion(trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
     return at_once(program, moving, at_once(assembled_joint, moving), np.asarray(torques, float), *numbers)
 
 

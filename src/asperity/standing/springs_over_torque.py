@@ -5,14 +5,13 @@ from __future__ import annotations
 import dataclasses
 from typing import NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState, surface_speeds
 from asperity.drive.state.states import standing_state
 from asperity.drive.stiffness.network import SpringLaws
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, map_over
 from asperity.engine.derivatives import value_and_slope
@@ -31,6 +30,7 @@ from asperity.standing.over_torque import (
     slope_of_lost_speed,
     with_its_torque,
 )
+from asperity.types import Array
 
 
 class SpringsOverTorque(NamedTuple):
@@ -88,7 +88,7 @@ def springs_program(joint: Joint, without_torque: Pressed, torques: Array) -> Sp
 
 def springs_of_solution(joint: Joint, solution: Solution) -> SpringLaws:
     """All springs of a joint that is solved, standing under its torque, as NumPy arrays."""
-    moving = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
+    moving = in_motion(trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
     result, standing = solution.result, solution.states.standing
     forces = (
         result.forces.normal,

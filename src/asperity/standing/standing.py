@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.joint.description import Joint
 from asperity.standing.over_torque import over_torque, standing_over_torque
+from asperity.types import Array
 
 #: Levels of the stiffness, from the simplest.
 LEVELS = ("published", "series_with_bulk", "assembly")
@@ -45,7 +45,7 @@ def standing_at(joint: Joint, torques: np.ndarray) -> Standing:
     return Standing(np.asarray(standing.balanced), holds, ratio, with_slip, without_slip)
 
 
-class BothSenses(eqx.Module):
+class BothSenses(Module):
     """One joint over output torques of either sign [N·m]. SI units; shape (n,).
 
     Incremental stiffnesses on the three levels at rest, play left out [N·m/rad], nan where a contact slips; the largest
@@ -86,7 +86,7 @@ _TORQUES = 49
 _OVER_TORQUE = 2.0  # end of the axis over the joint's own torque, where there is no capacity
 
 
-class TorqueCurves(eqx.Module):
+class TorqueCurves(Module):
     """One joint over its output torque [N·m]. SI units; shape (n,); nan where a contact slips or nothing turns.
 
     Torsional stiffness at the output on the three levels [N·m/rad]; angle lost in one turn of the output [rad]; output

@@ -23,12 +23,12 @@ import itertools
 from collections.abc import Callable
 from typing import Any, Literal, NamedTuple
 
-import equinox as eqx
-import jax
 import numpy as np
 
 from asperity.drive.layout.mirror import mirror_image
 from asperity.drive.state.state import SLIP_TOLERANCE
+from asperity.engine import trees
+from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.play import Play, play_angle, play_compliance
@@ -55,7 +55,7 @@ _GRADED, _GRADED_NODES = 8, 4
 _SLIP_TOLERANCE, _SEARCHED = 1e-8, 50
 
 
-class Windup(eqx.Module):
+class Windup(Module):
     """Torque–angle behaviour at the output with the sun locked. SI units.
 
     Parameters
@@ -265,7 +265,7 @@ def is_symmetric(joint: Joint) -> bool:
         ),
     )
     return all(
-        jax.tree.leaves_with_path(entries[k]) == jax.tree.leaves_with_path(entries[other])
+        trees.alike(entries[k], entries[other])
         for entries, images in described
         for k, other in enumerate(images)
         if k != other

@@ -22,9 +22,9 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.compilation import compile_fast, compile_for_many
+from asperity.engine import trees
 from asperity.errors import InputError
 from asperity.joint.status import OUT_OF_RANGE, UNBALANCED, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of, with_nominal_sizes
@@ -51,6 +51,7 @@ from asperity.study.measured_points import (
     refuse_derivatives,
     with_felt_surfaces,
 )
+from asperity.types import Array
 
 BatchResult = tuple[Array, dict[str, Array]]
 Kernel = Callable[..., BatchResult]
@@ -174,7 +175,7 @@ def _parts(
     def evaluated(start: int) -> Any:
         block = [column[start : start + size] for column in columns.values()]
         padded = [np.pad(column, (0, size - column.size), mode="edge") for column in block]
-        return jax.tree.map(lambda each: np.asarray(each)[..., : block[0].size], program(base, *padded))
+        return trees.map(lambda each: np.asarray(each)[..., : block[0].size], program(base, *padded))
 
     starts = range(0, count, size)
     if threads == 1 or jax.default_backend() != "cpu":
@@ -396,5 +397,5 @@ def _blockwise(function: Callable[..., Any], options: tuple[Any, ...], size: int
         missing = size - block[0].shape[1]
         padded = [np.pad(part, ((0, 0), (0, missing)), mode="edge") for part in block]
         program = compile_fast(function, *padded, options=options)
-        parts.append(jax.tree.map(np.asarray, program(*padded)))
-    return jax.tree.map(lambda *pieces: np.concatenate(pieces, axis=-1)[..., :points], *parts)
+        parts.append(trees.map(np.asarray, program(*padded)))
+    return trees.map(lambda *pieces: np.concatenate(pieces, axis=-1)[..., :points], *parts)

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import jax.numpy as jnp
 import numpy as np
 from numpy.typing import NDArray
 
@@ -183,8 +182,8 @@ def _of_two_alike(measurement: SurfaceMeasurement) -> SurfaceMeasurement:
     jacobian = np.array([[1.0, 0.0], [-shift / (D - 1.0), 1.0]])
     return replace(
         measurement,
-        fractal_roughness=jnp.asarray(math.exp(log_G + shift)),
-        covariance=jnp.asarray(jacobian @ np.asarray(measurement.covariance) @ jacobian.T),
+        fractal_roughness=np.asarray(math.exp(log_G + shift)),
+        covariance=np.asarray(jacobian @ np.asarray(measurement.covariance) @ jacobian.T),
     )
 
 

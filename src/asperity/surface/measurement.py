@@ -8,16 +8,15 @@ from pathlib import Path
 from statistics import NormalDist
 from typing import Any
 
-import equinox as eqx
-import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Array, ArrayLike, Float
 from numpy.typing import NDArray
 
+from asperity.engine.module import Module, static
 from asperity.errors import InputError
 from asperity.reading import read_json
 from asperity.surface.conventions import validated_fractal
 from asperity.surface.fractal_fit import FractalFit
+from asperity.types import Array, ArrayLike
 
 #: Name and version of the document; a reader refuses others.
 SCHEMA = "asperity-surface-measurement"
@@ -26,7 +25,7 @@ SCHEMA_VERSION = 1
 CONFIDENCE = 0.95
 
 
-class SurfaceMeasurement(eqx.Module):
+class SurfaceMeasurement(Module):
     """Measured D and G of the Weierstrass-Mandelbrot profile, equation (6), with their covariance; scalar arrays.
 
     ``fractal_dimension``: D [-], 1 to 2; ``fractal_roughness``: G [m]; ``frequency_ratio``: gamma [-]; ``covariance``
@@ -35,15 +34,15 @@ class SurfaceMeasurement(eqx.Module):
     number of ``profiles`` averaged; ``source``: files measured.
     """
 
-    fractal_dimension: Float[Array, ""]
-    fractal_roughness: Float[Array, ""]
-    frequency_ratio: Float[Array, ""]
-    covariance: Float[Array, "2 2"]
-    shortest_wavelength: Float[Array, ""]
-    longest_wavelength: Float[Array, ""]
-    estimator: str = eqx.field(static=True)
-    profiles: int = eqx.field(static=True)
-    source: str = eqx.field(static=True)
+    fractal_dimension: Array
+    fractal_roughness: Array
+    frequency_ratio: Array
+    covariance: Array
+    shortest_wavelength: Array
+    longest_wavelength: Array
+    estimator: str = static()
+    profiles: int = static()
+    source: str = static()
 
     def interval(self, *, confidence: float) -> dict[str, tuple[float, float]]:
         """Confidence intervals of D [-] and G [m], from the normal law of (D, ln G)."""
@@ -64,7 +63,7 @@ def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
 
 def measured(*numbers: ArrayLike, estimator: str, profiles: int, source: str) -> SurfaceMeasurement:
     """A measurement of its numbers, in the order of its fields."""
-    D, G, gamma, covariance, short, long = (jnp.asarray(number, dtype=jnp.float64) for number in numbers)
+    D, G, gamma, covariance, short, long = (np.asarray(number, dtype=float) for number in numbers)
     return SurfaceMeasurement(D, G, gamma, covariance, short, long, estimator, profiles, source)
 
 

@@ -39,6 +39,7 @@ from typing import Any
 
 import numpy as np
 
+from asperity.engine.arrays import gamma, xp
 from asperity.errors import InputError
 from asperity.units import format_quantity
 
@@ -70,10 +71,8 @@ def standard_cut_off(*, roughness_average: Any) -> Any:
     """
     if isinstance(roughness_average, float):
         return next(cut_off for largest, cut_off in STANDARD_CUT_OFFS if roughness_average <= largest)
-    import jax.numpy as jnp
-
-    largest, cut_offs = (jnp.asarray(column) for column in zip(*STANDARD_CUT_OFFS, strict=True))
-    return cut_offs[jnp.searchsorted(largest, roughness_average)]
+    largest, cut_offs = (np.array(column) for column in zip(*STANDARD_CUT_OFFS, strict=True))
+    return xp.asarray(cut_offs + 0.0 * roughness_average)[xp.searchsorted(largest, roughness_average)]
 
 
 def passed_variance(*, fractal_dimension: Any) -> Any:
@@ -82,18 +81,14 @@ def passed_variance(*, fractal_dimension: Any) -> Any:
     .. math::
         I(H) = \frac{\Gamma(1-H)\,(\ln 2)^H\,(2 - 2^H)}{2H}, \qquad H = 2 - D
 
-    A float needs no JAX; of an array the derivatives are exact.
+    Of an array the derivatives are exact.
     """
     h = 2.0 - fractal_dimension
     return _gamma(1.0 - h) * math.log(2.0) ** h * (2.0 - 2.0**h) / (2.0 * h)
 
 
 def _gamma(x: Any) -> Any:
-    if isinstance(x, float):
-        return math.gamma(x)
-    from jax.scipy.special import gamma
-
-    return gamma(x)
+    return math.gamma(x) if isinstance(x, float) else gamma(x)
 
 
 def roughness_average(*, fractal_dimension: Any, fractal_roughness: Any, cut_off: Any) -> Any:

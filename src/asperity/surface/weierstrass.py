@@ -9,27 +9,26 @@ from __future__ import annotations
 
 import math
 
-import jax
-import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Array, ArrayLike, Float
 from numpy.typing import NDArray
 
+from asperity.engine.arrays import xp
+from asperity.engine.control import scan
 from asperity.errors import InputError
-from asperity.precision import require_double_precision
 from asperity.surface.conventions import areal_roughness_from_profile, validated_fractal
+from asperity.types import Array, ArrayLike
 
 
 def weierstrass_mandelbrot_profile(
     *,
-    position: Float[ArrayLike, " *points"],
-    profile_length: Float[ArrayLike, ""],
-    fractal_dimension: Float[ArrayLike, ""],
-    fractal_roughness: Float[ArrayLike, ""],
-    frequency_ratio: Float[ArrayLike, ""],
-    phases: Float[ArrayLike, " terms"],
+    position: ArrayLike,
+    profile_length: ArrayLike,
+    fractal_dimension: ArrayLike,
+    fractal_roughness: ArrayLike,
+    frequency_ratio: ArrayLike,
+    phases: ArrayLike,
     lowest_index: int,
-) -> Float[Array, " *points"]:
+) -> Array:
     r"""Height of the Weierstrass-Mandelbrot profile, equation (6).
 
     .. math::
@@ -70,30 +69,29 @@ def weierstrass_mandelbrot_profile(
 
     Examples
     --------
-    >>> import jax.numpy as jnp
+    >>> import numpy as np
     >>> z = weierstrass_mandelbrot_profile(
-    ...     position=jnp.array([0.0, 0.5]), profile_length=1.0, fractal_dimension=1.5, fractal_roughness=1.0,
-    ...     frequency_ratio=jnp.e, phases=jnp.zeros(1), lowest_index=0)
+    ...     position=np.array([0.0, 0.5]), profile_length=1.0, fractal_dimension=1.5, fractal_roughness=1.0,
+    ...     frequency_ratio=np.e, phases=np.zeros(1), lowest_index=0)
     >>> [round(float(v), 12) for v in z]  # one term: 1 - cos(2 pi x)
     [0.0, 2.0]
     """
-    require_double_precision()
-    x = jnp.asarray(position, dtype=jnp.float64)
-    phi = jnp.asarray(phases, dtype=jnp.float64)
-    L = jnp.asarray(profile_length, dtype=jnp.float64)
-    D = jnp.asarray(fractal_dimension, dtype=jnp.float64)
-    G = jnp.asarray(fractal_roughness, dtype=jnp.float64)
-    gamma = jnp.asarray(frequency_ratio, dtype=jnp.float64)
-    n = jnp.asarray(lowest_index, dtype=jnp.float64) + jnp.arange(phi.shape[0], dtype=jnp.float64)
+    x = xp.asarray(position, dtype=float)
+    phi = xp.asarray(phases, dtype=float)
+    L = xp.asarray(profile_length, dtype=float)
+    D = xp.asarray(fractal_dimension, dtype=float)
+    G = xp.asarray(fractal_roughness, dtype=float)
+    gamma = xp.asarray(frequency_ratio, dtype=float)
+    n = xp.asarray(lowest_index, dtype=float) + xp.arange(phi.shape[0], dtype=float)
 
-    amplitude = L * (G / L) ** (D - 1.0) * jnp.sqrt(jnp.log(gamma)) * gamma ** ((D - 2.0) * n)  # (6)
-    wavenumber = 2.0 * jnp.pi * gamma**n / L
+    amplitude = L * (G / L) ** (D - 1.0) * xp.sqrt(xp.log(gamma)) * gamma ** ((D - 2.0) * n)  # (6)
+    wavenumber = 2.0 * xp.pi * gamma**n / L
 
     def add_term(height: Array, term: tuple[Array, Array, Array]) -> tuple[Array, None]:
         a, q, p = term
-        return height + a * (jnp.cos(p) - jnp.cos(q * x - p)), None
+        return height + a * (xp.cos(p) - xp.cos(q * x - p)), None
 
-    height, _ = jax.lax.scan(add_term, jnp.zeros_like(x), (amplitude, wavenumber, phi))
+    height, _ = scan(add_term, xp.zeros_like(x), (amplitude, wavenumber, phi))
     return height
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.compilation import call_compiled
 from asperity.contact import (
@@ -24,7 +23,7 @@ from asperity.contact import (
 )
 from asperity.contact.interface import RoughContact
 from asperity.materials import contact_modulus, tangential_contact_modulus
-from asperity.types import Real
+from asperity.types import Array, Real
 from asperity.validation.check import Check, compared
 
 #: 40 roller pairs by direct quadrature of the definitions (7)–(24) of Zou et al. 2025, with 20 and more digits.

@@ -6,10 +6,8 @@ import functools
 import math
 from collections.abc import Iterator
 
-import jax
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 from scipy.optimize import brentq
 
 from asperity.compilation import call_compiled, compile_fast
@@ -25,6 +23,8 @@ from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import DriveLoad, DriveState
 from asperity.drive.state.states import DriveStates, drive_states, rolling_state, state_at_rest
 from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.engine import trees
+from asperity.types import Array
 from asperity.validation.check import Check, compared
 
 _WEDGE = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
@@ -203,7 +203,7 @@ def unlike() -> Iterator[Check]:
     check = functools.partial(compared, model="Branches of unlike sizes")
     source = "two opposed planets by hand, 2 µm too large and too small, interference 20 µm: Johnson, Weber–Banaschek"
     solved = compile_fast(lambda support: _opposed(support), np.zeros(()))
-    held, centre = jax.tree.map(np.asarray, solved(np.asarray(_RIGID)))
+    held, centre = trees.map(np.asarray, solved(np.asarray(_RIGID)))
     preload = _preloads(0.0)
     yield check(
         reference=source,
@@ -221,7 +221,7 @@ def unlike() -> Iterator[Check]:
         computed=float(np.linalg.norm(centre[0])),
         tolerance=1e-6,
     )
-    soft, _ = jax.tree.map(np.asarray, solved(np.asarray(_SOFT)))
+    soft, _ = trees.map(np.asarray, solved(np.asarray(_SOFT)))
     moved = brentq(lambda u: _SOFT * u - np.subtract(*_preloads(u)), 0.0, 2.0 * _ERROR, xtol=1e-18)
     yield check(
         reference=f"{source}; the sun on bearings of 200 N/µm",

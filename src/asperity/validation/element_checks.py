@@ -9,7 +9,6 @@ from collections.abc import Iterator, Sequence
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.bem import (
     ElasticPair,
@@ -22,6 +21,7 @@ from asperity.bem import (
 from asperity.body.compliance import compliance_matrix
 from asperity.body.shapes import Annulus, Disc, LoadedRim
 from asperity.compilation import call_compiled
+from asperity.types import Array
 from asperity.validation.check import Check, compared
 
 _LIKE = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.0)

@@ -9,7 +9,6 @@ from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.body.press_fit import PressFit, press_fit
 from asperity.compilation import call_compiled
@@ -19,7 +18,7 @@ from asperity.drive.layout.expansion import interference_of_strains, ring_expans
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_preload
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
 from asperity.materials import Material
-from asperity.types import Real
+from asperity.types import Array, Real
 from asperity.validation.check import Check, compared
 
 #: Steel rollers of 10 and 20 mm radius, 10 mm long, under 2000 N, which roll at 1 m/s.

@@ -10,7 +10,6 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
@@ -18,7 +17,7 @@ from asperity.compilation import call_compiled
 from asperity.contact import carter, crowned_line, hertz_line, skew, tilted_line
 from asperity.drive.structure.bearing_life import RatedBearing
 from asperity.joint.bearing_lives import BearingLives, BearingState, lives_of_bearings
-from asperity.types import Real
+from asperity.types import Array, Real
 from asperity.validation.check import Check, compared
 
 _YOUNG, _POISSON = 206e9, 0.3

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.bem import ElasticPair, PeriodicHalfSpace
 from asperity.bem.pressed_map import loaded_state
 from asperity.contact.fractal import Surface, fractal_contact
 from asperity.contact.interface import RoughContact
 from asperity.contact.persson_2007 import contact_fraction, persson_decay_length, wave_spectrum
+from asperity.engine.module import Module
 from asperity.errors import InputError
 from asperity.surface.weierstrass import periodic_weierstrass_surface
+from asperity.types import Array
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -30,7 +30,7 @@ QUANTITIES = {
 }
 
 
-class Sample(eqx.Module):
+class Sample(Module):
     """What is compared: one fractal surface on one square of two like bodies; SI units.
 
     D [-], G [m] and gamma [-] of the profiles; side of the nominally flat, periodic square [m] with grid points along
@@ -60,7 +60,7 @@ class Sample(eqx.Module):
         )
 
 
-class Comparison(eqx.Module):
+class Comparison(Module):
     """Area [m^2] and stiffness [N/m] by three methods over the load [N]; SI units.
 
     By boundary elements and, with the prefix ``persson``, by Persson's theory from each surface's spectrum, shape

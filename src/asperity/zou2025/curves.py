@@ -5,15 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import equinox as eqx
-import jax
 import numpy as np
-from jax import Array
 from jax.typing import ArrayLike
 
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.errors import NoSolutionError
 from asperity.precision import require_double_precision
-from asperity.types import Real
+from asperity.types import Array, Real
 from asperity.zou2025 import preset
 from asperity.zou2025.published import PublishedJoint, published_joint
 
@@ -157,7 +156,7 @@ def joint_curves() -> dict[str, JointCurves]:
     require_double_precision()
     axes = _joint_axes()
     grids = [preset.operating_grid(output_torque=t, **{name: values}) for t, name, values in axes.values()]
-    batch: preset.OperatingPoint = jax.tree.map(
+    batch: preset.OperatingPoint = trees.map(
         lambda *leaves: xp.asarray(np.concatenate([np.ravel(leaf) for leaf in leaves])), *grids
     )
     shown, solved = _published(preset.table_2_joint(batch))

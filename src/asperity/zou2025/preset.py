@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import equinox as eqx
 import numpy as np
 from jax.typing import ArrayLike
 
@@ -14,6 +13,7 @@ from asperity.contact.interface import RoughContact
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
 from asperity.zou2025.published import PublishedJoint
@@ -107,7 +107,7 @@ REMARKS = (
 )
 
 
-class OperatingPoint(eqx.Module):
+class OperatingPoint(Module):
     """What the figures vary in the joint of Table 2. Fields are numbers or arrays of one shape. SI units.
 
     Torque at the carrier [N·m]; D [-] and G [m]; contact line length B of all contacts, also the length of the rollers

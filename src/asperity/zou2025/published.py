@@ -9,10 +9,6 @@ from __future__ import annotations
 
 import math
 
-import equinox as eqx
-import jax
-from jax import Array
-
 from asperity.contact.fractal import Surface
 from asperity.contact.roller_pairs import roller_pairs
 from asperity.drive.mechanism import Bearings, Mechanism, rest_state
@@ -24,10 +20,12 @@ from asperity.drive.stiffness.torsional_stiffness import (
 )
 from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, contact_radii, triangle
+from asperity.engine import trees
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts
 from asperity.materials import Material, pair
-from asperity.types import Real
+from asperity.types import Array, Real
 
 NO_FRICTION = Bearings(
     sun_torque=0.0,
@@ -38,7 +36,7 @@ NO_FRICTION = Bearings(
 )
 
 
-class PublishedJoint(eqx.Module):
+class PublishedJoint(Module):
     """The numbers of the published model. SI units; they broadcast over trailing batch axes.
 
     One material of all bodies, one roughness, length B [m] and mu [-] of all contacts; the rollers are as long.
@@ -57,7 +55,7 @@ class PublishedJoint(eqx.Module):
     sun_speed: Real
 
 
-class PublishedResult(eqx.Module):
+class PublishedResult(Module):
     """What the published model says. SI units; contact axis first.
 
     Forces of one branch; K_t of each contact [N/m], and its K_T at its driven roller [N·m/rad], shape (5, ...);
@@ -73,8 +71,8 @@ class PublishedResult(eqx.Module):
 
 def _with_one_rank(joint: PublishedJoint) -> PublishedJoint:
     """The same joint, every number with the rank of the batch: contact and batch axes never meet in broadcasting."""
-    rank = max(xp.ndim(leaf) for leaf in jax.tree.leaves(joint))
-    return jax.tree.map(lambda leaf: xp.reshape(leaf, (1,) * (rank - xp.ndim(leaf)) + xp.shape(leaf)), joint)
+    rank = max(xp.ndim(leaf) for leaf in trees.leaves(joint))
+    return trees.map(lambda leaf: xp.reshape(leaf, (1,) * (rank - xp.ndim(leaf)) + xp.shape(leaf)), joint)
 
 
 def published_joint(joint: PublishedJoint) -> PublishedResult:

@@ -5,12 +5,11 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-import equinox as eqx
 import numpy as np
 
 from asperity.drive.layout.drive import Drive, gaps, incidence
 from asperity.engine.arrays import uses_jax, xp
-from asperity.engine.control import fori_loop
+from asperity.engine.control import fori_loop, traced_once
 
 _STEPS = 30
 _LONGEST_STEP = 0.2  # over the smallest radius
@@ -52,7 +51,7 @@ def closed(drive: Drive) -> Drive:
     return dataclasses.replace(drive, centres=centres, motion=None)
 
 
-@eqx.filter_jit
+@traced_once
 def _traced_closed(drive: Drive) -> Drive:
     centres = fori_loop(0, _STEPS, lambda _, centres: centres + _move(drive, centres), drive.centres)
     return dataclasses.replace(drive, centres=centres, motion=None)

@@ -12,15 +12,13 @@ import dataclasses
 import math
 from typing import Any, Literal, NamedTuple
 
-import equinox as eqx
 import numpy as np
-from jax import Array
-from jax.typing import ArrayLike
 
 from asperity.engine.arrays import xp
 from asperity.engine.control import traced_once
+from asperity.engine.module import Module, static
 from asperity.linear import least_squares, product
-from asperity.types import Real
+from asperity.types import Array, ArrayLike, Real
 
 #: The member that carries the pins; it has no contacts of its own.
 CARRIER = "carrier"
@@ -95,7 +93,7 @@ class Closure:
     constant_pins: tuple[str, ...] = ()
 
 
-class Incidence(eqx.Module):
+class Incidence(Module):
     r"""How displacements and rotations move the contacts; its transpose balances the forces.
 
     Approach :math:`e = A u`, slip at rest :math:`s = S u + W \psi`, elongation of the pins :math:`P u`, where u holds
@@ -121,7 +119,7 @@ class Incidence(eqx.Module):
     levers: Array
 
 
-class Drive(eqx.Module):
+class Drive(Module):
     """A drive of discs and rings in one plane. SI units; arrays have the body or contact axis first.
 
     Parameters
@@ -150,18 +148,18 @@ class Drive(eqx.Module):
         be taken over to a drive of another layout.
     """
 
-    bodies: tuple[Body, ...] = eqx.field(static=True)
-    contacts: tuple[Contact, ...] = eqx.field(static=True)
+    bodies: tuple[Body, ...] = static()
+    contacts: tuple[Contact, ...] = static()
     centres: Array
     first_radius: Array
     second_radius: Array
     push_angles: Array
     sectors: Real
-    input: str = eqx.field(static=True)
-    output: str = eqx.field(static=True)
-    grounded: str = eqx.field(static=True)
-    sense: int = eqx.field(static=True, default=1)
-    closure: Closure = eqx.field(static=True, default=Closure())
+    input: str = static()
+    output: str = static()
+    grounded: str = static()
+    sense: int = static(default=1)
+    closure: Closure = static(default=Closure())
     motion: tuple[Incidence, Array, tuple[Array, Array]] | None = None
 
     @property

@@ -6,13 +6,13 @@ import itertools
 import math
 from typing import NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, gaps, incidence, speeds
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.errors import InputError
+from asperity.types import Array
 
 #: Largest distance between the bodies of a contact, relative to their radii, that is accepted.
 TOUCH_TOLERANCE = 1e-9
@@ -31,7 +31,7 @@ class _Measures(NamedTuple):
 
 
 def _measured(drive: Drive) -> _Measures:
-    drive = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drive)
+    drive = trees.map(lambda leaf: np.asarray(leaf, dtype=float), drive)
     with np.errstate(all="ignore"):  # what cannot exist is judged by the nan that it makes
         return _Measures(gaps(drive), neighbour_gaps(drive), incidence(drive), output_share(drive))
 
@@ -112,7 +112,7 @@ def pulling_contacts(drive: Drive) -> tuple[str, ...]:
     normal forces of the contacts of every floating body and Q the push of its pin; friction does not act before the
     drive carries a torque. Equation (M1) of :doc:`/equations`. The drive has concrete (not traced) values.
     """
-    matrices = incidence(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drive))
+    matrices = incidence(trees.map(lambda leaf: np.asarray(leaf, dtype=float), drive))
     balance = np.concatenate([matrices.approach, matrices.pins]).T
     _, values, rows = np.linalg.svd(balance)
     unknown = balance.shape[1] - int(np.sum(values > 1e-9 * values.max(initial=0.0)))

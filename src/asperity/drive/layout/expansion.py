@@ -10,12 +10,11 @@ import math
 from typing import Literal
 
 import numpy as np
-from jax import Array
 
 from asperity.body.press_fit import rim_compliance
 from asperity.drive.layout.drive import Drive
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 def interference_of_strains(*, drive: Drive, strains: tuple[Array, Array], carrier: Array) -> Array:

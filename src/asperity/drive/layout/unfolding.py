@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 
-from jax import Array
-
 from asperity.drive.layout.drive import Body, Closure, Contact, Drive, incidence, sector_rotation
 from asperity.engine.arrays import xp
+from asperity.types import Array
 
 
 def unfolded(drive: Drive, *, sectors: int, floating: tuple[str, ...] = ()) -> Drive:

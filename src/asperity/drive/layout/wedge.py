@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import Drive
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 class WedgeAngles(NamedTuple):

@@ -13,16 +13,15 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import equinox as eqx
 import numpy as np
-from jax import Array
 
 from asperity.body.conforming_pin import MODES, SHARED, clearance_share, clearance_slopes, share_series
 from asperity.body.pin_contact import PinContact
 from asperity.engine.arrays import xp
 from asperity.engine.control import traced_once
+from asperity.engine.module import Module
 from asperity.linear import product
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Force over the largest one of a contact below which a pin is about to change the side of the bore that it presses.
 TURNOVER = 1e-4
@@ -55,7 +54,7 @@ def by_amplitude(modes: Array) -> Array:
     return xp.concatenate([modes[..., :1], *signs], axis=-1)
 
 
-class Bores(eqx.Module):
+class Bores(Module):
     """Compliances between pins and contacts, of :func:`asperity.body.bore.bore_modes`.
 
     Parameters

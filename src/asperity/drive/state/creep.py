@@ -2,12 +2,10 @@ r"""Creep law of the contacts of a rolling drive, and the angle that its output 
 
 from __future__ import annotations
 
-import equinox as eqx
-from jax import Array
-
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import with_rule
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 #: Largest relative residual of a rolling state that is accepted as solved.
 ROLLING_TOLERANCE = 1e-9
@@ -15,7 +13,7 @@ ROLLING_TOLERANCE = 1e-9
 _NEAR_SLIP = 0.999  # Carter's curve is continued as a line above this share of friction, for iterates only
 
 
-class CreepLaw(eqx.Module):
+class CreepLaw(Module):
     r"""Carter's creep of the contacts.
 
     .. math:: \xi = \kappa\sqrt N\,\left[1-\sqrt{1-q}\right], \qquad q = \frac{|T|}{\mu N}

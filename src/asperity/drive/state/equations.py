@@ -7,7 +7,6 @@ import functools
 from typing import Any, NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
 from asperity.drive.mechanism import leading_sense
@@ -34,6 +33,7 @@ from asperity.engine.arrays import xp
 from asperity.engine.control import cond, put, traced_once
 from asperity.engine.derivatives import without_slopes
 from asperity.linear import product
+from asperity.types import Array
 
 #: Kinds of states: assembled without torque, standing under one, rolling under one.
 ASSEMBLED, STANDING, ROLLING = 0, 1, 2

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.engine.arrays import xp
 from asperity.engine.control import while_loop
 from asperity.engine.derivatives import without_slopes
 from asperity.implicit import implicit_root
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Relative width of the last interval of the search.
 SEARCH_TOLERANCE = 1e-13
@@ -201,6 +199,8 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
     """
     if not uses_jax(first_guess, excesses(xp.asarray(first_guess))):
         return first_limit_of_numbers(excesses=excesses, first_guess=first_guess)
+    import jax
+
     excesses = jax.jit(excesses)  # traced once for the search and for the derivative
     found = searched_limit(excesses=excesses, first_guess=first_guess)
     return with_derivative(excesses=excesses, limit=found)
@@ -211,6 +211,8 @@ def searched_limit(
 ) -> FirstLimit:
     """That of :func:`first_limit`, without derivatives, which are not traced either."""
     start, farthest = without_slopes((xp.asarray(first_guess), xp.asarray(farthest)))
+    import jax
+
     program = jax.make_jaxpr(jax.jit(excesses))(start)
     fixed = without_slopes(program.consts)
 

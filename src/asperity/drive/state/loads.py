@@ -20,13 +20,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members, speeds
 from asperity.drive.mechanism import Bearings, bearing_torque
 from asperity.drive.state.state import Resistance
 from asperity.engine.arrays import xp
 from asperity.linear import product
+from asperity.types import Array
 
 
 def signed_resistance(drive: Drive, size: Resistance, *, backwards: Array | float) -> Resistance:

@@ -7,9 +7,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.drive.state.equations import (
     ROLLING,
@@ -33,11 +31,12 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.slopes import newton_step, responses_and_slopes, state_slopes
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, DriveState
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import in_one, while_loop
 from asperity.engine.derivatives import value_and_slope, with_rule, without_slopes
 from asperity.linear import solve, solve_in_turn
-from asperity.types import Real
+from asperity.types import Array, Real
 
 _NEWTON_BUDGET = 60
 _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
@@ -205,7 +204,7 @@ def solved(
     fixed_machine, fixed_task = without_slopes((machine, task))
     fixed_task = of_kind(fixed_task, known_kind(task))
     nothing = tied_zeros(fixed_machine.laws.reference_force)
-    first: Unknowns = jax.tree.map(lambda leaf: without_slopes(leaf) + nothing[0], start)
+    first: Unknowns = trees.map(lambda leaf: without_slopes(leaf) + nothing[0], start)
     may_slide = (xp.asarray(task.kind) == STANDING) & ~xp.asarray(holds)
     begin = nothing if slides is None else nothing + without_slopes(slides)
     paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
@@ -225,7 +224,7 @@ def solved(
         responses = contact_responses(fixed_machine, fixed_task, *contact_forces(fixed_machine, tried))
         misfits = misfits_at(tried, responses)
         balanced = (_worst(misfits.all) < _BALANCED) & (step < _DETERMINED)
-        last, held = jax.tree.map(
+        last, held = trees.map(
             lambda new, old: xp.where(balanced | first_trial, new, old),
             (Balance(tried, responses, state.trial), misfits.held),
             (state.last, state.held),
@@ -280,9 +279,9 @@ def _derivative(fixed: _Fixed, primals: tuple[Any, Any], tangents: tuple[Any, An
     _, (change, by_given) = value_and_slope(equations, (given,), (moved,))
     responses = responses_and_slopes(machine, task, at)
     step = newton_step(state_slopes(machine, task, pressed_sectors, slides, at, responses), change, solve)
-    by_root = jax.tree.map(xp.negative, step)
+    by_root = trees.map(xp.negative, step)
     normal, tangential = contact_forces(machine, by_root)
-    by_forces = jax.tree.map(
+    by_forces = trees.map(
         lambda *slopes: slopes[0] + slopes[1] * normal + slopes[2] * tangential,
         by_given,
         responses.by_normal,

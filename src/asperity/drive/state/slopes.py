@@ -10,9 +10,7 @@ import functools
 from collections.abc import Callable
 from typing import NamedTuple
 
-import jax
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, sectors_of_members
 from asperity.drive.state.bores import PressedBores
@@ -35,10 +33,12 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.loads import drag_pairs, resistance_levers
 from asperity.drive.state.state import Resistance
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import fori_loop, put
 from asperity.engine.derivatives import jacobian, value_and_slopes
 from asperity.linear import product
+from asperity.types import Array
 
 
 class Slopes(NamedTuple):
@@ -221,7 +221,7 @@ def _with_equal_coefficients(machine: Machine, task: Task, x: Unknowns, held: _H
     """Rows of a standing drive in which the second contact of each pair has the traction coefficient of the first."""
     first, second = numbers_of_pairs(machine.drive).T
     ratio = machine.friction[first] / machine.friction[second]
-    none = jax.tree.map(xp.zeros_like, held)
+    none = trees.map(xp.zeros_like, held)
     by_normal = put(none.normal, (second, first), x.tangential[second])
     by_tangential = put(none.tangential, (second, first), -ratio * x.normal[second])
     equal = none._replace(
@@ -234,7 +234,7 @@ def _with_equal_coefficients(machine: Machine, task: Task, x: Unknowns, held: _H
 
 def _in_rows(where: Array, chosen: _HeldRows, held: _HeldRows) -> _HeldRows:
     """Rows of one kind at some contacts, of another at the others."""
-    return jax.tree.map(lambda one, other: xp.where(where[:, None], one, other), chosen, held)
+    return trees.map(lambda one, other: xp.where(where[:, None], one, other), chosen, held)
 
 
 def _moment_scale(machine: Machine) -> Array:

@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-import equinox as eqx
-from jax import Array
-
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
 from asperity.drive.layout.drive import CARRIER, Drive
@@ -16,8 +13,9 @@ from asperity.drive.state.bores import Bores
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.supports import Supports
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module, static
 from asperity.linear import product
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Largest relative residual of a state that is accepted as solved.
 STATE_TOLERANCE = 1e-9
@@ -62,7 +60,7 @@ class Resistance(NamedTuple):
     skew_drag: Array
 
 
-#: How contacts creep under normal and tangential forces; a module of numbers, as ``jax.tree_util.Partial`` is one.
+#: How contacts creep under normal and tangential forces; a module of numbers, as :class:`asperity.engine.module.Partial` is one.
 CreepOf = Callable[[Array, Array], Creeping]
 
 #: Sizes of the drag of the oil [N] and of the moment of hysteresis [N·m] under normal forces, a module of numbers too.
@@ -71,7 +69,7 @@ ResistanceOf = Callable[[Array], tuple[Array, Array]]
 _NEAR_SLIP = 0.999  # the slip of a standing contact is continued as a line above this share of friction
 
 
-class ContactLaws(eqx.Module):
+class ContactLaws(Module):
     r"""Response of the contacts of a drive to approach, slip and creep. SI units, shape (contacts,).
 
     Parameters
@@ -114,10 +112,10 @@ class ContactLaws(eqx.Module):
     linear_compliance: Array | None = None
     closure: ContactLaws | None = None
     bores: Bores | None = None
-    slip_exponent: float = eqx.field(static=True, default=1.0 / 3.0)
+    slip_exponent: float = static(default=1.0 / 3.0)
 
 
-class DriveLoad(eqx.Module):
+class DriveLoad(Module):
     """What acts on a drive besides its preload, and the springs of its pins. SI units.
 
     Parameters
@@ -153,11 +151,11 @@ class DriveLoad(eqx.Module):
     rotation: Real = 1.0
     standing_rotation: Real = 1.0
     supports: Supports | None = None
-    friction_on_carrier: bool = eqx.field(static=True, default=True)
+    friction_on_carrier: bool = static(default=True)
     resistance_of: ResistanceOf | None = None
 
 
-class DriveState(eqx.Module):
+class DriveState(Module):
     """A balanced state of a drive. SI units.
 
     Parameters
@@ -350,7 +348,7 @@ class BodiesOfContacts(NamedTuple):
     sectors: int = 1
 
 
-class RollingSpeeds(eqx.Module):
+class RollingSpeeds(Module):
     """Speeds of a rolling drive relative to the carrier. SI units.
 
     Parameters

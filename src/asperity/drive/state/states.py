@@ -19,9 +19,6 @@ import dataclasses
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import jax
-from jax import Array
-
 from asperity.drive.layout.drive import Drive, incidence
 from asperity.drive.state.equations import (
     ASSEMBLED,
@@ -36,11 +33,12 @@ from asperity.drive.state.equations import (
 )
 from asperity.drive.state.search import assembled_guess, known_state, solved, started_from, state_of
 from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState, contact_approach
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import scan
 from asperity.engine.derivatives import without_slopes
 from asperity.linear import product, solve
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: A rolling state by the creep law of the laws themselves, from which that with the law under the forces is sought; and
 #: a standing state that is known already, beside rolling ones that are not.
@@ -326,7 +324,7 @@ def _loaded(
             solved_states.append(state)
             continue
         last, states = scan(step, last, xp.stack([xp.asarray(kind) for kind in alike]))
-        solved_states += [jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
+        solved_states += [trees.map(lambda leaf, i=i: leaf[i], states) for i in range(len(alike))]
     return solved_states
 
 

@@ -6,11 +6,10 @@ import dataclasses
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import Drive, Incidence
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 class Supports(NamedTuple):

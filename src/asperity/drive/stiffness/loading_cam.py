@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import dataclasses
 
-import equinox as eqx
-from jax import Array
-
 from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 
-class LoadingCam(eqx.Module):
+class LoadingCam(Module):
     """A loading cam of a drive. SI units.
 
     Parameters

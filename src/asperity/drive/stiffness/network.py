@@ -11,14 +11,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from jax import Array
 
 from asperity.drive.layout.drive import CARRIER, Drive, incidence, sectors_of_members
 from asperity.drive.state.supports import Supports, with_supports
 from asperity.engine.arrays import xp
 from asperity.engine.control import put
 from asperity.linear import product, solve
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 class NetworkStiffness(NamedTuple):

@@ -9,18 +9,16 @@ from __future__ import annotations
 
 import math
 
-import equinox as eqx
-from jax import Array
-
 from asperity.drive.wedge.geometry import DriveGeometry, speed_ratio
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.engine.module import Module
+from asperity.types import Array, Real
 
 #: One arcminute in radians.
 ARCMINUTE = math.pi / 10800.0
 
 
-class TorsionalStiffness(eqx.Module):
+class TorsionalStiffness(Module):
     """Torsional stiffness, at the sun and at the output.
 
     Parameters
@@ -150,7 +148,7 @@ def series_torsional_stiffness(*, geometry: DriveGeometry, tangential_stiffness:
     return TorsionalStiffness(sun=at_sun, output=at_sun * speed_ratio(geometry) ** 2)
 
 
-class Assembly(eqx.Module):
+class Assembly(Module):
     """Stiffness of the assembled drive and where its compliance comes from.
 
     Parameters

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-import equinox as eqx
-from jax import Array
-
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.engine.module import Module, static
+from asperity.types import Array, Real
 
 #: Rolling elements of a bearing.
 BearingKind = Literal["ball", "roller"]
@@ -18,7 +16,7 @@ LIFE_EXPONENTS: dict[BearingKind, float] = {"ball": 3.0, "roller": 10.0 / 3.0}
 LARGEST_LOAD_RATIO = 0.5
 
 
-class RatedBearing(eqx.Module):
+class RatedBearing(Module):
     """A rolling bearing with the ratings of its catalogue. SI units.
 
     Parameters
@@ -37,7 +35,7 @@ class RatedBearing(eqx.Module):
     static_rating: Real
     count: Real
     outside_force: Real
-    kind: BearingKind = eqx.field(static=True)
+    kind: BearingKind = static()
 
 
 def basic_rating_life(*, dynamic_rating: Real, load: Real, exponent: float) -> Array:

@@ -10,7 +10,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import scipy.linalg
 
 from asperity.drive.layout.drive import Drive, speeds
 from asperity.drive.stiffness.network import SpringLaws
@@ -236,6 +235,8 @@ def _frequency(flexibility: np.ndarray, mass: np.ndarray, between: np.ndarray) -
     weights, directions = np.linalg.eigh(mass)
     massive = weights > _MASSLESS * weights[-1]
     root = directions[:, massive] * np.sqrt(weights[massive])
+    import scipy.linalg
+
     values, left, right = scipy.linalg.eig(root.T @ flexibility @ root, left=True, right=True)
     moving = np.abs(values) > _MASSLESS * np.max(np.abs(values))
     values, left, right = values[moving], left[:, moving], right[:, moving]

@@ -5,17 +5,15 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-import equinox as eqx
-from jax import Array
-
 from asperity.engine.arrays import xp
-from asperity.types import Real
+from asperity.engine.module import Module, static
+from asperity.types import Array, Real
 
 #: How the carrier holds a pin.
 PinSupport = Literal["both_ends", "one_end"]
 
 
-class PinBeam(eqx.Module):
+class PinBeam(Module):
     """The carrier pin of a roller as a beam.
 
     Parameters
@@ -29,7 +27,7 @@ class PinBeam(eqx.Module):
     """
 
     free_length: Real
-    support: PinSupport = eqx.field(static=True)
+    support: PinSupport = static()
     diameter: Real
 
 

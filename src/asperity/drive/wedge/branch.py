@@ -11,13 +11,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from jax import Array
-
 from asperity.drive.mechanism import Mechanism, RestState, bearing_torque
 from asperity.drive.wedge.geometry import Triangle
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import with_rule
-from asperity.types import Real
+from asperity.types import Array, Real
 
 
 class Branch(NamedTuple):

@@ -10,10 +10,6 @@ import dataclasses
 import functools
 from collections.abc import Sequence
 
-import equinox as eqx
-import jax
-from jax import Array
-
 from asperity.drive.mechanism import Bearings, Mechanism, NormalSprings, compression, steepest_compliance
 from asperity.drive.wedge.branch import (
     Branch,
@@ -24,11 +20,13 @@ from asperity.drive.wedge.branch import (
     held_load_sum,
 )
 from asperity.drive.wedge.geometry import DriveGeometry, Triangle
+from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import once, while_loop
 from asperity.engine.derivatives import linearised
+from asperity.engine.module import Module
 from asperity.implicit import implicit_root
-from asperity.types import Real
+from asperity.types import Array, Real
 
 #: Largest relative residual of the force balance and of its closure that counts as solved.
 BALANCE_TOLERANCE = 1e-9
@@ -37,7 +35,7 @@ _NEWTON_BUDGET = 20
 _STEP_TOLERANCE = 1e-6  # convergence is quadratic: the error after such a last step is below 1e-13
 
 
-class DriveForces(eqx.Module):
+class DriveForces(Module):
     """All forces of one branch and the torques of the drive, SI units.
 
     Parameters
@@ -69,7 +67,7 @@ class DriveForces(eqx.Module):
 
 
 def _contact_springs(springs: NormalSprings) -> list[NormalSprings]:
-    return [jax.tree.map(lambda leaf, i=i: leaf[i], springs) for i in range(5)]
+    return [trees.map(lambda leaf, i=i: leaf[i], springs) for i in range(5)]
 
 
 def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
@@ -230,9 +228,9 @@ def _without_losses(branch: Branch) -> tuple[Array, Array]:
     mechanism, sides, rest = branch.mechanism, branch.sides, branch.rest
     leverage = 1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
     sun_force = branch.output_torque / (mechanism.geometry.planet_count * sides.roller_orbit * leverage)
-    springs, first_rest = jax.tree.map(lambda leaf: leaf[0], (mechanism.springs, rest.normal_force))
+    springs, first_rest = trees.map(lambda leaf: leaf[0], (mechanism.springs, rest.normal_force))
     batch = dataclasses.replace(mechanism, springs=springs, rest=rest._replace(normal_force=first_rest))
-    leaves = jax.tree.leaves((batch, branch.output_torque))
+    leaves = trees.leaves((batch, branch.output_torque))
     shape = xp.broadcast_shapes(*(xp.shape(leaf) for leaf in leaves))
     return xp.broadcast_to(2.0 * rest.normal_force[1], shape), xp.broadcast_to(sun_force, shape)
 

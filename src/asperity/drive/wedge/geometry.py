@@ -6,9 +6,8 @@ planet–right and planet–left loading roller ``pwr``, ``pwl``, right and left
 
 from __future__ import annotations
 
-import equinox as eqx
-
 from asperity.engine.arrays import xp
+from asperity.engine.module import Module
 from asperity.types import Real
 
 #: The contacts of a branch in the order of the contact axis: name, driving and driven body.
@@ -23,7 +22,7 @@ CONTACT_BODIES: dict[str, tuple[str, str]] = {
 CONTACT_NAMES = tuple(CONTACT_BODIES)
 
 
-class DriveGeometry(eqx.Module):
+class DriveGeometry(Module):
     """Radii and arrangement of a planetary traction drive, SI units.
 
     Parameters
@@ -45,7 +44,7 @@ class DriveGeometry(eqx.Module):
     right_push_angle: Real
 
 
-class Triangle(eqx.Module):
+class Triangle(Module):
     r"""The triangle sun centre – planet centre – loading roller centre, fixed by tangency alone (A1).
 
     Parameters

@@ -13,10 +13,10 @@ from math import comb
 
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.errors import NoSolutionError
 from asperity.study.calibration.curve_model import CurveModel
+from asperity.types import Array
 
 #: Terms of the polynomial, and its total degree, at most.
 MOST_TERMS = 250

@@ -8,7 +8,9 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
+
+from asperity.engine import trees
+from asperity.types import Array
 
 #: A chain begins no closer to a bound than this: the logarithm of the odds, in which NUTS moves, is infinite there.
 _MARGIN = 1e-6
@@ -89,9 +91,7 @@ class Chains:
         odds = np.log(inside / (1.0 - inside))
         centre = odds.mean(axis=0)
         axes = np.linalg.cholesky(_in_log_odds(covariance, inside.mean(axis=0)))
-        self._frame = jax.tree.map(
-            jnp.asarray, {"coefficients": coefficients, "centre": centre, "axes": axes}
-        )
+        self._frame = trees.map(jnp.asarray, {"coefficients": coefficients, "centre": centre, "axes": axes})
         kernel = NUTS(
             self._model,
             dense_mass=True,
@@ -159,7 +159,7 @@ def _chosen(accept: Array, new: Any, old: Any) -> Any:
     def chosen(after: Array, before: Array) -> Array:
         return jnp.where(accept.reshape((-1,) + (1,) * (after.ndim - 1)), after, before)
 
-    return jax.tree.map(chosen, new, old)._replace(rng_key=new.rng_key, i=new.i)
+    return trees.map(chosen, new, old)._replace(rng_key=new.rng_key, i=new.i)
 
 
 def _in_log_odds(covariance: np.ndarray, centre: np.ndarray) -> np.ndarray:

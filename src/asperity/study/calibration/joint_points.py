@@ -9,15 +9,16 @@ from typing import Any, Literal, NamedTuple
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
 from asperity.compilation import compile_fast
+from asperity.engine import trees
 from asperity.joint_file.own_branches import joint_with_branches
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values, numbers, replace_values, table_structure, with_numbers
 from asperity.standing.over_torque import BATCH, curve_program
 from asperity.standing.standing import NO_SLIP_FRICTION
 from asperity.standing.windup import StiffnessLevel
+from asperity.types import Array
 
 #: What a curve shows of a joint.
 Shown = StiffnessLevel | Literal["drift"]
@@ -95,8 +96,8 @@ def _over(
         program = compile_fast(function, *given, part, options=options)
         if function is _curves:  # which a posterior calls thousands of times
             program.compile_again()
-        parts.append(jax.tree.map(np.asarray, program(*given, part)))
-    return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: torque.size], *parts)
+        parts.append(trees.map(np.asarray, program(*given, part)))
+    return trees.map(lambda *leaves: np.concatenate(leaves)[: torque.size], *parts)
 
 
 def _curves(structure: str, shown: str, base: Array, torques: Array) -> dict[str, Array]:

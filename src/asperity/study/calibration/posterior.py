@@ -8,7 +8,6 @@ from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
 from scipy.special import ndtr, ndtri
 
 from asperity.errors import InputError, NoSolutionError
@@ -18,6 +17,7 @@ from asperity.study.calibration.calibrate import Calibration
 from asperity.study.calibration.curve_surrogate import fit_surrogate, surrogate_prediction
 from asperity.study.calibration.delayed_acceptance import Chains
 from asperity.study.calibration.directions import UNINFORMED
+from asperity.types import Array
 
 #: Largest split-R-hat that counts as converged (A. Vehtari et al., Bayesian Anal. 16 (2021) 667, recommend 1.01;
 #: this is the bound beyond which the numbers are refused).

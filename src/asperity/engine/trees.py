@@ -1,0 +1,83 @@
+"""Modules of numbers as trees: what :mod:`jax.tree` does, in the same order, without JAX.
+
+A leaf is whatever is no :class:`Module`, tuple, list, dictionary or None.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from asperity.engine.module import Module
+
+
+def map(function: Callable[..., Any], tree: Any, *others: Any) -> Any:  # noqa: A001 - as trees.map
+    """A function of every leaf, and of those of other trees with the same structure; in a tree of this structure."""
+    kind = type(tree)
+    if tree is None:
+        return None
+    if isinstance(tree, Module):
+        made: Any = object.__new__(kind)
+        fields = made.__dict__
+        for name in kind.static_fields:
+            fields[name] = getattr(tree, name)
+        for name in kind.number_fields:
+            fields[name] = map(function, getattr(tree, name), *[getattr(other, name) for other in others])
+        return made
+    if isinstance(tree, tuple):
+        entries = [map(function, *each) for each in zip(tree, *others, strict=True)]
+        return kind(*entries) if hasattr(kind, "_fields") else tuple(entries)
+    if isinstance(tree, list):
+        return [map(function, *each) for each in zip(tree, *others, strict=True)]
+    if isinstance(tree, dict):
+        return {key: map(function, entry, *[other[key] for other in others]) for key, entry in tree.items()}
+    return function(tree, *others)
+
+
+def leaves(tree: Any) -> list[Any]:
+    """All leaves, those of a dictionary in the order of its sorted keys."""
+    found: list[Any] = []
+    _collect(tree, found)
+    return found
+
+
+def _collect(tree: Any, found: list[Any]) -> None:
+    if tree is None:
+        return
+    if isinstance(tree, Module):
+        for name in type(tree).number_fields:
+            _collect(getattr(tree, name), found)
+    elif isinstance(tree, tuple | list):
+        for entry in tree:
+            _collect(entry, found)
+    elif isinstance(tree, dict):
+        for key in sorted(tree):
+            _collect(tree[key], found)
+    else:
+        found.append(tree)
+
+
+def alike(one: Any, other: Any) -> bool:
+    """Whether two trees have the same structure and equal leaves."""
+    kind = type(one)
+    if kind is not type(other):
+        return (
+            one is not None
+            and other is not None
+            and not _holds(one)
+            and not _holds(other)
+            and bool(one == other)
+        )
+    if isinstance(one, Module):
+        static = all(getattr(one, name) == getattr(other, name) for name in kind.static_fields)
+        return static and all(alike(getattr(one, name), getattr(other, name)) for name in kind.number_fields)
+    if isinstance(one, tuple | list):
+        return len(one) == len(other) and all(alike(*pair) for pair in zip(one, other, strict=True))
+    if isinstance(one, dict):
+        return one.keys() == other.keys() and all(alike(one[key], other[key]) for key in one)
+    return one is None or bool(one == other)
+
+
+def _holds(tree: Any) -> bool:
+    """Whether a tree is no leaf."""
+    return isinstance(tree, Module | tuple | list | dict)
