@@ -136,25 +136,32 @@ class Dual:
         return xp.abs(self)
 
     def __add__(self, other: Any) -> Any:
-        return _sum(self, other)
+        if type(other) is Dual:
+            return _sum(self, other)
+        value = self.value + other
+        return Dual(value, _as_broad(self, value), self.level)
 
-    def __radd__(self, other: Any) -> Any:
-        return _sum(other, self)
+    __radd__ = __add__
 
     def __sub__(self, other: Any) -> Any:
-        return _sum(self, -other)
+        return self + -other
 
     def __rsub__(self, other: Any) -> Any:
-        return _sum(other, -self)
+        return -self + other
 
     def __mul__(self, other: Any) -> Any:
-        return _product(self, other)
+        if type(other) is Dual:
+            return _product(self, other)
+        slopes = [None if slope is None else slope * other for slope in self.slopes]
+        return Dual(self.value * other, slopes, self.level)
 
-    def __rmul__(self, other: Any) -> Any:
-        return _product(other, self)
+    __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Any:
-        return _quotient(self, other)
+        if type(other) is Dual:
+            return _quotient(self, other)
+        slopes = [None if slope is None else slope / other for slope in self.slopes]
+        return Dual(self.value / other, slopes, self.level)
 
     def __rtruediv__(self, other: Any) -> Any:
         return _quotient(other, self)
@@ -253,44 +260,62 @@ def _each(number: Dual, function: Callable[[Any], Any]) -> Dual:
 
 def _pair(one: Any, other: Any) -> tuple[Any, Any, int, Sequence[Any], Sequence[Any]]:
     """Values of two numbers, their highest level, and their slopes there."""
-    level = highest_level((one, other))
-    count = directions_at((one, other), level)
-    first, second = slopes_at(one, level, count), slopes_at(other, level, count)
-    return value_at(one, level), value_at(other, level), level, first, second
+    of_one = one.level if type(one) is Dual else 0
+    of_other = other.level if type(other) is Dual else 0
+    if of_one == of_other:
+        return one.value, other.value, of_one, one.slopes, other.slopes
+    if of_one > of_other:
+        return one.value, other, of_one, one.slopes, (None,) * len(one.slopes)
+    return one, other.value, of_other, (None,) * len(other.slopes), other.slopes
 
 
 def _added(one: Any, other: Any) -> Any:
     return other if one is None else one if other is None else one + other
 
 
-def _shaped(slope: Any, value: Any) -> Any:
+def _shape(number: Any) -> tuple[int, ...]:
+    """Shape of a number; of Python's own ()."""
+    shape: tuple[int, ...] = getattr(number, "shape", ())
+    return shape
+
+
+def _shaped(slope: Any, shape: tuple[int, ...]) -> Any:
     """A slope with the shape of its value, to which other numbers may have been broadcast."""
-    if slope is None or np.shape(plain(slope)) == np.shape(plain(value)):
+    if slope is None or _shape(slope) == shape:
         return slope
-    return xp.broadcast_to(slope, np.shape(plain(value)))
+    return xp.broadcast_to(slope, shape)
+
+
+def _as_broad(number: Dual, value: Any) -> Sequence[Any]:
+    """Slopes of a number to which a constant was added, which may have broadcast it to a value."""
+    shape = _shape(value)
+    if _shape(number.value) == shape:
+        return number.slopes
+    return [_shaped(slope, shape) for slope in number.slopes]
 
 
 def _sum(one: Any, other: Any) -> Any:
     a, b, level, first, second = _pair(one, other)
     value = a + b
-    return Dual(value, [_shaped(_added(*pair), value) for pair in zip(first, second, strict=True)], level)
+    shape = _shape(value)
+    slopes = [_shaped(_added(s, t), shape) for s, t in zip(first, second, strict=True)]
+    return Dual(value, slopes, level)
 
 
 def _product(one: Any, other: Any) -> Any:
     a, b, level, first, second = _pair(one, other)
-    value = a * b
     slopes = [
-        _shaped(_added(None if s is None else s * b, None if t is None else a * t), value)
+        (None if s is None else s * b) if t is None else a * t if s is None else s * b + a * t
         for s, t in zip(first, second, strict=True)
     ]
-    return Dual(value, slopes, level)
+    return Dual(a * b, slopes, level)
 
 
 def _quotient(one: Any, other: Any) -> Any:
     a, b, level, first, second = _pair(one, other)
     value = a / b
     slopes = [
-        _shaped(_added(None if s is None else s / b, None if t is None else -value * t / b), value)
+        (None if s is None else s / b) if t is None else value * t / -b if s is None else (s - value * t) / b
         for s, t in zip(first, second, strict=True)
     ]
     return Dual(value, slopes, level)
@@ -431,12 +456,13 @@ def _of_one(name: str, x: Dual) -> Dual:
 def _of_two(name: str, x: Any, y: Any) -> Dual:
     a, b, level, first, second = _pair(x, y)
     value = getattr(xp, name)(a, b)
+    shape = _shape(value)
     by_first, by_second = _OF_TWO[name]
     first_slope = by_first(value, a, b) if any(s is not None for s in first) else None
     second_slope = by_second(value, a, b) if any(s is not None for s in second) else None
     slopes = [
         _shaped(
-            _added(None if s is None else first_slope * s, None if t is None else second_slope * t), value
+            _added(None if s is None else first_slope * s, None if t is None else second_slope * t), shape
         )
         for s, t in zip(first, second, strict=True)
     ]
@@ -488,10 +514,11 @@ def _where(condition: Any, x: Any, y: Any) -> Any:
     condition = plain(condition)
     a, b, level, first, second = _pair(x, y)
     value = xp.where(condition, a, b)
+    shape = _shape(value)
     slopes = [
         None
         if s is None and t is None
-        else _shaped(xp.where(condition, 0.0 if s is None else s, 0.0 if t is None else t), value)
+        else _shaped(xp.where(condition, 0.0 if s is None else s, 0.0 if t is None else t), shape)
         for s, t in zip(first, second, strict=True)
     ]
     return Dual(value, slopes, level)

@@ -46,7 +46,7 @@ def without_slopes(tree: Any) -> Any:
         import jax
 
         return jax.lax.stop_gradient(tree)
-    return trees.map(plain, tree)
+    return trees.map(plain, tree) if _LEVELS.highest else tree
 
 
 def value_and_slope(

@@ -9,8 +9,9 @@ the balance of forces.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -93,6 +94,60 @@ class Closure:
     constant_pins: tuple[str, ...] = ()
 
 
+class Layout(NamedTuple):
+    """Which member is which, of all drives with the same bodies and contacts; constant arrays of NumPy.
+
+    ``members``: names of all rotating members, the bodies and then the carrier; ``input``, ``output``, ``grounded`` and
+    ``carrier``: their numbers; ``turning``: numbers of those whose rotation is unknown, all but the input and the
+    grounded one. ``first`` and ``second``: numbers of the bodies of each contact, shape (contacts,); ``outward``: -1
+    where the first lies inside the second, else 1; ``sector``: that of the second one. ``floating`` and ``pinned``:
+    numbers of the bodies whose centres can move, and of those on pins. ``unit``: a row for each member, shape (members,
+    members), and ``relative``, the same less the carrier's. ``on_axis``: members on the axis.
+    """
+
+    members: tuple[str, ...]
+    input: int
+    output: int
+    grounded: int
+    carrier: int
+    turning: np.ndarray
+    first: np.ndarray
+    second: np.ndarray
+    outward: np.ndarray
+    sector: np.ndarray
+    floating: tuple[int, ...]
+    pinned: tuple[int, ...]
+    unit: np.ndarray
+    relative: np.ndarray
+    on_axis: np.ndarray
+
+
+@functools.lru_cache(maxsize=256)
+def _layout(
+    bodies: tuple[Body, ...], contacts: tuple[Contact, ...], entry: str, output: str, grounded: str
+) -> Layout:
+    members = (*(body.name for body in bodies), CARRIER)
+    number = {name: place for place, name in enumerate(members)}
+    unit = np.eye(len(members))
+    return Layout(
+        members=members,
+        input=number.get(entry, -1),
+        output=number.get(output, -1),
+        grounded=number.get(grounded, -1),
+        carrier=number[CARRIER],
+        turning=np.array([i for i, name in enumerate(members) if name not in (entry, grounded)], dtype=int),
+        first=np.array([number[contact.first] for contact in contacts], dtype=int),
+        second=np.array([number[contact.second] for contact in contacts], dtype=int),
+        outward=np.array([-1.0 if contact.internal else 1.0 for contact in contacts]),
+        sector=np.array([contact.sector for contact in contacts]),
+        floating=tuple(i for i, body in enumerate(bodies) if body.place in ("free", "pin")),
+        pinned=tuple(i for i, body in enumerate(bodies) if body.place == "pin"),
+        unit=unit,
+        relative=unit - unit[number[CARRIER]],
+        on_axis=np.array([*(body.place == "axis" for body in bodies), True]),
+    )
+
+
 class Incidence(Module):
     r"""How displacements and rotations move the contacts; its transpose balances the forces.
 
@@ -162,10 +217,15 @@ class Drive(Module):
     closure: Closure = static(default=Closure())
     motion: tuple[Incidence, Array, tuple[Array, Array]] | None = None
 
+    @functools.cached_property
+    def layout(self) -> Layout:
+        """Which member is which."""
+        return _layout(self.bodies, self.contacts, self.input, self.output, self.grounded)
+
     @property
     def members(self) -> tuple[str, ...]:
         """All rotating members: the bodies, then the carrier."""
-        return (*(body.name for body in self.bodies), CARRIER)
+        return self.layout.members
 
     @property
     def turning_alike(self) -> tuple[tuple[str, str], ...]:
@@ -180,18 +240,17 @@ class Drive(Module):
     @property
     def floating(self) -> tuple[int, ...]:
         """Indices of the bodies whose centres can move."""
-        return tuple(i for i, body in enumerate(self.bodies) if body.place in ("free", "pin"))
+        return self.layout.floating
 
     @property
     def pinned(self) -> tuple[int, ...]:
         """Indices of the bodies on pins."""
-        return tuple(i for i, body in enumerate(self.bodies) if body.place == "pin")
+        return self.layout.pinned
 
 
 def sectors_of_members(drive: Drive) -> Array:
     """In how many sectors the contacts of each member lie, shape (members,): all for those on the axis, else one."""
-    on_axis = np.array([*(body.place == "axis" for body in drive.bodies), True])
-    return xp.where(on_axis, xp.asarray(drive.sectors, dtype=float), 1.0)
+    return xp.where(drive.layout.on_axis, xp.asarray(drive.sectors, dtype=float), 1.0)
 
 
 def sector_rotation(drive: Drive, sector: ArrayLike) -> Array:
@@ -201,28 +260,9 @@ def sector_rotation(drive: Drive, sector: ArrayLike) -> Array:
     return xp.stack([xp.stack([cosine, -sine], axis=-1), xp.stack([sine, cosine], axis=-1)], axis=-2)
 
 
-class _Sides(NamedTuple):
-    """The bodies of each contact, constant for a layout."""
-
-    first: np.ndarray  # number of the first body, shape (contacts,)
-    second: np.ndarray
-    outward: Any  # array of -1 where the first body lies inside the second, else 1
-    sector: np.ndarray
-
-
-def _sides(drive: Drive) -> _Sides:
-    number = {name: i for i, name in enumerate(drive.members)}
-    return _Sides(
-        first=np.array([number[contact.first] for contact in drive.contacts]),
-        second=np.array([number[contact.second] for contact in drive.contacts]),
-        outward=np.array([-1.0 if contact.internal else 1.0 for contact in drive.contacts]),
-        sector=np.array([contact.sector for contact in drive.contacts]),
-    )
-
-
 def _between(drive: Drive) -> tuple[Array, Array]:
     """Vector from the first to the second centre of each contact, and the rotation of the second one's sector."""
-    sides = _sides(drive)
+    sides = drive.layout
     copies = sector_rotation(drive, sides.sector)
     return product(copies, drive.centres[sides.second]) - drive.centres[sides.first], copies
 
@@ -230,7 +270,7 @@ def _between(drive: Drive) -> tuple[Array, Array]:
 def _normals(drive: Drive) -> tuple[Array, Array]:
     """Direction from the first body to each contact, and the rotation of its second body's sector."""
     between, copies = _between(drive)
-    return (_sides(drive).outward / _length(between))[:, None] * between, copies
+    return (drive.layout.outward / _length(between))[:, None] * between, copies
 
 
 def _length(vectors: Array) -> Array:
@@ -253,7 +293,7 @@ def contact_angles(drive: Drive) -> tuple[Array, Array]:
     if drive.motion is not None:
         return drive.motion[2]
     normals, copies = _normals(drive)
-    towards = -_sides(drive).outward[:, None] * product(copies.swapaxes(1, 2), normals)
+    towards = -drive.layout.outward[:, None] * product(copies.swapaxes(1, 2), normals)
     return xp.arctan2(normals[:, 1], normals[:, 0]), xp.arctan2(towards[:, 1], towards[:, 0])
 
 
@@ -282,12 +322,12 @@ def incidence(drive: Drive) -> Incidence:
 
 @traced_once
 def _incidence(drive: Drive) -> Incidence:
-    sides, (normals, copies) = _sides(drive), _normals(drive)
+    sides, (normals, copies) = drive.layout, _normals(drive)
     tangents = xp.stack([-normals[:, 1], normals[:, 0]], axis=1)
     moves = _movable(drive)
     between = moves[sides.first] - (copies[..., None] * moves[sides.second][:, None]).sum(axis=2)
     # speed of a member relative to the carrier
-    relative = np.eye(len(drive.members)) - np.eye(len(drive.members))[drive.members.index(CARRIER)]
+    relative = sides.relative
     turning = drive.first_radius[:, None] * relative[sides.first] + (
         (sides.outward * drive.second_radius)[:, None] * relative[sides.second]
     )
@@ -318,7 +358,7 @@ def gaps(drive: Drive) -> Array:
     0 where they just touch, negative where they overlap.
     """
     between, _ = _between(drive)
-    return _sides(drive).outward * (_length(between) - drive.second_radius) - drive.first_radius
+    return drive.layout.outward * (_length(between) - drive.second_radius) - drive.first_radius
 
 
 def speeds(drive: Drive) -> Array:

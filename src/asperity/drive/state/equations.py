@@ -29,7 +29,7 @@ from asperity.drive.state.state import (
     surface_speeds,
 )
 from asperity.drive.state.supports import Supports, with_supports
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import is_of_jax, xp
 from asperity.engine.control import cond, put, traced_once
 from asperity.engine.derivatives import without_slopes
 from asperity.linear import product
@@ -99,7 +99,7 @@ class Task(NamedTuple):
 
 def known_kind(task: Task) -> int | None:
     """Kind of a state, None where a program finds states of several kinds."""
-    return task.kind if isinstance(task.kind, int) else None
+    return None if is_of_jax(task.kind) else int(task.kind)
 
 
 def of_kind(task: Task, kind: int | None) -> Task:
@@ -139,16 +139,16 @@ def machine_of(
     )
 
 
-def turning_members(drive: Drive) -> list[int]:
+def turning_members(drive: Drive) -> np.ndarray:
     """Numbers of the members whose rotation is unknown: all but the input and the grounded member."""
-    return [i for i, name in enumerate(drive.members) if name not in (drive.input, drive.grounded)]
+    return drive.layout.turning
 
 
 def speeds_and_turns(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, Array]:
     """Speeds over that of the input [-] and rotations [rad] of all members, shape (members,); equation (M3)."""
-    turning = np.eye(len(machine.drive.members))[turning_members(machine.drive)]
+    layout = machine.drive.layout
     rolls = xp.where(xp.asarray(kind) == ROLLING, 1.0, 0.0)
-    turn = product(turning.T, x.turn)
+    turn = product(layout.unit[layout.turning].T, x.turn)
     return machine.ideal + rolls * turn, (1.0 - rolls) * turn * machine.length / machine.lever
 
 
@@ -219,10 +219,11 @@ def contact_responses(machine: Machine, task: Task, normal: Array, tangential: A
             lambda: (xp.asarray(known), skew_drag),
         )
         creep = dataclasses.replace(creep, gross_slip_scale=scale)
+    kind, nothing = known_kind(task), xp.zeros_like(approach)
     responses = responses_of(
         approach,
-        slip_at_rest(laws=laws, normal=normal, tangential=tangential),
-        creepages(law=creep, normal=normal, tangential=tangential),
+        nothing if kind == ROLLING else slip_at_rest(laws=laws, normal=normal, tangential=tangential),
+        nothing if kind == STANDING else creepages(law=creep, normal=normal, tangential=tangential),
     )
     return responses._replace(resistance=_resistance(machine.drive, task, normal, skew_drag))
 
@@ -292,10 +293,9 @@ def state_misfits(
     if task.load.support_stiffness is not None:
         force = force + xp.repeat(task.load.support_stiffness, 2) * moved
     moments = moments_of(machine, task, tangential, pin, resistance)
-    out = drive.members.index(drive.output)
-    resists = np.eye(len(drive.members))[out]
-    moments = moments - resists * xp.sign(machine.ideal[out]) * task.load.output_torque
-    moments = moments[np.array(turning_members(drive), dtype=int)] / (lever * largest)
+    out = drive.layout.output
+    moments = moments - drive.layout.unit[out] * xp.sign(machine.ideal[out]) * task.load.output_torque
+    moments = moments[turning_members(drive)] / (lever * largest)
     size = (x.interference * length - task.size) / length
     if pressed_sectors:
         preload = xp.sum(preload_weights(normal.size, pressed_sectors) * normal)

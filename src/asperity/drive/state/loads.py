@@ -19,9 +19,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
-from asperity.drive.layout.drive import CARRIER, Drive, Incidence, incidence, sectors_of_members, speeds
+from asperity.drive.layout.drive import Drive, Incidence, incidence, sectors_of_members, speeds
 from asperity.drive.mechanism import Bearings, bearing_torque
 from asperity.drive.state.state import Resistance
 from asperity.engine.arrays import xp
@@ -34,9 +32,8 @@ def signed_resistance(drive: Drive, size: Resistance, *, backwards: Array | floa
 
     ``backwards`` is -1 of a drive that rolls against its ideal speeds, else 1.
     """
-    first, _ = _bodies(drive)
-    speed = speeds(drive)
-    ahead = backwards * xp.sign(speed[first] - speed[drive.members.index(CARRIER)])
+    speed, layout = speeds(drive), drive.layout
+    ahead = backwards * xp.sign(speed[layout.first] - speed[layout.carrier])
     return Resistance(*(ahead * each for each in size))
 
 
@@ -62,7 +59,7 @@ def drag_pairs(drive: Drive, drag: Array) -> Array:
     ----------
     Balance of the film; equation (B9) of :doc:`/equations`.
     """
-    outward = _outward(drive)
+    outward = drive.layout.outward
     # R/R_1 = R_2/(R_2 +- R_1)
     share = drive.second_radius / (drive.second_radius + outward * drive.first_radius)
     return drag * (1.0 - 2.0 * share)
@@ -85,9 +82,9 @@ def drag_levers(drive: Drive) -> Array:
     ----------
     The drag acts at the surface, the pressure through the centre; equation (B9) of :doc:`/equations`.
     """
-    unit = np.eye(len(drive.members))
-    first, second = (unit[numbers] for numbers in _bodies(drive))
-    levers = _outward(drive)[:, None] * drive.second_radius[:, None] * second
+    layout = drive.layout
+    first, second = layout.unit[layout.first], layout.unit[layout.second]
+    levers = layout.outward[:, None] * drive.second_radius[:, None] * second
     levers = levers - drive.first_radius[:, None] * first
     return sectors_of_members(drive)[:, None] * levers.T
 
@@ -115,12 +112,13 @@ def resistance_levers(drive: Drive) -> Resistance:
     ----------
     Balance of both bodies; equation (B9) of :doc:`/equations`.
     """
-    unit, oil = np.eye(len(drive.members)), drag_levers(drive)
-    first, second = (unit[numbers] for numbers in _bodies(drive))
+    layout, oil = drive.layout, drag_levers(drive)
+    unit = layout.unit
+    first, second = unit[layout.first], unit[layout.second]
     copies = sectors_of_members(drive)[:, None]
     # what one sector's bearings bear
     held = -(oil / copies).sum(axis=0)
-    carrier = copies * unit[drive.members.index(CARRIER)][:, None]
+    carrier = copies * unit[layout.carrier][:, None]
     return Resistance(oil, copies * (second - first).T, oil + carrier * held)
 
 
@@ -132,20 +130,6 @@ def resistance_moments(drive: Drive, resistance: Resistance) -> Array:
     levers = resistance_levers(drive)
     moments = [product(lever, size) for lever, size in zip(levers, resistance, strict=True)]
     return moments[0] + moments[1] + moments[2]
-
-
-def _outward(drive: Drive) -> np.ndarray:
-    """-1 where the first body of a contact lies inside the second, else 1, shape (contacts,)."""
-    return np.array([-1.0 if contact.internal else 1.0 for contact in drive.contacts])
-
-
-def _bodies(drive: Drive) -> tuple[np.ndarray, np.ndarray]:
-    """Numbers of the first and the second body of each contact among the members."""
-    number = {name: place for place, name in enumerate(drive.members)}
-    return (
-        np.array([number[contact.first] for contact in drive.contacts]),
-        np.array([number[contact.second] for contact in drive.contacts]),
-    )
 
 
 class MemberLoads(NamedTuple):
@@ -227,10 +211,9 @@ def member_moments(drive: Drive, matrices: Incidence, tangential: Array, pin: Ar
 
     Of their forces, shape (contacts,) and (pins,) [N], to shape (members,) [N·m].
     """
-    members = drive.members
-    carrier = members.index(CARRIER)
+    layout = drive.layout
     moments = xp.where(
-        np.arange(len(members)) == carrier,
+        layout.unit[layout.carrier] > 0.0,
         (matrices.levers * pin).sum(),
         -product(matrices.turning.T, tangential),
     )
@@ -274,11 +257,10 @@ def friction_moments(
     ----------
     Zou et al. 2025, equations (1) and (3)–(5): two bearings on each body.
     """
-    carrier = drive.members.index(CARRIER)
-    unit, sectors = np.eye(len(drive.members)), sectors_of_members(drive)
+    layout = drive.layout
+    carrier, unit, sectors = layout.carrier, layout.unit, sectors_of_members(drive)
     moments = xp.zeros(len(drive.members))
-    for member, torque in ((drive.input, bearings.sun_torque), (drive.output, bearings.carrier_torque)):
-        number = drive.members.index(member)
+    for number, torque in ((layout.input, bearings.sun_torque), (layout.output, bearings.carrier_torque)):
         moments = moments - 2.0 * torque * xp.sign(ideal[number]) * unit[number]
     for pin, body in enumerate(drive.pinned):
         torque = 2.0 * bearing_torque(bearings=bearings, pin_force=pin_force[pin])

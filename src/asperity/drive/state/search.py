@@ -143,7 +143,7 @@ def started_from(machine: Machine, state: DriveState, size: Array) -> Unknowns:
         state.tangential / (machine.friction * reference),
         xp.pad(state.pin_force / machine.largest, (0, machine.matrices.levers.size - state.pin_force.size)),
         state.displacement.ravel() / machine.length,
-        (state.speed - machine.ideal)[xp.array(turning_members(machine.drive))],
+        (state.speed - machine.ideal)[turning_members(machine.drive)],
         (size / machine.length)[None],
     )
 
@@ -317,7 +317,7 @@ def state_of(machine: Machine, task: Task, found: Balance) -> DriveState:
     carried = xp.all((normal > 0.0) & within)
     worst = _worst(misfits.all._replace(interference=xp.zeros(1)))
     worst = xp.maximum(worst, xp.max(slides * misfits.held))  # what slides less than its law must hold
-    out, entry = drive.members.index(drive.output), drive.members.index(drive.input)
+    out, entry = drive.layout.output, drive.layout.input
     return DriveState(
         normal=normal,
         tangential=tangential,

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.drive.layout.drive import CARRIER, Drive, sectors_of_members
+from asperity.drive.layout.drive import Drive, sectors_of_members
 from asperity.drive.state.bores import PressedBores
 from asperity.drive.state.equations import (
     ASSEMBLED,
@@ -102,7 +102,7 @@ def state_slopes(
     """Slopes of :func:`asperity.drive.state.equations.state_misfits`."""
     reference, limit = machine.laws.reference_force, machine.friction * machine.laws.reference_force
     largest, matrices, count = machine.largest, machine.matrices, x.normal.size
-    turning = matrices.turning[:, np.array(turning_members(machine.drive), dtype=int)]
+    turning = matrices.turning[:, turning_members(machine.drive)]
     turns = turning.shape[1]
     assembled = xp.asarray(task.kind) == ASSEMBLED
     pressed = _pressed(machine, x)
@@ -151,7 +151,7 @@ def state_slopes(
 def _by_resistance(machine: Machine, task: Task, slopes: Resistance) -> tuple[Array, Array]:
     """Slopes of the balances of forces and moments by forces of the contacts, through what resists their rolling."""
     drive, matrices = machine.drive, machine.matrices
-    members = np.array(turning_members(drive), dtype=int)
+    members = turning_members(drive)
     if task.load.resistance_of is None:
         return xp.zeros(matrices.sliding.T.shape), xp.zeros((members.size, slopes.drag.size))
     moments = [lever[members] * slope for lever, slope in zip(resistance_levers(drive), slopes, strict=True)]
@@ -205,7 +205,7 @@ def _held_rows(
             (responses.by_tangential, machine.friction * laws.reference_force),
         )
     )
-    members = np.array(turning_members(machine.drive), dtype=int)
+    members = turning_members(machine.drive)
     turning = matrices.turning[:, members]
     rolling_turns = (backwards * responses.value.creepage[:, None] * rolled_by[:, members] - turning) * scale
     return _HeldRows(
@@ -239,8 +239,8 @@ def _in_rows(where: Array, chosen: _HeldRows, held: _HeldRows) -> _HeldRows:
 
 def _moment_scale(machine: Machine) -> Array:
     """Copies of each turning member in the drive; none of the carrier, on which contacts have no moment."""
-    members = np.array(turning_members(machine.drive), dtype=int)
-    carrier = members == machine.drive.members.index(CARRIER)
+    members = turning_members(machine.drive)
+    carrier = members == machine.drive.layout.carrier
     return xp.where(carrier, 0.0, sectors_of_members(machine.drive)[members])
 
 
@@ -249,7 +249,7 @@ def _of_structure(
 ) -> Array:
     """Slopes of the balances, the pins and the size by the structure."""
     load, assembled = task.load, xp.asarray(task.kind) == ASSEMBLED
-    members = np.array(turning_members(machine.drive), dtype=int)
+    members = turning_members(machine.drive)
     moved, turns, pins = x.displacement.size, members.size, x.pin.size
     supports = xp.zeros((moved, moved))
     if load.support_stiffness is not None:
@@ -355,14 +355,9 @@ def _of_pins(machine: Machine, task: Task, x: Unknowns, pressed: PressedBores | 
 
 def _rolled_by_speeds(drive: Drive, speed: Array) -> tuple[Array, Array]:
     """Slopes of the surface speeds of the contacts by the speeds of the members, shape (contacts, members) [m]."""
-    members = drive.members
-    relative = np.eye(len(members)) - np.eye(len(members))[members.index(CARRIER)]
-    sides = []
-    for bodies, radius in (
-        ([contact.first for contact in drive.contacts], drive.first_radius),
-        ([contact.second for contact in drive.contacts], drive.second_radius),
-    ):
-        rows = relative[np.array([members.index(body) for body in bodies])]
+    layout, sides = drive.layout, []
+    for bodies, radius in ((layout.first, drive.first_radius), (layout.second, drive.second_radius)):
+        rows = layout.relative[bodies]
         sides.append((radius * xp.sign(product(rows, speed)))[:, None] * rows)
     return sides[0], sides[1]
 

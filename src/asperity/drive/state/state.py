@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
-from asperity.drive.layout.drive import CARRIER, Drive
+from asperity.drive.layout.drive import Drive
 from asperity.drive.mechanism import Bearings, NormalSprings, total_approach
 from asperity.drive.state.bores import Bores
 from asperity.drive.state.creep import CreepLaw
@@ -315,13 +315,11 @@ def surface_speeds(*, drive: Drive, speed: Array) -> tuple[Array, Array]:
 
     Of angular velocities of the members [rad/s]; radius times angular velocity relative to the carrier.
     """
-    members = drive.members
-    carrier = speed[members.index(CARRIER)]
-    first = xp.array([members.index(contact.first) for contact in drive.contacts])
-    second = xp.array([members.index(contact.second) for contact in drive.contacts])
+    layout = drive.layout
+    relative = speed - speed[layout.carrier]
     return (
-        drive.first_radius * xp.abs(speed[first] - carrier),
-        drive.second_radius * xp.abs(speed[second] - carrier),
+        drive.first_radius * xp.abs(relative[layout.first]),
+        drive.second_radius * xp.abs(relative[layout.second]),
     )
 
 
