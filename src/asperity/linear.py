@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from asperity.engine.arrays import Dual, directions_at, highest_level, slopes_at, uses_jax, value_at, xp
@@ -26,7 +28,8 @@ def solve(matrix: Array, right_side: Array) -> Array:
         return elimination.solve(matrix, right_side)
     level = highest_level((matrix, right_side))
     if level == 0:
-        return _by_lapack(matrix, right_side)
+        found: Array = _by_lapack(matrix, right_side)
+        return found
     values = value_at(matrix, level)
     x = solve(values, value_at(right_side, level))
     count = directions_at((matrix, right_side), level)
@@ -42,7 +45,7 @@ def solve(matrix: Array, right_side: Array) -> Array:
     return Dual(x, slopes, level)  # type: ignore[return-value]
 
 
-def _by_lapack(matrix: np.ndarray, right_side: np.ndarray) -> np.ndarray:
+def _by_lapack(matrix: Any, right_side: Any) -> Any:
     """Of NumPy's numbers; nan where the matrix is singular."""
     try:
         return np.linalg.solve(matrix, right_side)
@@ -59,7 +62,8 @@ def solve_in_turn(matrix: Array, right_side: Array) -> Array:
         from asperity.engine import elimination
 
         return elimination.solve_in_turn(matrix, right_side)
-    return _by_lapack(matrix, right_side)
+    found: Array = _by_lapack(matrix, right_side)
+    return found
 
 
 def least_squares(matrix: Array, right_side: Array) -> Array:

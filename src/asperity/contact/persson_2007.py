@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import scipy.special
 from numpy.typing import NDArray
 
 from asperity.engine.arrays import erf, xp
@@ -124,6 +123,8 @@ def waves_along_line(
     Derived here, from the displacement :math:`2K_0(kr)/\pi E` by a line load, spread as under a flat punch.
     """
     z = np.maximum(0.5 * wavenumber * half_width, 1e-12)  # constant along the axis: closed
+    import scipy.special
+
     return sorted_waves(np.pi / (scipy.special.ive(0, z) * scipy.special.kve(0, z)), variance)
 
 

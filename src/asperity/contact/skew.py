@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from asperity.engine.arrays import xp
-from asperity.engine.control import fori_loop
-from asperity.engine.derivatives import value_and_slope, without_slopes
+from asperity.engine.control import as_before, fori_loop
+from asperity.engine.derivatives import without_slopes
 from asperity.engine.module import Module
 from asperity.implicit import implicit_root
 from asperity.types import Array, Real
@@ -107,29 +107,49 @@ def stick_fraction(*, longitudinal_slip_ratio: Real, lateral_slip_ratio: Real) -
     return xp.where(sticks, xp.sqrt(xp.where(sticks, left, 1.0)), 0.0)
 
 
-def _force_over_share(share: Real) -> Real:
-    """Traction ratio over the share of creepage r: 2 − r up to gross slip at r = 1, and 1/r beyond."""
+def _force_over_share(share: Real) -> tuple[Real, Real]:
+    """Traction ratio over the share of creepage r, and its slope: 2 − r up to gross slip at r = 1, and 1/r beyond."""
     sticks = share < 1.0
-    return xp.where(sticks, 2.0 - share, 1.0 / xp.where(sticks, 1.0, share))
+    beyond = 1.0 / xp.where(sticks, 1.0, share)
+    return xp.where(sticks, 2.0 - share, beyond), xp.where(sticks, -1.0, -beyond * beyond)
 
 
-def _turn(share: Real) -> Real:
-    """Exponent w that turns the traction from the scaled creepage towards the creepage itself."""
+def _turn(share: Real) -> tuple[Real, Real]:
+    """Exponent w that turns the traction from the scaled creepage towards the creepage itself, and its slope."""
     sticks = share < 1.0
     inside = xp.where(sticks, share, 0.0)
-    beyond = xp.where(sticks, 1.0, share)
-    return xp.where(sticks, inside / (4.0 - 2.0 * inside), 1.0 - 0.5 / beyond**2)
+    beyond = 1.0 / xp.where(sticks, 1.0, share)
+    stuck, square = 1.0 / (2.0 - inside), beyond * beyond
+    return (
+        xp.where(sticks, 0.5 * inside * stuck, 1.0 - 0.5 * square),
+        xp.where(sticks, stuck * stuck, square * beyond),
+    )
 
 
 def _scaled_forces(along: Real, across: Real, ratio: Real) -> tuple[Real, Real]:
     """Q_x/(mu N) and Q_y/(mu N) from the scaled creepages; ratio is xi_y,max over xi_x,max."""
     share = _length(along, across)
-    turned = across * ratio ** _turn(share)
+    turned = across * ratio ** _turn(share)[0]
     length = _length(along, turned)
     some = length > 0.0
     stretch = xp.where(some, share / xp.where(some, length, 1.0), 1.0)
-    factor = _force_over_share(share) * stretch  # (B3)
+    factor = _force_over_share(share)[0] * stretch  # (B3)
     return factor * along, factor * turned
+
+
+def _force_and_slope(along: Real, across: Real, ratio: Real) -> tuple[Real, Real]:
+    """Q_x/(mu N) of :func:`_scaled_forces`, and its slope by the scaled creepage along, which has a length."""
+    share = xp.sqrt(along * along + across * across)
+    (turn, turning), (size, growing) = _turn(share), _force_over_share(share)
+    turned = across * ratio**turn
+    length = xp.sqrt(along * along + turned * turned)
+    force = size * share * along / length
+    by_share = along / share
+    lengthening = (along + turned * turned * xp.log(ratio) * turning * by_share) / length
+    slope = (growing * share + size) * by_share * along / length + (
+        size * share - force * lengthening
+    ) / length
+    return force, slope
 
 
 def skewed_slip_ratios(
@@ -180,14 +200,13 @@ def skewed_slip_ratios(
 
 def _share_at(magnitude: Real, across: Real, ratio: Real) -> Real:
     """Scaled longitudinal creepage x >= 0 that carries a force; bracketed Newton's method."""
-    partial = 1.0 - xp.sqrt(1.0 - magnitude)
+    partial, skewed = 1.0 - xp.sqrt(1.0 - magnitude), across > 0.0
+    across = xp.where(skewed, across, 1.0)
     sliding = across * ratio * magnitude / xp.sqrt(1.0 - magnitude**2)
 
     def improve(_: int, state: tuple[Real, Real, Real]) -> tuple[Real, Real, Real]:
         x, low, high = state
-        (force, _), (slope, _) = value_and_slope(
-            lambda v: _scaled_forces(v, across, ratio), (x,), (xp.ones_like(x),)
-        )
+        force, slope = _force_and_slope(x, across, ratio)
         low, high = xp.where(force < magnitude, x, low), xp.where(force < magnitude, high, x)
         newton = x + (magnitude - force) / xp.where(slope > 0.0, slope, 1.0)
         inside = (slope > 0.0) & (newton >= low) & (newton <= high)
@@ -197,8 +216,14 @@ def _share_at(magnitude: Real, across: Real, ratio: Real) -> Real:
     high = xp.maximum(1.0, sliding)
     start = xp.clip(partial + 0.5 * across * magnitude, 0.0, high)
     start = xp.where(magnitude**2 + across**2 < 1.0, start, xp.maximum(start, sliding))
-    creepage, _, _ = fori_loop(0, _STEPS, improve, (start, xp.zeros_like(start), high))
-    return xp.where(across > 0.0, creepage, partial)
+    creepage, _, _ = fori_loop(
+        0,
+        _STEPS,
+        improve,
+        (start, xp.zeros_like(start), high),
+        settled=lambda before, after: as_before(before[0], after[0]),
+    )
+    return xp.where(skewed, creepage, partial)
 
 
 def skewed_contact(

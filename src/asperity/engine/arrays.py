@@ -121,10 +121,10 @@ class Dual:
         return _each(self, lambda part: part.mean(axis=axis))
 
     def max(self, axis: Any = None) -> Any:
-        return xp.max(self, axis=axis)
+        return _xp.max(self, axis=axis)
 
     def min(self, axis: Any = None) -> Any:
-        return xp.min(self, axis=axis)
+        return _xp.min(self, axis=axis)
 
     def __neg__(self) -> Any:
         return _each(self, lambda part: -part)
@@ -133,7 +133,7 @@ class Dual:
         return self
 
     def __abs__(self) -> Any:
-        return xp.abs(self)
+        return _xp.abs(self)
 
     def __add__(self, other: Any) -> Any:
         if type(other) is Dual:
@@ -167,16 +167,16 @@ class Dual:
         return _quotient(other, self)
 
     def __pow__(self, other: Any) -> Any:
-        return xp.power(self, other)
+        return _xp.power(self, other)
 
     def __rpow__(self, other: Any) -> Any:
-        return xp.power(other, self)
+        return _xp.power(other, self)
 
     def __matmul__(self, other: Any) -> Any:
-        return xp.matmul(self, other)
+        return _xp.matmul(self, other)
 
     def __rmatmul__(self, other: Any) -> Any:
-        return xp.matmul(other, self)
+        return _xp.matmul(other, self)
 
     def __lt__(self, other: Any) -> Any:
         return plain(self) < plain(other)
@@ -554,7 +554,7 @@ def _full_like(x: Any, value: Any, **options: Any) -> Any:
     return (
         np.full_like(plain(x), value, **options)
         if type(value) is not Dual
-        else xp.broadcast_to(value, x.shape)
+        else _xp.broadcast_to(value, x.shape)
     )
 
 
@@ -662,10 +662,11 @@ def _choosing(of_numpy: Callable[..., Any], library: str, name: str) -> Callable
     return function
 
 
+_xp: Any = _Arrays(np, "jax.numpy")
 if TYPE_CHECKING:
     import jax.numpy as xp
 else:
-    xp = _Arrays(np, "jax.numpy")
+    xp = _xp
 
 
 def erf(x: Any) -> Any:

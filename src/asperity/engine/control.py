@@ -20,6 +20,7 @@ from asperity.engine.arrays import (
     directions_at,
     highest_level,
     is_of_jax,
+    plain,
     slopes_at,
     uses_jax,
     value_at,
@@ -44,15 +45,38 @@ def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], 
     return jax.lax.while_loop(unfinished, improve, state)
 
 
-def fori_loop(lower: int, upper: int, body: Callable[[Any, Any], Any], state: Any) -> Any:
-    """A state after a fixed number of steps, as :func:`jax.lax.fori_loop`."""
+def fori_loop(
+    lower: int,
+    upper: int,
+    body: Callable[[Any, Any], Any],
+    state: Any,
+    *,
+    settled: Callable[[Any, Any], Any] | None = None,
+) -> Any:
+    """A state after a fixed number of steps, as :func:`jax.lax.fori_loop`.
+
+    Under NumPy it ends after the first step of which ``settled``, of the states before and after it, says so: further
+    ones would change no more than rounding does.
+    """
     for index in range(lower, upper):
         if uses_jax(state):
             import jax
 
             return jax.lax.fori_loop(index, upper, body, state)
-        state = body(index, state)
+        before, state = state, body(index, state)
+        if settled is not None and not uses_jax(state) and settled(before, state):
+            break
     return state
+
+
+def as_before(before: Any, after: Any) -> bool:
+    """Whether a step of Newton's method moved no number by more than rounding does; where it is nan, it stays so."""
+    moved = np.abs(plain(after) - plain(before)) > _ROUNDING * np.abs(plain(after))
+    return not np.any(moved)
+
+
+#: Four times the relative rounding error of a double.
+_ROUNDING = 4.0 * float(np.finfo(float).eps)
 
 
 def scan(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, given: Any = None, length: int = 0) -> Any:

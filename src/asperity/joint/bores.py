@@ -95,7 +95,7 @@ def _annuli(joint: Joint, body: int) -> list[Annulus]:
 
 def pins_bend(joint: Joint) -> bool:
     """Whether the bending of pins is computed: of a known diameter and length, without a stated stiffness."""
-    sized = joint.pin is not None and (is_of_jax(joint.pin.diameter) or joint.pin.diameter > 0.0)
+    sized = joint.pin is not None and (is_of_jax(joint.pin.diameter) or bool(joint.pin.diameter > 0.0))
     return joint.pin_stiffness is None and sized and bool(joint.drive.pinned)
 
 

@@ -14,7 +14,7 @@ from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactL
 from asperity.drive.state.states import loaded_state
 from asperity.engine import trees
 from asperity.engine.arrays import xp
-from asperity.engine.control import at_once, least_at, map_over
+from asperity.engine.control import at_once, cond, least_at, map_over
 from asperity.joint.assembled import Pressed
 from asperity.joint.bodies import contact_walls
 from asperity.joint.description import (
@@ -129,7 +129,7 @@ def loading(
         touching = state.normal > _LIFTED * rest.normal
         available = friction
         if joint.rolling.skew is not None:
-            available = xp.where(rolls, friction_left(state), friction)
+            available = cond(rolls, friction_left, lambda state: friction + 0.0 * state.normal, state)
         slip = slip_ratio(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=available
         )

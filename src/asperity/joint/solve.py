@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 from typing import Any, NamedTuple
 
@@ -96,7 +97,7 @@ def _states(joint: Joint) -> tuple[Pressed, DriveStates]:
     without_torque: Pressed = at_once(assembled_joint, joint)
     standing, rolling = (
         at_once(
-            lambda *given, rolls=rolls: under_torque(*given, rolls=rolls, holds=False),
+            functools.partial(under_torque, rolls=rolls, holds=False),
             joint,
             without_torque,
             joint.output_torque,

@@ -283,8 +283,8 @@ def _evaluated(
     columns: dict[str, np.ndarray], frequency_ratio: float, asperity_base: AsperityBase
 ) -> dict[str, np.ndarray]:
     """Results of some rows in the units of their columns."""
-    si = {name: columns[name] / from_si(1.0, key.unit) for name, key in INPUT_COLUMNS.items()}
-    surface = Surface(si["D"], si["G_mm"], np.full(si["D"].size, frequency_ratio), asperity_base)
+    si: dict[str, Any] = {name: columns[name] / from_si(1.0, key.unit) for name, key in INPUT_COLUMNS.items()}
+    surface = Surface(si["D"], si["G_mm"], xp.full(si["D"].size, frequency_ratio), asperity_base)
     contacts = at_once(_contacts, si, surface, columns[MODEL_COLUMN])
     return {
         name: np.asarray(getattr(contacts, field)) * from_si(1.0, unit)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from asperity.engine.arrays import xp
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface import conventions
 from asperity.surface.height_spectrum import HeightSpectrum, spectrum_from_document
@@ -182,8 +183,8 @@ def _of_two_alike(measurement: SurfaceMeasurement) -> SurfaceMeasurement:
     jacobian = np.array([[1.0, 0.0], [-shift / (D - 1.0), 1.0]])
     return replace(
         measurement,
-        fractal_roughness=np.asarray(math.exp(log_G + shift)),
-        covariance=np.asarray(jacobian @ np.asarray(measurement.covariance) @ jacobian.T),
+        fractal_roughness=xp.asarray(math.exp(log_G + shift)),
+        covariance=xp.asarray(jacobian @ np.asarray(measurement.covariance) @ jacobian.T),
     )
 
 

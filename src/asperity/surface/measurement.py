@@ -63,7 +63,8 @@ def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
 
 def measured(*numbers: ArrayLike, estimator: str, profiles: int, source: str) -> SurfaceMeasurement:
     """A measurement of its numbers, in the order of its fields."""
-    D, G, gamma, covariance, short, long = (np.asarray(number, dtype=float) for number in numbers)
+    given: list[Any] = [np.asarray(number, dtype=float) for number in numbers]
+    D, G, gamma, covariance, short, long = given
     return SurfaceMeasurement(D, G, gamma, covariance, short, long, estimator, profiles, source)
 
 

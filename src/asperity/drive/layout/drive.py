@@ -11,7 +11,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -113,7 +113,7 @@ class Layout(NamedTuple):
     turning: np.ndarray
     first: np.ndarray
     second: np.ndarray
-    outward: np.ndarray
+    outward: Any
     sector: np.ndarray
     floating: tuple[int, ...]
     pinned: tuple[int, ...]

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.control import while_loop
 from asperity.engine.derivatives import without_slopes
 from asperity.implicit import implicit_root

@@ -251,8 +251,10 @@ def known_state(
 
 def _with_derivatives(machine: Machine, task: Task, found: Balance, *, pressed_sectors: int) -> Balance:
     """A balance with the derivatives of a root, and of what its contacts do there."""
-    root = _known_root((pressed_sectors, known_kind(task)), found[:2], (machine, task, found.slides))
-    return Balance(*root, found.slides)
+    unknowns, responses = _known_root(
+        (pressed_sectors, known_kind(task)), found[:2], (machine, task, found.slides)
+    )
+    return Balance(unknowns, responses, found.slides)
 
 
 _Root = tuple[Unknowns, Responses]
