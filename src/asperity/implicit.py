@@ -7,9 +7,10 @@ from collections.abc import Callable
 from typing import Any
 
 from asperity.engine import trees
-from asperity.engine.arrays import Dual, constant_at, highest_level, uses_jax, xp
+from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.control import vectorised, while_loop
 from asperity.engine.derivatives import linearised, slopes_apart, without_slopes
+from asperity.engine.dual import Dual, constant_at, highest_level
 from asperity.linear import solve
 from asperity.types import Array
 

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from asperity.engine.arrays import Dual, directions_at, highest_level, slopes_at, uses_jax, value_at, xp
+from asperity.engine.arrays import uses_jax, xp
+from asperity.engine.dual import Dual, directions_at, highest_level, slopes_at, value_at
 from asperity.types import Array, ArrayLike
 
 
@@ -48,9 +49,9 @@ def solve(matrix: Array, right_side: Array) -> Array:
 def _by_lapack(matrix: Any, right_side: Any) -> Any:
     """Of NumPy's numbers; nan where the matrix is singular."""
     try:
-        return np.linalg.solve(matrix, right_side)
+        return xp.linalg.solve(matrix, right_side)
     except np.linalg.LinAlgError:
-        return np.full(np.shape(right_side), np.nan)
+        return xp.full(np.shape(right_side), np.nan)
 
 
 def solve_in_turn(matrix: Array, right_side: Array) -> Array:

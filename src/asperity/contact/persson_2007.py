@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from asperity.engine.arrays import erf, xp
+from asperity.engine.arrays import special, xp
 from asperity.engine.control import traced_once
 from asperity.engine.module import Module
 from asperity.types import Array, Real
@@ -160,7 +160,7 @@ def contact_fraction(*, mean_pressure: Real, contact_modulus: Real, rms_slope: R
     >>> float(contact_fraction(mean_pressure=1e9, contact_modulus=1e9, rms_slope=0.0001))
     1.0
     """
-    return erf(xp.sqrt(2.0) * mean_pressure / (contact_modulus * rms_slope))
+    return special.erf(xp.sqrt(2.0) * mean_pressure / (contact_modulus * rms_slope))
 
 
 @traced_once
@@ -202,5 +202,5 @@ def persson_decay_length(*, spectrum: WaveSpectrum, mean_pressure: Real, contact
     measure = 0.5 * weight * (xp.diff(slopes) / spectrum.wavenumber)[:, None]
     p = xp.asarray(mean_pressure, dtype=xp.float64)[..., None, None]
     wp = math.sqrt(2.0) * p / (contact_modulus * xp.where(inside > 0.0, inside, 1.0))
-    energy = ENERGY_FACTOR + 3.0 * (1.0 - ENERGY_FACTOR) * erf(wp) ** 2
+    energy = ENERGY_FACTOR + 3.0 * (1.0 - ENERGY_FACTOR) * special.erf(wp) ** 2
     return math.sqrt(2.0 / math.pi) * xp.sum(energy * xp.exp(-(wp**2)) * measure, axis=(-2, -1))

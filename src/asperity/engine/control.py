@@ -9,34 +9,34 @@ from __future__ import annotations
 import functools
 import itertools
 import math
+import threading
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from asperity.engine import trees
-from asperity.engine.arrays import (
-    Dual,
-    directions_at,
-    highest_level,
-    is_of_jax,
-    plain,
-    slopes_at,
-    uses_jax,
-    value_at,
-    xp,
-)
+from asperity.engine.arrays import is_of_jax, uses_jax, xp
+from asperity.engine.dual import Dual, directions_at, highest_level, plain, slopes_at, value_at
+from asperity.engine.many import Many, chosen, many, together
 
 
 def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], state: Any) -> Any:
     """A state, improved while it is unfinished, as :func:`jax.lax.while_loop`.
 
     A state of NumPy's numbers that becomes one of JAX's on the way, by what the functions close over, goes on as one.
+    Of many states at once each keeps what it had when it was finished.
     """
     while not uses_jax(state):
         going = unfinished(state)
         if is_of_jax(going):
             break
+        if isinstance(going, Many):
+            if not going.values.any():
+                return state
+            better = improve(state)
+            state = better if going.values.all() else chosen(going, better, state)
+            continue
         if not going:
             return state
         state = improve(state)
@@ -71,8 +71,8 @@ def fori_loop(
 
 def as_before(before: Any, after: Any) -> bool:
     """Whether a step of Newton's method moved no number by more than rounding does; where it is nan, it stays so."""
-    moved = np.abs(plain(after) - plain(before)) > _ROUNDING * np.abs(plain(after))
-    return not np.any(moved)
+    now, then = (one.values if isinstance(one, Many) else one for one in (plain(after), plain(before)))
+    return not np.any(np.abs(now - then) > _ROUNDING * np.abs(now))
 
 
 #: Four times the relative rounding error of a double.
@@ -105,16 +105,28 @@ def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbe
         import jax
 
         return jax.lax.cond(condition, yes, no, *numbers)
-    return yes(*numbers) if condition else no(*numbers)
+    if isinstance(condition, Many) and condition.values.any() and not condition.values.all():
+        return chosen(condition, yes(*numbers), no(*numbers))
+    taken = condition.values.any() if isinstance(condition, Many) else condition
+    return yes(*numbers) if taken else no(*numbers)
 
 
 def map_over(function: Callable[[Any], Any], given: Any) -> Any:
-    """A function of each entry of a module's first axis, one after the other, as :func:`jax.lax.map`."""
+    """A function of each entry of a module's first axis, as :func:`jax.lax.map`; under NumPy of all at once."""
     if uses_jax(given):
         import jax
 
         return jax.lax.map(function, given)
-    return stacked([function(entry) for entry in entries(given)])
+    return vectorised(function)(given)
+
+
+class _ManyAtOnce(threading.local):
+    """Whether a function of many numbers at once is being computed in this thread."""
+
+    active = False
+
+
+_MANY = _ManyAtOnce()
 
 
 def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[..., Any]:
@@ -125,7 +137,13 @@ def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[.
             import jax
 
             return jax.vmap(function, out_axes=out_axis)(*arguments)
-        return stacked([function(*each) for each in entries(arguments)], axis=out_axis)
+        if _MANY.active:  # one after the other, for what the function closes over may be many numbers already
+            return stacked([function(*each) for each in entries(arguments)], axis=out_axis)
+        _MANY.active = True
+        try:
+            return together(function(*many(arguments)), len(trees.leaves(arguments)[0]), out_axis)
+        finally:
+            _MANY.active = False
 
     return over
 
@@ -225,6 +243,8 @@ def _changed(array: Any, place: Any, values: Any, how: str) -> Any:
         return getattr(jnp.asarray(array).at[place], how)(values)
     if isinstance(array, Dual) or isinstance(values, Dual):
         return _changed_with_slopes(array, place, values, how)
+    if isinstance(array, Many) or isinstance(values, Many):
+        return _changed_of_many(array, place, values, how)
     changed = np.array(array)
     _CHANGES[how](changed, place, values)
     return changed
@@ -240,3 +260,13 @@ def _changed_with_slopes(array: Any, place: Any, values: Any, how: str) -> Any:
         for one, other in given
     ]
     return Dual(_changed(value_at(array, level), place, value_at(values, level), how), slopes, level)
+
+
+def _changed_of_many(array: Any, place: Any, values: Any, how: str) -> Any:
+    count = len((array if isinstance(array, Many) else values).values)
+    changed = np.array(
+        array.values if isinstance(array, Many) else np.broadcast_to(array, (count, *array.shape))
+    )
+    given = values.values if isinstance(values, Many) else values
+    _CHANGES[how](changed, (slice(None), *place) if isinstance(place, tuple) else (slice(None), place), given)
+    return Many(changed)

@@ -11,17 +11,8 @@ from typing import Any
 import numpy as np
 
 from asperity.engine import trees
-from asperity.engine.arrays import (
-    Dual,
-    directions_at,
-    highest_level,
-    is_of_jax,
-    plain,
-    slopes_at,
-    uses_jax,
-    value_at,
-    xp,
-)
+from asperity.engine.arrays import is_of_jax, uses_jax, xp
+from asperity.engine.dual import Dual, directions_at, highest_level, plain, slopes_at, value_at
 
 
 class _Levels(threading.local):
@@ -74,8 +65,17 @@ def value_and_slopes(
         )  # all directions in one program, the value once
         return value, [trees.map(lambda leaf, k=k: leaf[k], slopes) for k in range(len(directions))]
     with _next_level() as level:
-        given = trees.map(lambda leaf, *slopes: Dual(leaf, slopes, level), primals, *directions)
+        given = trees.map(
+            lambda leaf, *slopes: Dual(leaf, slopes, level) if _is_continuous(leaf) else leaf,
+            primals,
+            *directions,
+        )
         return _apart(function(*given), level, len(directions))
+
+
+def _is_continuous(number: Any) -> bool:
+    """Whether a number is one of which there are slopes, no count and no condition."""
+    return isinstance(number, float) or getattr(getattr(number, "dtype", None), "kind", "") in ("f", "c")
 
 
 def jacobian(function: Callable[[Any], Any], at: Any) -> Any:

@@ -14,7 +14,7 @@ from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactL
 from asperity.drive.state.states import loaded_state
 from asperity.engine import trees
 from asperity.engine.arrays import xp
-from asperity.engine.control import at_once, cond, least_at, map_over
+from asperity.engine.control import at_once, cond, least_at, map_over, vectorised
 from asperity.joint.assembled import Pressed
 from asperity.joint.bodies import contact_walls
 from asperity.joint.description import (
@@ -184,34 +184,31 @@ def torque_capacities(joint: Joint, without_torque: Pressed) -> TorqueCapacities
 
     [N·m], equations (A9) and (M3) of :doc:`/equations`.
     """
-
-    def search(rolls: bool, holds: bool) -> TorqueCapacity:
-        both = [
-            torque_capacity(joint, without_torque, direction=sign, rolls=rolls, holds=holds)
-            for sign in (1.0, -1.0)
-        ]
-        return trees.map(lambda *ways: np.stack(ways), *both)
-
-    return TorqueCapacities(search(False, False), search(True, False), search(False, True))
+    ways, hold = np.array([1.0, -1.0, 1.0, -1.0]), np.array([False, False, True, True])
+    standing = searched_capacities(joint, without_torque, direction=ways, holds=hold, rolls=False)
+    rolling = searched_capacities(joint, without_torque, direction=ways[:2], holds=hold[:2], rolls=True)
+    with_slip, holding = (trees.map(lambda leaf, at=at: leaf[at], standing) for at in (~hold, hold))
+    return TorqueCapacities(with_slip, rolling, holding)
 
 
-def torque_capacity(
-    joint: Joint,
-    without_torque: Pressed,
-    *,
-    direction: float,
-    rolls: bool,
-    holds: bool,
+def searched_capacities(
+    joint: Joint, without_torque: Pressed, *, direction: np.ndarray, holds: np.ndarray, rolls: bool
 ) -> TorqueCapacity:
-    """Torque capacity of one joint, of NumPy's numbers, in one direction, 1 or −1; as :func:`torque_capacities`."""
+    """Torque capacities of one joint, of NumPy's numbers, in directions, 1 or −1, as :func:`torque_capacities`.
+
+    The flags are those of :func:`under_torque`, ``holds`` one for each direction.
+    """
 
     def capacity(joint: Joint, without_torque: Pressed) -> TorqueCapacity:
         loaded = loading(joint, without_torque)
-        found = first_limit_of_numbers(
-            excesses=lambda torque: loaded(direction * torque, rolls, holds).excesses,
-            first_guess=first_guess(joint, without_torque.rest),
-        )
-        return _named(joint, found)
+
+        def excesses(torque: Array) -> Array:
+            """Of all searches at once."""
+            at = vectorised(lambda torque, hold: loaded(torque, rolls, hold).excesses)
+            return at(direction * torque, holds).T
+
+        guess = xp.full(direction.shape, first_guess(joint, without_torque.rest))
+        return _named(joint, first_limit_of_numbers(excesses=excesses, first_guess=guess))
 
     known: TorqueCapacity = at_once(capacity, joint, without_torque)
     return known

@@ -19,7 +19,7 @@ from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.assembled import Pressed
 from asperity.joint.bores import overhang, refuse_pins
-from asperity.joint.capacity import torque_capacities, torque_capacity, under_torque
+from asperity.joint.capacity import searched_capacities, torque_capacities, under_torque
 from asperity.joint.description import Joint, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.fit import refuse_loose
@@ -84,12 +84,9 @@ def states_and_limits(joint: Joint) -> tuple[DriveStates, DirectedLimits]:
     """States of one joint, of NumPy's numbers, and its capacities in the direction of its torque; nothing else."""
     joint = in_motion(joint)
     without_torque, states = _states(joint)
-    direction = -1.0 if float(joint.output_torque) < 0.0 else 1.0
-    limits = [
-        torque_capacity(joint, without_torque, direction=direction, rolls=rolls, holds=holds)
-        for rolls, holds in ((False, False), (True, False), (False, True))
-    ]
-    return states, DirectedLimits(*limits)
+    place = int(float(joint.output_torque) < 0.0)
+    limits = torque_capacities(joint, without_torque)
+    return states, DirectedLimits(*(trees.map(lambda leaf: leaf[place], each) for each in limits))
 
 
 def _states(joint: Joint) -> tuple[Pressed, DriveStates]:
@@ -287,7 +284,11 @@ def _standing_capacity(joint: Joint, direction: float) -> TorqueCapacity:
     """Capacity of one joint, standing, in one direction, 1 or −1."""
     joint = in_motion(joint)
     without_torque: Pressed = at_once(assembled_joint, joint)
-    return torque_capacity(joint, without_torque, direction=direction, rolls=False, holds=False)
+    both = searched_capacities(
+        joint, without_torque, direction=np.array([direction]), holds=np.array([False]), rolls=False
+    )
+    capacity: TorqueCapacity = trees.map(lambda leaf: leaf[0], both)
+    return capacity
 
 
 def refuse_not_pressed(joint: Joint, *assembled: DriveState) -> None:

@@ -39,7 +39,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity.engine.arrays import gamma, xp
+from asperity.engine.arrays import special, xp
 from asperity.errors import InputError
 from asperity.units import format_quantity
 
@@ -88,7 +88,7 @@ def passed_variance(*, fractal_dimension: Any) -> Any:
 
 
 def _gamma(x: Any) -> Any:
-    return math.gamma(x) if isinstance(x, float) else gamma(x)
+    return math.gamma(x) if isinstance(x, float) else special.gamma(x)
 
 
 def roughness_average(*, fractal_dimension: Any, fractal_roughness: Any, cut_off: Any) -> Any:

@@ -1,0 +1,455 @@
+"""Many numbers at once under NumPy: what is written for one joint computes with the first axis of arrays in parallel.
+
+As :func:`jax.vmap`, for a few torques of one joint: a loop over tens of small arrays costs as much as one array of all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from asperity.engine import trees
+from asperity.engine.arrays import OwnNumber
+from asperity.engine.arrays import any_xp as xp
+
+
+class Many(OwnNumber):
+    """Arrays of one shape, stacked along the first axis of ``values``."""
+
+    __slots__ = ("values",)
+    rank = 1
+
+    def __init__(self, values: Any) -> None:
+        self.values = values
+
+    @classmethod
+    def function(cls, name: str) -> Callable[..., Any]:
+        """The function of this name, of each of the arrays."""
+        return _of_each(name)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        shape: tuple[int, ...] = self.values.shape[1:]
+        return shape
+
+    @property
+    def ndim(self) -> int:
+        return int(self.values.ndim) - 1
+
+    @property
+    def size(self) -> int:
+        return math.prod(self.shape)
+
+    @property
+    def dtype(self) -> Any:
+        return self.values.dtype
+
+    @property
+    def T(self) -> Any:  # noqa: N802 - NumPy's name
+        return Many(self.values.transpose(0, *range(self.values.ndim - 1, 0, -1)))
+
+    @property
+    def real(self) -> Any:
+        return Many(self.values.real)
+
+    @property
+    def imag(self) -> Any:
+        return Many(self.values.imag)
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __iter__(self) -> Any:
+        return (self[i] for i in range(self.shape[0]))
+
+    def __getitem__(self, place: Any) -> Any:
+        if isinstance(place, Many):
+            return Many(self.values[np.arange(len(self.values)), place.values])
+        return Many(self.values[(slice(None), *place) if isinstance(place, tuple) else (slice(None), place)])
+
+    def astype(self, kind: Any) -> Any:
+        return Many(self.values.astype(kind))
+
+    def reshape(self, *shape: Any) -> Any:
+        given = shape[0] if len(shape) == 1 and isinstance(shape[0], tuple) else shape
+        return Many(self.values.reshape(len(self.values), *given))
+
+    def ravel(self) -> Any:
+        return self.reshape(-1)
+
+    def sum(self, axis: Any = None) -> Any:
+        return Many(self.values.sum(axis=_axis(self, axis)))
+
+    def mean(self, axis: Any = None) -> Any:
+        return Many(self.values.mean(axis=_axis(self, axis)))
+
+    def max(self, axis: Any = None) -> Any:
+        return Many(self.values.max(axis=_axis(self, axis)))
+
+    def min(self, axis: Any = None) -> Any:
+        return Many(self.values.min(axis=_axis(self, axis)))
+
+    def all(self, axis: Any = None) -> Any:
+        return Many(self.values.all(axis=_axis(self, axis)))
+
+    def any(self, axis: Any = None) -> Any:
+        return Many(self.values.any(axis=_axis(self, axis)))
+
+    def __neg__(self) -> Any:
+        return Many(-self.values)
+
+    def __pos__(self) -> Any:
+        return self
+
+    def __abs__(self) -> Any:
+        return Many(abs(self.values))
+
+    def __invert__(self) -> Any:
+        return Many(~self.values)
+
+    def __bool__(self) -> bool:
+        raise TypeError("many numbers at once have no truth value; branch with asperity.engine.control.cond")
+
+    def __add__(self, other: Any) -> Any:
+        return _operation(np.add, self, other)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Any:
+        return _operation(np.subtract, self, other)
+
+    def __rsub__(self, other: Any) -> Any:
+        return _operation(np.subtract, other, self)
+
+    def __mul__(self, other: Any) -> Any:
+        return _operation(np.multiply, self, other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Any:
+        return _operation(np.divide, self, other)
+
+    def __rtruediv__(self, other: Any) -> Any:
+        return _operation(np.divide, other, self)
+
+    def __pow__(self, other: Any) -> Any:
+        return _operation(np.power, self, other)
+
+    def __rpow__(self, other: Any) -> Any:
+        return _operation(np.power, other, self)
+
+    def __and__(self, other: Any) -> Any:
+        return _operation(np.logical_and, self, other)
+
+    __rand__ = __and__
+
+    def __or__(self, other: Any) -> Any:
+        return _operation(np.logical_or, self, other)
+
+    __ror__ = __or__
+
+    def __lt__(self, other: Any) -> Any:
+        return _operation(np.less, self, other)
+
+    def __le__(self, other: Any) -> Any:
+        return _operation(np.less_equal, self, other)
+
+    def __gt__(self, other: Any) -> Any:
+        return _operation(np.greater, self, other)
+
+    def __ge__(self, other: Any) -> Any:
+        return _operation(np.greater_equal, self, other)
+
+    def __eq__(self, other: object) -> Any:
+        return _operation(np.equal, self, other)
+
+    def __ne__(self, other: object) -> Any:
+        return _operation(np.not_equal, self, other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __matmul__(self, other: Any) -> Any:
+        return _matmul(self, other)
+
+    def __rmatmul__(self, other: Any) -> Any:
+        return _matmul(other, self)
+
+
+def many(modules: Any) -> Any:
+    """Modules of arrays as many modules at once, along the first axis of each array."""
+    return trees.map(lambda leaf: Many(np.asarray(leaf)), modules)
+
+
+def together(module: Any, count: int, axis: int = 0) -> Any:
+    """The arrays of many modules, stacked along an axis; what is the same for all is repeated."""
+    return trees.map(lambda leaf: np.moveaxis(_values(leaf, count), 0, axis), module)
+
+
+def chosen(conditions: Many, yes: Any, no: Any) -> Any:
+    """One of two modules for each condition."""
+    return trees.map(lambda one, other: xp.where(conditions, one, other), yes, no)
+
+
+def _values(number: Any, count: int) -> Any:
+    """Values of many numbers; of one as often as there are many."""
+    if isinstance(number, Many):
+        return number.values
+    return np.broadcast_to(np.asarray(number), (count, *np.shape(number)))
+
+
+def _ndim(number: Any) -> int:
+    if type(number) is Many:
+        return number.values.ndim - 1
+    return (
+        number.ndim if type(number) is np.ndarray else 0 if type(number) in _SCALARS else int(np.ndim(number))
+    )
+
+
+def _aligned(number: Any, ndim: int) -> Any:
+    """Values with axes of length 1 after the first, so that the others stand under those of arrays of more axes."""
+    if not isinstance(number, Many):
+        return number
+    values = number.values
+    missing = ndim - values.ndim + 1
+    return values.reshape(values.shape[0], *(1,) * missing, *values.shape[1:]) if missing > 0 else values
+
+
+#: Numbers without axes.
+_SCALARS = frozenset({float, int, bool, np.float64, np.int64, np.bool_})
+
+
+def _operation(function: Callable[..., Any], one: Any, other: Any) -> Any:
+    """An elementwise function of two numbers, at least one of them many."""
+    kind, other_kind = type(one), type(other)
+    if kind is Many:
+        if other_kind is Many:
+            if one.values.ndim == other.values.ndim:
+                return Many(function(one.values, other.values))
+        elif other_kind in _SCALARS or (other_kind is np.ndarray and other.ndim < one.values.ndim):
+            return Many(function(one.values, other))
+    elif kind in _SCALARS or (kind is np.ndarray and one.ndim < other.values.ndim):
+        return Many(function(one, other.values))
+    if isinstance(one, OwnNumber) and isinstance(other, OwnNumber) and one.rank != other.rank:
+        return NotImplemented  # the number of higher rank computes
+    ndim = max(_ndim(one), _ndim(other))
+    return Many(function(_aligned(one, ndim), _aligned(other, ndim)))
+
+
+def _count(given: Any) -> int:
+    """How many numbers there are in arguments."""
+    for argument in given:
+        if isinstance(argument, Many):
+            return len(argument.values)
+        if isinstance(argument, list | tuple):
+            count = _count(argument)
+            if count:
+                return count
+    return 0
+
+
+def _axis(number: Any, axis: Any) -> Any:
+    """An axis of the values for one of the numbers."""
+    if axis is None:
+        return tuple(range(1, number.values.ndim))
+    if isinstance(axis, tuple):
+        return tuple(_axis(number, each) for each in axis)
+    return axis + 1 if axis >= 0 else axis
+
+
+def _of_each(name: str) -> Callable[..., Any]:
+    """A function of many numbers."""
+    if name in _OWN:
+        return _OWN[name]
+    function = getattr(np, name, None)
+    if isinstance(function, np.ufunc) or name in ("where", "isreal"):
+        return lambda *given: _elementwise(function, given)
+    if name in ("sum", "mean", "max", "min", "any", "all", "cumsum", "prod"):
+        return lambda x, axis=None, **options: Many(function(x.values, axis=_axis(x, axis), **options))
+    return lambda *given, **options: _one_by_one(_function(name), given, options)
+
+
+def _function(name: str) -> Callable[..., Any]:
+    """A function by its name, of NumPy, of its linear algebra, or of SciPy."""
+    for place in (np, np.linalg):
+        if hasattr(place, name):
+            return getattr(place, name)
+    from scipy import special
+
+    return getattr(special, name)
+
+
+def _elementwise(function: Any, given: tuple[Any, ...]) -> Any:
+    if len(given) == 2:
+        return _operation(function, *given)
+    ndim = max(map(_ndim, given))
+    return Many(function(*(_aligned(one, ndim) for one in given)))
+
+
+def _one_by_one(function: Callable[..., Any], given: tuple[Any, ...], options: dict[str, Any]) -> Any:
+    """A function without a rule of its own: one call for each number."""
+    count = _count((*given, *options.values()))
+
+    def entry(argument: Any, i: int) -> Any:
+        if isinstance(argument, list | tuple):
+            return type(argument)(entry(one, i) for one in argument)
+        return argument.values[i] if isinstance(argument, Many) else argument
+
+    results = [
+        function(
+            *(entry(one, i) for one in given), **{key: entry(value, i) for key, value in options.items()}
+        )
+        for i in range(count)
+    ]
+    if isinstance(results[0], list | tuple):
+        return [Many(np.stack(parts)) for parts in zip(*results, strict=True)]
+    return Many(np.stack(results))
+
+
+def _joined(name: str) -> Callable[..., Any]:
+    """``stack`` or ``concatenate`` along an axis."""
+
+    def joined(given: Any, axis: int = 0) -> Many:
+        count = _count(given)
+        values = [_values(one, count) for one in given]
+        return Many(getattr(np, name)(values, axis=axis + 1 if axis >= 0 else axis))
+
+    return joined
+
+
+def _extreme_place(name: str) -> Callable[..., Any]:
+    def place(x: Many, axis: int | None = None) -> Many:
+        if axis is None:
+            return Many(getattr(np, name)(x.values.reshape(len(x.values), -1), axis=1))
+        return Many(getattr(np, name)(x.values, axis=_axis(x, axis)))
+
+    return place
+
+
+def _broadcast_to(x: Many, shape: Any) -> Many:
+    given = (shape,) if isinstance(shape, int) else tuple(shape)
+    return Many(np.broadcast_to(_aligned(x, len(given)), (len(x.values), *given)))
+
+
+def _broadcast_arrays(*given: Any) -> list[Any]:
+    shape = np.broadcast_shapes(*(getattr(one, "shape", np.shape(one)) for one in given))
+    return [xp.broadcast_to(one, shape) for one in given]
+
+
+def _matmul(one: Any, other: Any) -> Any:
+    a = one.values if isinstance(one, Many) else np.asarray(one)
+    b = other.values if isinstance(other, Many) else np.asarray(other)
+    if _ndim(other) == 1:
+        return Many(np.matmul(a, b[..., None])[..., 0])
+    if _ndim(one) == 1:
+        return Many(np.matmul(a[..., None, :], b)[..., 0, :])
+    return Many(np.matmul(a, b))
+
+
+def _block(rows: Any) -> Any:
+    whole = [xp.concatenate(list(row), axis=-1) for row in rows]
+    return xp.concatenate(whole, axis=-2)
+
+
+def _asarray(given: Any, dtype: Any = None) -> Any:
+    if isinstance(given, list | tuple):
+        return xp.stack([xp.asarray(one) for one in given])
+    return given if dtype is None else given.astype(dtype)
+
+
+def _diag(x: Many) -> Any:
+    if x.ndim == 1:
+        return Many(x.values[:, :, None] * np.eye(x.shape[0]))
+    return Many(np.diagonal(x.values, axis1=1, axis2=2))
+
+
+def _solve(matrix: Any, right_side: Any) -> Many:
+    count = _count((matrix, right_side))
+    return Many(np.linalg.solve(_values(matrix, count), _values(right_side, count)[..., None])[..., 0])
+
+
+def _reshape(x: Many, shape: Any) -> Any:
+    return x.reshape(*((shape,) if isinstance(shape, int) else shape))
+
+
+def _split(x: Many, places: Any, axis: int = 0) -> list[Many]:
+    return [Many(part) for part in np.split(x.values, places, axis=_axis(x, axis))]
+
+
+def _take_along_axis(x: Any, place: Any, axis: int) -> Many:
+    count = _count((x, place))
+    return Many(
+        np.take_along_axis(_values(x, count), _values(place, count), axis=axis + 1 if axis >= 0 else axis)
+    )
+
+
+def _clip(x: Any, lower: Any = None, upper: Any = None) -> Any:
+    above = x if lower is None else xp.maximum(x, lower)
+    return above if upper is None else xp.minimum(above, upper)
+
+
+def _like(fill: float) -> Callable[..., Any]:
+    def like(x: Many, dtype: Any = None) -> np.ndarray:
+        return np.full(x.shape, fill, dtype=x.dtype if dtype is None else dtype)
+
+    return like
+
+
+def _full_like(x: Any, value: Any, dtype: Any = None) -> Any:
+    return xp.broadcast_to(xp.asarray(value, dtype=x.dtype if dtype is None else dtype), x.shape)
+
+
+def _pad(x: Many, widths: Any, **options: Any) -> Many:
+    each = np.broadcast_to(np.asarray(widths), (x.ndim, 2))
+    return Many(np.pad(x.values, ((0, 0), *map(tuple, each)), **options))
+
+
+def _repeat(x: Many, times: Any, axis: int | None = None) -> Many:
+    if axis is None:
+        return Many(np.repeat(x.values.reshape(len(x.values), -1), times, axis=1))
+    return Many(np.repeat(x.values, times, axis=_axis(x, axis)))
+
+
+def _expand_dims(x: Many, axis: int) -> Many:
+    return Many(np.expand_dims(x.values, axis + 1 if axis >= 0 else axis))
+
+
+def _norm(x: Many, axis: int | None = None) -> Any:
+    return xp.sqrt(xp.sum(x * x, axis=axis))
+
+
+_OWN: dict[str, Callable[..., Any]] = {
+    "stack": _joined("stack"),
+    "concatenate": _joined("concatenate"),
+    "argmax": _extreme_place("argmax"),
+    "argmin": _extreme_place("argmin"),
+    "broadcast_to": _broadcast_to,
+    "broadcast_arrays": _broadcast_arrays,
+    "broadcast_shapes": np.broadcast_shapes,
+    "matmul": _matmul,
+    "block": _block,
+    "asarray": _asarray,
+    "array": _asarray,
+    "diag": _diag,
+    "diagonal": lambda x: _diag(x),
+    "solve": _solve,
+    "reshape": _reshape,
+    "ravel": lambda x: x.ravel(),
+    "split": _split,
+    "take_along_axis": _take_along_axis,
+    "clip": _clip,
+    "abs": lambda x: abs(x),
+    "shape": lambda x: x.shape,
+    "ndim": lambda x: x.ndim,
+    "zeros_like": _like(0.0),
+    "ones_like": _like(1.0),
+    "full_like": _full_like,
+    "full": lambda shape, value: _broadcast_to(value, shape),
+    "pad": _pad,
+    "repeat": _repeat,
+    "expand_dims": _expand_dims,
+    "norm": _norm,
+    "transpose": lambda x: x.T,
+}
