@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from asperity.engine.arrays import xp
-from asperity.engine.control import as_before, fori_loop
+from asperity.engine.control import fori_loop, is_rounding
 from asperity.engine.derivatives import without_slopes
 from asperity.engine.module import Module
 from asperity.implicit import implicit_root
@@ -204,25 +204,20 @@ def _share_at(magnitude: Real, across: Real, ratio: Real) -> Real:
     across = xp.where(skewed, across, 1.0)
     sliding = across * ratio * magnitude / xp.sqrt(1.0 - magnitude**2)
 
-    def improve(_: int, state: tuple[Real, Real, Real]) -> tuple[Real, Real, Real]:
-        x, low, high = state
+    def improve(_: int, state: tuple[Real, ...]) -> tuple[Real, ...]:
+        x, low, high, _ = state
         force, slope = _force_and_slope(x, across, ratio)
         low, high = xp.where(force < magnitude, x, low), xp.where(force < magnitude, high, x)
         newton = x + (magnitude - force) / xp.where(slope > 0.0, slope, 1.0)
         inside = (slope > 0.0) & (newton >= low) & (newton <= high)
-        return xp.where(inside, newton, 0.5 * (low + high)), low, high
+        return xp.where(inside, newton, 0.5 * (low + high)), low, high, xp.abs(force - magnitude)
 
     # the force at this bound is at least the given one: partial slip without skew, or sliding the whole way
     high = xp.maximum(1.0, sliding)
     start = xp.clip(partial + 0.5 * across * magnitude, 0.0, high)
     start = xp.where(magnitude**2 + across**2 < 1.0, start, xp.maximum(start, sliding))
-    creepage, _, _ = fori_loop(
-        0,
-        _STEPS,
-        improve,
-        (start, xp.zeros_like(start), high),
-        settled=lambda before, after: as_before(before[0], after[0]),
-    )
+    begin = start, xp.zeros_like(start), high, xp.ones_like(start)
+    creepage, *_ = fori_loop(0, _STEPS, improve, begin, settled=lambda _, after: is_rounding(after[3]))
     return xp.where(skewed, creepage, partial)
 
 

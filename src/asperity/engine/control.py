@@ -69,10 +69,10 @@ def fori_loop(
     return state
 
 
-def as_before(before: Any, after: Any) -> bool:
-    """Whether a step of Newton's method moved no number by more than rounding does; where it is nan, it stays so."""
-    now, then = (one.values if isinstance(one, Many) else one for one in (plain(after), plain(before)))
-    return not np.any(np.abs(now - then) > _ROUNDING * np.abs(now))
+def is_rounding(residual: Any) -> bool:
+    """Whether residuals of equations whose terms are of order 1 are all as small as rounding makes them."""
+    left = plain(residual)
+    return not np.any((left.values if isinstance(left, Many) else left) > _ROUNDING)
 
 
 #: Four times the relative rounding error of a double.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import operator
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
@@ -66,11 +67,19 @@ def value_and_slopes(
         return value, [trees.map(lambda leaf, k=k: leaf[k], slopes) for k in range(len(directions))]
     with _next_level() as level:
         given = trees.map(
-            lambda leaf, *slopes: Dual(leaf, slopes, level) if _is_continuous(leaf) else leaf,
+            lambda leaf, *slopes: _with_slopes(leaf, slopes, level),
             primals,
             *directions,
         )
         return _apart(function(*given), level, len(directions))
+
+
+def _with_slopes(number: Any, slopes: tuple[Any, ...], level: int) -> Any:
+    """A number with its slopes; as it is where it has none, or is none of which there are any."""
+    if not _is_continuous(number):
+        return number
+    known = [None if type(slope) is np.ndarray and not slope.any() else slope for slope in slopes]
+    return number if all(slope is None for slope in known) else Dual(number, known, level)
 
 
 def _is_continuous(number: Any) -> bool:
@@ -116,6 +125,10 @@ def _slope(leaf: Any, level: int, count: int, k: int) -> Any:
     return np.zeros(np.shape(plain(leaf))) if found is None else found
 
 
+#: Stands for a slope of 0 in a tree, where None would be no leaf.
+_NO_SLOPE = object()
+
+
 class with_rule:  # noqa: N801 - a decorator
     """A function with a rule for its derivatives: as :class:`jax.custom_jvp`, under both engines.
 
@@ -125,6 +138,7 @@ class with_rule:  # noqa: N801 - a decorator
     def __init__(self, function: Callable[..., Any], *, fixed: int = 0, none_for_zero: bool = False) -> None:
         self._function, self._fixed, self._none_for_zero = function, fixed, none_for_zero
         self._rule: Callable[..., tuple[Any, Any]] | None = None
+        self._knowing = threading.local()
         self.__doc__, self.__name__ = function.__doc__, function.__name__
         self.__module__, self.__wrapped__ = function.__module__, function
 
@@ -153,7 +167,11 @@ class with_rule:  # noqa: N801 - a decorator
         return function
 
     def __call__(self, *arguments: Any) -> Any:
+        """The function, its slopes by the rule."""
         fixed, numbers = arguments[: self._fixed], arguments[self._fixed :]
+        known = self._known
+        if known is not None and all(map(operator.is_, numbers, known[0])):
+            return known[1]
         leaves = trees.leaves(numbers)
         if any(map(is_of_jax, leaves)):
             return self._of_jax(*arguments)
@@ -162,14 +180,30 @@ class with_rule:  # noqa: N801 - a decorator
             return self._function(*arguments)
         return self._with_slopes(fixed, numbers, level, directions_at(leaves, level))
 
+    @property
+    def _known(self) -> tuple[tuple[Any, ...], Any] | None:
+        """Numbers whose value is known while their slopes are found."""
+        found: tuple[tuple[Any, ...], Any] | None = getattr(self._knowing, "value", None)
+        return found
+
     def _with_slopes(self, fixed: tuple[Any, ...], numbers: tuple[Any, ...], level: int, count: int) -> Any:
         assert self._rule is not None
         primals = trees.map(lambda leaf: value_at(leaf, level), numbers)
-        value, slopes = None, []
-        for k in range(count):
-            value, slope = self._rule(*fixed, primals, self._tangents(numbers, level, count, k))
-            slopes.append(slope)
-        return trees.map(lambda leaf, *along: Dual(leaf, along, level), value, *slopes)
+        value, slopes, before = self(*fixed, *primals), [], self._known
+        self._knowing.value = primals, value
+        try:
+            for k in range(count):
+                if all(slopes_at(leaf, level, count)[k] is None for leaf in trees.leaves(numbers)):
+                    slopes.append(trees.map(lambda leaf: _NO_SLOPE, value))
+                    continue
+                slopes.append(self._rule(*fixed, primals, self._tangents(numbers, level, count, k))[1])
+        finally:
+            self._knowing.value = before
+
+        def with_its_slopes(leaf: Any, *along: Any) -> Dual:
+            return Dual(leaf, [None if slope is _NO_SLOPE else slope for slope in along], level)
+
+        return trees.map(with_its_slopes, value, *slopes)
 
     def _tangents(self, numbers: tuple[Any, ...], level: int, count: int, k: int) -> tuple[Any, ...]:
         if not self._none_for_zero:
