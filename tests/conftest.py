@@ -37,6 +37,8 @@ jax.config.update("jax_numpy_dtype_promotion", "strict")
 # most of the suite's time is compilation; the unoptimised programs compute the same numbers in a third of it
 jax.config.update("jax_disable_most_optimizations", True)
 use_compilation_cache()
+# formulas choose between regimes by where, as under JAX; the door to them (asperity.engine.control.at_once) is silent
+np.seterr(all="ignore")
 # tracing makes many objects and hardly any garbage
 gc.set_threshold(100_000)
 # neither a slow machine nor a seed decides a test

@@ -111,7 +111,7 @@ class Annulus(Module):
     loaded_rim: LoadedRim = static()
     plane_state: PlaneState = static()
 
-    def __check_init__(self) -> None:
+    def __post_init__(self) -> None:
         """Raise if the rim is neither of the two."""
         if self.loaded_rim not in get_args(LoadedRim):
             raise InputError(

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import entry_of, xp
 from asperity.types import Real
 
 #: Share of the final lag over rolled distance in steps of a quarter of the rolling-in length: boundary elements,
@@ -89,8 +89,8 @@ def _share(x: Real) -> Real:
     at = xp.where(within, x, 0.0) / _STEP
     t = at - xp.floor(at)
     i = xp.floor(at).astype(int)
-    left, right = xp.asarray(_SHARE)[i], xp.asarray(_SHARE)[i + 1]
-    rise, fall = xp.asarray(_SLOPE)[i] * _STEP, xp.asarray(_SLOPE)[i + 1] * _STEP
+    left, right = entry_of(_SHARE, i), entry_of(_SHARE, i + 1)
+    rise, fall = entry_of(_SLOPE, i) * _STEP, entry_of(_SLOPE, i + 1) * _STEP
     step = t**2 * (3.0 - 2.0 * t)
     cubic = left + (right - left) * step + t * (1.0 - t) * (rise * (1.0 - t) - fall * t)
     return xp.where(within, cubic, 1.0)
@@ -222,10 +222,10 @@ def swing_drift_share(*, stroke: Real, half_width: Real, slip_ratio: Real) -> Re
     sticks = remaining > 0.0
     x = xp.asarray(stroke) / (half_width * xp.where(sticks, remaining, 1.0))
     row = xp.clip(xp.searchsorted(xp.asarray(SLIP_RATIOS), q) - 1, 0, SLIP_RATIOS.size - 2)
-    low, high = xp.asarray(SLIP_RATIOS)[row], xp.asarray(SLIP_RATIOS)[row + 1]
+    low, high = entry_of(SLIP_RATIOS, row), entry_of(SLIP_RATIOS, row + 1)
     weight = xp.clip((q - low) / (high - low), 0.0, 1.0)
     column = xp.clip(xp.searchsorted(xp.asarray(STROKES), x) - 1, 0, STROKES.size - 2)
-    left, right = xp.asarray(STROKES)[column], xp.asarray(STROKES)[column + 1]
+    left, right = entry_of(STROKES, column), entry_of(STROKES, column + 1)
     along = xp.clip((x - left) / (right - left), 0.0, 1.0)
     table = xp.asarray(_DRIFT_SHARE)
 

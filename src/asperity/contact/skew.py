@@ -204,7 +204,7 @@ def _share_at(magnitude: Real, across: Real, ratio: Real) -> Real:
     across = xp.where(skewed, across, 1.0)
     sliding = across * ratio * magnitude / xp.sqrt(1.0 - magnitude**2)
 
-    def improve(_: int, state: tuple[Real, ...]) -> tuple[Real, ...]:
+    def improve(step: int, state: tuple[Real, ...]) -> tuple[Real, ...]:
         x, low, high, _ = state
         force, slope = _force_and_slope(x, across, ratio)
         low, high = xp.where(force < magnitude, x, low), xp.where(force < magnitude, high, x)

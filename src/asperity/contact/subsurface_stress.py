@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from asperity.contact.carter import stick_centre, stick_half_width
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import complex_number, xp
 from asperity.engine.module import Module
 from asperity.types import Array, Real
 
@@ -44,7 +44,7 @@ def _potential(position: Real, depth: Real, centre: Real, half_width: Real) -> _
     width = xp.where(some, half_width, 1.0)
     across, down = (position - centre) / width, depth / width
     at_edge = (xp.abs(across) == 1.0) & (down == 0.0)  # the root has no derivative there
-    place = across + 1j * xp.where(at_edge, 1.0, down)
+    place = complex_number(across, xp.where(at_edge, 1.0, down))
     root = xp.sqrt(place - 1.0) * xp.sqrt(place + 1.0)  # the branch that is s at infinity
     value, slope = place - root, 1.0 - place / root
     return _Potential(

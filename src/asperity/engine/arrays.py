@@ -141,3 +141,17 @@ if TYPE_CHECKING:
     import jax.numpy as xp
 else:
     xp = any_xp
+
+
+def complex_number(real: Any, imaginary: Any) -> Any:
+    """A complex number of its parts."""
+    if is_of_jax(real) or is_of_jax(imaginary):
+        import jax
+
+        return jax.lax.complex(*jax.numpy.broadcast_arrays(real, imaginary))
+    return real + 1j * imaginary
+
+
+def entry_of(table: Any, place: Any) -> Any:
+    """Entries of a table of constants at places that are computed, from 0 on."""
+    return any_xp.take(np.asarray(table), place, axis=0, mode="clip")

@@ -263,7 +263,7 @@ def _of_each(name: str) -> Callable[..., Any]:
     """A function of many numbers."""
     if name in _OWN:
         return _OWN[name]
-    function = getattr(np, name, None)
+    function: Any = getattr(np, name, None)
     if isinstance(function, np.ufunc) or name in ("where", "isreal"):
         return lambda *given: _elementwise(function, given)
     if name in ("sum", "mean", "max", "min", "any", "all", "cumsum", "prod"):
@@ -420,6 +420,12 @@ def _norm(x: Many, axis: int | None = None) -> Any:
     return xp.sqrt(xp.sum(x * x, axis=axis))
 
 
+def _take(table: Any, place: Any, axis: int, mode: str) -> Any:
+    if isinstance(table, Many) or axis != 0:
+        return _one_by_one(np.take, (table, place), {"axis": axis, "mode": mode})
+    return Many(np.take(table, place.values, axis=0, mode=mode))
+
+
 _OWN: dict[str, Callable[..., Any]] = {
     "stack": _joined("stack"),
     "concatenate": _joined("concatenate"),
@@ -452,4 +458,5 @@ _OWN: dict[str, Callable[..., Any]] = {
     "expand_dims": _expand_dims,
     "norm": _norm,
     "transpose": lambda x: x.T,
+    "take": _take,
 }

@@ -10,6 +10,8 @@ import dataclasses
 from collections.abc import Callable
 from typing import Any, ClassVar, dataclass_transform
 
+import numpy as np
+
 from asperity.engine.jax_import import when_jax_is_imported
 
 
@@ -26,7 +28,7 @@ _JAX_KNOWS: list[bool] = []
 
 @dataclass_transform(frozen_default=True, field_specifiers=(static, dataclasses.field))
 class Module:
-    """Base of the modules of numbers: every subclass is a frozen dataclass, compared by identity."""
+    """Base of the modules of numbers: every subclass is a frozen dataclass, compared by their numbers."""
 
     #: Names of the fields with numbers, and of the static ones.
     number_fields: ClassVar[tuple[str, ...]] = ()
@@ -41,6 +43,24 @@ class Module:
         _KINDS.append(cls)
         if _JAX_KNOWS:
             _tell_jax()
+
+    def __eq__(self, other: object) -> bool:
+        """Whether the other module is of the same kind and has the same numbers."""
+        return (
+            type(self) is type(other)
+            and all(getattr(self, name) == getattr(other, name) for name in self.static_fields)
+            and all(_same(getattr(self, name), getattr(other, name)) for name in self.number_fields)
+        )
+
+    def __hash__(self) -> int:
+        return hash((type(self), *(getattr(self, name) for name in self.static_fields)))
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Whether two fields have the same numbers."""
+    if isinstance(one, tuple | list | dict | Module) or one is None or other is None:
+        return bool(one == other)
+    return bool(np.array_equal(one, other))
 
 
 class Partial(Module):

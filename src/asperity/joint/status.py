@@ -52,7 +52,7 @@ def has_value(status: ArrayLike, needs: Needs) -> Any:
     is plastic, forces, pressures and capacity have their values; the stiffness and what follows from it are nan by
     themselves.
     """
-    code = status if isinstance(status, Array) else np.asarray(status)
+    code = xp.asarray(status)
     operates = (code == 0) | (code == ALL_PLASTIC)
     if needs == "geometry":
         return operates | ((code >= LOCKED) & (code < NO_ROOM)) | (code == SHORT)

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from asperity.drive.state.first_limit import FirstLimit
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import entry_of, xp
 from asperity.engine.module import Module
 from asperity.types import Array
 from asperity.units import format_quantity
@@ -70,7 +70,7 @@ def named_capacity(
     return TorqueCapacity(
         output_torque=limit.value,
         limit=xp.asarray([LIMIT_KINDS.index(kind) for kind in kinds])[1 + limit.which],
-        limiting_contact=xp.asarray(places)[1 + limit.which],
+        limiting_contact=entry_of(places, 1 + limit.which),
     )
 
 

@@ -22,7 +22,7 @@ from asperity.drive.state.first_limit import (
 )
 from asperity.drive.state.states import DriveStates
 from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import entry_of, xp
 from asperity.engine.control import map_over, traced_once
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
@@ -185,7 +185,7 @@ def _entries_of_rows(solved: SolvedJoint) -> list[_Entry]:
 def _named(solved: SolvedJoint, limit: FirstLimit, entries: list[_Entry]) -> JointCapacity:
     nothing = _Entry(CAPACITY_LIMITS.index("none"), len(place_names(solved)) - 1)
     codes, places = zip(nothing, *entries, strict=True)
-    return JointCapacity(limit.value, xp.asarray(codes)[1 + limit.which], xp.asarray(places)[1 + limit.which])
+    return JointCapacity(limit.value, entry_of(codes, 1 + limit.which), entry_of(places, 1 + limit.which))
 
 
 def _under(solved: SolvedJoint, torque: float) -> SolvedJoint:

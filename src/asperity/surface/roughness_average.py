@@ -39,7 +39,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity.engine.arrays import special, xp
+from asperity.engine.arrays import entry_of, special, xp
 from asperity.errors import InputError
 from asperity.units import format_quantity
 
@@ -72,7 +72,7 @@ def standard_cut_off(*, roughness_average: Any) -> Any:
     if isinstance(roughness_average, float):
         return next(cut_off for largest, cut_off in STANDARD_CUT_OFFS if roughness_average <= largest)
     largest, cut_offs = (np.array(column) for column in zip(*STANDARD_CUT_OFFS, strict=True))
-    return xp.asarray(cut_offs + 0.0 * roughness_average)[xp.searchsorted(largest, roughness_average)]
+    return entry_of(cut_offs, xp.searchsorted(largest, roughness_average))
 
 
 def passed_variance(*, fractal_dimension: Any) -> Any:
