@@ -8,6 +8,7 @@ import numpy as np
 
 from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.dual import Dual, directions_at, highest_level, slopes_at, value_at
+from asperity.engine.many import Many, one_by_one
 from asperity.types import Array, ArrayLike
 
 
@@ -77,6 +78,9 @@ def least_squares(matrix: Array, right_side: Array) -> Array:
         from asperity.engine import elimination
 
         return elimination.least_squares(matrix, right_side)
+    if isinstance(matrix, Many) or isinstance(right_side, Many):
+        several: Array = one_by_one(least_squares, (matrix, right_side))
+        return several
     if not (np.all(np.isfinite(matrix)) and np.all(np.isfinite(right_side))):
         return xp.full(matrix.shape[1], np.nan)
     shortest: Array = xp.linalg.lstsq(matrix, right_side, rcond=None)[0]

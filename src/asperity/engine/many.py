@@ -268,7 +268,7 @@ def _of_each(name: str) -> Callable[..., Any]:
         return lambda *given: _elementwise(function, given)
     if name in ("sum", "mean", "max", "min", "any", "all", "cumsum", "prod"):
         return lambda x, axis=None, **options: Many(function(x.values, axis=_axis(x, axis), **options))
-    return lambda *given, **options: _one_by_one(_function(name), given, options)
+    return lambda *given, **options: one_by_one(_function(name), given, options)
 
 
 def _function(name: str) -> Callable[..., Any]:
@@ -288,8 +288,11 @@ def _elementwise(function: Any, given: tuple[Any, ...]) -> Any:
     return Many(function(*(_aligned(one, ndim) for one in given)))
 
 
-def _one_by_one(function: Callable[..., Any], given: tuple[Any, ...], options: dict[str, Any]) -> Any:
-    """A function without a rule of its own: one call for each number."""
+def one_by_one(
+    function: Callable[..., Any], given: tuple[Any, ...], options: dict[str, Any] | None = None
+) -> Any:
+    """A function of arguments of which some are many numbers: one call for each of them."""
+    options = options or {}
     count = _count((*given, *options.values()))
 
     def entry(argument: Any, i: int) -> Any:
@@ -422,8 +425,9 @@ def _norm(x: Many, axis: int | None = None) -> Any:
 
 def _take(table: Any, place: Any, axis: int, mode: str) -> Any:
     if isinstance(table, Many) or axis != 0:
-        return _one_by_one(np.take, (table, place), {"axis": axis, "mode": mode})
-    return Many(np.take(table, place.values, axis=0, mode=mode))
+        return one_by_one(np.take, (table, place), {"axis": axis, "mode": mode})
+    found: Any = np.take
+    return Many(found(table, place.values, axis=0, mode=mode))
 
 
 _OWN: dict[str, Callable[..., Any]] = {
