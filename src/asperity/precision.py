@@ -5,12 +5,11 @@ and the examples call :func:`use_double_precision`; a library user calls it once
 :func:`require_double_precision` and raise an error otherwise, instead of switching it on without notice.
 """
 
-import contextlib
 import functools
 import logging
 import os
 import threading
-from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from asperity.engine.jax_import import when_jax_is_imported
@@ -45,20 +44,6 @@ def require_double_precision() -> None:
         )
 
 
-@contextlib.contextmanager
-def compiled_for_one_use() -> Iterator[None]:
-    """Let XLA leave out, in a block, what makes programs fast to run and slow to compile, as it does for commands."""
-    import jax
-
-    name = "jax_disable_most_optimizations"
-    before = jax.config.read(name)
-    jax.config.update(name, True)
-    try:
-        yield
-    finally:
-        jax.config.update(name, before)
-
-
 def use_compilation_cache() -> None:
     """Keep compiled programs in the user's cache directory, so that later runs start in a fraction of the time.
 
@@ -69,17 +54,15 @@ def use_compilation_cache() -> None:
     when_jax_is_imported(_use_compilation_cache)
 
 
-def _use_compilation_cache() -> None:
-    from pathlib import Path
-
-    import jax
+def cache_folder() -> Path | None:
+    """The folder in which this package keeps what it computes; None where nothing is kept."""
     import platformdirs
 
     from asperity.own_folder import NotOwnError, foreign_files, own_folder
 
     folder = os.environ.get("ASPERITY_CACHE_DIR")
     if folder == "":
-        return
+        return None
     try:
         path = Path(
             folder or Path(platformdirs.user_cache_dir("asperity", appauthor=False)) / "jax"
@@ -90,8 +73,17 @@ def _use_compilation_cache() -> None:
             raise NotOwnError(f"{cache / foreign[0]} may be by another user; empty the folder")
     except NotOwnError as error:
         _note(f"compiled programs are not kept: {error}")
-        return
+        return None
     except (OSError, RuntimeError, ValueError):  # no place, no home, or no valid name
+        return None
+    return cache
+
+
+def _use_compilation_cache() -> None:
+    import jax
+
+    cache = cache_folder()
+    if cache is None:
         return
     # programs that are kept need not say where in the source each of their operations stands: a quarter of their size
     jax.config.update("jax_traceback_in_locations_limit", 0)

@@ -19,7 +19,7 @@ from asperity.bem.half_space import HalfSpace, PeriodicHalfSpace
 from asperity.bem.normal_contact import NormalContact, normal_contact
 from asperity.bem.stick_stiffness import normal_stiffness, tangential_stiffness
 from asperity.errors import InputError
-from asperity.kept_programs import keep_numbers, kept_numbers
+from asperity.kept_numbers import keep_numbers, kept_numbers
 from asperity.surface.levelling import levelled
 from asperity.surface.measure_files import MeasuredFiles
 from asperity.surface.pressed_map import PressedMap, plain_numbers, pressed_map_from_document

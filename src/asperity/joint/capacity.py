@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -184,34 +185,49 @@ def torque_capacities(joint: Joint, without_torque: Pressed) -> TorqueCapacities
 
     [N·m], equations (A9) and (M3) of :doc:`/equations`.
     """
-    ways, hold = np.array([1.0, -1.0, 1.0, -1.0]), np.array([False, False, True, True])
-    standing = searched_capacities(joint, without_torque, direction=ways, holds=hold, rolls=False)
-    rolling = searched_capacities(joint, without_torque, direction=ways[:2], holds=hold[:2], rolls=True)
-    with_slip, holding = (trees.map(lambda leaf, at=at: leaf[at], standing) for at in (~hold, hold))
+    ways, hold = (1.0, -1.0), (False, False, True, True)
+    standing = searched_capacities(joint, without_torque, direction=ways * 2, holds=hold, rolls=False)
+    rolling = searched_capacities(joint, without_torque, direction=ways, holds=hold[:2], rolls=True)
+    with_slip, holding = (trees.map(lambda leaf, at=at: leaf[at], standing) for at in (np.s_[:2], np.s_[2:]))
     return TorqueCapacities(with_slip, rolling, holding)
 
 
 def searched_capacities(
-    joint: Joint, without_torque: Pressed, *, direction: np.ndarray, holds: np.ndarray, rolls: bool
+    joint: Joint,
+    without_torque: Pressed,
+    *,
+    direction: tuple[float, ...],
+    holds: tuple[bool, ...],
+    rolls: bool,
 ) -> TorqueCapacity:
     """Torque capacities of one joint, of NumPy's numbers, in directions, 1 or −1, as :func:`torque_capacities`.
 
     The flags are those of :func:`under_torque`, ``holds`` one for each direction.
     """
-
-    def capacity(joint: Joint, without_torque: Pressed) -> TorqueCapacity:
-        loaded = loading(joint, without_torque)
-
-        def excesses(torque: Array) -> Array:
-            """Of all searches at once."""
-            at = vectorised(lambda torque, hold: loaded(torque, rolls, hold).excesses)
-            return at(direction * torque, holds).T
-
-        guess = xp.full(direction.shape, first_guess(joint, without_torque.rest))
-        return _named(joint, first_limit_of_numbers(excesses=excesses, first_guess=guess))
-
-    known: TorqueCapacity = at_once(capacity, joint, without_torque)
+    search = functools.partial(_searched, direction=direction, holds=holds, rolls=rolls)
+    known: TorqueCapacity = at_once(search, joint, without_torque)
     return known
+
+
+def _searched(
+    joint: Joint,
+    without_torque: Pressed,
+    *,
+    direction: tuple[float, ...],
+    holds: tuple[bool, ...],
+    rolls: bool,
+) -> TorqueCapacity:
+    joint = in_motion(joint)
+    loaded = loading(joint, without_torque)
+    at = vectorised(lambda torque, hold: loaded(torque, rolls, hold).excesses)
+    guess = xp.full(len(direction), first_guess(joint, without_torque.rest))
+    limit = first_limit_of_numbers(
+        excesses=lambda torque: (
+            at(np.array(direction) * torque, np.array(holds)).T
+        ),  # of all searches at once
+        first_guess=guess,
+    )
+    return _named(joint, limit)
 
 
 def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:

@@ -284,9 +284,7 @@ def _standing_capacity(joint: Joint, direction: float) -> TorqueCapacity:
     """Capacity of one joint, standing, in one direction, 1 or −1."""
     joint = in_motion(joint)
     without_torque: Pressed = at_once(assembled_joint, joint)
-    both = searched_capacities(
-        joint, without_torque, direction=np.array([direction]), holds=np.array([False]), rolls=False
-    )
+    both = searched_capacities(joint, without_torque, direction=(direction,), holds=(False,), rolls=False)
     capacity: TorqueCapacity = trees.map(lambda leaf: leaf[0], both)
     return capacity
 

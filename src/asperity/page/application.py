@@ -16,13 +16,12 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from asperity.compilation import called_programs
 from asperity.errors import AsperityError
 from asperity.joint_file.schema import joint_schema
 from asperity.page.answer import joint_answer, stated_values
 from asperity.page.chart import chart_answer, chart_request, chart_results
 from asperity.page.comparison import comparison_answer, comparison_request
-from asperity.page.computation import MOST_WAITING, Computations, FasterPrograms, KeptAnswers
+from asperity.page.computation import MOST_WAITING, Computations, KeptAnswers
 from asperity.page.description import description
 from asperity.page.guard import App, Guard, parsed, problem, refusal, require_type
 from asperity.page.jobs import Jobs
@@ -63,7 +62,6 @@ def application(
     hosts: Iterable[str],
     computations: Computations,
     charts: Computations,
-    faster: FasterPrograms | None = None,
     longest_body: float | None = None,
 ) -> App:
     """The page as an ASGI application."""
@@ -79,11 +77,8 @@ def application(
     def answered(request: JointRequest) -> dict[str, Any]:
         answer = kept.get(request.identity)
         if answer is None:
-            with called_programs() as called:
-                answer = request, joint_answer(request)
+            answer = request, joint_answer(request)
             kept.keep(request.identity, answer)
-            if faster is not None:
-                faster.add(called)
         return answer[1]
 
     constant: dict[str, Callable[[], Response]] = {
@@ -151,8 +146,6 @@ def application(
         computations.close()
         charts.close()
         readers.close()
-        if faster is not None:
-            faster.close()
         measurements.close()
         jobs.close()
 

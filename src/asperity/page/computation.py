@@ -1,22 +1,14 @@
-"""One worker for all computations: requests wait in a short queue, and a full queue refuses.
-
-Another worker compiles the programs of the answers again, so that the answers after it come sooner.
-"""
+"""One worker for all computations: requests wait in a short queue, and a full queue refuses."""
 
 from __future__ import annotations
 
 import asyncio
-import contextlib
-import os
-import sys
 import threading
-import weakref
 from collections import OrderedDict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from typing import Any, TypeVar
 
-from asperity.compilation import Program
 from asperity.errors import AsperityError
 
 Computed = TypeVar("Computed")
@@ -76,44 +68,6 @@ class Computations:
         with self._lock:
             left = list(self._left)
         wait(left, timeout=longest)
-
-
-class FasterPrograms:
-    """A thread that compiles programs again, to run faster, one after the other."""
-
-    def __init__(self) -> None:
-        self._pool = ThreadPoolExecutor(1, thread_name_prefix="asperity-faster", initializer=_yield_to_others)
-        self._known: weakref.WeakSet[Program] = weakref.WeakSet()
-        self._left: set[Future[None]] = set()
-
-    @property
-    def idle(self) -> bool:
-        """Whether no program is compiled, and none waits."""
-        return all(compilation.done() for compilation in self._left)
-
-    def add(self, programs: Iterable[Program]) -> None:
-        """Compile programs that were called for an answer again, those of them for which this was not asked before."""
-        new = [program for program in programs if program not in self._known]
-        self._known.update(new)
-        self._left = {compilation for compilation in self._left if not compilation.done()}
-        with contextlib.suppress(RuntimeError):  # closed since: an answer of the last moment
-            self._left.update(self._pool.submit(_compile_again, weakref.ref(program)) for program in new)
-
-    def close(self) -> None:
-        """Drop what waits, and finish what runs."""
-        self._pool.shutdown(wait=False, cancel_futures=True)
-
-
-def _compile_again(waiting: weakref.ref[Program]) -> None:
-    if (program := waiting()) is not None:  # not forgotten meanwhile, to free its memory
-        program.compile_again()
-
-
-def _yield_to_others() -> None:
-    """On Linux, where a thread has a priority of its own, answers go first."""
-    if sys.platform == "linux":
-        with contextlib.suppress(OSError):
-            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), 10)
 
 
 class KeptAnswers:

@@ -87,14 +87,11 @@ def serve(
     import uvicorn
 
     from asperity.page.application import LONGEST_ANSWER, application
-    from asperity.page.computation import Computations, FasterPrograms
+    from asperity.page.computation import Computations
 
     port = listening.getsockname()[1]
     computations, charts = Computations(longest=LONGEST_ANSWER), Computations(longest=LONGEST_ANSWER)
-    faster = FasterPrograms()
-    app = application(
-        start, hosts=host_names(host, port), computations=computations, charts=charts, faster=faster
-    )
+    app = application(start, hosts=host_names(host, port), computations=computations, charts=charts)
     shown = f"[{host}]" if ":" in host else host
 
     class Announced(uvicorn.Server):

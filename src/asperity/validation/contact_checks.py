@@ -7,10 +7,8 @@ import functools
 from collections.abc import Iterator
 from pathlib import Path
 
-import jax.numpy as jnp
 import numpy as np
 
-from asperity.compilation import call_compiled
 from asperity.contact import (
     carter,
     fractal,
@@ -22,6 +20,7 @@ from asperity.contact import (
     stress_peaks,
 )
 from asperity.contact.interface import RoughContact
+from asperity.engine.control import at_once
 from asperity.materials import contact_modulus, tangential_contact_modulus
 from asperity.types import Array, Real
 from asperity.validation.check import Check, compared
@@ -75,14 +74,14 @@ def contact_law() -> Iterator[Check]:
             normal_force=x["F_N"],
             tangential_force=x["T_N"],
             friction_coefficient=x["mu"],
-            contact_factor=jnp.select([chosen == number for number in range(3)], factors),
+            contact_factor=np.select([chosen == number for number in range(3)], factors),
             contact_modulus=modulus,
             tangential_contact_modulus=tangential_contact_modulus(**elastic),
             hardness=1e6 * x["H_MPa"],
         )
 
     columns = {key: np.array([float(row[key]) for row in table]) for key in table[0] if key != "lambda"}
-    computed = call_compiled(law, columns, np.array([models.index(row["lambda"]) for row in table]))
+    computed = at_once(law, columns, np.array([models.index(row["lambda"]) for row in table]))
     for name, (quantity, unit, attribute, scale) in names.items():
         yield compared(
             model=_LAW,
@@ -112,7 +111,7 @@ def hertz() -> Iterator[Check]:
         )
         return width, hertz_line.peak_pressure(normal_force=force, contact_length=_LENGTH, half_width=width)
 
-    width, peak = call_compiled(pair, _FORCE)
+    width, peak = at_once(pair, _FORCE)
     source = "Johnson 1985, (4.43)-(4.45), by hand: 10/20 mm, 10 mm long, 2000 N"
     for quantity, unit, expected, computed, tolerance in (
         ("half-width", "µm", 122.47, 1e6 * width, 1e-4),
@@ -150,7 +149,7 @@ def creep() -> Iterator[Check]:
         return share, carter.stick_half_width(slip_ratio=share, half_width=width)
 
     check = functools.partial(compared, model="Creep of a rolling line contact (Carter)")
-    creepages, (share, stick) = call_compiled(
+    creepages, (share, stick) = at_once(
         lambda shares, creepage: (by_hand(shares), deck(creepage)),
         np.array([0.1, 0.25, 0.5, 0.75, 1.0]),
         2.4e-4,
@@ -188,7 +187,7 @@ def onset() -> Iterator[Check]:
         )
         return rolling_in.rolling_in_lag(half_width=1.0, slip_ratio=shares), at_once
 
-    missing, shift = call_compiled(rolled, shares, near)
+    missing, shift = at_once(rolled, shares, near)
     # creepage over its steady value at 0, 0.02, 0.25, 0.5, 0.75 and 1 half-width, summed by trapezia
     places, rates = [0.0, 0.02, *near], np.array([0.5, 0.501, 0.537, 0.582, 0.638, 0.711])
     summed = np.cumsum(0.5 * (rates[1:] + rates[:-1]) * np.diff(places))[1:]
@@ -226,7 +225,7 @@ def stresses() -> Iterator[Check]:
         return beside.shear, 0.5 * (middle.longitudinal - middle.normal), limit
 
     x, z = np.meshgrid(np.sqrt(0.75) * around, 0.5 * around, indexing="ij")
-    shear, principal, limits = call_compiled(below, x, z, depths, friction)
+    shear, principal, limits = at_once(below, x, z, depths, friction)
     largest = np.unravel_index(np.argmax(np.abs(shear)), shear.shape)
     deepest = int(np.argmax(principal))
     check = functools.partial(compared, model="Stresses below a line contact", unit="-")
@@ -280,7 +279,7 @@ def fatigue() -> Iterator[Check]:
         loads = {"lives": lives, "cycle_rates": rates, "time_shares": shares}
         return rolling_fatigue.spectrum_life(**loads), rolling_fatigue.damage_shares(**loads)
 
-    alone, (together, damage) = call_compiled(
+    alone, (together, damage) = at_once(
         lambda peak, *loads: (life(peak), duty(*loads)), peaks, lives, rates, shares
     )
     yield compared(

@@ -6,11 +6,9 @@ import functools
 import math
 from collections.abc import Iterator
 
-import jax.numpy as jnp
 import numpy as np
 from scipy.optimize import brentq
 
-from asperity.compilation import call_compiled, compile_fast
 from asperity.drive.layout.drive import Drive, speed_ratio
 from asperity.drive.layout.drives import (
     planetary_drive,
@@ -24,6 +22,7 @@ from asperity.drive.state.state import DriveLoad, DriveState
 from asperity.drive.state.states import DriveStates, drive_states, rolling_state, state_at_rest
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.engine import trees
+from asperity.engine.control import at_once
 from asperity.types import Array
 from asperity.validation.check import Check, compared
 
@@ -84,8 +83,8 @@ def _states(drive: Drive, torque: Array) -> tuple[DriveState, DriveState]:
         ring_wall_thickness=60e-3,
         reference_force=500.0,
     )
-    pattern = jnp.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
-    rest = state_at_rest(drive=drive, laws=laws, pattern=pattern, preload=jnp.asarray(1000.0))
+    pattern = np.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
+    rest = state_at_rest(drive=drive, laws=laws, pattern=pattern, preload=np.asarray(1000.0))
     rolling = rolling_state(
         drive=drive, laws=laws, interference=rest.interference, output_torque=torque, start=rest
     )
@@ -95,7 +94,7 @@ def _states(drive: Drive, torque: Array) -> tuple[DriveState, DriveState]:
 def states() -> Iterator[Check]:
     """The paper's drive at rest and rolling."""
     drive = wedge_drive(_WEDGE, planet_count=3)
-    rest, rolling = call_compiled(lambda torque: _states(drive, torque), 5.0)
+    rest, rolling = at_once(lambda torque: _states(drive, torque), 5.0)
     rows = (
         ("interference under a preload of 1000 N", "µm", 12.904, 1e6 * rest.interference[3], 1e-4),
         (
@@ -141,15 +140,15 @@ def _opposed(support: Array) -> tuple[DriveStates, Array]:
         ring_wall_thickness=_WALL,
         reference_force=500.0,
     )
-    inner = jnp.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
-    added = jnp.array([_ERROR, _ERROR, -_ERROR, -_ERROR]) / _INTERFERENCE
+    inner = np.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
+    added = np.array([_ERROR, _ERROR, -_ERROR, -_ERROR]) / _INTERFERENCE
     states = drive_states(
         drive=drive,
         laws=laws,
         pattern=inner + added,
         interference=_INTERFERENCE,
         load=DriveLoad(
-            output_torque=jnp.asarray(_TORQUE), support_stiffness=jnp.array([1.0, 0.0, 0.0]) * support
+            output_torque=np.asarray(_TORQUE), support_stiffness=np.array([1.0, 0.0, 0.0]) * support
         ),
     )
     rest = states.rest
@@ -202,8 +201,7 @@ def unlike() -> Iterator[Check]:
     """A plain planetary with two opposed planets of unlike radii."""
     check = functools.partial(compared, model="Branches of unlike sizes")
     source = "two opposed planets by hand, 2 µm too large and too small, interference 20 µm: Johnson, Weber–Banaschek"
-    solved = compile_fast(lambda support: _opposed(support), np.zeros(()))
-    held, centre = trees.map(np.asarray, solved(np.asarray(_RIGID)))
+    held, centre = trees.map(np.asarray, at_once(_opposed, np.asarray(_RIGID)))
     preload = _preloads(0.0)
     yield check(
         reference=source,
@@ -221,7 +219,7 @@ def unlike() -> Iterator[Check]:
         computed=float(np.linalg.norm(centre[0])),
         tolerance=1e-6,
     )
-    soft, _ = trees.map(np.asarray, solved(np.asarray(_SOFT)))
+    soft, _ = trees.map(np.asarray, at_once(_opposed, np.asarray(_SOFT)))
     moved = brentq(lambda u: _SOFT * u - np.subtract(*_preloads(u)), 0.0, 2.0 * _ERROR, xtol=1e-18)
     yield check(
         reference=f"{source}; the sun on bearings of 200 N/µm",

@@ -6,8 +6,6 @@ import functools
 import math
 from collections.abc import Iterator, Sequence
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 
 from asperity.bem import (
@@ -20,7 +18,7 @@ from asperity.bem import (
 )
 from asperity.body.compliance import compliance_matrix
 from asperity.body.shapes import Annulus, Disc, LoadedRim
-from asperity.compilation import call_compiled
+from asperity.engine.control import at_once
 from asperity.types import Array
 from asperity.validation.check import Check, compared
 
@@ -39,7 +37,7 @@ def half_space() -> Iterator[Check]:
     x, y = 40.0, 30.0
     r = np.hypot(x, y)
     poisson, shear = _LIKE.poisson_ratio, _LIKE.antiplane_modulus
-    pressed, sheared = call_compiled(displacements, load)
+    pressed, sheared = at_once(displacements, load)
     yield compared(
         model="Boundary elements: half-space",
         reference="Boussinesq and Cerruti; Johnson 1985, (3.22a) and (3.75)",
@@ -126,17 +124,15 @@ def rolling() -> Iterator[Check]:
 _MODULUS, _POISSON, _LENGTH = 206e9, 0.3, 5e-3
 _compared = functools.partial(compared, model="Elastic discs and rings")
 
-_compiled = jax.jit(compliance_matrix, static_argnames=("copies", "mode_count"))
-
 
 def _matrix(
     body: Disc | Annulus, angles: Sequence[float], half_width: float, *, copies: int, modes: int
 ) -> np.ndarray:
-    widths = jnp.full(len(angles), half_width)
+    widths = np.full(len(angles), half_width)
     return np.asarray(
-        _compiled(
+        compliance_matrix(
             body=body,
-            contact_angles=jnp.asarray(angles, dtype=float),
+            contact_angles=np.asarray(angles, dtype=float),
             half_widths=widths,
             stick_half_widths=widths,
             copies=copies,

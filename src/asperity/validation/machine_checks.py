@@ -7,16 +7,15 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-import jax.numpy as jnp
 import numpy as np
 
 from asperity.body.press_fit import PressFit, press_fit
-from asperity.compilation import call_compiled
 from asperity.contact import creep_layer, film_thickness, flash_temperature, rolling_losses
 from asperity.drive.layout.drives import planetary_drive
 from asperity.drive.layout.expansion import interference_of_strains, ring_expansion, ring_interference
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_preload
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
+from asperity.engine.control import at_once
 from asperity.materials import Material
 from asperity.types import Array, Real
 from asperity.validation.check import Check, compared
@@ -56,7 +55,7 @@ def oil() -> Iterator[Check]:
         )
         return film, drag, heat
 
-    film, drag, heat = call_compiled(found, 30.5e-3, 46.0)
+    film, drag, heat = at_once(found, 30.5e-3, 46.0)
     for model, source, quantity, unit, expected, computed, tolerance in (
         (
             "Lubricating film",
@@ -100,7 +99,7 @@ def oil() -> Iterator[Check]:
 def layers() -> Iterator[Check]:
     """Asperities as springs with memory between two rolling cylinders."""
     ratios, shares = np.array([0.01, 0.02, 0.05, 0.1, 0.2]), np.array([0.1, 0.25, 0.5, 0.8])
-    factors, peaks = call_compiled(
+    factors, peaks = at_once(
         lambda ratio, share: (
             creep_layer.layer_creepage_factor(
                 layer_ratio=ratio[:, None], slip_ratio=share, stiffness_ratio=1.4 / 1.7
@@ -182,12 +181,12 @@ def fits() -> Iterator[Check]:
             plane_state="plane_stress",
         )
         # the ring grows by more than the rollers, of whichever material they are
-        none = jnp.zeros(2)
-        strains = none, jnp.stack([0.0 * rise, 11.5e-6 * rise])
+        none = np.zeros(2)
+        strains = none, np.stack([0.0 * rise, 11.5e-6 * rise])
         change = interference_of_strains(drive=drive, strains=strains, carrier=none[0])
-        return fit, widening, ring_interference(drive=drive, forces=jnp.ones(2), interference=change)
+        return fit, widening, ring_interference(drive=drive, forces=np.ones(2), interference=change)
 
-    fit, widening, loosening = call_compiled(found, interference, 20.0)
+    fit, widening, loosening = at_once(found, interference, 20.0)
     by_lame = "Lamé's fields of both, fitted to each other: steel 50/58 mm in aluminium 58/100 mm, 40 µm"
     yield compared(
         model="Press fit of a ring in its housing",
@@ -249,16 +248,16 @@ def structure() -> Iterator[Check]:
             "preload": cam_preload(least_preload=200.0, force_per_torque=150.0, output_torque=torque),
             "angle": cam_angle(
                 branches=3.0,
-                rest_force=jnp.asarray([400.0, 600.0]),
+                rest_force=np.asarray([400.0, 600.0]),
                 preload=1000.0,
                 force_per_torque=150.0,
-                closed=jnp.asarray([3e-6, 5e-6]),
+                closed=np.asarray([3e-6, 5e-6]),
             ),
             "moments": [both, pin_bending_moment(support="one_end", **pin)],
             "stress": pin_bending_stress(moment=both, diameter=diameter),
         }
 
-    computed = call_compiled(found, np.array([-4.0, 0.0, 4.0]), 4e-3)
+    computed = at_once(found, np.array([-4.0, 0.0, 4.0]), 4e-3)
     cam = functools.partial(compared, model="Loading cam", tolerance=1e-12)
     yield cam(
         reference="by hand: 200 N and 150 N per N·m of torque",

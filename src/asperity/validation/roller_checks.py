@@ -7,15 +7,13 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
-from asperity.compilation import call_compiled
 from asperity.contact import carter, crowned_line, hertz_line, skew, tilted_line
 from asperity.drive.structure.bearing_life import RatedBearing
+from asperity.engine.control import at_once, vectorised
 from asperity.joint.bearing_lives import BearingLives, BearingState, lives_of_bearings
 from asperity.types import Array, Real
 from asperity.validation.check import Check, compared
@@ -44,8 +42,8 @@ def crowns() -> Iterator[Check]:
     crown = _RADIUS * (axes**2 * second - first) / (first - second)
     peak = _MODULUS * axes**2 * short * squared / (2.0 * crown * (first - second))
     force, roller = 2.0 / 3.0 * math.pi * peak * axes * short**2, 20.0 * axes * short
-    contact, more = call_compiled(
-        jax.vmap(pressed),
+    contact, more = at_once(
+        vectorised(pressed),
         np.append(force, 2000.0),  # the last roller is a cylinder
         np.append(1.0 / crown, 0.0),
         np.append(roller, 10e-3),
@@ -105,7 +103,7 @@ def tilted() -> Iterator[Check]:
     """A tilted cylinder that touches over its whole length."""
     tilt, force, length = 0.5e-3, 2000.0, 10e-3
     pair = {"normal_force": force, "contact_length": length, "effective_radius": _RADIUS}
-    found = call_compiled(
+    found = at_once(
         lambda gap: tilted_line.profiled_line(gap=gap, contact_modulus=_MODULUS, **pair),
         -tilt * length * tilted_line.PLACES,
     )
@@ -139,11 +137,11 @@ def skewed() -> Iterator[Check]:
             **{f"{name}_{side}": value for name, value in bodies.items() for side in (1, 2)}
         )
         limits = {"gross_slip_creepage": along, "lateral_gross_slip_creepage": along * ratio}
-        lateral = (1.0 - jnp.sqrt(1.0 - shares)) * along * ratio
+        lateral = (1.0 - np.sqrt(1.0 - shares)) * along * ratio
         straight = skew.skewed_contact(longitudinal_slip_ratio=shares, lateral_creepage=0.0, **limits)
         # longitudinal and lateral creepage: small ones, 3 : 4, far beyond gross slip
-        ways = jnp.stack(
-            [jnp.stack([small, 0.0 * small]), jnp.stack([0.0 * small, small]), jnp.array([3.0, 4.0])]
+        ways = np.stack(
+            [np.stack([small, 0.0 * small]), np.stack([0.0 * small, small]), np.array([3.0, 4.0])]
         )
         forces = skew.skewed_slip_ratios(
             longitudinal_creepage=ways[:, 0], lateral_creepage=ways[:, 1], **limits
@@ -154,15 +152,15 @@ def skewed() -> Iterator[Check]:
             "sideways": skew.skewed_slip_ratios(
                 longitudinal_creepage=0.0, lateral_creepage=lateral, **limits
             )[1],
-            "forces": jnp.stack(forces),
-            "half": jnp.stack(
+            "forces": np.stack(forces),
+            "half": np.stack(
                 skew.skewed_slip_ratios(longitudinal_creepage=0.3e-3, lateral_creepage=0.4e-3, **alike)
             ),
             "left": skew.longitudinal_capacity_ratio(lateral_creepage=0.6e-3, **alike),
         }
 
     check = functools.partial(compared, model="Skewed rollers", unit="-")
-    computed = call_compiled(found, shares, small)
+    computed = at_once(found, shares, small)
     shear = _YOUNG / (2.0 * (1.0 + _POISSON))
     # of a strip, Q = (2/pi) C G a B xi: summed over the strips of a long ellipse it is Kalker's C G a b xi
     per_share = friction * force / small * 0.5 * math.pi / (shear * computed["width"] * length)
@@ -214,9 +212,9 @@ def bearings() -> Iterator[Check]:
     )
 
     def found(working: BearingState, duty: BearingState, shares: Array) -> BearingLives:
-        return lives_of_bearings((ball, roller), working=working, rest=jnp.zeros(2), duty=duty, shares=shares)
+        return lives_of_bearings((ball, roller), working=working, rest=np.zeros(2), duty=duty, shares=shares)
 
-    lives = call_compiled(found, BearingState(np.array([10e3, 700.0]), speeds), duty, np.array([0.6, 0.4]))
+    lives = at_once(found, BearingState(np.array([10e3, 700.0]), speeds), duty, np.array([0.6, 0.4]))
     check = functools.partial(compared, model="Rolling bearings")
     yield check(
         reference="SKF, Rolling bearings, calculation example 1: 6309, C = 55.3 kN, 10 kN, 3000 rpm",

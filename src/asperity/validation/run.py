@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import asperity
-from asperity.precision import compiled_for_one_use, require_double_precision
+from asperity.precision import require_double_precision
 from asperity.validation import (
     contact_checks,
     drive_checks,
@@ -58,13 +58,12 @@ def run_checks(report: Callable[[int, int], Any] = lambda done, total: None) -> 
     """Every check, one group after the other."""
     require_double_precision()
     checks: list[Check] = []
-    with compiled_for_one_use():
-        for done, (name, group) in enumerate(GROUPS.items()):
-            report(done, len(GROUPS))
-            try:
-                checks += list(group())
-            except Exception as error:  # whatever is broken in this installation is a finding, not an end
-                checks.append(failed(name, error))
+    for done, (name, group) in enumerate(GROUPS.items()):
+        report(done, len(GROUPS))
+        try:
+            checks += list(group())
+        except Exception as error:  # whatever is broken in this installation is a finding, not an end
+            checks.append(failed(name, error))
     report(len(GROUPS), len(GROUPS))
     return checks
 

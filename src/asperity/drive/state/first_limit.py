@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.control import while_loop
 from asperity.engine.derivatives import without_slopes
@@ -91,10 +89,7 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
     return xp.where(touching, force / xp.where(touching, limit, 1.0), xp.where(force > 0.0, xp.inf, 0.0))
 
 
-_Loop = Callable[[Callable[[_Search], Array], Callable[[_Search], _Search], _Search], _Search]
-
-
-def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real, loop: _Loop) -> _Search:
+def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real) -> _Search:
     """The interval of the first limit, narrowed to its last digits; none beyond so many times the start."""
 
     def unfinished(state: _Search) -> Array:
@@ -138,34 +133,27 @@ def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real, 
         nearest=xp.argmax(nowhere[None], axis=0),
         steps=xp.asarray(0),
     )
-    last = loop(unfinished, narrow, first)
+    last: _Search = while_loop(unfinished, narrow, first)
     # where nothing can be computed beyond a limit, the one that is all but reached below it
     return last._replace(which=xp.where(last.below > -_ALL_BUT_REACHED, last.nearest, last.which))
-
-
-def _step_by_step(
-    unfinished: Callable[[_Search], Array], narrow: Callable[[_Search], _Search], state: _Search
-) -> _Search:
-    """A loop over numbers that are known."""
-    with np.errstate(all="ignore"):  # an interval without a chord is halved
-        while unfinished(state):
-            state = narrow(state)
-    return state
 
 
 def first_limit_of_numbers(
     *, excesses: Callable[[Any], Any], first_guess: Real, farthest: Real = FARTHEST
 ) -> FirstLimit:
-    """That of :func:`first_limit`, without derivatives, of compiled functions of NumPy's arrays.
+    """That of :func:`first_limit`, without derivatives.
 
     Limits are looked for up to ``farthest`` times the first guess [-]: up to it with 1, not at all with 0.
     """
-    start: Any = np.asarray(first_guess, dtype=float)
-    last = _searched(excesses, start, farthest, _step_by_step)
+    last = _searched(excesses, xp.asarray(first_guess, dtype=float), farthest)
+    return _found(last, first_guess)
+
+
+def _found(last: _Search, start: Real) -> FirstLimit:
+    """What a search has found: 0 where a limit is reached at once, infinite where none is."""
     at_once = last.bracketed & (last.upper <= SMALLEST_SHARE * start)
-    value: Any = np.where(last.bracketed, np.where(at_once, 0.0, last.lower), np.inf)
-    which: Any = np.where(last.bracketed, last.which, -1)
-    return FirstLimit(value, which)
+    value = xp.where(last.bracketed, xp.where(at_once, 0.0, last.lower), xp.inf)
+    return FirstLimit(value, xp.where(last.bracketed, last.which, -1))
 
 
 def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> FirstLimit:
@@ -220,10 +208,8 @@ def searched_limit(
         (excess,) = jax.core.eval_jaxpr(program.jaxpr, fixed, value)
         return excess
 
-    last = _searched(excesses_of, start, farthest, while_loop)
-    at_once = last.bracketed & (last.upper <= SMALLEST_SHARE * start)
-    value = xp.where(last.bracketed, xp.where(at_once, 0.0, last.lower), xp.inf)
-    return without_slopes(FirstLimit(value, xp.where(last.bracketed, last.which, -1)))
+    found: FirstLimit = without_slopes(_found(_searched(excesses_of, start, farthest), start))
+    return found
 
 
 def with_derivative(*, excesses: Callable[[Array], Array], limit: FirstLimit) -> FirstLimit:

@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.compilation import compile_fast
+from asperity.compilation import program_for_few
 from asperity.engine import trees
 from asperity.joint_file.own_branches import joint_with_branches
 from asperity.joint_file.part_names import with_tracks
@@ -93,9 +93,8 @@ def _over(
     filled = np.concatenate([torque, np.full(-torque.size % BATCH, torque[-1])])
     parts = []
     for part in filled.reshape(-1, BATCH):
-        program = compile_fast(function, *given, part, options=options)
-        if function is _curves:  # which a posterior calls thousands of times
-            program.compile_again()
+        # a posterior calls the curves thousands of times
+        program = program_for_few(function, *given, part, options=options, often=function is _curves)
         parts.append(trees.map(np.asarray, program(*given, part)))
     return trees.map(lambda *leaves: np.concatenate(leaves)[: torque.size], *parts)
 
