@@ -64,10 +64,13 @@ def solution_of(joint: Joint) -> Solution:
     return Solution(result, without_torque.laws, states, *both)
 
 
-def joint_state(joint: Joint) -> JointResult:
-    """What one joint does under its own torque and speed, of NumPy's numbers, without its capacities."""
+def joint_state(joint: Joint, without_torque: Pressed | None = None) -> JointResult:
+    """What one joint does under its own torque and speed, of NumPy's numbers, without its capacities.
+
+    ``without_torque``: the assembled joint, where it is known.
+    """
     joint = in_motion(joint)
-    without_torque, states = _states(joint)
+    without_torque, states = _states(joint, without_torque)
     result: JointResult = at_once(joint_result, joint, without_torque.laws, states)
     return result
 
@@ -89,9 +92,10 @@ def states_and_limits(joint: Joint) -> tuple[DriveStates, DirectedLimits]:
     return states, DirectedLimits(*(trees.map(lambda leaf: leaf[place], each) for each in limits))
 
 
-def _states(joint: Joint) -> tuple[Pressed, DriveStates]:
-    """The assembled joint, and its states under its torque."""
-    without_torque: Pressed = at_once(assembled_joint, joint)
+def _states(joint: Joint, without_torque: Pressed | None = None) -> tuple[Pressed, DriveStates]:
+    """The assembled joint, found unless it is known, and its states under its torque."""
+    if without_torque is None:
+        without_torque = at_once(assembled_joint, joint)
     standing, rolling = (
         at_once(
             functools.partial(under_torque, rolls=rolls, holds=False),

@@ -192,7 +192,8 @@ def _under(solved: SolvedJoint, torque: float) -> SolvedJoint:
     """One joint, solved, under another output torque [N·m]; what its duty does to its bearings is not that torque's."""
     there: Any = np.asarray(torque, dtype=float)
     joint = dataclasses.replace(solved.joint, output_torque=there)
-    under = SolvedJoint(joint, joint_state(joint), solved.laws)
+    assert solved.laws is not None
+    under = SolvedJoint(joint, joint_state(joint, Pressed(solved.laws, solved.result.rest)), solved.laws)
     if joint.rolling.duty and any(under.has_bearings):
         under.bearings = SolvedJoint(_without_duty(joint), under.result, solved.laws).bearings
     return under

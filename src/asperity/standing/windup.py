@@ -32,7 +32,6 @@ from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.play import Play, play_angle, play_compliance
-from asperity.precision import require_double_precision
 from asperity.standing import STAGE_SHARES
 from asperity.standing.standing import Standing, standing_at
 from asperity.types import Real
@@ -317,7 +316,6 @@ def windup(
     Equation (A9) of :doc:`/equations`; G. Masing, Proc. 2nd Int. Congr. Appl. Mech., Zurich 1926, 332;
     R. D. Mindlin and H. Deresiewicz, J. Appl. Mech. 20 (1953) 327.
     """
-    require_double_precision()
     largest = abs(float(largest_torque))
     mirrored = is_symmetric(joint)
     slid: list[tuple[np.ndarray, np.ndarray]] = []
