@@ -6,6 +6,8 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from asperity.engine import trees
 from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.control import vectorised, while_loop
@@ -102,10 +104,25 @@ def _root_of_numbers(
     def of_constants(x: Any) -> Any:
         return trees.map(lambda leaf: constant_at(leaf, level), equations(x))
 
-    _, linear = linearised(of_constants, found)
+    linear = _known_once(linearised(of_constants, found)[1])
     changes = slopes_apart(misfit, level)
     steps = [trees.map(operator.neg, solve(linear, change)) for change in changes]
     return trees.map(lambda leaf, *slopes: Dual(leaf, slopes, level), found, *steps)
+
+
+def _known_once(linear: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """A linear function that is computed once for each direction of NumPy's numbers."""
+    known: dict[bytes, Any] = {}
+
+    def of_direction(direction: Any) -> Any:
+        if not isinstance(direction, np.ndarray):
+            return linear(direction)
+        key = direction.tobytes()
+        if key not in known:
+            known[key] = linear(direction)
+        return known[key]
+
+    return of_direction
 
 
 def settled_root(change: Callable[[Array], Array], start: Array) -> Array:

@@ -13,6 +13,7 @@ computed by boundary elements (``examples/rolling_layer.py``).
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -267,7 +268,6 @@ def peak_pressure_factor(*, layer_ratio: Real) -> Real:
     )
 
 
-@traced_once  # traced once for all states of the contacts
 def layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real, stiffness_ratio: Real) -> Real:
     r"""Steady creepage with asperities over Carter's at the same traction.
 
@@ -303,10 +303,32 @@ def layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real, stiffness_rati
     ----------
     :mod:`asperity.bem.rough_rolling`, by ``examples/rolling_layer.py``; equation (B1) of :doc:`/equations`.
     """
-    q = xp.clip(xp.abs(slip_ratio), *SLIP_RATIO_RANGE)
-    x, y = _layer_position(layer_ratio), _position(xp.log(q / (1.0 - q)), _LOGIT_SLIP)
-    v = _position(1.0 / stiffness_ratio, _SOFTNESS)
+    law = layer_law(layer_ratio=layer_ratio, stiffness_ratio=stiffness_ratio)
+    return factor_on_creepage(law=law, slip_ratio=slip_ratio)
+
+
+class LayerLaw(NamedTuple):
+    """What :func:`layer_creepage_factor` is over the slip ratio: coefficients of its powers, and their factor.
+
+    ``powers``: the first axis belongs to the powers of the slip ratio's position; ``scale``: :math:`s/\\sqrt{1 + s}`.
+    """
+
+    powers: Array
+    scale: Real
+
+
+@traced_once  # traced once for all states of the contacts
+def layer_law(*, layer_ratio: Real, stiffness_ratio: Real) -> LayerLaw:
+    """The layer of contacts, for any slip ratio; numbers as of :func:`layer_creepage_factor`; equation (B1)."""
+    x, v = _layer_position(layer_ratio), _position(1.0 / stiffness_ratio, _SOFTNESS)
+    table = _COEFFICIENTS.reshape(*_COEFFICIENTS.shape, *(1,) * xp.ndim(x + v))
     # the slip ratio last: a derivative by it concerns one sum of three
-    table = _COEFFICIENTS.reshape(*_COEFFICIENTS.shape, *(1,) * xp.ndim(x + y + v))
-    shape = _power_sum(_power_sum(_power_sum(table, x), v), y)
-    return 1.0 + layer_ratio / xp.sqrt(1.0 + layer_ratio) * shape
+    powers = _power_sum(_power_sum(table, x), v)
+    return LayerLaw(powers, layer_ratio / xp.sqrt(1.0 + layer_ratio))
+
+
+@traced_once
+def factor_on_creepage(*, law: LayerLaw, slip_ratio: Real) -> Real:
+    """The factor of :func:`layer_creepage_factor` of a layer at a slip ratio; equation (B1)."""
+    q = xp.clip(xp.abs(slip_ratio), *SLIP_RATIO_RANGE)
+    return 1.0 + law.scale * _power_sum(law.powers, _position(xp.log(q / (1.0 - q)), _LOGIT_SLIP))

@@ -107,41 +107,38 @@ def stick_fraction(*, longitudinal_slip_ratio: Real, lateral_slip_ratio: Real) -
     return xp.where(sticks, xp.sqrt(xp.where(sticks, left, 1.0)), 0.0)
 
 
-def _force_over_share(share: Real) -> tuple[Real, Real]:
-    """Traction ratio over the share of creepage r, and its slope: 2 − r up to gross slip at r = 1, and 1/r beyond."""
+def _force_over_share(share: Real) -> Real:
+    """Traction ratio over the share of creepage r: 2 − r up to gross slip at r = 1, and 1/r beyond."""
     sticks = share < 1.0
-    beyond = 1.0 / xp.where(sticks, 1.0, share)
-    return xp.where(sticks, 2.0 - share, beyond), xp.where(sticks, -1.0, -beyond * beyond)
+    return xp.where(sticks, 2.0 - share, 1.0 / xp.where(sticks, 1.0, share))
 
 
-def _turn(share: Real) -> tuple[Real, Real]:
-    """Exponent w that turns the traction from the scaled creepage towards the creepage itself, and its slope."""
+def _turn(share: Real) -> Real:
+    """Exponent w that turns the traction from the scaled creepage towards the creepage itself."""
     sticks = share < 1.0
     inside = xp.where(sticks, share, 0.0)
-    beyond = 1.0 / xp.where(sticks, 1.0, share)
-    stuck, square = 1.0 / (2.0 - inside), beyond * beyond
-    return (
-        xp.where(sticks, 0.5 * inside * stuck, 1.0 - 0.5 * square),
-        xp.where(sticks, stuck * stuck, square * beyond),
-    )
+    beyond = xp.where(sticks, 1.0, share)
+    return xp.where(sticks, inside / (4.0 - 2.0 * inside), 1.0 - 0.5 / beyond**2)
 
 
 def _scaled_forces(along: Real, across: Real, ratio: Real) -> tuple[Real, Real]:
     """Q_x/(mu N) and Q_y/(mu N) from the scaled creepages; ratio is xi_y,max over xi_x,max."""
     share = _length(along, across)
-    turned = across * ratio ** _turn(share)[0]
+    turned = across * ratio ** _turn(share)
     length = _length(along, turned)
     some = length > 0.0
     stretch = xp.where(some, share / xp.where(some, length, 1.0), 1.0)
-    factor = _force_over_share(share)[0] * stretch  # (B3)
+    factor = _force_over_share(share) * stretch  # (B3)
     return factor * along, factor * turned
 
 
 def _force_and_slope(along: Real, across: Real, ratio: Real) -> tuple[Real, Real]:
     """Q_x/(mu N) of :func:`_scaled_forces`, and its slope by the scaled creepage along, which has a length."""
     share = xp.sqrt(along * along + across * across)
-    (turn, turning), (size, growing) = _turn(share), _force_over_share(share)
-    turned = across * ratio**turn
+    size, sticks = _force_over_share(share), share < 1.0
+    growing = xp.where(sticks, -1.0, -size * size)
+    turning = xp.where(sticks, 1.0, size * size * size) / xp.where(sticks, 2.0 - share, 1.0) ** 2
+    turned = across * ratio ** _turn(share)
     length = xp.sqrt(along * along + turned * turned)
     force = size * share * along / length
     by_share = along / share

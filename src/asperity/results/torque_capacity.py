@@ -66,6 +66,9 @@ CAPACITY_LIMITS = (
     *(row.name for row in JUDGED_ROWS),
 )
 
+#: Share within which a joint slips standing and in rolling at one torque: then standing is named.
+_ALIKE = 1e-9
+
 #: Share of the torque at which a contact slips up to which rows are looked at: at it, their states need not exist.
 _BELOW = 1.0 - 1e-9
 
@@ -230,7 +233,9 @@ def _in_direction(
     solved: SolvedJoint, sign: float, slips: list[JointCapacity], entries: list[_Entry]
 ) -> JointCapacity:
     """The capacity of one joint in the direction of a sign: slip, unless a row exceeds its limit below."""
-    slip = min(slips, key=lambda capacity: float(capacity.output_torque))
+    standing, rolling = slips
+    first = float(standing.output_torque) * (1.0 - _ALIKE) <= float(rolling.output_torque)
+    slip = standing if first else rolling
 
     def excesses(torque: Any) -> Any:
         return np.asarray(excesses_of_rows(_under(solved, sign * float(torque))))
@@ -294,7 +299,7 @@ def _of_program(solved: SolvedJoint) -> JointCapacity:
     slips = map_over(slip_of, (xp.tile(ways, 2), xp.repeat(xp.array([False, True]), 2)))
     standing, rolling = _both(trees.map(lambda leaf: leaf.reshape(2, 2), slips))
     rolling = rolling._replace(which=xp.where(rolling.which < 0, -1, len(at_rest) + rolling.which))
-    stands = standing.value <= rolling.value
+    stands = standing.value * (1.0 - _ALIKE) <= rolling.value
     slip = trees.map(lambda *leaves: xp.where(stands, *leaves), standing, rolling)
     entries = [*at_rest, *in_rolling, *_entries_of_rows(solved)]
     return _named(solved, map_over(first_of, (ways, slip)), entries)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from asperity.contact import carter
-from asperity.contact.creep_layer import layer_creepage_factor, layer_ratio
+from asperity.contact.creep_layer import LayerLaw, factor_on_creepage, layer_law, layer_ratio
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.skew import (
     axial_force,
@@ -118,23 +118,23 @@ def _creep_at(
             poisson_ratio_2=contacts.driven.poisson_ratio,
         )
 
-    sliced = None if contacts.crown_curvature is None else _slices(contacts, normal)
+    sliced = None if contacts.crown_curvature is None else _slices(contacts, normal, kappa)
+    ratio = _layer_ratio(contacts, layer_stiffness)
+    along = layer_law(layer_ratio=ratio, stiffness_ratio=kappa)
+    sideways = along
+    if skew is not None:
+        sideways = layer_law(layer_ratio=ratio, stiffness_ratio=kappa * elastic)
 
     def factors(slip_ratio: Array) -> tuple[Array, Array, Real, Array | None]:
         """Layer ratio, layer factor, creepage across over along at gross slip, crown factor."""
-        ratio = _layer_ratio(contacts, layer_stiffness)
-        layer = layer_creepage_factor(layer_ratio=ratio, slip_ratio=slip_ratio, stiffness_ratio=kappa)
-        softer = layer
-        if skew is not None:
-            softer = layer_creepage_factor(
-                layer_ratio=ratio, slip_ratio=slip_ratio, stiffness_ratio=kappa * elastic
-            )
+        layer = factor_on_creepage(law=along, slip_ratio=slip_ratio)
+        softer = layer if skew is None else factor_on_creepage(law=sideways, slip_ratio=slip_ratio)
         lateral_ratio = elastic * softer / layer
         if sliced is None:
             return ratio, layer, lateral_ratio, None
         even = carter.creepage(slip_ratio=slip_ratio, gross_slip_creepage=smooth)
-        crown, layer, ratio = _sliced(contacts, sliced, slip_ratio, even)
-        return ratio, layer, lateral_ratio, crown
+        crown, layer = _sliced(sliced, slip_ratio, even)
+        return sliced.ratio[0], layer, lateral_ratio, crown
 
     if skew is None:
         ratio, layer, lateral_ratio, crown = factors(q)
@@ -183,11 +183,12 @@ class _Slices(NamedTuple):
 
     ratio: Array
     known: Array
+    law: LayerLaw
     capacity: Array
     limits: Array
 
 
-def _slices(contacts: JointContacts, normal: Array) -> _Slices:
+def _slices(contacts: JointContacts, normal: Array, stiffness_ratio: Real) -> _Slices:
     """What the slices of the contacts are under normal forces."""
     pairs, lines = contacts.pairs, contacts.loads_along(normal)
     assert lines is not None
@@ -199,26 +200,21 @@ def _slices(contacts: JointContacts, normal: Array) -> _Slices:
         tangential_force=xp.zeros_like(normal),
     )
     ratio = _layer_ratio(contacts, rough.layer_stiffness)
-    return _Slices(ratio, xp.isfinite(ratio), *slice_friction(pairs=pairs, lines=lines))
+    known = xp.isfinite(ratio)
+    law = layer_law(layer_ratio=xp.where(known, ratio, 0.0), stiffness_ratio=stiffness_ratio)
+    return _Slices(ratio, known, law, *slice_friction(pairs=pairs, lines=lines))
 
 
-def _sliced(
-    contacts: JointContacts, slices: _Slices, slip_ratio: Array, even: Real
-) -> tuple[Array, Array, Array]:
-    """Factors of the crowns and of the asperities on the creepage that all slices share; layer ratio in the middle."""
-    moduli = contacts.pairs.moduli
-    factor = layer_creepage_factor(
-        layer_ratio=xp.where(slices.known, slices.ratio, 0.0),
-        slip_ratio=slip_ratio,
-        stiffness_ratio=4.0 * moduli.tangential_contact_modulus / moduli.contact_modulus,
-    )
+def _sliced(slices: _Slices, slip_ratio: Array, even: Real) -> tuple[Array, Array]:
+    """Factors of the crowns and of the asperities on the creepage that all slices share."""
+    factor = factor_on_creepage(law=slices.law, slip_ratio=slip_ratio)
     # slices so lightly loaded that every spot is plastic have no stiffness to count
     factor = xp.where(slices.known, factor, 1.0)
     smooth, rough = (
         strip_creepage(slip_ratio=slip_ratio, capacity=slices.capacity, gross_slip_creepage=limit)
         for limit in (slices.limits, slices.limits * factor)
     )
-    return xp.asarray(smooth / even), xp.asarray(rough / smooth), slices.ratio[0]
+    return xp.asarray(smooth / even), xp.asarray(rough / smooth)
 
 
 class ContactFriction(NamedTuple):

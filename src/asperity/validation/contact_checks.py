@@ -20,6 +20,7 @@ from asperity.contact import (
     stress_peaks,
 )
 from asperity.contact.interface import RoughContact
+from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
 from asperity.materials import contact_modulus, tangential_contact_modulus
 from asperity.types import Array, Real
@@ -74,7 +75,7 @@ def contact_law() -> Iterator[Check]:
             normal_force=x["F_N"],
             tangential_force=x["T_N"],
             friction_coefficient=x["mu"],
-            contact_factor=np.select([chosen == number for number in range(3)], factors),
+            contact_factor=xp.select([chosen == number for number in range(3)], factors),
             contact_modulus=modulus,
             tangential_contact_modulus=tangential_contact_modulus(**elastic),
             hardness=1e6 * x["H_MPa"],

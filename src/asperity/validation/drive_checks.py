@@ -22,6 +22,7 @@ from asperity.drive.state.state import DriveLoad, DriveState
 from asperity.drive.state.states import DriveStates, drive_states, rolling_state, state_at_rest
 from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.engine import trees
+from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
 from asperity.types import Array
 from asperity.validation.check import Check, compared
@@ -83,8 +84,8 @@ def _states(drive: Drive, torque: Array) -> tuple[DriveState, DriveState]:
         ring_wall_thickness=60e-3,
         reference_force=500.0,
     )
-    pattern = np.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
-    rest = state_at_rest(drive=drive, laws=laws, pattern=pattern, preload=np.asarray(1000.0))
+    pattern = xp.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
+    rest = state_at_rest(drive=drive, laws=laws, pattern=pattern, preload=xp.asarray(1000.0))
     rolling = rolling_state(
         drive=drive, laws=laws, interference=rest.interference, output_torque=torque, start=rest
     )
@@ -140,15 +141,15 @@ def _opposed(support: Array) -> tuple[DriveStates, Array]:
         ring_wall_thickness=_WALL,
         reference_force=500.0,
     )
-    inner = np.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
-    added = np.array([_ERROR, _ERROR, -_ERROR, -_ERROR]) / _INTERFERENCE
+    inner = xp.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
+    added = xp.array([_ERROR, _ERROR, -_ERROR, -_ERROR]) / _INTERFERENCE
     states = drive_states(
         drive=drive,
         laws=laws,
         pattern=inner + added,
         interference=_INTERFERENCE,
         load=DriveLoad(
-            output_torque=np.asarray(_TORQUE), support_stiffness=np.array([1.0, 0.0, 0.0]) * support
+            output_torque=xp.asarray(_TORQUE), support_stiffness=xp.array([1.0, 0.0, 0.0]) * support
         ),
     )
     rest = states.rest

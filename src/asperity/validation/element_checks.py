@@ -18,6 +18,7 @@ from asperity.bem import (
 )
 from asperity.body.compliance import compliance_matrix
 from asperity.body.shapes import Annulus, Disc, LoadedRim
+from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
 from asperity.types import Array
 from asperity.validation.check import Check, compared
@@ -128,11 +129,11 @@ _compared = functools.partial(compared, model="Elastic discs and rings")
 def _matrix(
     body: Disc | Annulus, angles: Sequence[float], half_width: float, *, copies: int, modes: int
 ) -> np.ndarray:
-    widths = np.full(len(angles), half_width)
+    widths = xp.full(len(angles), half_width)
     return np.asarray(
         compliance_matrix(
             body=body,
-            contact_angles=np.asarray(angles, dtype=float),
+            contact_angles=xp.asarray(angles, dtype=float),
             half_widths=widths,
             stick_half_widths=widths,
             copies=copies,

@@ -15,6 +15,7 @@ from asperity.drive.layout.drives import planetary_drive
 from asperity.drive.layout.expansion import interference_of_strains, ring_expansion, ring_interference
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_preload
 from asperity.drive.structure.pin_beam import pin_bending_moment, pin_bending_stress
+from asperity.engine.arrays import xp
 from asperity.engine.control import at_once
 from asperity.materials import Material
 from asperity.types import Array, Real
@@ -149,7 +150,7 @@ def _lame(material: Material, radius: float) -> np.ndarray:
 def fits() -> Iterator[Check]:
     """A steel ring pressed into an aluminium housing, and what temperature does to both."""
     bore, seat, outer, interference = 50e-3, 58e-3, 100e-3, 40e-6
-    none = np.zeros(2)
+    none = xp.zeros(2)
     rows = np.array(
         [
             [*_lame(_STEEL, bore)[0], *none],
@@ -181,10 +182,10 @@ def fits() -> Iterator[Check]:
             plane_state="plane_stress",
         )
         # the ring grows by more than the rollers, of whichever material they are
-        none = np.zeros(2)
-        strains = none, np.stack([0.0 * rise, 11.5e-6 * rise])
+        none = xp.zeros(2)
+        strains = none, xp.stack([0.0 * rise, 11.5e-6 * rise])
         change = interference_of_strains(drive=drive, strains=strains, carrier=none[0])
-        return fit, widening, ring_interference(drive=drive, forces=np.ones(2), interference=change)
+        return fit, widening, ring_interference(drive=drive, forces=xp.ones(2), interference=change)
 
     fit, widening, loosening = at_once(found, interference, 20.0)
     by_lame = "Lamé's fields of both, fitted to each other: steel 50/58 mm in aluminium 58/100 mm, 40 µm"
@@ -248,10 +249,10 @@ def structure() -> Iterator[Check]:
             "preload": cam_preload(least_preload=200.0, force_per_torque=150.0, output_torque=torque),
             "angle": cam_angle(
                 branches=3.0,
-                rest_force=np.asarray([400.0, 600.0]),
+                rest_force=xp.asarray([400.0, 600.0]),
                 preload=1000.0,
                 force_per_torque=150.0,
-                closed=np.asarray([3e-6, 5e-6]),
+                closed=xp.asarray([3e-6, 5e-6]),
             ),
             "moments": [both, pin_bending_moment(support="one_end", **pin)],
             "stress": pin_bending_stress(moment=both, diameter=diameter),

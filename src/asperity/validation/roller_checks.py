@@ -13,6 +13,7 @@ from scipy.special import ellipe, ellipk
 
 from asperity.contact import carter, crowned_line, hertz_line, skew, tilted_line
 from asperity.drive.structure.bearing_life import RatedBearing
+from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, vectorised
 from asperity.joint.bearing_lives import BearingLives, BearingState, lives_of_bearings
 from asperity.types import Array, Real
@@ -137,11 +138,11 @@ def skewed() -> Iterator[Check]:
             **{f"{name}_{side}": value for name, value in bodies.items() for side in (1, 2)}
         )
         limits = {"gross_slip_creepage": along, "lateral_gross_slip_creepage": along * ratio}
-        lateral = (1.0 - np.sqrt(1.0 - shares)) * along * ratio
+        lateral = (1.0 - xp.sqrt(1.0 - shares)) * along * ratio
         straight = skew.skewed_contact(longitudinal_slip_ratio=shares, lateral_creepage=0.0, **limits)
         # longitudinal and lateral creepage: small ones, 3 : 4, far beyond gross slip
-        ways = np.stack(
-            [np.stack([small, 0.0 * small]), np.stack([0.0 * small, small]), np.array([3.0, 4.0])]
+        ways = xp.stack(
+            [xp.stack([small, 0.0 * small]), xp.stack([0.0 * small, small]), xp.array([3.0, 4.0])]
         )
         forces = skew.skewed_slip_ratios(
             longitudinal_creepage=ways[:, 0], lateral_creepage=ways[:, 1], **limits
@@ -152,8 +153,8 @@ def skewed() -> Iterator[Check]:
             "sideways": skew.skewed_slip_ratios(
                 longitudinal_creepage=0.0, lateral_creepage=lateral, **limits
             )[1],
-            "forces": np.stack(forces),
-            "half": np.stack(
+            "forces": xp.stack(forces),
+            "half": xp.stack(
                 skew.skewed_slip_ratios(longitudinal_creepage=0.3e-3, lateral_creepage=0.4e-3, **alike)
             ),
             "left": skew.longitudinal_capacity_ratio(lateral_creepage=0.6e-3, **alike),
@@ -212,7 +213,7 @@ def bearings() -> Iterator[Check]:
     )
 
     def found(working: BearingState, duty: BearingState, shares: Array) -> BearingLives:
-        return lives_of_bearings((ball, roller), working=working, rest=np.zeros(2), duty=duty, shares=shares)
+        return lives_of_bearings((ball, roller), working=working, rest=xp.zeros(2), duty=duty, shares=shares)
 
     lives = at_once(found, BearingState(np.array([10e3, 700.0]), speeds), duty, np.array([0.6, 0.4]))
     check = functools.partial(compared, model="Rolling bearings")
