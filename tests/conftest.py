@@ -23,7 +23,6 @@ import numpy as np
 import pytest
 from hypothesis import settings
 
-from asperity import compilation
 from asperity.precision import use_compilation_cache
 
 if "ASPERITY_CACHE_DIR" not in os.environ:
@@ -55,7 +54,6 @@ def bounded_memory():
     yield
     pages = Path("/proc/self/statm")
     if pages.exists() and int(pages.read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") > _LARGEST_MEMORY:
-        compilation._compiled.cache_clear()
         jax.clear_caches()
         gc.collect()
 

@@ -5,7 +5,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.implicit import implicit_root
+from asperity.engine.arrays import xp
+from asperity.engine.control import fori_loop, vectorised
+from asperity.engine.derivatives import value_and_slope
+from asperity.implicit import implicit_root, settled_root
 
 
 def square_root(number, wrong=0.0):
@@ -90,3 +93,70 @@ def test_a_derivative_inside_a_derivative():
     )
     _, shown = jax.jvp(lambda x: jax.jvp(square_root, (x,), (1.0,))[0], (4.0,), (1.0,))
     assert float(shown) == pytest.approx(1 / 4, rel=1e-14)
+
+
+def rooted(number):
+    """Root of x² = number by the loop of the package, which is Python's for known numbers."""
+
+    def search(equations, start):
+        return fori_loop(0, 40, lambda _, x: x - equations(x) / (2.0 * x), start)
+
+    return implicit_root(
+        lambda x: x * x - number, 1.0 + 0.0 * number, search, lambda linear, y: y / linear(1.0 + 0.0 * y)
+    )
+
+
+def test_slopes_of_a_root_of_known_numbers_are_those_of_jax():
+    numbers, along = np.array([0.25, 2.0, 9.0]), np.array([1.0, -2.0, 0.5])
+    found, expected = (slope(rooted, (numbers,), (along,)) for slope in (value_and_slope, jax.jvp))
+    assert all(type(each) is np.ndarray for each in found)
+    np.testing.assert_allclose(found, expected, rtol=1e-14)
+    np.testing.assert_allclose(found, [np.sqrt(numbers), 0.5 * along / np.sqrt(numbers)], rtol=1e-14)
+    np.testing.assert_allclose(rooted(numbers), np.sqrt(numbers), rtol=1e-15)
+    of_many = vectorised(lambda x, y: value_and_slope(rooted, (x,), (y,)))(numbers, along)
+    np.testing.assert_allclose(of_many, found, rtol=1e-14)
+
+
+def test_slopes_of_slopes_of_a_root_of_known_numbers_are_those_of_jax():
+    """By one number twice, and by one inside and another outside."""
+
+    def twice(slope, x):
+        return slope(lambda y: slope(rooted, (y,), (1.0,)), (x,), (1.0,))
+
+    def mixed(slope, x, y):
+        return slope(lambda y: slope(lambda x: rooted(x * y), (x,), (1.0,)), (y,), (1.0,))
+
+    for function, at in ((twice, (np.float64(4.0),)), (mixed, (np.float64(2.0), np.float64(8.0)))):
+        found, expected = (jax.tree.leaves(function(slope, *at)) for slope in (value_and_slope, jax.jvp))
+        np.testing.assert_allclose(found, expected, rtol=1e-13)
+
+
+def settled(p):
+    """Numbers above 0 that a function of them gives back."""
+
+    def change(x):
+        return xp.stack([0.3 * xp.cos(p * x[0]) + 0.5 - x[0], 1.0 + 0.1 * p * x[0] * x[1] - x[1]])
+
+    return settled_root(change, xp.stack([0.5 + 0.0 * p, 1.0 + 0.0 * p]))
+
+
+def test_numbers_that_a_function_gives_back_and_their_slopes_are_those_of_jax():
+    """x = 0.3 cos(p x) + 0.5 and y = 1/(1 - p x/10), of which the second follows from the first."""
+    for at in (1.0, 1.4):
+        (x, y), (dx, dy) = value_and_slope(settled, (np.float64(at),), (np.float64(1.0),))
+        assert x == pytest.approx(0.3 * np.cos(at * x) + 0.5, rel=1e-8)
+        assert y == pytest.approx(1.0 / (1.0 - 0.1 * at * x), rel=1e-8)
+        sine = 0.3 * np.sin(at * x)
+        assert dx == pytest.approx(-sine * x / (1.0 + sine * at), rel=1e-12)
+        assert dy == pytest.approx(0.1 * y * (x + at * dx) / (1.0 - 0.1 * at * x), rel=1e-8)
+        np.testing.assert_allclose([[x, y], [dx, dy]], jax.jvp(settled, (at,), (1.0,)), rtol=1e-9)
+    found = vectorised(lambda p: value_and_slope(settled, (p,), (1.0,)))(np.array([1.0, 1.4]))
+    np.testing.assert_allclose([found[0][1], found[1][1]], [[x, y], [dx, dy]], rtol=1e-9)
+
+
+def test_slopes_of_slopes_of_numbers_that_a_function_gives_back_are_those_of_jax():
+    def twice(slope):
+        return slope(lambda p: slope(settled, (p,), (1.0,)), (1.2,), (1.0,))
+
+    found, expected = (jax.tree.leaves(twice(slope)) for slope in (value_and_slope, jax.jvp))
+    np.testing.assert_allclose(found, expected, rtol=1e-8)

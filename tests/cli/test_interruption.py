@@ -35,7 +35,7 @@ main()
 COMPILING = """
 import time
 from asperity import compilation
-compilation._compiled_with = lambda *_: strike() or time.sleep(1000.0)
+compilation._compiled = lambda *_: strike() or compilation._compilers().submit(time.sleep, 1000.0).result()
 print("before")
 """
 

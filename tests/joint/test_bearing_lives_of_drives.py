@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from asperity.compilation import call_compiled
 from asperity.drive.structure.bearing_life import RatedBearing
+from asperity.engine.control import at_once
 from asperity.joint.bearing_lives import joint_bearing_lives
 from asperity.joint.solve import solve_joint
 from asperity.results.document import joint_document
@@ -69,7 +69,7 @@ def test_the_loads_of_the_duty_are_those_of_joints_of_their_own(rated):
     points = ((3.0, 300.0, 0.6), (-5.0, 600.0, 0.3), (12.0, 0.0, 0.1))
     duty = tuple(DutyPoint(*map(np.float64, point)) for point in points)
     loaded = dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=duty))
-    found = call_compiled(joint_bearing_lives, loaded, solution.result, solution.laws)
+    found = at_once(joint_bearing_lives, loaded, solution.result, solution.laws)
     damage, largest = 0.0, 0.0
     for torque, speed, share in points:
         alone = dataclasses.replace(joint, output_torque=np.float64(torque), input_speed=np.float64(speed))

@@ -8,8 +8,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.compilation import compile_fast
 from asperity.drive.mechanism import Bearings
+from asperity.engine.control import at_once
 from asperity.joint.evaluation import evaluate
 from asperity.joint_file.build import joint_from_case
 from asperity.rolling.conditions import DutyPoint
@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 
 def solved(function, joint):
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    return jax.tree.map(np.asarray, compile_fast(function, numbers)(numbers))
+    return at_once(function, numbers)
 
 
 @pytest.fixture(scope="module")

@@ -218,7 +218,7 @@ def drawn(zou_file, monkeypatch):
                 rolling=SimpleNamespace(drift_per_output_turn=rank / 1e6),
             )
 
-        monkeypatch.setattr("asperity.joint.surface_interval.compile_fast", lambda *_: evaluated)
+        monkeypatch.setattr("asperity.joint.surface_interval._by_program", evaluated)
         measured = measurement()
         return stiffness_interval(
             joint_from_case(with_measured_surface(read_case(zou_file), measured)), measured

@@ -11,7 +11,7 @@ from hoop_stress import hoop_stress
 
 from asperity.body.rim_range import RimLoads
 from asperity.body.shapes import Annulus
-from asperity.compilation import call_compiled
+from asperity.engine.control import at_once
 from asperity.joint.bodies import exact_bodies
 from asperity.joint.rim_safety import _centring_pressure
 from asperity.joint.rims import joint_rims
@@ -38,7 +38,7 @@ def joint(paper_joint):
 
 @pytest.fixture(scope="module")
 def found(joint, result):
-    return call_compiled(joint_rims, joint, result)
+    return at_once(joint_rims, joint, result)
 
 
 @pytest.mark.long

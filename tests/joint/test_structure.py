@@ -10,8 +10,8 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.compilation import compile_fast
 from asperity.drive.stiffness.torsional_stiffness import Assembly
+from asperity.engine.control import at_once
 from asperity.joint.body_shape import SOLID, BodyShape
 from asperity.joint.evaluation import evaluate
 from asperity.joint.solve import solve_joint
@@ -68,7 +68,7 @@ def shares(assembly: Assembly) -> dict[str, float]:
 def test_stiffness_interference_and_shares(case, springs, stiffness, interference, expected):
     joint = dataclasses.replace(joint_from_case(case), output_torque=0.0, input_speed=0.0, **springs)
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    found = compile_fast(evaluate, numbers)(numbers)
+    found = at_once(evaluate, numbers)
     if "shapes" in springs:
         # that chain reacted the torque on the ring along its inner rim: the twist of the wall up to the outer one, at
         # which its housing holds it; the ring carries 40/36 of the output torque, and turns the output by 40/36
@@ -113,7 +113,7 @@ def test_a_housing_between_none_and_a_rigid_one(case):
         shapes = (*4 * (SOLID,), BodyShape("ring", 10e-3, *support))
         there = dataclasses.replace(joint, shapes=shapes)
         numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
-        return float(compile_fast(evaluate, numbers)(numbers).assembly.stiffness.output)
+        return float(at_once(evaluate, numbers).assembly.stiffness.output)
 
     found = [
         stiffness("free"),

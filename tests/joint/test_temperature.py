@@ -6,7 +6,7 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.compilation import compile_fast
+from asperity.engine.control import at_once
 from asperity.errors import InputError
 from asperity.joint.evaluation import evaluate
 from asperity.joint.fit import refuse_loose
@@ -92,7 +92,7 @@ def test_a_loose_joint_is_refused_with_its_temperature(planetary_at):
 
 def solved(joint):
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    return jax.tree.map(np.asarray, compile_fast(evaluate, numbers)(numbers))
+    return at_once(evaluate, numbers)
 
 
 @pytest.mark.long

@@ -6,11 +6,11 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.compilation import compile_fast
 from asperity.drive.mechanism import Bearings, Mechanism, leading_sense, rest_state
 from asperity.drive.wedge.branch import branch_forces, carrier_residual
 from asperity.drive.wedge.force_balance import closure_misfit, loaded_branch
 from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, triangle
+from asperity.engine.control import at_once
 from asperity.joint.contacts import closure_springs
 from asperity.joint.description import body_masses, joint_contacts
 from asperity.joint.evaluation import evaluate
@@ -32,7 +32,7 @@ BEARINGS = Bearings(
 
 def solved(joint):
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    return jax.tree.map(np.asarray, compile_fast(evaluate, numbers)(numbers))
+    return at_once(evaluate, numbers)
 
 
 def mechanism(joint):

@@ -4,11 +4,10 @@ import math
 import tomllib
 from pathlib import Path
 
-import jax
 import numpy as np
 import pytest
 
-from asperity.compilation import compile_fast
+from asperity.engine.control import at_once, vectorised
 from asperity.joint.evaluation import evaluate
 from asperity.joint.solve import solve_joint
 from asperity.joint_file import drawn_surface as module
@@ -139,7 +138,7 @@ def test_joints_at_the_ends_lie_inside(drawn_case, interval):
         values = replace_values(si_values(drawn_case), changes | {"surface.cut_off": 0.8e-3})
         return evaluate(joint_from_values(values))
 
-    result = compile_fast(jax.vmap(at), *corners)(*corners)
+    result = at_once(vectorised(at), *corners)
     for name, values, unit in (
         ("assembly", result.assembly.stiffness.output, "Nm_per_rad"),
         ("published", result.published.output, "Nm_per_rad"),

@@ -1,6 +1,5 @@
 """A server in a process of its own, and a headless Chromium that the system provides."""
 
-import os
 import re
 import shutil
 import signal
@@ -11,11 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-# without the second compilation of its programs: a minute beside the tests that would gain them nothing
-PROGRAM = (
-    "from asperity.page.computation import FasterPrograms; FasterPrograms.add = lambda self, programs: None; "
-    "from asperity.cli import main; main()"
-)
+PROGRAM = "from asperity.cli import main; main()"
 
 
 class Served:
@@ -35,8 +30,6 @@ class Served:
             ],
             stderr=subprocess.PIPE,
             text=True,
-            # as the programs of the tests are, which are compiled once for both
-            env={**os.environ, "JAX_DISABLE_MOST_OPTIMIZATIONS": "1"},
         )
         assert self.process.stderr is not None
         line = self.process.stderr.readline()

@@ -1,9 +1,7 @@
 """One worker, a short queue, a limited memory."""
 
 import asyncio
-import gc
 import threading
-import weakref
 
 import pytest
 
@@ -12,7 +10,6 @@ from asperity.page.computation import (
     MOST_WAITING,
     BusyError,
     Computations,
-    FasterPrograms,
     KeptAnswers,
 )
 
@@ -74,53 +71,3 @@ def test_the_oldest_answers_are_forgotten():
     assert kept.get("0") is None
     assert kept.get("1") == 1
     assert kept.get(str(MOST_KEPT)) == MOST_KEPT
-
-
-class Slow:
-    """A program that is compiled again when it is told to go on."""
-
-    def __init__(self):
-        self.count, self.hold = 0, threading.Event()
-
-    def compile_again(self):
-        self.hold.wait(10.0)
-        self.count += 1
-
-
-def test_each_program_is_compiled_again_once():
-    faster, one, other = FasterPrograms(), Slow(), Slow()
-    assert faster.idle
-    faster.add({one})
-    faster.add({one, other})
-    assert not faster.idle
-    for each in (one, other):
-        each.hold.set()
-    faster._pool.shutdown(wait=True)
-    assert faster.idle
-    assert (one.count, other.count) == (1, 1)
-
-
-def test_what_waits_to_be_compiled_again_can_be_forgotten():
-    faster, one, other = FasterPrograms(), Slow(), Slow()
-    faster.add({one})
-    faster.add({other})
-    waiting = weakref.ref(other)
-    del other
-    gc.collect()
-    assert waiting() is None
-    one.hold.set()
-    faster._pool.shutdown(wait=True)
-    assert one.count == 1
-
-
-def test_what_waits_to_be_compiled_again_is_dropped_at_the_end():
-    faster, one, other = FasterPrograms(), Slow(), Slow()
-    faster.add({one})
-    faster.add({other})
-    faster.close()
-    one.hold.set()
-    faster._pool.shutdown(wait=True)
-    assert faster.idle
-    assert (one.count, other.count) == (1, 0)
-    faster.add({Slow()})  # an answer of the last moment
-    assert faster.idle

@@ -6,7 +6,7 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.compilation import compile_fast
+from asperity.engine.control import at_once
 from asperity.joint.evaluation import evaluate
 from asperity.rolling.curves import rolling_curves
 
@@ -28,7 +28,7 @@ def test_a_load_of_the_curves_and_of_the_map_is_the_joint_under_it(curves, plane
     def under(torque, speed):
         there = dataclasses.replace(joint, output_torque=float(torque), input_speed=float(speed))
         numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
-        return compile_fast(evaluate, numbers)(numbers).rolling
+        return at_once(evaluate, numbers).rolling
 
     there = under(curves.torque[place], joint.input_speed)
     assert float(curves.drift_per_output_turn[place]) == pytest.approx(

@@ -3,7 +3,6 @@
 import dataclasses
 from types import SimpleNamespace
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -127,25 +126,25 @@ def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
     """mu = 0.08: 120 of 240 N, and 1 where a contact slides; without slip no contact slides."""
 
     def stiffness(joint, contacts, normal, tangential, slides, pins):
-        level = SimpleNamespace(output=jnp.sum(jnp.abs(slides)) + contacts.pairs.friction_coefficient[0])
+        level = SimpleNamespace(output=np.sum(np.abs(slides)) + contacts.pairs.friction_coefficient[0])
         return SimpleNamespace(
             published=level, series_with_bulk=level, assembly=SimpleNamespace(stiffness=level)
         )
 
     monkeypatch.setattr("asperity.standing.over_torque.loaded_stiffness", stiffness)
-    rest = SimpleNamespace(normal=jnp.array([3000.0, 3000.0]))
+    rest = SimpleNamespace(normal=np.array([3000.0, 3000.0]))
     for worst, residual, balanced, solved in (
         (1e-12, np.inf, True, False),
         (1e-12, 1e-12, True, True),
         (1.0, 1.0, False, False),
     ):
         state = SimpleNamespace(
-            normal=jnp.array([3000.0, 3000.0]),
-            tangential=jnp.array([-120.0, 239.0]),
-            slides=jnp.array([0.0, 1.0]),
-            pin_force=jnp.zeros(0),
-            worst=jnp.array(worst),
-            residual=jnp.array(residual),
+            normal=np.array([3000.0, 3000.0]),
+            tangential=np.array([-120.0, 239.0]),
+            slides=np.array([0.0, 1.0]),
+            pin_force=np.zeros(0),
+            worst=np.array(worst),
+            residual=np.array(residual),
         )
         found = _standing(joint, joint_contacts(joint), 1e30, state, rest, None)
         np.testing.assert_allclose(found.slip_ratio, [0.5, 1.0], rtol=1e-12)

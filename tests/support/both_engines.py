@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import jax
 import numpy as np
 
 from asperity.engine import trees
@@ -54,6 +52,7 @@ def slopes_of(rng, tree):
         leaf = np.asarray(leaf)
         finite = np.abs(leaf[np.isfinite(leaf)])
         return rng.normal(size=leaf.shape) * (np.median(finite) if finite.size else 1.0)
+
     return trees.map(one, tree)
 
 

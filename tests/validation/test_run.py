@@ -2,7 +2,6 @@
 
 import json
 
-import jax
 import pytest
 
 from asperity.validation import contact_checks
@@ -50,21 +49,3 @@ def test_the_checksum_is_that_of_the_installed_files():
     checksum = source_checksum()
     assert len(checksum) == 64
     assert checksum == source_checksum()
-
-
-def test_what_is_asked_of_the_compiler_holds_for_the_checks_alone(monkeypatch):
-    seen = []
-
-    def group():
-        seen.append(jax.config.read("jax_disable_most_optimizations"))
-        yield from contact_checks.hertz()
-
-    monkeypatch.setattr("asperity.validation.run.GROUPS", {"Hertz": group})
-    before = jax.config.read("jax_disable_most_optimizations")
-    jax.config.update("jax_disable_most_optimizations", False)
-    try:
-        run_checks()
-        assert seen == [True]
-        assert jax.config.read("jax_disable_most_optimizations") is False
-    finally:
-        jax.config.update("jax_disable_most_optimizations", before)

@@ -108,7 +108,6 @@ def linearised(function: Callable[[Any], Any], at: Any) -> tuple[Any, Callable[[
 
 def _apart(result: Any, level: int, count: int) -> tuple[Any, list[Any]]:
     """The value of a result and its slopes in each direction."""
-
     value = trees.map(lambda leaf: value_at(leaf, level), result)
     return value, [trees.map(lambda leaf, k=k: _slope(leaf, level, count, k), result) for k in range(count)]
 

@@ -11,7 +11,7 @@ from typing import Any
 from asperity.engine.module import Module
 
 
-def map(function: Callable[..., Any], tree: Any, *others: Any) -> Any:  # noqa: A001 - as trees.map
+def map(function: Callable[..., Any], tree: Any, *others: Any) -> Any:
     """A function of every leaf, and of those of other trees with the same structure; in a tree of this structure."""
     kind = type(tree)
     if tree is None:

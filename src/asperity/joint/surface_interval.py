@@ -23,13 +23,19 @@ def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple
     numbers = trees.map(lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=()))
     samples = trees.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
     if shape[0] > _FEW:
-        import jax
-
-        over = jax.jit(
-            jax.vmap(lambda joint, one: evaluate(dataclasses.replace(joint, surfaces=one)), (None, 0))
-        )
-        return trees.map(np.asarray, over(numbers, samples))
+        return _by_program(numbers, samples)
     return stacked([joint_state(dataclasses.replace(numbers, surfaces=one)) for one in entries(samples)])
+
+
+def _by_program(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
+    """The same of many surfaces, compiled."""
+    import jax
+
+    def one(joint: Joint, surface: tuple[Roughness, ...]) -> JointResult:
+        return evaluate(dataclasses.replace(joint, surfaces=surface))
+
+    found: JointResult = trees.map(np.asarray, jax.jit(jax.vmap(one, (None, 0)))(joint, surfaces))
+    return found
 
 
 def result_ends(

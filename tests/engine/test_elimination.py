@@ -1,0 +1,132 @@
+"""Linear equations within the programs of JAX, against NumPy."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.engine.elimination import least_squares, optimised, solve, solve_in_turn, solve_with
+
+
+def system(count, *, several=None):
+    """Matrices and right sides, of which the first needs another pivot."""
+    rng = np.random.default_rng(count)
+    shape = (count,) if several is None else (several, count)
+    matrix, right = rng.normal(size=(*shape, count)), rng.normal(size=shape)
+    if several is not None:
+        matrix += 10.0 * np.eye(count)  # none is nearly singular
+    first = matrix if several is None else matrix[0]
+    first[0, 0] = 0.0 if count > 1 else 2.0
+    return matrix, right
+
+
+@pytest.mark.parametrize("count", [1, 2, 5, 17])
+def test_systems_and_their_derivatives(count):
+    matrix, right = system(count)
+    change, moved = np.random.default_rng(7).normal(size=(count, count)), np.cos(np.arange(count))
+    found, slope = jax.jvp(
+        solve, (jnp.array(matrix), jnp.array(right)), (jnp.array(change), jnp.array(moved))
+    )
+    expected = np.linalg.solve(matrix, right)
+    np.testing.assert_allclose(found, expected, rtol=1e-10)
+    np.testing.assert_allclose(slope, np.linalg.solve(matrix, moved - change @ expected), rtol=1e-9)
+    back = jax.grad(lambda b: jnp.sum(solve(jnp.array(matrix), b) ** 2))(jnp.array(right))
+    np.testing.assert_allclose(back, np.linalg.solve(matrix.T, 2.0 * expected), rtol=1e-9)
+
+
+def test_the_derivatives_are_those_of_the_linear_function():
+    """(1 + p) A x = b, eliminated by a matrix that is taken for constant: x' = -x/(1 + p)."""
+    matrix, right = system(3)
+
+    def of(p, right):
+        return solve_with(lambda x: (1.0 + p) * (matrix @ x), jnp.array(1.25 * matrix), right)
+
+    x = np.linalg.solve(1.25 * matrix, right)
+    found, slope = jax.jvp(of, (0.25, jnp.array(right)), (1.0, jnp.zeros(3)))
+    np.testing.assert_allclose(found, x, rtol=1e-12)
+    np.testing.assert_allclose(slope, -x / 1.25, rtol=1e-12)
+    back = jax.grad(lambda b: of(0.25, b)[1])(jnp.array(right))
+    np.testing.assert_allclose(back, np.linalg.inv(1.25 * matrix)[1], rtol=1e-12)
+
+
+def test_the_largest_pivot_is_taken():
+    """With the first one, 1e-20, the first unknown would be lost to rounding."""
+    matrix, right = np.array([[1e-20, 1.0], [1.0, 1.0]]), np.array([1.0, 2.0])
+    with optimised():
+        written_out = jax.vmap(solve_in_turn)(jnp.array(matrix)[None], jnp.array(right)[None])[0]
+    for found in (solve(jnp.array(matrix), jnp.array(right)), written_out):
+        np.testing.assert_allclose(found, [1.0, 1.0], rtol=1e-14)
+
+
+def test_a_singular_system_has_no_number():
+    assert not np.all(np.isfinite(solve(jnp.ones((2, 2)), jnp.array([1.0, 2.0]))))
+    several = jnp.stack([jnp.ones((2, 2)), jnp.eye(2)])
+    for block in (False, True):
+        with optimised() if block else jax.enable_x64(True):
+            found = jax.vmap(solve_in_turn)(several, jnp.array([[1.0, 2.0], [3.0, 4.0]]))
+        assert not np.all(np.isfinite(found[0]))
+        assert found[1].tolist() == [3.0, 4.0]
+
+
+def test_a_batch_needs_no_lapack():
+    systems = jnp.zeros((4, 5, 5))
+    program = jax.jit(jax.vmap(solve)).lower(systems, jnp.zeros((4, 5))).as_text()
+    assert "lapack" not in program
+
+
+@pytest.mark.parametrize("count", [1, 2, 6])
+def test_one_system_and_a_batch_in_a_step_of_an_iteration(count):
+    matrices, right = map(jnp.array, system(count, several=70))
+    expected = np.linalg.solve(matrices, right[..., None])[..., 0]
+    np.testing.assert_allclose(solve_in_turn(matrices[0], right[0]), expected[0], rtol=1e-10)
+    np.testing.assert_allclose(jax.vmap(solve_in_turn)(matrices, right), expected, rtol=1e-10)
+    with optimised():
+        np.testing.assert_allclose(jax.vmap(solve_in_turn)(matrices, right), expected, rtol=1e-10)
+    one_matrix = jax.vmap(solve_in_turn, in_axes=(None, 0))(matrices[0], right)
+    np.testing.assert_allclose(one_matrix, np.linalg.solve(matrices[0], right.T).T, rtol=1e-10)
+    one_side = jax.vmap(solve_in_turn, in_axes=(0, None))(matrices, right[0])
+    np.testing.assert_allclose(one_side, np.linalg.solve(matrices, right[0]), rtol=1e-10)
+
+
+def test_only_a_batch_needs_lapack_in_a_step_of_an_iteration():
+    systems, right = jnp.zeros((4, 5, 5)), jnp.zeros((4, 5))
+    assert "lapack" in jax.jit(jax.vmap(solve_in_turn)).lower(systems, right).as_text()
+    assert "lapack" not in jax.jit(solve_in_turn).lower(systems[0], right[0]).as_text()
+    with optimised():
+        assert "lapack" not in jax.jit(jax.vmap(solve_in_turn)).lower(systems, right).as_text()
+
+
+def test_optimisation_ends_with_its_block():
+    """Also with one that fails, and that of a block within another."""
+    systems, right = jnp.zeros((4, 2, 2)), jnp.zeros((4, 2))
+
+    def by_lapack():
+        return (
+            "lapack"
+            in jax.jit(jax.vmap(lambda *given: solve_in_turn(*given))).lower(systems, right).as_text()
+        )
+
+    with pytest.raises(ArithmeticError), optimised():
+        with optimised():
+            assert not by_lapack()
+        assert not by_lapack()
+        raise ArithmeticError
+    assert by_lapack()
+
+
+def test_least_squares_of_consistent_and_other_equations():
+    rng = np.random.default_rng(1)
+    matrix = rng.normal(size=(6, 3)) * np.array([1.0, 1e-3, 30.0])
+    exact = np.array([1.0, 200.0, -0.1])
+    np.testing.assert_allclose(least_squares(jnp.array(matrix), jnp.array(matrix @ exact)), exact, rtol=1e-12)
+    right = rng.normal(size=6)
+    expected = np.linalg.lstsq(matrix, right, rcond=None)[0]
+    np.testing.assert_allclose(least_squares(jnp.array(matrix), jnp.array(right)), expected, rtol=1e-9)
+
+
+def test_solving_again_compiles_nothing(caplog):
+    matrix, right = jnp.array([[2.0, 1.0], [0.0, 4.0]]), jnp.array([4.0, 8.0])
+    solve(matrix, right)
+    with jax.log_compiles():
+        assert solve(matrix, right).tolist() == [1.0, 2.0]
+    assert "ompiling" not in caplog.text
