@@ -308,9 +308,9 @@ def layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real, stiffness_rati
 
 
 class LayerLaw(NamedTuple):
-    """What :func:`layer_creepage_factor` is over the slip ratio: coefficients of its powers, and their factor.
+    r"""What :func:`layer_creepage_factor` is over the slip ratio: coefficients of its powers, and their factor.
 
-    ``powers``: the first axis belongs to the powers of the slip ratio's position; ``scale``: :math:`s/\\sqrt{1 + s}`.
+    ``powers``: the first axis belongs to the powers of the slip ratio's position; ``scale``: :math:`s/\sqrt{1 + s}`.
     """
 
     powers: Array

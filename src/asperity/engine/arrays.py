@@ -1,8 +1,8 @@
 """Functions of arrays that compute with what their arguments are: NumPy's arrays, JAX's, or numbers of our own.
 
 ``xp`` has the functions of :mod:`jax.numpy` by their names. One of them looks at the types of its arguments, which
-takes a tenth of a microsecond each, and calls NumPy's function of this name where all are NumPy's or Python's. Constants
-are therefore NumPy's; JAX takes them as constants of its programs. Numbers of our own bring their functions along
+takes a tenth of a microsecond each, and calls NumPy's function of this name where all are NumPy's or Python's.
+Constants are therefore NumPy's; JAX takes them as constants of its programs. Numbers of our own bring their functions along
 (:class:`OwnNumber`): numbers with slopes (:mod:`asperity.engine.dual`) and many at once (:mod:`asperity.engine.many`).
 """
 

@@ -1,6 +1,6 @@
-"""Numbers with slopes: exact derivatives of the formula code under NumPy, in forward mode.
+r"""Numbers with slopes: exact derivatives of the formula code under NumPy, in forward mode.
 
-.. math:: f(x + \\dot x\\,\\varepsilon) = f(x) + f'(x)\\,\\dot x\\,\\varepsilon, \\qquad \\varepsilon^2 = 0
+.. math:: f(x + \dot x\,\varepsilon) = f(x) + f'(x)\,\dot x\,\varepsilon, \qquad \varepsilon^2 = 0
 
 References: A. Griewank and A. Walther, Evaluating Derivatives, 2nd ed., SIAM 2008, chapter 3.
 """

@@ -57,7 +57,10 @@ def solve_with(linear: Callable[[Array], Array], matrix: Array, right_side: Arra
 
 @jax.custom_batching.custom_vmap
 def solve_in_turn(matrix: Array, right_side: Array) -> Array:
-    r"""The x of :math:`A x = b`, shape (n,), in a step: one system by elimination; a batch by LAPACK, or written out."""
+    r"""The x of :math:`A x = b`, shape (n,), in a step of an iteration.
+
+    One system by elimination; a batch by LAPACK, or written out.
+    """
     return _eliminated(matrix, right_side)
 
 

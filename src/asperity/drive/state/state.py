@@ -60,7 +60,7 @@ class Resistance(NamedTuple):
     skew_drag: Array
 
 
-#: How contacts creep under normal and tangential forces; a module of numbers, as :class:`asperity.engine.module.Partial` is one.
+#: How contacts creep under normal and tangential forces; a module, as :class:`asperity.engine.module.Partial` is one.
 CreepOf = Callable[[Array, Array], Creeping]
 
 #: Sizes of the drag of the oil [N] and of the moment of hysteresis [N·m] under normal forces, a module of numbers too.
