@@ -104,7 +104,7 @@ def test_an_interrupted_command_leaves_no_folder(tmp_path, number, code, says):
 )
 def test_the_end_does_not_wait_for_what_is_compiled(tmp_path, number, code, says):
     """What has been printed before still comes out."""
-    command = ("joint", EXAMPLES / "planetary.toml")
+    command = ("sensitivity", EXAMPLES / "planetary.toml")
     ended = interrupted(tmp_path, *command, number=number, patch=COMPILING)
     assert answer(ended) == (code, "before\n", f"asperity: {says}")
 

@@ -4,6 +4,7 @@ import math
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from types import SimpleNamespace
 
 import jax
 import jax.numpy as jnp
@@ -187,7 +188,7 @@ def test_one_program_serves_any_numbers_of_few_points(values, monkeypatch):
         asked.add((function, table.shape, options))
         return lambda table: (np.zeros(table.shape[1], dtype=np.int8), {"mass": table[0]})
 
-    monkeypatch.setattr(batch, "compile_fast", program_of)
+    monkeypatch.setattr(batch, "program_for_few", program_of)
     for path, points in (("load.preload", 1), ("drive.planets", 2), ("drive.sun_radius", 64)):
         status, _ = evaluate_points(values, {path: np.full(points, 4.0)}, ("mass",))
         assert status.shape == (points,)
@@ -206,7 +207,7 @@ def test_programs_run_one_at_a_time(values, monkeypatch):
         return np.zeros(table.shape[1], dtype=np.int8), {name: table[preload]}
 
     preload = numbers(replace_values(values, {"load.preload": 0.5})).index(0.5)
-    monkeypatch.setattr(batch, "compile_fast", lambda *_, **__: program)
+    monkeypatch.setattr(batch, "program_for_few", lambda *_, **__: program)
     points = {"load.preload": np.array([900.0, 1000.0])}
     with ThreadPoolExecutor(2) as pool:
         many = {"in_all": batch.QUICK_POINTS}
@@ -284,7 +285,7 @@ def test_points_are_evaluated_in_blocks_of_a_power_of_two(values, monkeypatch, a
         optimised.append(block)
         return lambda base, column: (np.zeros(block, dtype=np.int8), {name: column})
 
-    monkeypatch.setattr(batch, "compile_fast", quick)
+    monkeypatch.setattr(batch, "program_for_few", quick)
     monkeypatch.setattr(batch, "_program", optimised_program)
     preload, reported = np.array([900.0, 910.0, 920.0, 930.0, 940.0]), []
     points = {"load.preload": preload}
@@ -305,7 +306,7 @@ def test_blocks_of_derivatives_are_put_together(monkeypatch):
         blocks.append([table.shape for table in tables])
         return lambda *given: (3.0 * given[0][0], given[1])
 
-    monkeypatch.setattr(batch, "compile_fast", run)
+    monkeypatch.setattr(batch, "program_for_few", run)
     table, directions = np.arange(5.0)[None], np.arange(10.0).reshape(2, 5)
     first, second = batch._blockwise(None, (), 2, table, directions)
     np.testing.assert_array_equal(first, 3.0 * np.arange(5.0))
@@ -339,3 +340,34 @@ def test_bending_of_pins_by_the_balance_of_the_carrier(planar_case, name, roller
     assert found["pin_bending_moment"][0, 0] == pytest.approx(expected, rel=1e-3)
     assert slopes["pin_bending_moment"][0, 0, 0] == pytest.approx(force / 4.0, rel=1e-3)
     assert found["pin_bending_stress"][0, 0] == pytest.approx(expected * 32.0 / (math.pi * 4e-3**3), rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("platform", "memory", "points"),
+    [
+        ("cpu", None, 1024),
+        ("gpu", {"bytes_limit": 80 * 2**30}, 2**19),
+        ("gpu", {"bytes_limit": 8 * 2**30}, 2**17),
+        ("gpu", {"bytes_limit": 2**20}, 1024),
+        ("gpu", None, 1024),
+    ],
+)
+def test_the_points_of_a_call_follow_the_device_and_its_memory(platform, memory, points):
+    """64 KiB a point; what a device does not say about its memory is not assumed."""
+    device = SimpleNamespace(platform=platform, memory_stats=lambda: memory)
+    assert batch.points_at_once(device) == points
+
+
+def test_points_are_sent_to_a_device_as_many_as_it_takes(values, monkeypatch):
+    sizes = []
+
+    def program(structure, paths, results, block):
+        sizes.append(block)
+        return lambda base, column: (np.zeros(block, dtype=np.int8), {"assembly_stiffness_output": column})
+
+    monkeypatch.setattr(batch, "_program", program)
+    monkeypatch.setattr(batch, "points_at_once", lambda: 2**15)
+    preload = np.linspace(900.0, 1100.0, batch.QUICK_POINTS + 20_000)
+    _, found = evaluate_points(values, {"load.preload": preload}, ("assembly_stiffness_output",), threads=1)
+    assert sizes == [2**15]
+    np.testing.assert_array_equal(found["assembly_stiffness_output"], preload)

@@ -1,8 +1,9 @@
-"""Formulas by NumPy and within one program of JAX: the same numbers in, the same numbers and slopes out."""
+"""Formulas by NumPy and within programs of JAX: the same numbers in, the same numbers and slopes out."""
 
 from __future__ import annotations
 
 import inspect
+import zlib
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
@@ -20,17 +21,19 @@ DRAWN = 8
 #: What every argument is in a row of its own.
 EDGES = (0.0, np.nan, np.inf)
 
+Scale = Callable[[np.ndarray], Any]
+
 
 class Formula(NamedTuple):
-    """A function of one tree of numbers, and such a tree."""
+    """A function of one tree of numbers, such a tree, and what differences are measured by.
+
+    That is the number itself, or the ``scale`` of its array where it is more: of rows their median, for they have
+    nothing to do with each other, and of one array its largest number.
+    """
 
     function: Callable[[Any], Any]
     numbers: Any
-
-
-def over(generator: np.random.Generator, ranges: Mapping[str, tuple[float, float]]) -> dict[str, float]:
-    """One number from each range."""
-    return {name: generator.uniform(*ends) for name, ends in ranges.items()}
+    scale: Scale = np.max
 
 
 def rows(
@@ -44,13 +47,15 @@ def rows(
 
     A border gives the value of some arguments, or a function that makes it of the others; ``fixed`` are no numbers.
     """
-    generator = np.random.default_rng(sum(map(ord, function.__name__)))
-    made = [over(generator, ranges) for _ in range(DRAWN)]
+    generator = np.random.default_rng(zlib.crc32(function.__name__.encode()))
+
+    def drawn() -> dict[str, float]:
+        return {name: generator.uniform(*ends) for name, ends in ranges.items()}
+
+    made = [drawn() for _ in range(DRAWN)]
     for border in [*borders, *({name: edge} for name in ranges for edge in edges)]:
-        row = over(generator, ranges)
-        for name, value in border.items():
-            row[name] = value(row) if callable(value) else value
-        made.append(row)
+        row = drawn()
+        made.append(row | {name: value(row) if callable(value) else value for name, value in border.items()})
     places = [
         name
         for name, parameter in inspect.signature(function).parameters.items()
@@ -60,12 +65,7 @@ def rows(
     def of(numbers: dict[str, Any]) -> Any:
         return function(*(numbers[name] for name in places)) if places else function(**numbers, **fixed)
 
-    return Formula(of, {name: np.array([row[name] for row in made]) for name in ranges})
-
-
-def near(generator: np.random.Generator, tree: Any, share: float) -> Any:
-    """A tree of numbers, each changed by up to a share of itself."""
-    return trees.map(lambda leaf: leaf * (1.0 + share * generator.uniform(-1.0, 1.0, np.shape(leaf))), tree)
+    return Formula(of, {name: np.array([row[name] for row in made]) for name in ranges}, np.median)
 
 
 def direction(numbers: Any) -> Any:
@@ -80,53 +80,62 @@ def direction(numbers: Any) -> Any:
 
 
 class Engines:
-    """Formulas by their names, computed by NumPy one after the other and by JAX all in one program."""
+    """Formulas by their names, computed by NumPy one after the other and by JAX all in one program.
 
-    def __init__(self, formulas: Mapping[str, Formula]) -> None:
-        self.formulas = {
-            name: Formula(each.function, trees.map(lambda leaf: np.asarray(leaf, float), each.numbers))
-            for name, each in formulas.items()
+    Those ``alone`` have a program each that takes seconds to compile; their tests are slow ones.
+    """
+
+    def __init__(self, formulas: Mapping[str, Formula], alone: Mapping[str, Formula] | None = None) -> None:
+        self._formulas = {
+            name: each._replace(numbers=trees.map(lambda leaf: np.asarray(leaf, float), each.numbers))
+            for name, each in {**formulas, **(alone or {})}.items()
         }
-        self._of_jax: tuple[dict[str, Any], dict[str, Exception]] | None = None
-
-    def of_jax(self, name: str) -> tuple[Any, Any]:
-        """The value within a program, and its slope there; what kept the formula out of it is raised."""
-        if self._of_jax is None:
-            failures: dict[str, Exception] = {}
-
-            def program(numbers: dict[str, Any], slopes: dict[str, Any]) -> dict[str, Any]:
-                found = {}
-                for each, formula in self.formulas.items():
-                    try:
-                        _, slope = jax.jvp(formula.function, (numbers[each],), (slopes[each],))
-                        found[each] = formula.function(numbers[each]), _without_conditions(slope)
-                    except Exception as failure:  # noqa: BLE001 - the test of this formula raises it
-                        failures[each] = failure
-                return found
-
-            numbers = {each: formula.numbers for each, formula in self.formulas.items()}
-            slopes = {each: direction(formula.numbers) for each, formula in self.formulas.items()}
-            self._of_jax = jax.jit(program)(numbers, slopes), failures
-        found, failures = self._of_jax
-        if name in failures:
-            raise failures[name]
-        return found[name]
+        self._groups = [tuple(formulas), *((name,) for name in alone or ())]
+        self._found: dict[str, tuple[Any, Any]] = {}
+        self._failures: dict[str, Exception] = {}
+        self.names = [*formulas, *(pytest.param(name, marks=pytest.mark.slow) for name in alone or ())]
 
     def check_value(self, name: str) -> None:
         """Equal numbers, and nan and infinite ones at the same places."""
-        formula = self.formulas[name]
-        assert_alike(formula.function(formula.numbers), self.of_jax(name)[0], VALUE_TOLERANCE)
+        function, numbers, scale = self._formulas[name]
+        assert_alike(function(numbers), self._of_jax(name)[0], VALUE_TOLERANCE, scale=scale)
 
     def check_slope(self, name: str) -> None:
         """Equal slopes, finite at the same places."""
-        function, numbers = self.formulas[name]
+        function, numbers, scale = self._formulas[name]
         _, slope = value_and_slope(function, (numbers,), (direction(numbers),))
-        assert_alike(slope, self.of_jax(name)[1], SLOPE_TOLERANCE, kinds=False)
+        assert_alike(slope, self._of_jax(name)[1], SLOPE_TOLERANCE, scale=scale, kinds=False)
+
+    def _of_jax(self, name: str) -> tuple[Any, Any]:
+        """The value within a program, and its slope there; what kept the formula out of it is raised."""
+        if name not in self._found and name not in self._failures:
+            self._compute(next(group for group in self._groups if name in group))
+        if name in self._failures:
+            raise self._failures[name]
+        return self._found[name]
+
+    def _compute(self, group: tuple[str, ...]) -> None:
+        def program(numbers: dict[str, Any], slopes: dict[str, Any]) -> dict[str, Any]:
+            found = {}
+            for name in group:
+                function, given = self._formulas[name].function, (numbers[name],)
+                try:
+                    _, slope = jax.jvp(function, given, (slopes[name],))
+                    found[name] = function(*given), _without_conditions(slope)
+                except Exception as failure:
+                    self._failures[name] = failure
+            return found
+
+        numbers = {name: self._formulas[name].numbers for name in group}
+        slopes = {name: direction(self._formulas[name].numbers) for name in group}
+        self._found |= jax.jit(program)(numbers, slopes)
 
 
 def _without_conditions(slopes: Any) -> Any:
     """Slopes as JAX has them, with 0 for those of counts and conditions, which it does not have."""
-    return jax.tree.map(lambda leaf: np.zeros(leaf.shape) if leaf.dtype == jax.float0 else leaf, slopes)
+    return jax.tree.map(
+        lambda leaf: np.zeros(leaf.shape) if leaf.dtype == jax.dtypes.float0 else leaf, slopes
+    )
 
 
 def assert_alike(
@@ -135,38 +144,36 @@ def assert_alike(
     tolerance: float,
     *,
     kinds: bool = True,
-    scale: Callable[[np.ndarray], Any] = np.median,
+    scale: Scale = np.max,
     skip: Iterable[str] = (),
 ) -> None:
     """Two trees of numbers with the same structure, and the same numbers but for rounding.
 
-    Differences are measured by the number itself, or by the ``scale`` of the finite ones of its array where that is
-    more: what is small in its array is not known better than the rest of it. ``kinds``: whether nan and both infinities
-    are told apart. Fields with a name in ``skip`` are not compared.
+    ``scale`` as of :class:`Formula`. ``kinds``: whether nan and both infinities are told apart. Places with one of the
+    names in ``skip`` are not compared.
     """
-    ours_by_place, ours_structure = jax.tree.flatten_with_path(ours)
-    theirs_by_place, theirs_structure = jax.tree.flatten_with_path(theirs)
+    ours_by_place, ours_structure = jax.tree_util.tree_flatten_with_path(ours)
+    theirs_by_place, theirs_structure = jax.tree_util.tree_flatten_with_path(theirs)
     assert ours_structure == theirs_structure
     for (place, one), (_, other) in zip(ours_by_place, theirs_by_place, strict=True):
         name = jax.tree_util.keystr(place)
-        if any(part in name for part in skip):
-            continue
-        a, b = np.asarray(one), np.asarray(other)
-        assert a.shape == b.shape, name
-        if a.dtype.kind in "biu":
-            np.testing.assert_array_equal(a, b, err_msg=name)
-            continue
-        finite = np.isfinite(a) & np.isfinite(b)
-        if kinds:
-            np.testing.assert_array_equal(a[~finite], b[~finite], err_msg=name)
-        else:
-            np.testing.assert_array_equal(np.isfinite(a), np.isfinite(b), err_msg=name)
-        size = np.abs(b[finite])
-        allowed = tolerance * np.maximum(size, scale(size) if size.size else 0.0)
-        misses = np.abs(a[finite] - b[finite]) > allowed
-        assert not misses.any(), f"{name}: NumPy {a[finite][misses]}, JAX {b[finite][misses]}"
+        if not any(part in name for part in skip):
+            _assert_alike(name, np.asarray(one), np.asarray(other), tolerance, kinds=kinds, scale=scale)
 
 
-def both_ways(engines: Engines, names: Iterable[str]) -> pytest.MarkDecorator:
-    """One test for each formula."""
-    return pytest.mark.parametrize("name", list(names))
+def _assert_alike(
+    name: str, ours: np.ndarray, theirs: np.ndarray, tolerance: float, *, kinds: bool, scale: Scale
+) -> None:
+    assert ours.shape == theirs.shape, name
+    if ours.dtype.kind in "biu":
+        np.testing.assert_array_equal(ours, theirs, err_msg=name)
+        return
+    finite = np.isfinite(ours) & np.isfinite(theirs)
+    of_kind = np.asarray if kinds else np.isfinite
+    np.testing.assert_array_equal(of_kind(ours)[~finite], of_kind(theirs)[~finite], err_msg=name)
+    a, b = ours[finite], theirs[finite]
+    if not a.size:
+        return
+    excess = np.abs(a - b) - tolerance * np.maximum(np.abs(b), scale(np.abs(b)))
+    worst = np.argmax(excess)
+    assert excess[worst] <= 0.0, f"{name}: NumPy {a[worst]!r}, JAX {b[worst]!r}"

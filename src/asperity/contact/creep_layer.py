@@ -319,7 +319,28 @@ class LayerLaw(NamedTuple):
 
 @traced_once  # traced once for all states of the contacts
 def layer_law(*, layer_ratio: Real, stiffness_ratio: Real) -> LayerLaw:
-    """The layer of contacts, for any slip ratio; numbers as of :func:`layer_creepage_factor`; equation (B1)."""
+    r"""The asperities of contacts as a layer, for any slip ratio.
+
+    .. math:: \frac{\xi}{\xi_C} = 1 + \frac{s}{\sqrt{1 + s}}\, g(s, q, \kappa)
+
+    with g as a polynomial of the position of q.
+
+    Parameters
+    ----------
+    layer_ratio : Real
+        s, zero or positive [-].
+    stiffness_ratio : Real
+        kappa, tangential over normal stiffness of the asperities [-].
+
+    Returns
+    -------
+    LayerLaw
+        For :func:`factor_on_creepage`; valid as :func:`layer_creepage_factor` is.
+
+    References
+    ----------
+    Equation (B1) of :doc:`/equations`.
+    """
     x, v = _layer_position(layer_ratio), _position(1.0 / stiffness_ratio, _SOFTNESS)
     table = _COEFFICIENTS.reshape(*_COEFFICIENTS.shape, *(1,) * xp.ndim(x + v))
     # the slip ratio last: a derivative by it concerns one sum of three
@@ -329,6 +350,25 @@ def layer_law(*, layer_ratio: Real, stiffness_ratio: Real) -> LayerLaw:
 
 @traced_once
 def factor_on_creepage(*, law: LayerLaw, slip_ratio: Real) -> Real:
-    """The factor of :func:`layer_creepage_factor` of a layer at a slip ratio; equation (B1)."""
+    r"""Steady creepage with asperities over Carter's at the same traction, of a layer that is known.
+
+    .. math:: \frac{\xi}{\xi_C} = 1 + \frac{s}{\sqrt{1 + s}}\, g(s, q, \kappa)
+
+    Parameters
+    ----------
+    law : LayerLaw
+        The layer, :func:`layer_law`.
+    slip_ratio : Real
+        q = Q/(mu N), of either sign [-].
+
+    Returns
+    -------
+    Real
+        Factor on Carter's creepage [-]; valid as :func:`layer_creepage_factor` is.
+
+    References
+    ----------
+    Equation (B1) of :doc:`/equations`.
+    """
     q = xp.clip(xp.abs(slip_ratio), *SLIP_RATIO_RANGE)
     return 1.0 + law.scale * _power_sum(law.powers, _position(xp.log(q / (1.0 - q)), _LOGIT_SLIP))

@@ -2,8 +2,9 @@
 
 ``xp`` has the functions of :mod:`jax.numpy` by their names. One of them looks at the types of its arguments, which
 takes a tenth of a microsecond each, and calls NumPy's function of this name where all are NumPy's or Python's.
-Constants are therefore NumPy's; JAX takes them as constants of its programs. Numbers of our own bring their functions along
-(:class:`OwnNumber`): numbers with slopes (:mod:`asperity.engine.dual`) and many at once (:mod:`asperity.engine.many`).
+Constants are therefore NumPy's; JAX takes them as constants of its programs. Numbers of our own bring their functions
+along (:class:`OwnNumber`): numbers with slopes (:mod:`asperity.engine.dual`) and many at once
+(:mod:`asperity.engine.many`).
 """
 
 from __future__ import annotations
