@@ -58,6 +58,34 @@ def bounded_memory():
         gc.collect()
 
 
+#: Programs of JAX that a test may make: its own, not those of fixtures for many tests. An operation on arrays of JAX
+#: outside a program is a program; write it in NumPy, or put the whole into one jax.jit.
+MOST_PROGRAMS = 10
+_made = [0]
+
+
+def _count(event: str, duration: float, **_: str) -> None:
+    _made[0] += event == "/jax/core/compile/jaxpr_to_mlir_module_duration"
+
+
+jax.monitoring.register_event_duration_secs_listener(_count)
+
+
+@pytest.fixture(autouse=True)
+def few_programs(request):
+    """A test that makes many programs of JAX waits for a compiler; those that must say why (`programs(reason)`)."""
+    before = _made[0]
+    yield
+    made = _made[0] - before
+    if os.environ.get("ASPERITY_COUNT_PROGRAMS"):
+        with open(os.environ["ASPERITY_COUNT_PROGRAMS"], "a") as log:
+            log.write(f"{made} {request.node.nodeid}\n")
+    if made > MOST_PROGRAMS and request.node.get_closest_marker("programs") is None:
+        pytest.fail(
+            f"{made} programs of JAX were made, more than {MOST_PROGRAMS}: see few_programs in conftest.py"
+        )
+
+
 FILE = Path(__file__).parents[1] / "examples" / "zou2025.toml"
 SHARED = Path(os.environ.get("ASPERITY_SHARED_DATA", Path(__file__).parents[2] / "shared"))
 

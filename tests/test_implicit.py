@@ -7,7 +7,7 @@ import pytest
 
 from asperity.engine.arrays import xp
 from asperity.engine.control import fori_loop, vectorised
-from asperity.engine.derivatives import value_and_slope
+from asperity.engine.derivatives import linearised, value_and_slope
 from asperity.implicit import implicit_root, settled_root
 
 
@@ -26,6 +26,7 @@ def square_root(number, wrong=0.0):
     )
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_a_root_and_its_derivatives_in_both_modes():
     numbers = jnp.array([0.25, 2.0, 9.0])
     np.testing.assert_allclose(square_root(numbers), np.sqrt(numbers), rtol=1e-15)
@@ -39,6 +40,7 @@ def test_what_the_search_returns_is_not_changed():
     assert float(square_root(jnp.asarray(2.0), wrong=1e-3)) == pytest.approx(np.sqrt(2.0) + 1e-3, rel=1e-15)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_unknowns_with_a_structure():
     def root(p):
         def equations(x):  # u + v = p, u - v = p²
@@ -81,6 +83,7 @@ def test_a_root_inside_a_loop_over_whole_numbers():
     assert float(jax.jit(jax.grad(total))(4.0)) == pytest.approx(factor / 4.0, rel=1e-14)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_a_derivative_inside_a_derivative():
     """A value that is returned beside its slope has its own slope, and the slope has one too."""
 
@@ -106,6 +109,7 @@ def rooted(number):
     )
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_slopes_of_a_root_of_known_numbers_are_those_of_jax():
     numbers, along = np.array([0.25, 2.0, 9.0]), np.array([1.0, -2.0, 0.5])
     found, expected = (slope(rooted, (numbers,), (along,)) for slope in (value_and_slope, jax.jvp))
@@ -117,6 +121,7 @@ def test_slopes_of_a_root_of_known_numbers_are_those_of_jax():
     np.testing.assert_allclose(of_many, found, rtol=1e-14)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_slopes_of_slopes_of_a_root_of_known_numbers_are_those_of_jax():
     """By one number twice, and by one inside and another outside."""
 
@@ -131,6 +136,37 @@ def test_slopes_of_slopes_of_a_root_of_known_numbers_are_those_of_jax():
         np.testing.assert_allclose(found, expected, rtol=1e-13)
 
 
+def test_a_search_may_take_slopes_of_the_equations():
+    """Newton's method for u² + v = p and u - v = 2, of which p has slopes of two levels: u² + u = p + 2."""
+
+    def root(p):
+        def solve(linear, y):
+            one, zero = xp.ones_like(y[0]), xp.zeros_like(y[0])
+            (a, c), (b, d) = linear((one, zero)), linear((zero, one))
+            determinant = a * d - b * c
+            return (d * y[0] - b * y[1]) / determinant, (a * y[1] - c * y[0]) / determinant
+
+        def search(equations, x):
+            for _ in range(8):
+                value, linear = linearised(equations, x)
+                x = tuple(each - step for each, step in zip(x, solve(linear, value), strict=True))
+            return x
+
+        def equations(x):
+            return x[0] ** 2 + x[1] - p, x[0] - x[1] - 2.0
+
+        return implicit_root(equations, (np.array([3.0, 3.0]), np.array([1.0, 1.0])), search, solve)[0]
+
+    p, along = np.array([4.0, 10.0]), np.array([1.0, -2.0])
+    discriminant = np.sqrt(4.0 * p + 9.0)
+    np.testing.assert_allclose(root(p), 0.5 * (discriminant - 1.0), rtol=1e-14)
+    found = value_and_slope(lambda q: value_and_slope(root, (q,), (along,)), (p,), (along,))
+    (value, first), (again, second) = found
+    np.testing.assert_allclose(value, root(p), rtol=1e-14)
+    np.testing.assert_allclose([first, again], [along / discriminant] * 2, rtol=1e-14)
+    np.testing.assert_allclose(second, -2.0 * along**2 / discriminant**3, rtol=1e-13)
+
+
 def settled(p):
     """Numbers above 0 that a function of them gives back."""
 
@@ -140,6 +176,7 @@ def settled(p):
     return settled_root(change, xp.stack([0.5 + 0.0 * p, 1.0 + 0.0 * p]))
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_numbers_that_a_function_gives_back_and_their_slopes_are_those_of_jax():
     """x = 0.3 cos(p x) + 0.5 and y = 1/(1 - p x/10), of which the second follows from the first."""
     for at in (1.0, 1.4):

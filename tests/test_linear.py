@@ -21,6 +21,13 @@ def test_products_of_matrices_and_vectors():
     expected = np.einsum("...ij,...j->...i", MATRICES, RIGHT)
     np.testing.assert_allclose(product(MATRICES, RIGHT), expected, rtol=1e-13)
     np.testing.assert_allclose(vectorised(product)(MATRICES, RIGHT), expected, rtol=1e-13)
+    one_stack = vectorised(lambda vector: product(MATRICES, vector))(RIGHT)
+    np.testing.assert_allclose(one_stack, np.einsum("kij,nj->nki", MATRICES, RIGHT), rtol=1e-13)
+    one_matrix = vectorised(lambda vectors: product(MATRICES[0], vectors))(MATRICES)
+    np.testing.assert_allclose(one_matrix, np.einsum("ij,nkj->nki", MATRICES[0], MATRICES), rtol=1e-13)
+    many_stacks = vectorised(lambda a, b: product(xp.stack([a, 2.0 * a, -a, a.T]), b))(MATRICES, RIGHT)
+    stacks = np.stack([MATRICES, 2.0 * MATRICES, -MATRICES, MATRICES.transpose(0, 2, 1)], axis=1)
+    np.testing.assert_allclose(many_stacks, np.einsum("nkij,nj->nki", stacks, RIGHT), rtol=1e-13)
     assert product([[1.0, 2.0]], [3.0, 4.0]).tolist() == [11.0]
     assert isinstance(product(MATRICES[0], jnp.array(RIGHT[0])), jax.Array)
 

@@ -57,8 +57,11 @@ def implicit_root(
     ----------
     The implicit function theorem.
     """
-    if not uses_jax(start, equations(start)):
-        return _root_of_numbers(equations, start, search, solve)
+    first = equations(start)
+    if not uses_jax(start, first):
+        return _root_of_numbers(
+            equations, start, search, solve, known_level=highest_level(trees.leaves(first))
+        )
     import jax
 
     start = jax.lax.stop_gradient(start)
@@ -93,9 +96,21 @@ def _root_of_numbers(
     start: Any,
     search: Callable[[Callable[[Any], Any], Any], Any],
     solve: Callable[[Callable[[Any], Any], Any], Any],
+    *,
+    known_level: int,
 ) -> Any:
-    """The root of NumPy's numbers; with slopes where the equations have some at it."""
-    found = without_slopes(search(lambda x: without_slopes(equations(x)), without_slopes(start)))
+    """The root of NumPy's numbers; with slopes where the equations have some at it.
+
+    The search does without the slopes of the numbers that are given, up to ``known_level``, but may find its own.
+    """
+
+    def searched(x: Any) -> Any:
+        values = equations(x)
+        for level in range(1, known_level + 1):
+            values = trees.map(lambda leaf, level=level: constant_at(leaf, level), values)
+        return values
+
+    found = without_slopes(search(searched, without_slopes(start)))
     misfit = equations(found)
     level = highest_level(trees.leaves(misfit))
     if level == 0:

@@ -6,16 +6,23 @@ from typing import Any
 
 import numpy as np
 
-from asperity.engine.arrays import uses_jax, xp
+from asperity.engine.arrays import any_xp, is_of_jax, uses_jax, xp
 from asperity.engine.dual import Dual, directions_at, highest_level, slopes_at, value_at
 from asperity.engine.many import Many, one_by_one
 from asperity.types import Array, ArrayLike
 
 
 def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
-    """Product of matrix (..., m, n) and vector (..., n), in the program around it instead of a call of its own."""
-    result: Array = (xp.asarray(matrix) * xp.asarray(vector)[..., None, :]).sum(axis=-1)
-    return result
+    """Product of matrix (..., m, n) and vector (..., n); in programs a part of them instead of a call of its own."""
+    result: Any
+    if is_of_jax(matrix) or is_of_jax(vector):
+        result = (xp.asarray(matrix) * xp.asarray(vector)[..., None, :]).sum(axis=-1)
+    elif np.ndim(vector) == 1:
+        result = any_xp.matmul(matrix, vector)
+    else:
+        result = any_xp.matmul(matrix, vector[..., None])[..., 0]  # type: ignore[index]
+    found: Array = result
+    return found
 
 
 def solve(matrix: Array, right_side: Array) -> Array:

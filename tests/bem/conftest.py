@@ -38,3 +38,10 @@ def rough_heights():
 @pytest.fixture(scope="session")
 def rough_contact(rough_half_space, rough_heights):
     return normal_contact(rough_half_space, rough_heights, normal_force=0.05, tolerance=1e-10)
+
+
+def pytest_collection_modifyitems(items):
+    """Boundary elements are written for JAX, and their tests look at parts of its programs."""
+    for item in items:
+        if item.path.parent.name == "bem":
+            item.add_marker(pytest.mark.programs("boundary elements are programs of JAX"))

@@ -20,23 +20,23 @@ FORCE = 1000.0 / 9.0
 
 
 def modes_of(body):
-    return bore_modes(body=body, contact_angles=jnp.zeros(1), push_angle=0.0)
+    return bore_modes(body=body, contact_angles=np.zeros(1), push_angle=0.0)
 
 
 def law(*bodies, clearance):
     """One pin that presses all bodies."""
     modes = [modes_of(body) for body in bodies]
     shift, scale, wall = (
-        jnp.stack([jnp.asarray(getattr(mode, name)) for mode in modes])[None]
+        np.stack([np.asarray(getattr(mode, name)) for mode in modes])[None]
         for name in ("shift", "scale", "wall")
     )
-    pressed, c = jnp.ones((1, len(bodies)), dtype=bool), jnp.asarray([clearance])
+    pressed, c = np.ones((1, len(bodies)), dtype=bool), np.asarray([clearance])
     return pin_contact(shift=shift, scale=scale, wall=wall, pressed=pressed, clearance=c)
 
 
 def approach(contact, force):
     """Approach [m] under a force [N], and the half-angle [rad]."""
-    force = jnp.atleast_1d(jnp.asarray(force))
+    force = jnp.atleast_1d(np.asarray(force))
     angle = contact.angle(force)
     return float((force * contact.approach(force, angle))[0]), float(angle[0])
 
@@ -91,6 +91,7 @@ def test_elements_of_pin_and_roller_press_as_the_law_has_it(body, clearance, spa
         assert angle == pytest.approx(at.angle, abs=0.1 * at.angle if near > 0.01 else 0.01 * at.angle + 2e-3)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_without_clearance_the_arc_is_that_of_any_force():
     contact = law(PLANET, clearance=0.0)
     approaches, angles = zip(*(approach(contact, force) for force in (0.1, FORCE, 1e5)), strict=True)
@@ -107,10 +108,11 @@ def test_a_wide_plate_has_the_arc_of_the_closed_form():
 
 @pytest.mark.parametrize("clearance", [0.0, 1e-6, 50e-6])
 @pytest.mark.parametrize("force", [1e-3, 10.0, 1e4])
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_slopes_by_finite_differences(clearance, force):
     contact = law(PLANET, clearance=clearance)
     step = 3e-3 * force
-    forces = jnp.asarray([force - step, force, force + step])
+    forces = np.asarray([force - step, force, force + step])
     angle = jax.vmap(lambda f: contact.angle(f[None])[0])(forces)
     over = jax.vmap(lambda f, a: contact.approach(f[None], a[None])[0])(forces, angle)
     slopes = contact.slopes(forces[1:2], angle[1:2])
@@ -132,14 +134,14 @@ def test_derivatives_by_the_sizes_are_finite_and_those_of_the_root(clearance):
             shift=jnp.reshape(modes.shift, (1, 1)),
             scale=jnp.reshape(modes.scale, (1, 1)),
             wall=modes.wall[None, None],
-            pressed=jnp.ones((1, 1), dtype=bool),
+            pressed=np.ones((1, 1), dtype=bool),
             clearance=gap[None],
         )
-        force = jnp.array([FORCE])
+        force = np.array([FORCE])
         angle = contact.angle(force)
         return (contact.approach(force, angle) + 1e-9 * angle)[0]
 
-    at, gap, step = 13e-3, jnp.asarray(clearance), 1e-7
+    at, gap, step = 13e-3, np.asarray(clearance), 1e-7
     by_bore = jax.grad(moved)(at, gap)
     found = (moved(at + step, gap) - moved(at - step, gap)) / (2.0 * step)
     assert float(by_bore) == pytest.approx(float(found), rel=1e-5)
@@ -159,7 +161,7 @@ def test_tracks_give_way_beside_each_other():
     """
     wide = Annulus(13e-3, 26e-3, 6e-3, 206e9, 0.3, 0.0, 0.0, "outer", "plane_strain")
     both = law(PLANET, wide, clearance=0.0)
-    angle = both.angle(jnp.array([FORCE]))
+    angle = both.angle(np.array([FORCE]))
     each = [float(law(body, clearance=0.0).compliance(angle)[0]) for body in (PLANET, wide)]
     springs = 1.0 / sum(1.0 / compliance for compliance in each)
     assert springs <= float(both.compliance(angle)[0]) < 1.01 * springs
@@ -177,10 +179,10 @@ def test_a_pin_in_no_bore_gives_way_nowhere():
         shift=jnp.reshape(modes.shift, (1, 1)),
         scale=jnp.reshape(modes.scale, (1, 1)),
         wall=modes.wall[None, None],
-        pressed=jnp.zeros((1, 1), dtype=bool),
-        clearance=jnp.zeros(1),
+        pressed=np.zeros((1, 1), dtype=bool),
+        clearance=np.zeros(1),
     )
-    force = jnp.array([FORCE])
+    force = np.array([FORCE])
     angle = contact.angle(force)
     assert float(contact.approach(force, angle)[0]) == 0.0
     assert float(contact.slopes(force, angle).approach[0]) == 0.0

@@ -3,7 +3,6 @@
 import math
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.special import j0
@@ -23,14 +22,14 @@ from asperity.body.rim_moments import (
 def test_a_mode_is_weighted_with_both_bessel_functions(mode):
     """cos(n theta) becomes J0(n a) J0(n b) cos(n theta), the Fourier coefficients of two punches."""
     a, b, angle = 4e-3, 7e-3, 0.3
-    kernel = jnp.array([(-(mode**2.0)) ** k * math.cos(mode * angle) for k in range(MOMENTS)])
-    found = float(weighted_mean(kernel, jnp.asarray(a**2), jnp.asarray(b**2)))
+    kernel = np.array([(-(mode**2.0)) ** k * math.cos(mode * angle) for k in range(MOMENTS)])
+    found = float(weighted_mean(kernel, np.asarray(a**2), np.asarray(b**2)))
     assert found == pytest.approx(j0(mode * a) * j0(mode * b) * math.cos(mode * angle), rel=1e-9)
 
 
 def test_sectors_add_up():
-    angle, plus, minus = jnp.array([0.0, 0.4]), jnp.array([1.8, 1.0]), jnp.array([1.0, 1.8])
-    found = jax.jit(closed_kernel)(angle=angle, plus=plus, minus=minus, sectors=jnp.array([5.0, 3.0]))
+    angle, plus, minus = np.array([0.0, 0.4]), np.array([1.8, 1.0]), np.array([1.0, 1.8])
+    found = jax.jit(closed_kernel)(angle=angle, plus=plus, minus=minus, sectors=np.array([5.0, 3.0]))
     for place, sectors in ((0, 5), (1, 3)):
         turned = [angle[place] + 2.0 * math.pi * k / sectors for k in range(sectors)][
             1 if place == 0 else 0 :
@@ -46,10 +45,10 @@ def test_sectors_add_up():
 def test_derivatives_of_the_closed_sums_by_differences():
     def sums(angle):
         return closed_kernel(
-            angle=jnp.asarray([angle]),
-            plus=jnp.array([1.8]),
-            minus=jnp.array([1.0]),
-            sectors=jnp.array([1.0]),
+            angle=np.asarray([angle]),
+            plus=np.array([1.8]),
+            minus=np.array([1.0]),
+            sectors=np.array([1.0]),
         )
 
     step, here = 1e-2, sums(0.7)
@@ -69,11 +68,11 @@ def test_modes_of_the_far_rim_add_up(side, ratio, sectors):
     wall = Wall(side, ratio, 1.8, free, free)
     angle, alone = 0.5, sectors == 1.0
     found = other_rim(
-        wall=wall, angle=jnp.array([angle]), sectors=jnp.asarray(sectors), one_sector=np.array([alone])
+        wall=wall, angle=np.array([angle]), sectors=np.asarray(sectors), one_sector=np.array([alone])
     )
     first = 2.0 if alone else sectors
     modes = first + sectors * np.arange(400)
-    terms = added_compliance(mode=jnp.asarray(modes), decay=jnp.asarray((ratio**side) ** modes), wall=wall)
+    terms = added_compliance(mode=np.asarray(modes), decay=np.asarray((ratio**side) ** modes), wall=wall)
     for k in range(3):
         power = sectors * (-(modes**2)) ** k
         # without the translation of the mode 1, which belongs to a body of one sector

@@ -29,17 +29,17 @@ stresses = jax.jit(lambda body, loads: rim_stresses(body=body, loads=loads))
 def ring(wall, support=0.0, radius=1.0, length=1.0, state="plane_strain", shear_support=None):
     shear = support if shear_support is None else shear_support
     return Annulus(
-        radius, radius + wall, length, E, NU, jnp.asarray(support), jnp.asarray(shear), "inner", state
+        radius, radius + wall, length, E, NU, np.asarray(support), np.asarray(shear), "inner", state
     )
 
 
 def load(angles, radial, tangential, sectors, width=1e-4):
-    angles = jnp.asarray(angles)
+    angles = np.asarray(angles)
     return RimLoads(
         angles,
-        jnp.asarray(radial) * jnp.ones_like(angles),
-        jnp.asarray(tangential) * jnp.ones_like(angles),
-        width * jnp.ones_like(angles),
+        np.asarray(radial) * np.ones_like(angles),
+        np.asarray(tangential) * np.ones_like(angles),
+        width * np.ones_like(angles),
         sectors,
     )
 
@@ -53,6 +53,7 @@ def load(angles, radial, tangential, sectors, width=1e-4):
         (8.0, -0.06613, 0.03332),
     ],
 )
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_bending_of_a_thin_ring(count, at_load, midway):
     """M/PR as tabulated, with the axial force: mean and amplitude of the outer rim, whose extremes are these two."""
     wall, alpha = 0.025, math.pi / count
@@ -98,17 +99,17 @@ def test_sum_over_all_contacts(support, along):
     """The same as hoop_stress of all six contacts, whose sums are others, contact by contact."""
     apart, wall = math.radians(13.9248), 10e-3
     body = ring(wall, support, radius=40e-3, length=5e-3, shear_support=along)
-    radial, tangential = jnp.array([647.0, 449.0]), jnp.array([-27.0, -19.0])
+    radial, tangential = np.array([647.0, 449.0]), np.array([-27.0, -19.0])
     found = stresses(body, load([0.5 - apart, 0.5 + apart], radial, tangential, 3.0))
     grid = np.arange(POINTS) / POINTS * 2.0 * math.pi / 3.0
     branches = 2.0 * math.pi / 3.0 * np.arange(3)
     every = np.add.outer(branches, [0.5 - apart, 0.5 + apart]).ravel()
     by_sum = summed(
         body=body,
-        contact_angles=jnp.asarray(every),
+        contact_angles=np.asarray(every),
         radial_forces=jnp.tile(radial, 3),
         tangential_forces=jnp.tile(tangential, 3),
-        angle=jnp.asarray(grid),
+        angle=np.asarray(grid),
         mode_count=400,
     )
     beside = ~np.isnan(np.asarray(found.loaded_hoop[:POINTS]))
@@ -126,8 +127,8 @@ def test_sum_over_all_contacts(support, along):
 def test_one_body_between_three_contacts():
     """A hollow planet: sums of one sector, with its mode 1."""
     body = Annulus(6e-3, 13.5e-3, 5e-3, E, NU, 0.0, 0.0, "outer", "plane_strain")
-    angles = jnp.array([-0.5 * math.pi, 1.0981, 2.0435])
-    push, drag = jnp.array([-1001.0, -657.0, -465.0]), jnp.array([46.3, -27.1, -19.2])
+    angles = np.array([-0.5 * math.pi, 1.0981, 2.0435])
+    push, drag = np.array([-1001.0, -657.0, -465.0]), np.array([46.3, -27.1, -19.2])
     found = stresses(body, load(angles, push, drag, None))
     grid = np.arange(POINTS) / POINTS * 2.0 * math.pi
     by_sum = summed(
@@ -135,7 +136,7 @@ def test_one_body_between_three_contacts():
         contact_angles=angles,
         radial_forces=push,
         tangential_forces=drag,
-        angle=jnp.asarray(grid),
+        angle=np.asarray(grid),
         mode_count=80,
     )
     beside = ~np.isnan(np.asarray(found.loaded_hoop[:POINTS]))
@@ -153,7 +154,7 @@ def test_the_housing_takes_the_torque_and_every_sector_its_push():
     that of the loads and of the hoop forces in the two cuts."""
     apart, radius, wall, length = 0.24, 40e-3, 6e-3, 5e-3
     body = ring(wall, math.inf, radius=radius, length=length)
-    push, drag = jnp.array([600.0, 450.0]), jnp.array([-27.0, -19.0])
+    push, drag = np.array([600.0, 450.0]), np.array([-27.0, -19.0])
     found = stresses(body, load([-apart, apart], push, drag, 3.0))
     outer = radius + wall
     step = 2.0 * math.pi / 3.0 / POINTS * outer * length
@@ -194,7 +195,7 @@ def test_modes_left_out_are_a_ten_thousandth_of_the_stress_at_most(sectors, fine
     modes = sectors * np.arange(1, 12_000)[:, None]
     terms = modes**2 * (1.0 + walls) ** -modes
     share = terms[fineness * MODES :].sum(axis=0) / terms.sum(axis=0)
-    resolved = np.asarray(_resolved(wall_of(ring(walls)), jnp.asarray(sectors), fineness))
+    resolved = np.asarray(_resolved(wall_of(ring(walls)), np.asarray(sectors), fineness))
     assert share[resolved].max() == pytest.approx(1e-4, rel=0.3)
     assert resolved.sum() == np.argmin(resolved[::-1])  # all thicker ones
 

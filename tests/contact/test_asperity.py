@@ -3,7 +3,6 @@
 import math
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -28,7 +27,7 @@ BASES = ("majumdar_bhushan_1991", "circular_spot")
 
 
 def test_profile_is_the_cosine_of_equation_7():
-    height = asperity_height(position=jnp.array([0.0, 1e-6, 4e-6]), base_length=3e-6, **SURFACE)
+    height = asperity_height(position=np.array([0.0, 1e-6, 4e-6]), base_length=3e-6, **SURFACE)
     summit = 1e-11**0.4 * math.sqrt(math.log(1.5)) * 3e-6**0.6
     assert float(height[0]) == pytest.approx(summit, rel=1e-14)
     assert float(height[1]) == pytest.approx(summit / 2, rel=1e-12)  # cos 60 degrees
@@ -78,17 +77,18 @@ def test_spot_stiffnesses_are_those_of_a_circle_of_that_area():
 
 
 def test_slip_factor_values_and_limits():
-    share = jnp.array([0.0, 0.5, 1 - 1e-3, 1.0, 1.5])
+    share = np.array([0.0, 0.5, 1 - 1e-3, 1.0, 1.5])
     found = slip_factor(tangential_force=share * 120.0, normal_force=1000.0, friction_coefficient=0.12)
     np.testing.assert_allclose(found[:3], [1.0, 0.5 ** (1 / 3), 0.1], rtol=1e-12)
     assert found[3:].tolist() == [0.0, 0.0]
     assert float(slip_factor(tangential_force=0.0, normal_force=0.0, friction_coefficient=0.12)) == 0.0
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_slip_factor_derivative_is_exact_in_stick_and_zero_beyond():
     def factor(shear):
         return slip_factor(tangential_force=shear, normal_force=1000.0, friction_coefficient=0.12)
 
-    slope = jax.vmap(jax.grad(factor))(jnp.array([0.0, 60.0, 120.0, 500.0]))
+    slope = jax.vmap(jax.grad(factor))(np.array([0.0, 60.0, 120.0, 500.0]))
     np.testing.assert_allclose(slope[:2], [-1 / 360, -1 / 360 * 0.5 ** (-2 / 3)], rtol=1e-12)
     assert slope[2:].tolist() == [0.0, 0.0]

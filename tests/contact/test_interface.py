@@ -41,7 +41,7 @@ def test_friction_used_by_half_adds_the_logarithm_of_two():
 
 
 def test_gradient_is_finite_where_a_spring_is_gone():
-    slope = jax.grad(lambda k: jnp.sum(series_stiffness(k, jnp.array([0.0, 1e8]))))(jnp.zeros(2))
+    slope = jax.grad(lambda k: jnp.sum(series_stiffness(k, np.array([0.0, 1e8]))))(np.zeros(2))
     assert bool(jnp.all(jnp.isfinite(slope)))
 
 
@@ -95,8 +95,9 @@ def test_partial_slip_softens_the_bodies_as_by_boundary_elements(strip):
     np.testing.assert_allclose(ours, expected, rtol=2e-3)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_from_gross_slip_on_the_bodies_carry_nothing_and_slopes_stay_finite(strip):
-    forces = jnp.array([0.999, 1.0, 1.5]) * MU * LOAD
+    forces = np.array([0.999, 1.0, 1.5]) * MU * LOAD
     assert float(bodies(strip, forces)[0]) > 0.0
     np.testing.assert_array_equal(bodies(strip, forces)[1:], 0.0)
     slope = jax.grad(lambda force: jnp.sum(bodies(strip, force)))(forces)
@@ -109,9 +110,9 @@ def test_a_contact_that_carries_nothing_has_no_stiffness_and_finite_slopes():
             normal_compliance=compliance,
             logarithmic_compliance=1e-9,
             normal_force=normal,
-            tangential_force=jnp.zeros(()),
+            tangential_force=np.zeros(()),
             friction_coefficient=MU,
         )
 
-    assert float(stiffness(jnp.zeros(()), jnp.asarray(jnp.inf))) == 0.0
-    assert all(map(jnp.isfinite, jax.grad(stiffness, argnums=(0, 1))(jnp.zeros(()), jnp.asarray(jnp.inf))))
+    assert float(stiffness(np.zeros(()), np.asarray(np.inf))) == 0.0
+    assert all(map(jnp.isfinite, jax.grad(stiffness, argnums=(0, 1))(np.zeros(()), np.asarray(np.inf))))

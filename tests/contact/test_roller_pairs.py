@@ -46,7 +46,7 @@ def test_the_peak_of_the_paper_with_either_sense_of_the_tangential_force():
         pairs=pairs(),
         contact_factor=factor,
         normal_force=1000.0,
-        tangential_force=jnp.array([0.0, 87.5, -87.5]),
+        tangential_force=np.array([0.0, 87.5, -87.5]),
     ).tangential_stiffness
     np.testing.assert_allclose(stiffness, [2.825e12, 1.4125e12, 1.4125e12], rtol=2e-4)
 
@@ -54,7 +54,7 @@ def test_the_peak_of_the_paper_with_either_sense_of_the_tangential_force():
 def test_each_row_uses_its_own_model():
     printed, unity = CONTACT_FACTOR_MODELS.index("printed"), CONTACT_FACTOR_MODELS.index("unity")
     found = numbered_contact_factors(
-        pairs=pairs(), model_number=jnp.array([printed, unity, printed, 7]), normal_force=jnp.full(4, 1000.0)
+        pairs=pairs(), model_number=np.array([printed, unity, printed, 7]), normal_force=np.full(4, 1000.0)
     )
     expected = float(contact_factors(pairs=pairs(), model="printed", normal_force=1000.0))
     np.testing.assert_allclose(found[:3], [expected, 1.0, expected], rtol=1e-15)

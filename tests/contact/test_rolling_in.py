@@ -158,6 +158,7 @@ def test_rolling_starts_at_half_the_creepage_and_ends_at_the_whole():
     assert np.all(slopes > 0.0)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_units_signs_and_gross_slip():
     one = rolling_in_shift(rolled_distance=0.7, half_width=1.0, slip_ratio=0.3, creepage=1.0)
     other = rolling_in_shift(rolled_distance=0.7e-4, half_width=1e-4, slip_ratio=-0.3, creepage=-1.0)
@@ -289,6 +290,7 @@ def test_an_elastic_layer_changes_little(rolled, q, stroke):
 
 
 @pytest.mark.parametrize("q", [0.2, 0.5, 0.8])
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_nothing_comes_back_on_reversal(rolled, q):
     """After steady rolling the drift pauses for about a half-width, and goes on in the same direction."""
     shift = rolled(np.r_[np.ones(175, int), -np.ones(175, int)], q)
@@ -326,6 +328,7 @@ def test_share_is_continuous_and_between_nothing_and_all():
     assert np.abs(np.diff(across)).max() < 2e-3
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_gross_slip_drifts_as_in_steady_rolling():
     for q in (1.0, -1.5):
         assert float(swing_drift_share(stroke=1e-6, half_width=1e-4, slip_ratio=q)) == 1.0

@@ -58,6 +58,7 @@ def test_lateral_compliance_is_antiplane_shear():
     assert float(found) == pytest.approx(shear / plane, rel=1e-12)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_one_direction_alone_is_carter():
     share = jnp.linspace(-1.0, 1.0, 41)
     xi = creepage(slip_ratio=share, gross_slip_creepage=LIMITS["gross_slip_creepage"])
@@ -137,6 +138,7 @@ def independent_share(force, lateral):
     ("force", "lateral"),
     [(0.5, 0.2), (0.9, 0.4), (0.05, 0.98), (0.999, 1e-6), (0.3, 1.5), (0.95, 0.6), (1e-9, 0.5), (0.99, 0.05)],
 )
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_longitudinal_creepage_against_bisection(force, lateral):
     """Partial slip and, from |zeta| = 1 on, sliding: the creepage that carries the force."""
     found = skewed_contact(
@@ -166,6 +168,7 @@ def test_forces_come_back_everywhere():
     assert float(jnp.max(found.slip_ratio)) <= 1.0 + 1e-12
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_no_creepage_carries_all_friction_lengthwise_with_skew():
     found = skewed_contact(
         longitudinal_slip_ratio=jnp.array([1.0, 1.3, -1.3]), lateral_creepage=1e-3, **LIMITS

@@ -71,6 +71,7 @@ def test_pressure_and_full_slip_are_flamant_summed(across, down):
 
 @pytest.mark.parametrize("share", [0.6, -0.3, 1.0, 0.0])
 @pytest.mark.parametrize(("across", "down"), [(0.35, 0.45), (-0.8, 0.3)])
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_partial_slip_is_flamant_summed_over_carters_traction(share, across, down):
     x, z = across * A, down * A
     contact = {"half_width": A, "peak_pressure": P0, "friction_coefficient": MU, "slip_ratio": share}
@@ -83,6 +84,7 @@ def test_partial_slip_is_flamant_summed_over_carters_traction(share, across, dow
     np.testing.assert_allclose(components(found), flamant(x, z, ellipse, carter, A, kink), atol=1e3)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_surface_carries_pressure_and_traction():
     """At z = 0: sigma_z = -p, tau_xz = -q; inside sigma_x = -p - 2 mu p0 x/a; outside no pressure and no traction."""
     across = jnp.array([-1.5, -1.0, -0.9, 0.0, 0.4, 1.0, 3.0])
@@ -128,6 +130,7 @@ def test_equilibrium_and_compatibility():
     np.testing.assert_allclose(bend[:, 0, 0] + bend[:, 1, 1], 0.0, atol=1e-9)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_axis_and_orthogonal_shear_of_johnson():
     """On the axis tau_1 = p0 (s - s^2/sqrt(1+s^2)); the largest tau_xz is p0/4 at x = -+0.866 a, z = 0.5 a."""
     depth = jnp.linspace(0.0, 3.0, 31) * A

@@ -3,7 +3,6 @@
 import math
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -45,7 +44,7 @@ def johnson(force):
 def springs_at(force):
     step = 1e-4 * force
     incremental = (johnson(force + step) - johnson(force - step)) / (2.0 * step)
-    return NormalSprings(jnp.array(johnson(force) / force), jnp.array(incremental))
+    return NormalSprings(np.array(johnson(force) / force), np.array(incremental))
 
 
 @pytest.mark.parametrize("force", [1.0, 200.0, 1000.0, 5000.0])
@@ -73,6 +72,7 @@ def test_the_steepest_compliance_is_that_of_a_contact_about_to_lift():
         assert slope < steepest
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_slopes_and_bends_of_the_compression_by_finite_differences():
     spring = springs_at(1000.0)
 

@@ -19,7 +19,7 @@ from asperity.drive.wedge.geometry import CONTACT_NAMES, DriveGeometry
 
 PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 #: Seven rigid springs hold the three centres of a branch in six ways: nearly rigid ones have forces of their own.
-RIGID = jnp.full(5, 1e18)
+RIGID = np.full(5, 1e18)
 TILTED = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.2, -0.1)
 
 
@@ -34,7 +34,7 @@ def _solved(geometry, normal, tangential, pin):
 
 
 def solve(geometry, normal, tangential, pin=0.0):
-    return _solved(geometry, jnp.asarray(normal), jnp.asarray(tangential), jnp.asarray(pin))
+    return _solved(geometry, np.asarray(normal), np.asarray(tangential), np.asarray(pin))
 
 
 def shares(found):
@@ -77,7 +77,7 @@ def test_agrees_with_the_dense_assembly_of_all_branches(dense_assembly, pin, geo
 
 
 def test_rigid_normal_springs_and_pins_give_the_published_series():
-    tangential = jnp.array([1e8, 2e8, 2e8, 3e8, 3e8])  # both sides alike, as in (A7)
+    tangential = np.array([1e8, 2e8, 2e8, 3e8, 3e8])  # both sides alike, as in (A7)
     ours = solve(PAPER, RIGID, tangential)
     series = series_torsional_stiffness(geometry=PAPER, tangential_stiffness=tangential)
     assert float(ours.output) == pytest.approx(float(series.output), rel=1e-8)
@@ -85,7 +85,7 @@ def test_rigid_normal_springs_and_pins_give_the_published_series():
 
 def test_rigid_normal_springs_put_each_side_in_series_first():
     """With unlike sides the machine is not (28), (29): a roller cannot pass one side's force to the other."""
-    sp, pwr, pwl, wro, wlo = tangential = jnp.array([1e8, 2e8, 1e8, 3e8, 0.5e8])
+    sp, pwr, pwl, wro, wlo = tangential = np.array([1e8, 2e8, 1e8, 3e8, 0.5e8])
     sides = 1.0 / (1.0 / pwr + 1.0 / wro) + 1.0 / (1.0 / pwl + 1.0 / wlo)
     expected = 81.0 * 3.0 * 4e-3**2 / (1.0 / sp + 1.0 / sides)
     ours = solve(PAPER, RIGID, tangential)
@@ -95,7 +95,7 @@ def test_rigid_normal_springs_put_each_side_in_series_first():
 @pytest.mark.parametrize("closure", [Closure(), Closure(equal_coefficients=EQUAL_COEFFICIENTS)])
 def test_with_held_centres_rollers_turn_alike_only_by_the_papers_closure(closure):
     """Each side in series first, as above; (28) and (29) add both contacts of a planet, and both of the ring, first."""
-    sp, pwr, pwl, wro, wlo = tangential = jnp.array([1e8, 2e8, 1e8, 3e8, 0.5e8])
+    sp, pwr, pwl, wro, wlo = tangential = np.array([1e8, 2e8, 1e8, 3e8, 0.5e8])
     one_by_one = 1.0 / (1.0 / pwr + 1.0 / wro) + 1.0 / (1.0 / pwl + 1.0 / wlo)
     alike = 1.0 / (1.0 / (pwr + pwl) + 1.0 / (wro + wlo))
     sides = alike if closure.equal_coefficients else one_by_one
@@ -110,20 +110,20 @@ def test_with_held_centres_rollers_turn_alike_only_by_the_papers_closure(closure
 
 def test_very_stiff_springs_are_as_good_as_rigid_ones():
     """Pins of 1e15 N/mm made the assembly 3.9 % stiffer than rigid ones when rigid meant a share of the stiffest."""
-    normal, tangential = jnp.full(5, 1e8), jnp.full(5, 2e8)
+    normal, tangential = np.full(5, 1e8), np.full(5, 2e8)
     rigid, stiff = (float(solve(PAPER, normal, tangential, pin).output) for pin in (0.0, 1e-18))
     assert stiff == pytest.approx(rigid, rel=1e-8)
 
 
 @pytest.mark.slow
 def test_coupled_contacts_have_a_share_each():
-    normal, tangential = jnp.full(5, 1e8), jnp.full(5, 2e8)
+    normal, tangential = np.full(5, 1e8), np.full(5, 2e8)
     plain = solve(PAPER, normal, tangential)
     coupled = network_stiffness(
         drive=wedge_drive(PAPER, planet_count=3),
         normal_compliance=1.0 / normal,
         tangential_compliance=1.0 / tangential,
-        coupling=jnp.zeros((10, 10)).at[1, 6].set(1e-10).at[6, 1].set(1e-10),
+        coupling=np.zeros((10, 10)).at[1, 6].set(1e-10).at[6, 1].set(1e-10),
     )
     assert shares(coupled) == pytest.approx(1.0, abs=1e-9)
     assert float(coupled.output) != pytest.approx(float(plain.output), rel=1e-4)

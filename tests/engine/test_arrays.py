@@ -57,6 +57,7 @@ def test_a_function_of_known_numbers_is_that_of_numpy(given):
     assert np.all(found == expected)
 
 
+@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_an_array_of_jax_among_the_arguments_decides():
     one, two = jnp.ones(2), np.full(2, 2.0)
     for found in (

@@ -21,6 +21,7 @@ def system(count, *, several=None):
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 17])
+@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_systems_and_their_derivatives(count):
     matrix, right = system(count)
     change, moved = np.random.default_rng(7).normal(size=(count, count)), np.cos(np.arange(count))
@@ -34,6 +35,7 @@ def test_systems_and_their_derivatives(count):
     np.testing.assert_allclose(back, np.linalg.solve(matrix.T, 2.0 * expected), rtol=1e-9)
 
 
+@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_the_derivatives_are_those_of_the_linear_function():
     """(1 + p) A x = b, eliminated by a matrix that is taken for constant: x' = -x/(1 + p)."""
     matrix, right = system(3)
@@ -49,6 +51,7 @@ def test_the_derivatives_are_those_of_the_linear_function():
     np.testing.assert_allclose(back, np.linalg.inv(1.25 * matrix)[1], rtol=1e-12)
 
 
+@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_the_largest_pivot_is_taken_and_a_singular_system_has_no_number():
     """With the first pivot, 1e-20, the first unknown would be lost to rounding."""
     matrices = jnp.array([[[1e-20, 1.0], [1.0, 1.0]], [[1.0, 1.0], [1.0, 1.0]]])
@@ -67,6 +70,7 @@ def test_a_batch_needs_no_lapack():
 
 
 @pytest.mark.parametrize("count", [1, 2, 6])
+@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_one_system_and_a_batch_in_a_step_of_an_iteration(count):
     matrices, right = map(jnp.array, system(count, several=70))
     expected = np.linalg.solve(matrices, right[..., None])[..., 0]

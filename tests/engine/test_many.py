@@ -122,7 +122,7 @@ CASES = {
         ("m", lambda m, x: [x.astype(int), (x > 0.0).astype(float)]),
         ("b", lambda m, x: [~x, x & True, False | x]),
         ("r", lambda m, x: [np.array(len(x)), x * x.ndim, x * x.size, x * x.shape[0], x.astype(x.dtype)]),
-        ("m", lambda m, x: [row * k for k, row in enumerate(x)]),
+        ("r", lambda m, x: [row * k for k, row in enumerate(x)]),
     ],
     "where": [
         ("b m v", of("where")),

@@ -61,7 +61,7 @@ def planet_by_elements(joint, clearance, force):
     steel, bore, radius, length = joint.materials[1], 0.5 * joint.shapes[1].size, 20e-3, 10e-3
     elastic = steel.youngs_modulus, steel.poisson_ratio
     body = Annulus(bore, radius, length, *elastic, 0.0, 0.0, "outer", "plane_strain")
-    modes = bore_modes(body=body, contact_angles=jnp.array([0.0, math.pi]), push_angle=0.5 * math.pi)
+    modes = bore_modes(body=body, contact_angles=np.array([0.0, math.pi]), push_angle=0.5 * math.pi)
     kolosov, modulus = 3.0 - 4.0 * elastic[1], elastic[0] / (2.0 * (1.0 + elastic[1]))
     added = 0.5 * math.pi * (kolosov + 1.0) * np.asarray(modes.wall)
     first = float(modes.shift) * 2.0 * math.pi * modulus * length - 0.25 * (kolosov - 1.0)
@@ -129,14 +129,14 @@ def test_the_drive_winds_up_as_its_assembly_gives_way(hollow, clearance, torque)
     """What pins add to the slope of the wind-up of the standing drive, they add to its incremental compliance."""
 
     def turned(joint, at):
-        _, states = laws_and_states(dataclasses.replace(joint, output_torque=jnp.asarray(at)))
+        _, states = laws_and_states(dataclasses.replace(joint, output_torque=np.asarray(at)))
         return states.standing.rotation[joint.drive.members.index(joint.drive.output)]
 
     turned = jax.jit(turned)
     bare, _, pinned = hollow
     step, compliances = 0.01 * torque, []
     for joint in (bare, dataclasses.replace(pinned, pin_clearance=clearance)):
-        numbers = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
+        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
         more, less = (float(turned(numbers, torque + side * step)) for side in (1.0, -1.0))
         at = solve_joint(dataclasses.replace(joint, output_torque=torque))
         compliances.append((abs(more - less) / (2.0 * step), 1.0 / stiffness(at)))
@@ -190,15 +190,15 @@ def test_friction_of_pins_needs_no_bore(planar_joint):
 def test_derivatives_by_the_clearance(planar_joint, clearance):
     """Of the stiffness and the wind-up, by finite differences; from one side where there is no clearance."""
     joint = planar_joint("planetary_hollow", {"[model]": FITTING})
-    numbers = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
 
     def found(gap):
         result = evaluate(dataclasses.replace(numbers, pin_clearance=gap))
         return jnp.log(result.assembly.stiffness.output), result.forces.normal[0]
 
-    slopes = jax.jit(lambda gap: jax.jvp(found, (gap,), (jnp.ones_like(gap),)))
+    slopes = jax.jit(lambda gap: jax.jvp(found, (gap,), (np.ones_like(gap),)))
     step = 1e-8 if clearance else 1e-10
-    (at, slope), (more, after) = slopes(jnp.asarray(clearance)), slopes(jnp.asarray(clearance + step))
+    (at, slope), (more, after) = slopes(np.asarray(clearance)), slopes(np.asarray(clearance + step))
     for one, other, first, last in zip(at, more, slope, after, strict=True):
         assert float(other - one) / step == pytest.approx(0.5 * float(first + last), rel=1e-4)
         assert float(first) < 0.0
@@ -238,16 +238,16 @@ def test_tracks_of_a_stepped_planet_give_way_beside_each_other(planar_joint):
         for radius in sorted({float(radius) for radius in np.asarray(joint.drive.second_radius)[:1]}
                              | {float(radius) for radius in np.asarray(joint.drive.first_radius)[1:]})
     ]  # fmt: skip
-    pressed = jnp.ones((1, 2), dtype=bool)
-    modes = [bore_modes(body=body, contact_angles=jnp.zeros(1), push_angle=0.0) for body in each]
+    pressed = np.ones((1, 2), dtype=bool)
+    modes = [bore_modes(body=body, contact_angles=np.zeros(1), push_angle=0.0) for body in each]
     parts = {
-        name: jnp.stack([jnp.asarray(getattr(of, name)) for of in modes])[None]
+        name: np.stack([np.asarray(getattr(of, name)) for of in modes])[None]
         for name in ("shift", "scale", "wall")
     }
-    both = pin_contact(**parts, pressed=pressed, clearance=jnp.zeros(1))
+    both = pin_contact(**parts, pressed=pressed, clearance=np.zeros(1))
     bores = pins_in_bores(joint)
-    own = 1.0 / float(both.compliance(both.angle(jnp.ones(1)))[0])
-    found = bore_stiffness(joint, jnp.array([100.0]), jnp.array([1e3, 1e3, 1e3]))
+    own = 1.0 / float(both.compliance(both.angle(np.ones(1)))[0])
+    found = bore_stiffness(joint, np.array([100.0]), np.array([1e3, 1e3, 1e3]))
     assert float(found[0]) == pytest.approx(own, rel=1e-12)
     assert not np.any(np.asarray(bores.along_normal))
 

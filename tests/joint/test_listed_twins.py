@@ -244,6 +244,7 @@ ALL_ON_PINS, WITHOUT_PINS = ("planetary", "stepped_planet"), "planet_support_sti
 
 @pytest.mark.parametrize("features", FEATURES)
 @pytest.mark.parametrize("name", BORES)
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_a_drive_and_its_listed_twin_are_one_joint(planar_case, name, features):
     """The same numbers and choices, of which all that is computed follows."""
     values = si_values(planar_case(name))

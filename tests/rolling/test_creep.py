@@ -3,7 +3,6 @@
 import math
 from types import SimpleNamespace
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -31,15 +30,15 @@ def creep(paper_joint, monkeypatch):
 
     def of(stiffness, skew=None, slip_ratio=0.4, crown=None):
         crowned = {} if crown is None else {"drive__planet_crown_radius": 1.0 / crown}
-        given = SimpleNamespace(layer_stiffness=None if stiffness is None else jnp.full(5, stiffness))
+        given = SimpleNamespace(layer_stiffness=None if stiffness is None else np.full(5, stiffness))
         with monkeypatch.context() as patch:
             if stiffness is not None:
                 patch.setattr("asperity.rolling.creep.rough_joint_contacts", lambda **forces: given)
             return contact_creep(
                 contacts=joint_contacts(paper_joint(**crowned)),
                 skew=skew,
-                normal_force=jnp.asarray(NORMAL),
-                tangential_force=jnp.asarray(slip_ratio * FRICTION * NORMAL),
+                normal_force=np.asarray(NORMAL),
+                tangential_force=np.asarray(slip_ratio * FRICTION * NORMAL),
             )
 
     return of
@@ -75,8 +74,8 @@ def test_the_law_is_finite_at_rest_and_beyond_friction(creep, skew):
 def test_stiffness_of_the_contact_law_where_none_is_given(creep, paper_joint):
     rough = rough_joint_contacts(
         contacts=joint_contacts(paper_joint()),
-        normal_force=jnp.asarray(NORMAL),
-        tangential_force=jnp.zeros(5),
+        normal_force=np.asarray(NORMAL),
+        tangential_force=np.zeros(5),
     )
     found = creep(None)
     np.testing.assert_allclose(
@@ -92,7 +91,7 @@ def test_skew_adds_creep_and_takes_friction(creep):
     """Small angles: friction acts along the creepage's direction, so that the axial force grows in proportion."""
     stiff = {"friction_coefficient": FRICTION, "width_over_radius": WIDTH / RADIUS}
     parallel = creep(1e20)
-    along = 0.4 * jnp.asarray(CARTER)
+    along = 0.4 * np.asarray(CARTER)
     np.testing.assert_array_equal(lateral_slip_ratio(creep=parallel, creepage=along, **stiff), 0.0)
     np.testing.assert_array_equal(capacity_loss(creep=parallel, **stiff), 0.0)
     little, twice = (creep(1e20, skew=(angle,)) for angle in (1e-6, 2e-6))
@@ -155,7 +154,7 @@ def test_across_alone_the_layer_is_that_of_the_axial_force(creep):
 
         axial = brentq(too_much, 1e-3, 0.999)
         limits = {"friction_coefficient": FRICTION, "width_over_radius": width / FRICTION}
-        got = lateral_slip_ratio(creep=found, creepage=jnp.zeros(5), **limits)[contact]
+        got = lateral_slip_ratio(creep=found, creepage=np.zeros(5), **limits)[contact]
         assert axial > 0.3
         assert float(got) == pytest.approx(axial, abs=5e-4)  # the law repeats its factors three times
 
@@ -177,7 +176,7 @@ def test_what_skew_takes_by_its_own_formulas(creep, crown):
     length = np.hypot(0.3, zeta)
     turned = zeta * ratio ** (length / (4.0 - 2.0 * length))
     expected = (1.0 - (1.0 - length) ** 2) * turned / np.hypot(0.3, turned)
-    lateral = lateral_slip_ratio(creep=found, creepage=jnp.asarray(along), **given)
+    lateral = lateral_slip_ratio(creep=found, creepage=np.asarray(along), **given)
     np.testing.assert_allclose(lateral, expected, rtol=1e-9)
 
 
@@ -187,7 +186,7 @@ def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
     found = creep(1.0, crown=crown)  # the asperities of every slice are those of its load
     joint = paper_joint(drive__planet_crown_radius=1.0 / crown)
     contacts = joint_contacts(joint)
-    lines = contacts.loads_along(jnp.asarray(NORMAL))
+    lines = contacts.loads_along(np.asarray(NORMAL))
     load = np.asarray(lines.line_load * lines.length_share) * LENGTH
     limit = FRICTION * np.asarray(lines.half_width) / RADIUS
     for place in range(5):
@@ -204,8 +203,8 @@ def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
         pairs=contacts.pairs,
         model=contacts.contact_factor_model,
         lines=lines,
-        normal_force=jnp.asarray(NORMAL),
-        tangential_force=jnp.zeros(5),
+        normal_force=np.asarray(NORMAL),
+        tangential_force=np.zeros(5),
     ).layer_stiffness[0]
     for place in (3, 4):
         even = creep(float(rough[place])).layer_factor[place]

@@ -2,7 +2,6 @@
 
 from typing import NamedTuple
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -35,22 +34,22 @@ class Rolled(NamedTuple):
 
 
 def conditions(*loads, reliability=0.9):
-    points = tuple(DutyPoint(*map(jnp.asarray, load)) for load in loads)
+    points = tuple(DutyPoint(*map(np.asarray, load)) for load in loads)
     return RollingConditions(**(vars(PLAIN_ROLLING) | {"duty": points, "reliability": reliability}))
 
 
 def rolled(torque, speed):
     """Ten tracks alike, a stress cycle by each contact in a turn of the output, at a tenth of the sun's speed."""
     carrier = speed / 10.0
-    cycles = CYCLES / torque**3 * jnp.ones((2, 5))
-    hours = _drive(cycles) / (carrier / (2.0 * jnp.pi)) / 3600.0
+    cycles = CYCLES / torque**3 * np.ones((2, 5))
+    hours = _drive(cycles) / (carrier / (2.0 * np.pi)) / 3600.0
     return Rolled(
         cycles=cycles,
-        cycles_per_turn=jnp.ones((2, 5)),
+        cycles_per_turn=np.ones((2, 5)),
         output_speed=carrier,
         life_hours=Lives(hours),
-        shakedown_ratio=torque * jnp.array([0.1, 0.3, 0.2, 0.1, 0.1]),
-        slip_ratio=torque * jnp.array([0.2, 0.1, 0.2, 0.4, 0.1]),
+        shakedown_ratio=torque * np.array([0.1, 0.3, 0.2, 0.1, 0.1]),
+        slip_ratio=torque * np.array([0.2, 0.1, 0.2, 0.4, 0.1]),
     )
 
 

@@ -89,6 +89,7 @@ def test_a_torque_that_drives_less_than_the_losses_leaves_nothing():
     assert float(budget(output_torque=-2.0 * losses / CARRIER).efficiency) == pytest.approx(0.5, rel=1e-9)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_the_oil_drags_by_biboulet_and_houperts_force():
     """In full; nothing where nothing rolls."""
     pairs = SimpleNamespace(

@@ -4,7 +4,6 @@ import dataclasses
 import math
 from types import SimpleNamespace
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -18,13 +17,13 @@ from asperity.rolling.surface import flash_temperatures, mean_half_width, oil_fi
 STEEL = Material(206e9, 0.3, 7800.0, 450e6, 1260e6, thermal_conductivity=46.0, specific_heat_capacity=460.0)
 CERAMIC = Material(307e9, 0.26, 3200.0, 4e9, 14.7e9, thermal_conductivity=30.0, specific_heat_capacity=750.0)
 UNKNOWN = Material(206e9, 0.3, 7800.0, 450e6, 1260e6)
-EACH = jnp.ones(5)
+EACH = np.ones(5)
 #: Sun and planet, planet and loading rollers, loading rollers and ring.
 CONTACT_BODIES = ((0, 1), (1, 2), (1, 2), (2, 3), (2, 3))
 
 
 def rises(bodies, *, power=EACH * 20.0, speed=2.0, stuck=EACH * 0.5):
-    speeds = RollingSpeeds(EACH * speed * 1.001, EACH * speed, EACH, jnp.asarray(1.0))
+    speeds = RollingSpeeds(EACH * speed * 1.001, EACH * speed, EACH, np.asarray(1.0))
     found = flash_temperatures(
         materials=[(bodies[one], bodies[two]) for one, two in CONTACT_BODIES],
         friction_power=power,
@@ -96,8 +95,8 @@ LENGTH, MODULUS, YIELD = 5e-3, 206e9 / (2.0 * 0.91), 450e6
 def strips(paper_joint):
     return lambda traction: rolling_strips(
         contacts=joint_contacts(paper_joint()),
-        normal_force=jnp.asarray(NORMAL),
-        traction=jnp.asarray(traction),
+        normal_force=np.asarray(NORMAL),
+        traction=np.asarray(traction),
     )
 
 
@@ -140,7 +139,7 @@ def crowned_pairs(crowned_contacts):
 @pytest.fixture(scope="module")
 def crowned(crowned_contacts):
     return lambda traction: rolling_strips(
-        contacts=crowned_contacts, normal_force=jnp.asarray(NORMAL), traction=jnp.asarray(traction)
+        contacts=crowned_contacts, normal_force=np.asarray(NORMAL), traction=np.asarray(traction)
     )
 
 
@@ -172,7 +171,7 @@ def test_slices_of_a_crowned_contact_creep_alike(strips, crowned, crowned_pairs)
     assert np.all(peak[:3] > 1.1)
     np.testing.assert_allclose(found.middle_power_ratio, middle / little * peak, rtol=1e-4)
     np.testing.assert_allclose(crowned(np.zeros(5)).middle_power_ratio, peak, rtol=1e-9)
-    mean = mean_half_width(pairs=crowned_pairs, lines=lines, normal_force=jnp.asarray(NORMAL))
+    mean = mean_half_width(pairs=crowned_pairs, lines=lines, normal_force=np.asarray(NORMAL))
     np.testing.assert_allclose(mean, np.sum(load * width, axis=0) / NORMAL, rtol=1e-12)
     # pressure grows as the width; without traction p_0 may reach the same limit everywhere
     np.testing.assert_allclose(found.shakedown_ratio / even.shakedown_ratio, np.sqrt(peak), rtol=1e-4)

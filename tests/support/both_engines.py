@@ -103,8 +103,8 @@ class Engines:
     def check_slope(self, name: str) -> None:
         """Equal slopes, finite at the same places."""
         function, numbers, scale = self._formulas[name]
-        _, slope = value_and_slope(function, (numbers,), (direction(numbers),))
-        assert_alike(slope, self._of_jax(name)[1], SLOPE_TOLERANCE, scale=scale, kinds=False)
+        value, slope = value_and_slope(function, (numbers,), (direction(numbers),))
+        assert_alike(slope, self._of_jax(name)[1], SLOPE_TOLERANCE, scale=scale, beside=value, kinds=False)
 
     def _of_jax(self, name: str) -> tuple[Any, Any]:
         """The value within a program, and its slope there; what kept the formula out of it is raised."""
@@ -143,37 +143,45 @@ def assert_alike(
     theirs: Any,
     tolerance: float,
     *,
-    kinds: bool = True,
     scale: Scale = np.max,
+    beside: Any = None,
+    kinds: bool = True,
     skip: Iterable[str] = (),
 ) -> None:
     """Two trees of numbers with the same structure, and the same numbers but for rounding.
 
-    ``scale`` as of :class:`Formula`. ``kinds``: whether nan and both infinities are told apart. Places with one of the
-    names in ``skip`` are not compared.
+    ``scale`` as of :class:`Formula`, also of the arrays ``beside`` them in a tree of this structure: what is 0 but for
+    rounding, as the slope of a number that does not change, is known as well as these. ``kinds``: whether nan and both
+    infinities are told apart. Places with one of the names in ``skip`` are not compared.
     """
     ours_by_place, ours_structure = jax.tree_util.tree_flatten_with_path(ours)
     theirs_by_place, theirs_structure = jax.tree_util.tree_flatten_with_path(theirs)
     assert ours_structure == theirs_structure
-    for (place, one), (_, other) in zip(ours_by_place, theirs_by_place, strict=True):
+    others = [None] * len(ours_by_place) if beside is None else jax.tree.leaves(beside)
+    for (place, one), (_, other), next_to in zip(ours_by_place, theirs_by_place, others, strict=True):
         name = jax.tree_util.keystr(place)
-        if not any(part in name for part in skip):
-            _assert_alike(name, np.asarray(one), np.asarray(other), tolerance, kinds=kinds, scale=scale)
+        if any(part in name for part in skip):
+            continue
+        a, b = np.asarray(one), np.asarray(other)
+        assert a.shape == b.shape, name
+        if a.dtype.kind in "biu":
+            np.testing.assert_array_equal(a, b, err_msg=name)
+            continue
+        finite = np.isfinite(a) & np.isfinite(b)
+        of_kind = np.asarray if kinds else np.isfinite
+        np.testing.assert_array_equal(of_kind(a)[~finite], of_kind(b)[~finite], err_msg=name)
+        _assert_close(name, a[finite], b[finite], tolerance, scale, next_to)
 
 
-def _assert_alike(
-    name: str, ours: np.ndarray, theirs: np.ndarray, tolerance: float, *, kinds: bool, scale: Scale
+def _assert_close(
+    name: str, ours: np.ndarray, theirs: np.ndarray, tolerance: float, scale: Scale, beside: Any
 ) -> None:
-    assert ours.shape == theirs.shape, name
-    if ours.dtype.kind in "biu":
-        np.testing.assert_array_equal(ours, theirs, err_msg=name)
+    if not ours.size:
         return
-    finite = np.isfinite(ours) & np.isfinite(theirs)
-    of_kind = np.asarray if kinds else np.isfinite
-    np.testing.assert_array_equal(of_kind(ours)[~finite], of_kind(theirs)[~finite], err_msg=name)
-    a, b = ours[finite], theirs[finite]
-    if not a.size:
-        return
-    excess = np.abs(a - b) - tolerance * np.maximum(np.abs(b), scale(np.abs(b)))
+    size = scale(np.abs(theirs))
+    if beside is not None:
+        known = np.abs(np.asarray(beside, dtype=float))
+        size = max(size, scale(known[np.isfinite(known)])) if np.isfinite(known).any() else size
+    excess = np.abs(ours - theirs) - tolerance * np.maximum(np.abs(theirs), size)
     worst = np.argmax(excess)
-    assert excess[worst] <= 0.0, f"{name}: NumPy {a[worst]!r}, JAX {b[worst]!r}"
+    assert excess[worst] <= 0.0, f"{name}: NumPy {ours[worst]!r}, JAX {theirs[worst]!r}"

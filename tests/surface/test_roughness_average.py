@@ -95,6 +95,7 @@ def test_mean_square_of_the_profile_of_equation_6():
     assert closed * math.sqrt(math.pi / 2.0) == pytest.approx(math.sqrt(0.5 * np.sum(passed**2)), rel=0.01)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_derivatives_are_exact():
     def g(d, ra):
         return fractal_roughness_from_average(roughness_average=ra, cut_off=0.8e-3, fractal_dimension=d)

@@ -37,6 +37,7 @@ def test_profile_is_equation_6_summed_by_hand():
     np.testing.assert_allclose(profile(x, phases, -2), expected, atol=1e-12 * np.abs(expected).max())
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_gradient_in_dimension_agrees_with_finite_differences():
     phases = np.linspace(0.1, 6, 12)
     x = np.array([0.3e-3])

@@ -19,10 +19,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax import Array
+
+from asperity.engine.module import Module
 
 Response = Callable[[Array], Array]
 #: Newton or bisection steps for the common shift; a dozen are usual.
@@ -31,7 +32,7 @@ _SHIFT_STEPS = 200
 _Shift = tuple[Array, Array, Array, Array, Array, Array]
 
 
-class BoundedSolution(eqx.Module):
+class BoundedSolution(Module):
     """Last iterate; the caller must check whether it is a solution.
 
     Traction t [Pa] and displacement u = A t [m]; ``shift``, common misfit u - b where t lies between its bounds [m],

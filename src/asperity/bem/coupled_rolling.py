@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import equinox as eqx
 import jax.numpy as jnp
 from jax.typing import ArrayLike
 
@@ -11,15 +10,16 @@ from asperity.bem.free_half_space import FreeHalfSpace
 from asperity.bem.half_space import field_on_grid
 from asperity.bem.normal_contact import NormalContact, normal_contact
 from asperity.bem.steady_rolling import SteadyRolling, steady_rolling
+from asperity.engine.module import Module, static
 from asperity.errors import NoSolutionError
 
 
-class CoupledSteadyRolling(eqx.Module):
+class CoupledSteadyRolling(Module):
     """Steady rolling with its pressure: both states, each under the other's, after so many alternating solutions."""
 
     rolling: SteadyRolling
     contact: NormalContact
-    alternations: int = eqx.field(static=True)
+    alternations: int = static()
 
 
 def coupled_steady_rolling(

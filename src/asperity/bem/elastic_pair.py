@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import math
 
-import equinox as eqx
-from jax import Array
-
+from asperity.engine.module import Module
 from asperity.errors import InputError
 from asperity.materials import contact_modulus, shear_modulus
 from asperity.types import Real
 
 
-class ElasticPair(eqx.Module):
+class ElasticPair(Module):
     r"""Elastic constants of two half-spaces with a common surface, SI units.
 
     A wave of pressure, or of shear traction along the wave, of wavenumber q moves the two surfaces relative
@@ -41,9 +39,9 @@ class ElasticPair(eqx.Module):
     K. L. Johnson, Contact Mechanics, 1985, sections 3.6 and 5.4. J. Dundurs, J. Appl. Mech. 36 (1969) 650.
     """
 
-    contact_modulus: Array | float
-    antiplane_modulus: Array | float
-    dundurs_constant: Array | float
+    contact_modulus: Real
+    antiplane_modulus: Real
+    dundurs_constant: Real
 
     @property
     def poisson_ratio(self) -> Real:

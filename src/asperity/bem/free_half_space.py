@@ -6,13 +6,12 @@ import functools
 import math
 from collections.abc import Callable
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax import Array
 
 from asperity.bem.elastic_pair import ElasticPair, positive
-from asperity.bem.half_space import HalfSpace, filtered, grid, mixed, wavenumber_magnitude
+from asperity.bem.half_space import HalfSpace, Operators, filtered, grid, mixed, wavenumber_magnitude
 from asperity.errors import InputError
 from asperity.precision import require_double_precision
 
@@ -59,6 +58,23 @@ def _window_inverse(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array
     return pair.contact_modulus / 2.0 * jnp.maximum(q, 0.5 * lowest)
 
 
+def _free_operators(
+    pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array, reference_distance: float | None
+) -> Operators:
+    if len(shape) == 2:
+        if reference_distance is not None:
+            raise InputError("reference_distance is for a strip; with two axes the reference is infinity")
+        normal, shear = _surface_operators(pair, shape, pixel_size)
+    else:
+        if reference_distance is None:
+            raise InputError(
+                "a strip (one axis) needs reference_distance [m]; the displacement of a strip is unbounded"
+            )
+        far = jnp.asarray(positive("reference_distance", reference_distance, "m"))
+        normal, shear = _strip_operators(pair, shape, pixel_size, far)
+    return Operators(normal, shear, _window_inverse(pair, shape, pixel_size))
+
+
 class FreeHalfSpace(HalfSpace):
     """Half-spaces of a pair that carry traction only inside the grid's window and are free elsewhere.
 
@@ -76,36 +92,21 @@ class FreeHalfSpace(HalfSpace):
     S. Liu, Q. Wang and G. Liu, Wear 243 (2000) 101.
     """
 
-    pair: ElasticPair
-    shape: tuple[int, ...] = eqx.field(static=True)
-    pixel_size: Array
-    _normal: Array
-    _shear: Array
-    _inverse: Array
-
     def __init__(
         self,
         pair: ElasticPair,
         *,
         shape: tuple[int, ...],
-        pixel_size: tuple[float, ...],
+        pixel_size: tuple[float, ...] | Array,
         reference_distance: float | None = None,
+        _operators: Operators | None = None,
     ) -> None:
-        require_double_precision()
-        self.shape, self.pixel_size = grid(shape, pixel_size)
-        self.pair = jax.tree.map(jnp.asarray, pair)
-        self._inverse = _window_inverse(self.pair, self.shape, self.pixel_size)
-        if len(self.shape) == 2:
-            if reference_distance is not None:
-                raise InputError("reference_distance is for a strip; with two axes the reference is infinity")
-            self._normal, self._shear = _surface_operators(self.pair, self.shape, self.pixel_size)
-        else:
-            if reference_distance is None:
-                raise InputError(
-                    "a strip (one axis) needs reference_distance [m]; the displacement of a strip is unbounded"
-                )
-            far = jnp.asarray(positive("reference_distance", reference_distance, "m"))
-            self._normal, self._shear = _strip_operators(self.pair, self.shape, self.pixel_size, far)
+        if _operators is None:  # JAX makes copies with all fields
+            require_double_precision()
+            pair = jax.tree.map(jnp.asarray, pair)
+            shape, pixel_size = grid(shape, pixel_size)
+            _operators = _free_operators(pair, shape, pixel_size, reference_distance)
+        vars(self).update(pair=pair, shape=shape, pixel_size=pixel_size, _operators=_operators)
 
     @property
     def periodic(self) -> bool:
@@ -118,26 +119,27 @@ class FreeHalfSpace(HalfSpace):
 
     def normal_displacement(self, pressure: Array) -> Array:
         """See :class:`~asperity.bem.half_space.HalfSpace`."""
-        return self._convolved(pressure, self._normal)
+        return self._convolved(pressure, self._operators.normal)
 
     def shear_displacement(self, traction: Array) -> Array:
         """See :class:`~asperity.bem.half_space.HalfSpace`."""
-        return mixed(traction, self._shear, tuple(2 * n for n in self.shape))
+        return mixed(traction, self._operators.shear, tuple(2 * n for n in self.shape))
 
     def aligned_shear_displacement(self, traction: Array, axis: int) -> Array:
         """See :class:`~asperity.bem.half_space.HalfSpace`."""
-        return self._convolved(traction, self._shear[axis])
+        return self._convolved(traction, self._operators.shear[axis])
 
     def traction_estimate(self, displacement: Array) -> Array:
         """See :class:`~asperity.bem.half_space.HalfSpace`."""
-        return filtered(displacement, self._inverse)
+        return filtered(displacement, self._operators.estimate)
 
     def layered_traction_estimate(self, displacement: Array, layer_compliance: Array) -> Array:
         """Traction [Pa] that gives roughly this displacement [m] with a layer [m/Pa] on the surface."""
         covered, softest = layer_compliance > 0.0, jnp.max(layer_compliance)
         typical = jnp.min(jnp.where(covered, layer_compliance, softest))
         weight = jnp.sqrt(jnp.where(covered, typical / jnp.where(covered, layer_compliance, 1.0), 1.0))
-        return weight * filtered(weight * displacement, self._inverse / (1.0 + typical * self._inverse))
+        inverse = self._operators.estimate
+        return weight * filtered(weight * displacement, inverse / (1.0 + typical * inverse))
 
     def coupled_displacement(self, traction: Array) -> Array:
         r"""Displacement [m] across a strip under pressure [Pa]; minus the normal one under shear across it.

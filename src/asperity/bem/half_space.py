@@ -13,8 +13,8 @@ import abc
 import functools
 import itertools
 import math
+from typing import NamedTuple
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -22,6 +22,7 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.bem.elastic_pair import ElasticPair, positive
+from asperity.engine.module import Module, static
 from asperity.errors import InputError
 from asperity.precision import require_double_precision
 
@@ -65,12 +66,21 @@ def wavenumbers(shape: tuple[int, ...], pixel_size: Array) -> list[Array]:
     return q
 
 
-class HalfSpace(eqx.Module):
+class Operators(NamedTuple):
+    """Symbols of the normal and the shear response [m/Pa], and what estimates a traction [Pa/m]."""
+
+    normal: Array
+    shear: Array
+    estimate: Array
+
+
+class HalfSpace(Module, abc.ABC):
     """Linear elastic surface: traction to displacement, and its approximate inverse."""
 
-    pair: eqx.AbstractVar[ElasticPair]
-    shape: eqx.AbstractVar[tuple[int, ...]]
-    pixel_size: eqx.AbstractVar[Array]
+    pair: ElasticPair
+    shape: tuple[int, ...] = static()
+    pixel_size: Array
+    _operators: Operators
 
     @property
     @abc.abstractmethod
@@ -171,10 +181,8 @@ def weighted_neighbours(field: Array, weights: Array) -> Array:
 
 
 @functools.partial(jax.jit, static_argnames="shape")
-def _periodic_operators(
-    pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array
-) -> tuple[Array, Array, Array]:
-    return (
+def _periodic_operators(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array) -> Operators:
+    return Operators(
         normal_symbol(pair, wavenumber_magnitude(shape, pixel_size)),
         shear_symbols(pair, wavenumbers(shape, pixel_size), shape),
         pair.contact_modulus / 2.0 * nearest_neighbour_weights(shape, pixel_size),
@@ -194,19 +202,20 @@ class PeriodicHalfSpace(HalfSpace):
     H. M. Stanley and T. Kato, J. Tribol. 119 (1997) 481; K. L. Johnson, Contact Mechanics, 1985, section 13.2.
     """
 
-    pair: ElasticPair
-    shape: tuple[int, ...] = eqx.field(static=True)
-    pixel_size: Array
-    _normal: Array
-    _shear: Array
-    _neighbours: Array
-
-    def __init__(self, pair: ElasticPair, *, shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> None:
-        require_double_precision()
-        self.shape, self.pixel_size = grid(shape, pixel_size)
-        self.pair = jax.tree.map(jnp.asarray, pair)
-        operators = _periodic_operators(self.pair, self.shape, self.pixel_size)
-        self._normal, self._shear, self._neighbours = operators
+    def __init__(
+        self,
+        pair: ElasticPair,
+        *,
+        shape: tuple[int, ...],
+        pixel_size: tuple[float, ...] | Array,
+        _operators: Operators | None = None,
+    ) -> None:
+        if _operators is None:  # JAX makes copies with all fields
+            require_double_precision()
+            pair = jax.tree.map(jnp.asarray, pair)
+            shape, pixel_size = grid(shape, pixel_size)
+            _operators = _periodic_operators(pair, shape, pixel_size)
+        vars(self).update(pair=pair, shape=shape, pixel_size=pixel_size, _operators=_operators)
 
     @property
     def periodic(self) -> bool:
@@ -215,19 +224,19 @@ class PeriodicHalfSpace(HalfSpace):
 
     def normal_displacement(self, pressure: Array) -> Array:
         """See :class:`HalfSpace`."""
-        return filtered(pressure, self._normal)
+        return filtered(pressure, self._operators.normal)
 
     def shear_displacement(self, traction: Array) -> Array:
         """See :class:`HalfSpace`."""
-        return mixed(traction, self._shear, self.shape)
+        return mixed(traction, self._operators.shear, self.shape)
 
     def aligned_shear_displacement(self, traction: Array, axis: int) -> Array:
         """See :class:`HalfSpace`."""
-        return filtered(traction, self._shear[axis])
+        return filtered(traction, self._operators.shear[axis])
 
     def traction_estimate(self, displacement: Array) -> Array:
         """See :class:`HalfSpace`."""
-        return weighted_neighbours(displacement, self._neighbours)
+        return weighted_neighbours(displacement, self._operators.estimate)
 
 
 def field_on_grid(name: str, field: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
@@ -252,7 +261,7 @@ def pressure_on_grid(pressure: ArrayLike, shape: tuple[int, ...]) -> np.ndarray:
     return p
 
 
-def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> tuple[tuple[int, ...], Array]:
+def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...] | Array) -> tuple[tuple[int, ...], Array]:
     """Points and spacing [m] of a grid of one axis (a strip, plane strain) or two; an ``InputError`` for any other."""
     points = tuple(int(n) for n in shape)
     spacing = tuple(positive("pixel_size", d, "m") for d in pixel_size)

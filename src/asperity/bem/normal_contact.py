@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import equinox as eqx
+import jax
 import jax.numpy as jnp
 from jax import Array
 from jax.typing import ArrayLike
@@ -10,13 +10,14 @@ from jax.typing import ArrayLike
 from asperity.bem.bounded_problem import BoundedSolution, bounded_solution
 from asperity.bem.elastic_pair import positive
 from asperity.bem.half_space import HalfSpace, field_on_grid
+from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 
 #: Largest relative difference between the sum of the pressure and the load that is accepted.
 _LOAD_TOLERANCE = 1e-9
 
 
-class NormalContact(eqx.Module):
+class NormalContact(Module):
     """A converged normal contact; fields of the shape of the grid, all else scalars, SI units.
 
     ``pressure`` [Pa] is exactly zero outside the contact; ``displacement`` of the surface [m], normal, both bodies
@@ -51,7 +52,7 @@ def pressure_weighted_displacement(pressure: Array, displacement: Array) -> Arra
     return jnp.sum(pressure * displacement) / jnp.sum(pressure)
 
 
-@eqx.filter_jit
+@jax.jit
 def _solved(
     half_space: HalfSpace,
     heights: Array,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import equinox as eqx
+import functools
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -14,6 +15,7 @@ from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace
 from asperity.bem.half_space import HalfSpace, pressure_on_grid
 from asperity.bem.normal_contact import pressure_weighted_displacement, refuse_unconverged
+from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 
 #: Largest difference between the sum of the traction and the prescribed force, over the sliding force, that
@@ -21,7 +23,7 @@ from asperity.errors import InputError, NoSolutionError
 _FORCE_TOLERANCE = 1e-9
 
 
-class PartialSlip(eqx.Module):
+class PartialSlip(Module):
     r"""A converged history of shear, one entry per step, of fields shape (steps, \*grid); SI units.
 
     ``tangential_force`` [N; N/m on a strip]; rigid tangential ``displacement`` of the bodies [m], zero at the start;
@@ -45,7 +47,7 @@ class PartialSlip(eqx.Module):
     load_balance_error: Array
 
 
-@eqx.filter_jit
+@functools.partial(jax.jit, static_argnames=("force_driven", "axis"))
 def shear_history(
     half_space: HalfSpace,
     cap: Array,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -15,6 +15,7 @@ from asperity.bem.elastic_pair import positive
 from asperity.bem.free_half_space import FreeHalfSpace, strip_integral
 from asperity.bem.half_space import pressure_on_grid
 from asperity.bem.transient_rolling import layer_on_grid
+from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 
 #: Largest misfit, relative to the largest traction bound, at which Newton's method ends.
@@ -24,7 +25,7 @@ _TOLERANCE = 1e-11
 _FRICTION_FACTORS = (np.ones(1), 2.0 ** np.arange(16.0, -1.0, -1.0))
 
 
-class SteadyRolling(eqx.Module):
+class SteadyRolling(Module):
     """A converged state of steady rolling; SI units, first component in the rolling direction, second across.
 
     ``creepage``: growth of the rigid displacement per distance rolled, shape (2,) [-]; ``tangential_force`` per length
@@ -57,7 +58,7 @@ def _transport(half_space: FreeHalfSpace, layer: Array, axes: tuple[int, ...]) -
     return jnp.stack([compliance[axis] * elastic + local for axis in axes])
 
 
-@eqx.filter_jit
+@functools.partial(jax.jit, static_argnames="axes")
 def _newton(
     half_space: FreeHalfSpace,
     cap: Array,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax import Array
@@ -12,6 +12,7 @@ from jax.typing import ArrayLike
 
 from asperity.bem.elastic_pair import positive
 from asperity.bem.half_space import HalfSpace
+from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 
 Response = Callable[[Array], Array]
@@ -19,7 +20,7 @@ Response = Callable[[Array], Array]
 _Linear = tuple[Array, Array, Array, Array, Array, Array]
 
 
-class ContactStiffness(eqx.Module):
+class ContactStiffness(Module):
     r"""Force per rigid displacement of a contact area of constant size without slip; SI units.
 
     ``stiffness``: force along the displacement over the displacement, and ``cross_stiffness``: that along the other
@@ -74,7 +75,7 @@ def conjugate_gradients(
     return t, k, slope / work
 
 
-@eqx.filter_jit
+@functools.partial(jax.jit, static_argnames="axis")
 def _rate(
     half_space: HalfSpace, mask: Array, axis: int | None, tolerance: Array, max_iterations: Array
 ) -> tuple[Array, Array, Array]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
@@ -11,10 +10,11 @@ from jax.typing import ArrayLike
 from asperity.bem.free_half_space import FreeHalfSpace
 from asperity.bem.half_space import field_on_grid
 from asperity.bem.partial_slip import PartialSlip, solved_shear
+from asperity.engine.module import Module
 from asperity.errors import InputError
 
 
-class TransientRolling(eqx.Module):
+class TransientRolling(Module):
     """A converged history of rolling, one entry per step; SI units.
 
     ``rolled_distance`` along the first axis since the start [m]; ``creepage``: growth of the rigid displacement over

@@ -106,20 +106,26 @@ def _choosing(of_numpy: Callable[..., Any], library: str, name: str) -> Callable
     of_own: dict[type[OwnNumber], Callable[..., Any]] = {}
 
     def function(*arguments: Any, **options: Any) -> Any:
+        own: Any = None
         for argument in arguments:
-            if type(argument) not in _PLAIN:
+            kind: Any = type(argument)
+            if kind in _PLAIN:
+                continue
+            if kind not in of_own:
                 break
+            if own is None or kind.rank > own.rank:
+                own = kind
         else:
             if not options:
-                return of_numpy(*arguments)
-        kind = _kind((*arguments, *options.values()) if options else arguments)
-        if kind is None:
+                return of_numpy(*arguments) if own is None else of_own[own](*arguments)
+        own = _kind((*arguments, *options.values()) if options else arguments)
+        if own is None:
             return of_numpy(*arguments, **options)
-        if isinstance(kind, str):
+        if own == "jax":
             return getattr(importlib.import_module(library), name)(*arguments, **options)
-        if kind not in of_own:
-            of_own[kind] = kind.function(name)
-        return of_own[kind](*arguments, **options)
+        if own not in of_own:
+            of_own[own] = own.function(name)
+        return of_own[own](*arguments, **options)
 
     return function
 

@@ -284,8 +284,10 @@ def _function(name: str) -> Callable[..., Any]:
 def _elementwise(function: Any, given: tuple[Any, ...]) -> Any:
     if len(given) == 2:
         return _operation(function, *given)
-    ndim = max(map(_ndim, given))
-    return Many(function(*(_aligned(one, ndim) for one in given)))
+    ndim = 0
+    for one in given:
+        ndim = max(ndim, _ndim(one))
+    return Many(function(*[_aligned(one, ndim) for one in given]))
 
 
 def one_by_one(

@@ -32,6 +32,7 @@ def test_what_cannot_close_keeps_a_gap(drives):
     assert float(jnp.max(jnp.abs(gaps(found)))) > 1e-4
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_radii_that_cannot_close_leave_no_more_than_what_is_missing(drives):
     """A sun 2 mm too small: planet and rollers reach 1 mm less far than the ring, and no gap is larger."""
     drive = drives["wedge"]

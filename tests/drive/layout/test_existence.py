@@ -33,6 +33,7 @@ def test_bodies_that_do_not_touch_are_named(drives):
 
 
 @pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_room_is_judged_as_it_is_refused(drives, compiled):
     drive = drives["planetary"]
     apart = dataclasses.replace(drive, second_radius=jnp.asarray(drive.second_radius).at[1].add(1e-4))
@@ -107,6 +108,7 @@ def test_contacts_that_block_each_other(drives):
         refuse_impossible(locked)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_a_cage_that_nothing_carries_is_no_freedom(drives):
     """Planets on the ring and the sun alone, held by no pin: the carrier has no say in their speeds."""
     drive = drives["planetary"]

@@ -9,7 +9,7 @@ from pins_in_bores import pins, random_bores
 from asperity.body.conforming_pin import SHARED, pressure_shares
 from asperity.drive.state.bores import TURNOVER, Bores, by_amplitude
 
-FORCE = jnp.array([70.0, -40.0])
+FORCE = np.array([70.0, -40.0])
 
 
 @pytest.mark.slow
@@ -17,11 +17,11 @@ FORCE = jnp.array([70.0, -40.0])
 def test_displacements_are_slopes_of_the_energy(clearance):
     """The energy by the shares of the modes: even ones press outward whatever the sign of the force."""
     random = np.random.default_rng(1)
-    along_n, along_t = (jnp.asarray(random.uniform(-1.0, 1.0, (3, 2))) for _ in range(2))
-    rim_n, rim_t = (jnp.asarray(random.uniform(-1.0, 1.0, (3, 2, SHARED.size))) for _ in range(2))
+    along_n, along_t = (np.asarray(random.uniform(-1.0, 1.0, (3, 2))) for _ in range(2))
+    rim_n, rim_t = (np.asarray(random.uniform(-1.0, 1.0, (3, 2, SHARED.size))) for _ in range(2))
     contact = pins(2, clearance)
     bores = Bores(along_n, along_t, by_amplitude(rim_n), by_amplitude(rim_t), contact)
-    normal, rest, tangential = (jnp.asarray(random.uniform(-1.0, 1.0, 3)) for _ in range(3))
+    normal, rest, tangential = (np.asarray(random.uniform(-1.0, 1.0, 3)) for _ in range(3))
     odd = SHARED % 2 == 1
 
     def energy(force, normal, tangential):
@@ -43,11 +43,12 @@ def test_displacements_are_slopes_of_the_energy(clearance):
 
 @pytest.mark.parametrize("clearance", [0.0, 2e-6])
 @pytest.mark.parametrize("force", [70.0, -40.0, 0.1, 0.0])
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_slopes_by_finite_differences(clearance, force):
     """Also where a pin changes sides, a ten-thousandth of the largest force."""
     largest, step = 1000.0, 2e-4 * max(abs(force), 0.1)
     bores = random_bores(np.random.default_rng(2), contacts=3, count=1, clearance=clearance, size=1e-9)
-    less, at, more = (bores.under(jnp.array([force + side * step]), largest) for side in (-1.0, 0.0, 1.0))
+    less, at, more = (bores.under(np.array([force + side * step]), largest) for side in (-1.0, 0.0, 1.0))
     for found, low, high in (
         (at.slope, less.amplitude, more.amplitude),
         (at.curvature, less.slope, more.slope),
@@ -55,25 +56,26 @@ def test_slopes_by_finite_differences(clearance, force):
     ):
         expected = (np.asarray(high) - np.asarray(low)) / (2.0 * step)
         np.testing.assert_allclose(found, expected, rtol=1e-5, atol=1e-5 * abs(expected).max())
-    change, tangential = jnp.array([1.0, -2.0, 0.5]), jnp.array([0.3, 2.0, 1.0])
+    change, tangential = np.array([1.0, -2.0, 0.5]), np.array([0.3, 2.0, 1.0])
     ends = [bores.pin_moved(each, change, change, tangential) for each in (less, more)]
     slope = bores.pin_slope(at, change, tangential)
     np.testing.assert_allclose(slope, (ends[1] - ends[0]) / (2.0 * step), rtol=1e-4)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_a_pin_changes_sides_smoothly():
     """Without a force it presses neither side; three forces of its scale away it presses one, by the hypotenuse."""
     bores, small = (
         random_bores(np.random.default_rng(3), contacts=1, count=1, clearance=0.0, size=1e-9),
         TURNOVER,
     )
-    uniform = float(pressure_shares(arc=jnp.sin(0.5 * bores.contact.angle(jnp.ones(1))) ** 2)[0, 0])
+    uniform = float(pressure_shares(arc=jnp.sin(0.5 * bores.contact.angle(np.ones(1))) ** 2)[0, 0])
     for force, size, side in (
         (0.0, 0.0, 0.0),
         (3.0 * small, (10.0**0.5 - 1.0) * small, 3.0 / 10.0**0.5),
         (-4.0 * small, (17.0**0.5 - 1.0) * small, -4.0 / 17.0**0.5),
         (2.0, 2.0 - small, 1.0),
     ):
-        pressed = bores.under(jnp.array([force]), 1.0)
+        pressed = bores.under(np.array([force]), 1.0)
         assert float(pressed.amplitude[0, 0]) == pytest.approx(-uniform * size, rel=1e-6, abs=1e-15)
         assert float(pressed.slope[0, 0]) == pytest.approx(-uniform * side, rel=1e-6, abs=1e-12)

@@ -2,7 +2,6 @@
 
 import dataclasses
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 from pins_in_bores import pins
@@ -37,13 +36,13 @@ REFERENCE, LENGTH = 500.0, 6e-9 * 500.0
 
 @pytest.fixture(scope="module")
 def machine(drives):
-    linear = jnp.array([ONE, TWO])
+    linear = np.array([ONE, TWO])
     laws = ContactLaws(
         springs=NormalSprings(linear, linear),
-        reference_force=jnp.full(2, REFERENCE),
-        creep=CreepLaw(jnp.full(2, FRICTION), jnp.full(2, SCALE)),
+        reference_force=np.full(2, REFERENCE),
+        creep=CreepLaw(np.full(2, FRICTION), np.full(2, SCALE)),
     )
-    return machine_of(drives["planetary"], laws, jnp.array([0.0, 1.0]))
+    return machine_of(drives["planetary"], laws, np.array([0.0, 1.0]))
 
 
 @pytest.fixture(scope="module")
@@ -54,19 +53,19 @@ def state(machine):
         kind, *, tangential=0.0, torque=0.0, turn=(0.0, 0.0), interference=(ONE + TWO) * NORMAL, force=None
     ):
         unknowns = Unknowns(
-            normal=jnp.full(2, NORMAL / REFERENCE),
-            tangential=jnp.array([1.0, -1.0]) * tangential / (FRICTION * REFERENCE),
-            pin=jnp.array([-2.0 * tangential / REFERENCE]),
-            displacement=jnp.array([0.0, -ONE * NORMAL]) / LENGTH,
-            turn=jnp.asarray(turn),
-            interference=jnp.array([interference]) / LENGTH,
+            normal=np.full(2, NORMAL / REFERENCE),
+            tangential=np.array([1.0, -1.0]) * tangential / (FRICTION * REFERENCE),
+            pin=np.array([-2.0 * tangential / REFERENCE]),
+            displacement=np.array([0.0, -ONE * NORMAL]) / LENGTH,
+            turn=np.asarray(turn),
+            interference=np.array([interference]) / LENGTH,
         )
         drive = machine.drive
-        load = DriveLoad(jnp.asarray(torque), force)
-        task = Task(kind, jnp.asarray(interference), load, no_displacement(drive), no_force(drive))
+        load = DriveLoad(np.asarray(torque), force)
+        task = Task(kind, np.asarray(interference), load, no_displacement(drive), no_force(drive))
         if kind == STANDING:  # slip counts from the assembled drive
             task = task._replace(origin=unknowns.displacement * LENGTH)
-        found = known_state(machine, task, unknowns, jnp.zeros(2), pressed_sectors=0)
+        found = known_state(machine, task, unknowns, np.zeros(2), pressed_sectors=0)
         return state_of(machine, task, found)
 
     return of
@@ -145,7 +144,7 @@ def test_a_wrong_torque_is_a_residual_of_its_size(state):
 
 def test_a_force_without_balance_is_a_residual_of_its_size(state):
     """5 N on the planet over the largest force."""
-    found = state(ASSEMBLED, force=jnp.array([[3.0, -5.0]]))
+    found = state(ASSEMBLED, force=np.array([[3.0, -5.0]]))
     assert float(found.worst) == pytest.approx(5.0 / REFERENCE, rel=1e-9)
 
 
@@ -155,18 +154,19 @@ def test_members_that_do_not_follow_their_slip_are_a_residual_of_its_size(state)
     assert float(found.worst) == pytest.approx(TWO * TANGENTIAL / LENGTH, rel=1e-9)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_a_pin_in_its_bore_moves_the_contacts(machine):
     """By their compliances times its force, the slip by what the torque has added to it."""
     normal, tangential = np.array([[2e-9], [-1e-9]]), np.array([[3e-9], [5e-9]])
-    none = by_amplitude(jnp.zeros((2, 1, SHARED.size)))
-    bores = Bores(jnp.asarray(normal), jnp.asarray(tangential), none, none, pins(1, 0.0))
+    none = by_amplitude(np.zeros((2, 1, SHARED.size)))
+    bores = Bores(np.asarray(normal), np.asarray(tangential), none, none, pins(1, 0.0))
     pressed = machine._replace(laws=dataclasses.replace(machine.laws, bores=bores))
     pin, before = -100.0, -30.0
-    x = assembled_guess(machine)._replace(pin=jnp.array([pin / REFERENCE]))
-    load = DriveLoad(jnp.zeros(()))
-    task = Task(STANDING, jnp.asarray(1e-6), load, jnp.zeros(2), jnp.array([before]), jnp.full(2, REFERENCE))
+    x = assembled_guess(machine)._replace(pin=np.array([pin / REFERENCE]))
+    load = DriveLoad(np.zeros(()))
+    task = Task(STANDING, np.asarray(1e-6), load, np.zeros(2), np.array([before]), np.full(2, REFERENCE))
     responses = contact_responses(machine, task, *contact_forces(machine, x))
-    bare, bored = (state_misfits(each, task, 0, jnp.zeros(2), x, responses) for each in (machine, pressed))
+    bare, bored = (state_misfits(each, task, 0, np.zeros(2), x, responses) for each in (machine, pressed))
     np.testing.assert_allclose(
         bored.all.normal - bare.all.normal, normal[:, 0] * pin / LENGTH, rtol=1e-6, atol=1e-15
     )
@@ -183,11 +183,11 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
     planet, carrier = rolling_speeds()
     turn = (planet + 0.25, carrier - 1.0 / 6.0) if kind == ROLLING else (0.0, 0.0)
     known = state(kind, tangential=TANGENTIAL if kind == ROLLING else 0.0, torque=TORQUE, turn=turn)
-    again = started_from(machine, known, jnp.asarray((ONE + TWO) * NORMAL))
+    again = started_from(machine, known, np.asarray((ONE + TWO) * NORMAL))
     task = Task(
-        kind, jnp.asarray((ONE + TWO) * NORMAL), DriveLoad(jnp.asarray(TORQUE)), jnp.zeros(2), jnp.zeros(0)
+        kind, np.asarray((ONE + TWO) * NORMAL), DriveLoad(np.asarray(TORQUE)), np.zeros(2), np.zeros(0)
     )
-    found = known_state(machine, task, again, jnp.zeros(2), pressed_sectors=0)
+    found = known_state(machine, task, again, np.zeros(2), pressed_sectors=0)
     for one, two in zip(
         dataclasses.astuple(known),
         dataclasses.astuple(state_of(machine, task, found)),
@@ -201,8 +201,8 @@ def test_a_preload_or_an_interference_is_found_again(machine, pressed_sectors, s
     """Both make 700 N at both contacts of the planet."""
     task = Task(
         ASSEMBLED,
-        jnp.asarray(size),
-        DriveLoad(jnp.zeros(())),
+        np.asarray(size),
+        DriveLoad(np.zeros(())),
         no_displacement(machine.drive),
         no_force(machine.drive),
     )

@@ -16,18 +16,21 @@ def cubic(limit):
 
 
 @pytest.mark.parametrize("guess", [1e-3, 1.0, 7.0, 7.5, 1e6])
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_the_first_limit_is_found_from_any_guess(guess):
     found = first_limit(excesses=cubic(7.0), first_guess=guess)
     assert float(found.value) == pytest.approx(7.0, rel=1e-12)
     assert int(found.which) == 0
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_a_batch_finds_each_its_own():
     limits = jnp.array([0.3, 7.0, 2e5])
     found = first_limit(excesses=cubic(limits), first_guess=jnp.ones(3))
     np.testing.assert_allclose(found.value, limits, rtol=1e-12)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_no_limit_and_a_limit_at_once():
     never = first_limit(excesses=lambda x: jnp.stack([-1.0 / (1.0 + x)]), first_guess=1.0)
     at_once = first_limit(excesses=lambda x: jnp.stack([x - 5.0, 1.0 + x]), first_guess=1.0)
@@ -35,6 +38,7 @@ def test_no_limit_and_a_limit_at_once():
     assert (float(at_once.value), int(at_once.which)) == (0.0, 1)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_the_derivative_is_implicit():
     slope = jax.grad(lambda limit: first_limit(excesses=cubic(limit), first_guess=1.0).value)(7.0)
     assert float(slope) == pytest.approx(1.0, rel=1e-9)

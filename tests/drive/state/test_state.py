@@ -43,6 +43,7 @@ def test_slip_is_the_integral_of_the_incremental_compliance(share):
     assert float(found[0]) == pytest.approx(LIMIT * float(weights @ compliance), rel=1e-8)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_beyond_999_thousandths_the_tangent_goes_on():
     """The slope there is the incremental compliance at 0.999 of friction, bodies and asperities."""
 

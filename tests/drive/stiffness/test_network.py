@@ -25,6 +25,7 @@ def planetary():
     return planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=COUNT)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_planetary_by_hand(planetary):
     """The carrier turns by the slips of both contacts over twice the orbit, and by its pins over the orbit."""
     tangential = jnp.array([2e-9, 3e-9])
@@ -74,6 +75,7 @@ def test_stepped_planets_by_virtual_work():
     assert 1.0 / float(found.output) == pytest.approx(3.0 * float(forces**2 @ compliance), rel=1e-9)
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_the_bearing_of_a_floating_sun_has_its_share(planetary):
     """The share of a spring is k dC/dk over -C; unlike sectors push the sun into its bearing."""
     drive = unfolded(planetary, sectors=COUNT, floating=("sun",))

@@ -67,6 +67,7 @@ def test_at_the_floors_one_contact_carries_nothing(branch):
     np.testing.assert_array_equal(held, np.maximum(S, planet))
 
 
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_slopes_by_finite_differences(branch):
     def normal_sum(load_sum, sun_force):
         return sum(branch_forces(branch, load_sum, sun_force).normal)

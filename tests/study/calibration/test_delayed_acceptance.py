@@ -69,9 +69,9 @@ class State(NamedTuple):
 
 
 def test_chains_that_reject_keep_their_state_but_not_their_random_numbers():
-    old = State(jnp.array([1, 2]), jnp.array([7, 7]), {"a": jnp.zeros((2, 3)), "b": jnp.zeros(2)})
-    new = State(jnp.array([3, 4]), jnp.array([8, 8]), {"a": jnp.ones((2, 3)), "b": jnp.ones(2)})
-    found = _chosen(jnp.array([True, False]), new, old)
+    old = State(np.array([1, 2]), np.array([7, 7]), {"a": np.zeros((2, 3)), "b": np.zeros(2)})
+    new = State(np.array([3, 4]), np.array([8, 8]), {"a": np.ones((2, 3)), "b": np.ones(2)})
+    found = _chosen(np.array([True, False]), new, old)
     assert (found.rng_key.tolist(), found.i.tolist()) == ([3, 4], [8, 8])
     assert found.z["a"].tolist() == [[1.0] * 3, [0.0] * 3]
     assert found.z["b"].tolist() == [1.0, 0.0]
@@ -111,6 +111,7 @@ def test_exact_draws_stay_exact(chains, monkeypatch):
 
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
+@pytest.mark.programs("derivatives by JAX, one operation after the other")
 def test_nuts_moves_in_log_odds_from_where_the_chains_begin(chains, monkeypatch):
     """The density of the free coordinates is the surrogate's of u times du/d(free), u (1 - u) for each odds."""
     import numpyro.infer

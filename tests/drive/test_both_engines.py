@@ -1,0 +1,400 @@
+"""The formulas of drives by NumPy and within a program of JAX: equal numbers and slopes, also at borders."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from both_engines import Engines, Formula, rows
+
+from asperity.contact.crowned_line import CrownedLines
+from asperity.drive import mechanism
+from asperity.drive.layout import drive as layout
+from asperity.drive.layout import existence, expansion, wedge
+from asperity.drive.layout.drives import (
+    planetary_drive,
+    stepped_planet_drive,
+    two_row_multiroller,
+    wedge_drive,
+)
+from asperity.drive.layout.unfolding import forces_on_centre, unfolded
+from asperity.drive.state import first_limit, loads
+from asperity.drive.state.creep import CreepLaw, creepages, drift_per_turn
+from asperity.drive.state.smooth_laws import smooth_contact_laws
+from asperity.drive.state.state import DriveLoad, contact_approach, slip_at_rest, surface_speeds
+from asperity.drive.state.states import drive_states, rest_forces
+from asperity.drive.state.supports import carrier_supports
+from asperity.drive.stiffness import loading_cam
+from asperity.drive.stiffness.network import network_stiffness, with_shafts
+from asperity.drive.stiffness.torsional_stiffness import contact_torsional_stiffness
+from asperity.drive.structure import bearing_life, inertia, pin_beam
+from asperity.drive.wedge import geometry as wedge_geometry
+from asperity.drive.wedge.force_balance import force_balance
+from asperity.engine.arrays import xp
+
+LENGTH, FORCE = (5e-3, 20e-3), (100.0, 2000.0)
+GEOMETRY = {
+    "sun_radius": (3.8e-3, 4.4e-3),
+    "planet_radius": (13.4e-3, 13.8e-3),
+    "loading_roller_radius": (5.0e-3, 5.3e-3),
+    "ring_radius": (40e-3, 40e-3),
+    "planet_count": (3.0, 3.0),
+    "left_push_angle": (-0.2, 0.2),
+    "right_push_angle": (-0.2, 0.2),
+}
+SPRINGS = {"secant": (1e-8, 2e-8), "incremental": (8e-9, 9e-9), "normal_force": FORCE, "rest_force": FORCE}
+CROWNS = {
+    "crown_curvature": (0.1, 3.0),
+    "contact_length": LENGTH,
+    "effective_radius": LENGTH,
+    "contact_modulus": (80e9, 150e9),
+}
+BEARINGS = {
+    "sun_torque": (0.0, 5e-3),
+    "loading_roller_torque": (0.0, 5e-3),
+    "carrier_torque": (0.0, 5e-2),
+    "pin_friction_coefficient": (0.0, 5e-3),
+    "pin_friction_diameter": (2e-3, 6e-3),
+}
+CREEP = {
+    "friction_coefficient": (0.06, 0.12),
+    "gross_slip_scale": (1e-5, 1e-4),
+    "normal": FORCE,
+    "tangential": (-5.0, 5.0),
+}
+PIN = {
+    "free_length": (12e-3, 15e-3),
+    "roller_length": (5e-3, 10e-3),
+    "diameter": (4e-3, 8e-3),
+    "youngs_modulus": (1e11, 2e11),
+    "poisson_ratio": (0.2, 0.4),
+}
+RING = {
+    "ring": (1e-5, 2e-5),
+    "housing": (1e-5, 3e-5),
+    "inner_radius": (30e-3, 40e-3),
+    "wall_thickness": LENGTH,
+    "youngs_modulus": (1e11, 2e11),
+    "poisson_ratio": (0.2, 0.4),
+    "housing_stiffness": (1e13, 1e15),
+}
+CAM = {"least_preload": (100.0, 200.0), "force_per_torque": (50.0, 150.0), "output_torque": (-8.0, 8.0)}
+
+
+def of_geometry(**numbers):
+    geometry = wedge_geometry.DriveGeometry(**numbers)
+    sides = wedge_geometry.triangle(geometry)
+    return (
+        sides,
+        mechanism.rest_state(geometry=geometry, sides=sides, preload=1000.0),
+        wedge_geometry.speed_ratio(geometry),
+        wedge_geometry.contact_radii(geometry),
+        wedge_geometry.carrier_speed(geometry=geometry, sun_speed=600.0),
+    )
+
+
+def approach(*, secant, incremental, normal_force, rest_force):
+    springs = mechanism.NormalSprings(secant, incremental)
+    at = {"springs": springs, "normal_force": normal_force, "rest_force": rest_force}
+    return mechanism.compression(**at), mechanism.total_approach(**at), mechanism.steepest_compliance(springs)
+
+
+def crowned_approach(*, secant, incremental, normal_force, rest_force, **line):
+    crowns = mechanism.crowned_springs(lines=CrownedLines(**line), rest_force=rest_force)
+    springs = mechanism.NormalSprings(secant, incremental, crowns)
+    return mechanism.total_approach(springs=springs, normal_force=normal_force, rest_force=rest_force)
+
+
+def bearing_torque(*, pin_force, **bearings):
+    return mechanism.bearing_torque(bearings=mechanism.Bearings(**bearings), pin_force=pin_force)
+
+
+def carter_creepages(*, normal, tangential, **law):
+    return creepages(law=CreepLaw(**law), normal=normal, tangential=tangential)
+
+
+def planetary(sun_radius, planet_radius, **_):
+    return planetary_drive(sun_radius=sun_radius, planet_radius=planet_radius, planet_count=3)
+
+
+def multiroller(sun_radius, planet_radius, small_radius, **_):
+    rows_of = {"first_row_radii": (planet_radius, 10e-3), "second_row_radii": (18e-3, small_radius)}
+    return two_row_multiroller(sun_radius=sun_radius, **rows_of, roller_count=4)
+
+
+def stepped(sun_radius, planet_radius, small_radius, **_):
+    radii = (planet_radius, small_radius)
+    return stepped_planet_drive(sun_radius=sun_radius, planet_radii=radii, planet_count=3)
+
+
+def wedged(sun_radius, planet_radius, small_radius, **_):
+    geometry = wedge_geometry.DriveGeometry(sun_radius, planet_radius, small_radius, 40e-3, 3.0, 0.05, -0.1)
+    return wedge_drive(geometry, planet_count=3)
+
+
+#: Makers of drives from a few radii, and these.
+DRIVES = {
+    "planetary": (planetary, {"sun_radius": 10e-3, "planet_radius": 20e-3}),
+    "multiroller": (multiroller, {"sun_radius": 10e-3, "planet_radius": 16e-3, "small_radius": 9.4e-3}),
+    "stepped": (stepped, {"sun_radius": 10e-3, "planet_radius": 20e-3, "small_radius": 18e-3}),
+    "wedge": (wedged, {"sun_radius": 4e-3, "planet_radius": 13.5e-3, "small_radius": 5e-3}),
+}
+
+
+def places(drive):
+    """Where the bodies are, and what that means for their contacts."""
+    return (
+        drive.second_radius + layout.gaps(drive),
+        layout.incidence(drive),
+        layout.sector_rotation(drive, 1.0),
+        existence.neighbour_gaps(drive),
+        rest_forces(drive=drive, pattern=internal(drive)),
+    )
+
+
+def angles(drive):
+    return layout.contact_angles(drive)
+
+
+def speeds(drive):
+    """How fast the members turn, with and without creep."""
+    creepage = np.linspace(1e-4, 3e-4, len(drive.contacts))
+    ideal = layout.speeds(drive)
+    creeping = layout.creeping_speeds(drive=drive, creepage=creepage)
+    return ideal, existence.output_share(drive), creeping, surface_speeds(drive=drive, speed=ideal)
+
+
+def room(drive):
+    return existence.has_room(drive)
+
+
+def internal(drive):
+    return np.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
+
+
+def forces(drive):
+    """What forces of the contacts do to the bodies."""
+    count = len(drive.contacts)
+    normal, tangential = np.linspace(900.0, 1100.0, count), np.linspace(-20.0, 30.0, count)
+    drag = np.linspace(0.1, 0.2, count)
+    found = loads.member_loads(
+        drive=drive,
+        normal=normal,
+        tangential=tangential,
+        body_force=np.linspace(0.0, 5.0, 2 * len(drive.floating)).reshape(-1, 2),
+    )
+    moments = loads.member_moments(drive, layout.incidence(drive), tangential, found.pin)
+    pair, levers = loads.drag_pairs(drive, drag), loads.drag_levers(drive)
+    sizes = expansion.interference_of_sizes(drive=drive, first=1e-6 * drag, second=2e-6 * drag)
+    ring = expansion.ring_interference(drive=drive, forces=normal, interference=sizes)
+    # what is in balance is so but for rounding
+    return found.pin, found.moments + 0.0 * moments, moments, pair, levers, sizes, ring
+
+
+def alone(drive):
+    """Every sector by itself, and what their unlike forces do to the members in the middle."""
+    whole = unfolded(drive, sectors=3, floating=("sun",))
+    count, pins = len(whole.contacts), len(whole.pinned)
+    left = forces_on_centre(
+        drive=whole,
+        bodies=("sun", "ring"),
+        normal=np.linspace(900.0, 1100.0, count),
+        tangential=np.linspace(-20.0, 30.0, count),
+        pin_force=np.linspace(10.0, 20.0, pins),
+    )
+    return layout.incidence(whole), left
+
+
+def held(drive, normal_compliance, tangential_compliance, pin_compliance, pin_spring, planet_spring):
+    """Stiffness of springs between the bodies, and with shafts."""
+    supports = carrier_supports(
+        drive=drive, pin_transverse_stiffness=pin_spring, planet_support_stiffness=planet_spring, planets=()
+    )
+    network = network_stiffness(
+        drive=drive,
+        normal_compliance=normal_compliance,
+        tangential_compliance=tangential_compliance,
+        pin_compliance=pin_compliance,
+        supports=supports,
+    )
+    shafts = {"input_shaft_stiffness": 500.0, "output_shaft_stiffness": 5e4}
+    return (
+        network.output,
+        network.tangential_share,
+        with_shafts(stiffness=network.output, ratio=9.0, **shafts),
+    )
+
+
+def wedge_states(closure):
+    def states(torque, preload, **radii):
+        geometry = wedge_geometry.DriveGeometry(
+            *(radii[name] for name in ("sun_radius", "planet_radius", "small_radius")), 40e-3, 3.0, 0.0, 0.1
+        )
+        sides = wedge_geometry.triangle(geometry)
+        rest = mechanism.rest_state(geometry=geometry, sides=sides, preload=preload)
+        secant = np.linspace(1.0e-8, 1.4e-8, 5)
+        joint = mechanism.Mechanism(
+            geometry=geometry,
+            sides=sides,
+            rest=rest,
+            bearings=mechanism.Bearings(1e-3, 5e-4, 5e-3, 2e-3, 4e-3),
+            springs=mechanism.NormalSprings(secant, 0.9 * secant),
+            preload=preload,
+            carrier_speed=wedge_geometry.carrier_speed(geometry=geometry, sun_speed=600.0),
+            planet_mass=0.02,
+            loading_roller_mass=0.003,
+            closure=closure,
+        )
+        found = force_balance(mechanism=joint, output_torque=torque)
+        closes = {name: getattr(found, name) < 1e-12 for name in ("balance_residual", "closure_residual")}
+        return dataclasses.replace(found, **closes)
+
+    return states
+
+
+def states(maker):
+    """A drive assembled, standing and rolling; numbers of states that are 0 but for rounding are left out."""
+
+    def of(torque, preload, **radii):
+        drive = maker(**radii)
+        laws = smooth_contact_laws(
+            drive=drive,
+            youngs_modulus=206e9,
+            poisson_ratio=0.3,
+            friction_coefficient=0.12,
+            contact_length=5e-3,
+            ring_wall_thickness=60e-3,
+            reference_force=500.0,
+        )
+        found = drive_states(
+            drive=drive, laws=laws, pattern=internal(drive), preload=preload, load=DriveLoad(torque)
+        )
+        both = (found.standing, found.rolling)
+        slip = slip_at_rest(laws=laws, normal=found.standing.normal, tangential=found.standing.tangential)
+        shown = [
+            (state.normal, state.tangential, state.displacement, state.speed, state.input_torque)
+            for state in both
+        ]
+        return shown, found.rest.normal, slip, contact_approach(laws=laws, normal=found.rest.normal)
+
+    return of
+
+
+def limit_of(excess):
+    """The first limit of two, the second of which is never reached."""
+
+    def found(number):
+        return first_limit.first_limit(
+            excesses=lambda value: xp.stack([excess(value, number), value - 1e3]),
+            first_guess=xp.ones_like(number),
+        ).value
+
+    return found
+
+
+def given(label, function, **numbers):
+    return label, Formula(lambda these: function(**these), numbers)
+
+
+def entry(function, ranges, *borders, label=None, **fixed):
+    return label or function.__name__, rows(function, ranges, *borders, **fixed)
+
+
+def of_drives(what, names=DRIVES, **numbers):
+    """A function of drives, whose radii are the numbers."""
+
+    def formula(name):
+        maker, radii = DRIVES[name]
+
+        def of(these):
+            these = dict(these)
+            return what(maker(**{key: these.pop(key) for key in radii}), **these)
+
+        return f"{what.__name__} of {name}", Formula(of, {**radii, **numbers})
+
+    return [formula(name) for name in names]
+
+
+def tied(friction_coefficient):
+    """Equal friction of both inner contacts, whose smaller one counts."""
+    maker, radii = DRIVES["wedge"]
+    return wedge.self_locking_ratio(maker(**radii), friction_coefficient)
+
+
+STANDS = {"rotation": 0.0, "output_torque": 0.0}
+LIFTED, LEAST = {"normal_force": -10.0}, {"normal_force": lambda row: 1e-6 * row["rest_force"]}
+FULL = {"tangential_force": lambda row: row["friction_coefficient"] * row["normal_force"]}
+LIMITS = np.array([0.3, 1.0, 2.0, 49.0])
+FORMULAS = dict([
+    entry(of_geometry, GEOMETRY, {"left_push_angle": 0.0, "right_push_angle": 0.0}),
+    entry(approach, SPRINGS, LIFTED, LEAST),
+    entry(crowned_approach, {**SPRINGS, **CROWNS}, LIFTED, edges=(np.nan,)),
+    entry(bearing_torque, {**BEARINGS, "pin_force": (-200.0, 200.0)}),
+    entry(mechanism.leading_sense, {"rotation": (-600.0, 600.0), "output_torque": (-5.0, 5.0)}, STANDS),
+    entry(carter_creepages, CREEP, {"tangential": lambda row: row["friction_coefficient"] * row["normal"]}),
+    entry(drift_per_turn, {"loss": (-1e-3, 1e-3)}, {"loss": 1.0}),
+    entry(
+        first_limit.slip_ratio,
+        {"normal_force": FORCE, "tangential_force": (-5.0, 5.0), "friction_coefficient": (0.06, 0.12)},
+        FULL, {"normal_force": 0.0, "tangential_force": 0.0},
+    ),
+    entry(expansion.ring_expansion, RING, {"housing_stiffness": math.inf}, plane_state="plane_strain"),
+    entry(expansion.loosening_rise, {"interference": (1e-6, 3e-5), "change_per_kelvin": (-1e-7, 1e-7)}),
+    entry(loading_cam.cam_preload, CAM),
+    entry(contact_torsional_stiffness, {"tangential_stiffness": (1e7, 1e9), "radius": LENGTH}),
+    entry(pin_beam.pin_beam_compliance, PIN, support="both_ends", label="pin held at both ends"),
+    entry(pin_beam.pin_beam_compliance, PIN, support="one_end", label="pin held at one end"),
+    entry(pin_beam.pin_bending_stress, {"moment": (0.1, 2.0), "diameter": (4e-3, 8e-3)}),
+    entry(inertia.roller_inertia, {"mass": (0.01, 1.0), "radius": LENGTH, "bore_diameter": (0.0, 5e-3)}),
+    entry(bearing_life.basic_rating_life, {"dynamic_rating": FORCE, "load": FORCE}, exponent=10.0 / 3.0),
+    entry(bearing_life.static_safety, {"static_rating": FORCE, "load": FORCE}),
+    *of_drives(places, names=("planetary",)),
+    *of_drives(angles),
+    *of_drives(speeds, names=("planetary",)),
+    *of_drives(room),
+    *of_drives(forces),
+    *of_drives(alone, names=("planetary",)),
+    *of_drives(
+        held,
+        names=("planetary",),
+        normal_compliance=np.array([1e-9, 4e-9]),
+        tangential_compliance=np.array([2e-9, 3e-9]),
+        pin_compliance=7e-9,
+        pin_spring=1e8,
+        planet_spring=5e7,
+    ),
+    given("self-locking with equal friction", tied, friction_coefficient=np.full(5, 0.12)),
+    given("first limit, straight", limit_of(lambda value, number: value - number), number=LIMITS),
+    given("first limit, steep", limit_of(lambda value, number: xp.expm1(30.0 * (value / number - 1.0))), number=LIMITS),
+])  # fmt: skip
+TORQUES = {"planetary": 8.0, "multiroller": 20.0, "stepped": 6.0, "wedge": 5.0}
+LARGE = dict([
+    given(
+        "force balance, elastic", wedge_states("elastic"), torque=4.0, preload=1000.0, **DRIVES["wedge"][1]
+    ),
+    given(
+        "force balance, constant pin force",
+        wedge_states("constant_pin_force"),
+        torque=4.0,
+        preload=1000.0,
+        **DRIVES["wedge"][1],
+    ),
+    *(
+        given(f"states of {name}", states(maker), torque=TORQUES[name], preload=1000.0, **radii)
+        for name, (maker, radii) in DRIVES.items()
+    ),
+    *of_drives(places, names=("multiroller", "stepped", "wedge")),
+    *of_drives(speeds, names=("multiroller", "stepped", "wedge")),
+])  # fmt: skip
+
+ENGINES = Engines(FORMULAS, alone=LARGE)
+
+
+@pytest.mark.parametrize("name", ENGINES.names)
+def test_both_engines_compute_the_same_numbers(name):
+    ENGINES.check_value(name)
+
+
+@pytest.mark.parametrize("name", ENGINES.names)
+def test_slopes_under_numpy_are_those_of_jax(name):
+    ENGINES.check_slope(name)

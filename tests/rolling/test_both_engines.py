@@ -1,0 +1,206 @@
+"""The formulas of joints that turn by NumPy and within programs of JAX: equal numbers and slopes, also at borders."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from both_engines import Engines, Formula, rows
+
+from asperity.drive.state.state import BodiesOfContacts
+from asperity.engine import trees
+from asperity.joint.assembled import Pressed
+from asperity.joint.bodies import with_rims
+from asperity.joint.description import in_motion, joint_contacts
+from asperity.joint.evaluation import laws_and_states
+from asperity.joint.laws import creep_law
+from asperity.rolling import creep, life, onset, power, surface
+from asperity.rolling.conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
+from asperity.rolling.duty import duty_life
+from asperity.rolling.rolling import turning
+from asperity.rolling.turning import driving_sense, rolling_at, with_driving_sense
+
+SPRINGS = {
+    'bodies = "exact"': 'bodies = "springs"',
+    'ring_support = "free" ': 'ring_support = "rigid_housing" ',
+}
+ROLLING = '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\nhysteresis_factor = 0.01\n\n[lubrication]'
+CROWNS = 'sun_crown_radius = "2 m"\nplanet_crown_radius = "3 m"\n\n[load]'
+JOINTS = {
+    "parallel": SPRINGS,
+    "skewed": {**SPRINGS, "[lubrication]": ROLLING},
+    "crowned": {**SPRINGS, "[load]": CROWNS},
+}
+#: A drive of three kinds of bodies; the first and the last are shared by all branches.
+BODIES = BodiesOfContacts(
+    names=("sun", "planet", "ring"), shared=(True, False, True), driving=(0, 1), driven=(1, 2)
+)
+#: Lives of both tracks of both contacts; the last of them does not tire, or is not known.
+TRACKS = np.array([[1e6, 2e7], [3e6, 4e7]])
+ENDLESS, UNKNOWN = (np.where(TRACKS == 4e7, value, TRACKS) for value in (np.inf, np.nan))
+#: Contacts in series, of which the second slips.
+SERIES = {
+    "half_width": np.array([8e-5, 2e-4]),
+    "slip_ratio": np.array([0.4, 1.0]),
+    "share": np.array([0.7, 0.3]),
+    "distance": np.array([0.05, 0.06]),
+    "input_angle": 6.0,
+    "drift_per_output_turn": 2e-3,
+}
+#: Angles below a swing that drifts, between, and far beyond the tables.
+TURNED = np.array([0.0, 1e-3, 3e-3, 2e-2, 1.0])
+
+
+class Lives(NamedTuple):
+    drive: object
+
+
+class Rolled(NamedTuple):
+    """What a duty needs of a joint that turns."""
+
+    cycles: object
+    cycles_per_turn: object
+    output_speed: object
+    life_hours: Lives
+    shakedown_ratio: object
+    slip_ratio: object
+
+
+def of_duty(torque, speed, share):
+    """Lives that fall with the cube of the torque."""
+
+    def rolled(torque, speed):
+        ratio = np.array([0.2, 0.3]) * abs(torque)
+        hours = Lives(1e4 / abs(torque) ** 3)
+        return Rolled(
+            1e9 / abs(torque) ** 3 * np.ones((2, 2)), np.ones((2, 2)), speed / 6.0, hours, ratio, ratio
+        )
+
+    points = tuple(DutyPoint(torque[k], speed[k], share[k]) for k in range(3))
+    conditions = RollingConditions(**(vars(PLAIN_ROLLING) | {"duty": points, "reliability": 0.99}))
+    return duty_life(conditions=conditions, bodies=BODIES, planet_count=3.0, rolled=rolled)
+
+
+def of_tracks(tracks, planet_count):
+    given = {"bodies": BODIES, "tracks": tracks, "planet_count": planet_count}
+    return life.drive_lives(**given), life.failure_shares(**given)
+
+
+def of_series(angle, **numbers):
+    contacts = onset.ContactsInSeries(**numbers)
+    return onset.creep_lag(contacts=contacts, angle=angle)
+
+
+def of_swings(angle, **numbers):
+    return onset.swing_drift(contacts=onset.ContactsInSeries(**numbers), angle=angle)
+
+
+def of_speeds(*, loss, output_torque, output_speed, input_speed):
+    found = power.RollingPower(*[loss] * 10)
+    speeds = {"output_speed": output_speed, "input_speed": input_speed}
+    return power.rolling_input_torque(power=found, output_torque=output_torque, **speeds)
+
+
+def of_creep(joint, normal, tangential):
+    """The creep law of the contacts, and what skew does to their friction."""
+    contacts = joint_contacts(joint)
+    at = {"normal_force": normal, "tangential_force": tangential}
+    law = creep.contact_creep(contacts=contacts, skew=joint.rolling.skew, **at)
+    lines = contacts.loads_along(normal)
+    pairs = contacts.pairs
+    return (
+        law,
+        creep.contact_friction(pairs=pairs, creep=law, normal_force=normal, creepage=tangential * 1e-5),
+        surface.rolling_strips(contacts=contacts, normal_force=normal, traction=tangential / normal),
+        surface.mean_half_width(pairs=pairs, lines=lines, normal_force=normal),
+        power.oil_drag(
+            pairs=pairs, viscosity=0.03, normal_force=normal, rolling_speed=abs(tangential), lines=lines
+        ),
+    )
+
+
+def of_rolling(joint, state):
+    """A joint that turns, from its rolling state."""
+    contacts = joint_contacts(joint)
+    law = creep_law(joint, contacts, state.normal, state.tangential)
+    return turning(joint, contacts, law, with_driving_sense(state, driving_sense(joint.drive)))
+
+
+def of_onset(drive, rolling, half_width):
+    return onset.contacts_in_series(drive=drive, rolling=rolling, half_width=half_width)
+
+
+def of_torques(joint, laws, rest, torque, speed):
+    """Steady rolling at another torque and speed, as a duty has it."""
+    contacts = with_rims(joint, joint_contacts(joint))
+    return rolling_at(joint, contacts, Pressed(laws, rest))(torque, speed)
+
+
+def given(function, **numbers):
+    return Formula(lambda these: function(**these), numbers)
+
+
+SMALL = {
+    "lives": given(of_tracks, tracks=TRACKS, planet_count=3.0),
+    "lives of which one is endless": given(of_tracks, tracks=ENDLESS, planet_count=3.0),
+    "lives of which one is unknown": given(of_tracks, tracks=UNKNOWN, planet_count=3.0),
+    "life at a rate": rows(life.life_at_rate, {"rate": (1e-9, 1e-6)}),
+    "duty": given(
+        of_duty,
+        torque=np.array([2.0, 5.0, -9.0]),
+        speed=np.array([100.0, 300.0, 0.0]),
+        share=np.array([0.5, 0.3, 0.2]),
+    ),
+    "creep lag": given(of_series, angle=TURNED, **SERIES),
+    "swings": given(of_swings, angle=TURNED, **SERIES),
+    "input torque": rows(
+        of_speeds,
+        {"loss": (1.0, 50.0), "output_torque": (-9.0, 9.0), "output_speed": (10.0, 50.0), "input_speed": (-300.0, 300.0)},
+    ),
+}  # fmt: skip
+#: Forces of both contacts: usual ones, one lifted, one at gross slip, none tangential, and one unknown.
+FORCES = {
+    "": ([1000.0, 1100.0], [50.0, -50.0]),
+    ", one lifted": ([0.0, 1100.0], [0.0, 60.0]),
+    ", one slips": ([1000.0, 1100.0], [80.0, -50.0]),
+    ", no traction": ([1000.0, 1100.0], [0.0, 0.0]),
+    ", one unknown": ([1000.0, math.nan], [50.0, 50.0]),
+}
+CREEPS = [f"creep, {name}{forces}" for name in JOINTS for forces in FORCES]
+LARGE = [*CREEPS, *(f"rolling, {name}" for name in JOINTS), "onset", "at another torque"]
+
+
+@pytest.fixture(scope="module")
+def engines(planar_joint):
+    found = {}
+    for name, replaced in JOINTS.items():
+        joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint("planetary", replaced))
+        joint = in_motion(joint)
+        for label, forces in FORCES.items():
+            normal, tangential = map(np.array, forces)
+            found[f"creep, {name}{label}"] = given(
+                of_creep, joint=joint, normal=normal, tangential=tangential
+            )
+        laws, states = laws_and_states(joint)
+        found[f"rolling, {name}"] = given(of_rolling, joint=joint, state=states.rolling)
+        if name == "parallel":
+            rolling = of_rolling(joint, states.rolling)
+            width = np.array([8e-5, 2e-4])
+            found["onset"] = given(of_onset, drive=joint.drive, rolling=rolling, half_width=width)
+            found["at another torque"] = given(
+                of_torques, joint=joint, laws=laws, rest=states.rest, torque=6.0, speed=-200.0
+            )
+    return Engines(SMALL, alone=found)
+
+
+NAMES = [*SMALL, *(pytest.param(name, marks=pytest.mark.slow) for name in LARGE)]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_both_engines_compute_the_same_numbers(engines, name):
+    engines.check_value(name)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_slopes_under_numpy_are_those_of_jax(engines, name):
+    engines.check_slope(name)
