@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import operator
 from collections.abc import Callable
 from typing import Any
@@ -57,11 +58,8 @@ def implicit_root(
     ----------
     The implicit function theorem.
     """
-    first = equations(start)
-    if not uses_jax(start, first):
-        return _root_of_numbers(
-            equations, start, search, solve, known_level=highest_level(trees.leaves(first))
-        )
+    if not uses_jax(start, equations(start)):
+        return _root_of_numbers(equations, start, search, solve)
     import jax
 
     start = jax.lax.stop_gradient(start)
@@ -96,33 +94,34 @@ def _root_of_numbers(
     start: Any,
     search: Callable[[Callable[[Any], Any], Any], Any],
     solve: Callable[[Callable[[Any], Any], Any], Any],
-    *,
-    known_level: int,
 ) -> Any:
     """The root of NumPy's numbers; with slopes where the equations have some at it.
 
-    The search does without the slopes of the numbers that are given, up to ``known_level``, but may find its own.
+    The search does without slopes of the numbers that are given, but may find those of the equations.
     """
+    start = without_slopes(start)
+    given = highest_level(trees.leaves(equations(start)))
+    found = without_slopes(search(lambda x: _without_levels(equations(x), 1, given), start))
+    highest = highest_level(trees.leaves(equations(found)))
+    for level in range(1, highest + 1):  # slopes of the higher ones have slopes of the lower ones
 
-    def searched(x: Any) -> Any:
-        values = equations(x)
-        for level in range(1, known_level + 1):
-            values = trees.map(lambda leaf, level=level: constant_at(leaf, level), values)
-        return values
+        def up_to(lowest: int, x: Any) -> Any:
+            return _without_levels(equations(x), lowest, highest)
 
-    found = without_slopes(search(searched, without_slopes(start)))
-    misfit = equations(found)
-    level = highest_level(trees.leaves(misfit))
-    if level == 0:
-        return found
+        misfit = up_to(level + 1, found)
+        if highest_level(trees.leaves(misfit)) < level:
+            continue
+        linear = _known_once(linearised(functools.partial(up_to, level), found)[1])
+        steps = [trees.map(operator.neg, solve(linear, change)) for change in slopes_apart(misfit, level)]
+        found = trees.map(lambda leaf, *slopes, level=level: Dual(leaf, slopes, level), found, *steps)
+    return found
 
-    def of_constants(x: Any) -> Any:
-        return trees.map(lambda leaf: constant_at(leaf, level), equations(x))
 
-    linear = _known_once(linearised(of_constants, found)[1])
-    changes = slopes_apart(misfit, level)
-    steps = [trees.map(operator.neg, solve(linear, change)) for change in changes]
-    return trees.map(lambda leaf, *slopes: Dual(leaf, slopes, level), found, *steps)
+def _without_levels(module: Any, lowest: int, highest: int) -> Any:
+    """A module of numbers without their slopes of some levels."""
+    for level in range(lowest, highest + 1):
+        module = trees.map(lambda leaf, level=level: constant_at(leaf, level), module)
+    return module
 
 
 def _known_once(linear: Callable[[Any], Any]) -> Callable[[Any], Any]:

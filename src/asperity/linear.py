@@ -59,6 +59,8 @@ def _by_lapack(matrix: Any, right_side: Any) -> Any:
     try:
         return xp.linalg.solve(matrix, right_side)
     except np.linalg.LinAlgError:
+        if isinstance(matrix, Many) or isinstance(right_side, Many):
+            return one_by_one(_by_lapack, (matrix, right_side))
         return xp.full(np.shape(right_side), np.nan)
 
 
@@ -85,6 +87,8 @@ def least_squares(matrix: Array, right_side: Array) -> Array:
         from asperity.engine import elimination
 
         return elimination.least_squares(matrix, right_side)
+    if (level := highest_level((matrix, right_side))) > 0:
+        return _slopes_of_least_squares(matrix, right_side, level)
     if isinstance(matrix, Many) or isinstance(right_side, Many):
         several: Array = one_by_one(least_squares, (matrix, right_side))
         return several
@@ -92,3 +96,21 @@ def least_squares(matrix: Array, right_side: Array) -> Array:
         return xp.full(matrix.shape[1], np.nan)
     shortest: Array = xp.linalg.lstsq(matrix, right_side, rcond=None)[0]
     return shortest
+
+
+def _slopes_of_least_squares(matrix: Any, right_side: Any, level: int) -> Any:
+    """Least squares of numbers with slopes, by the normal equations, of a matrix of full rank."""
+    a, b = value_at(matrix, level), value_at(right_side, level)
+    x = least_squares(a, b)
+    square, left = any_xp.matmul(a.T, a), b - product(a, x)
+    count = directions_at((matrix, right_side), level)
+    slopes = []
+    for of_matrix, of_right in zip(
+        slopes_at(matrix, level, count), slopes_at(right_side, level, count), strict=True
+    ):
+        change: Any = np.zeros(np.shape(b)) if of_right is None else of_right
+        right: Any = product(a.T, change)
+        if of_matrix is not None:
+            right = product(a.T, change - product(of_matrix, x)) + product(of_matrix.T, left)
+        slopes.append(solve(square, right))
+    return Dual(x, slopes, level)

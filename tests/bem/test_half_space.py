@@ -1,10 +1,11 @@
 """The periodic response: single waves in closed form, symmetry, and the rough inverse."""
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.bem import ElasticPair, PeriodicHalfSpace
+from asperity.bem import ElasticPair, FreeHalfSpace, HalfSpace, PeriodicHalfSpace
 from asperity.bem.elastic_pair import inside, positive
 from asperity.bem.half_space import field_on_grid, grid, nearest_neighbour_weights, weighted_neighbours
 from asperity.errors import InputError
@@ -142,3 +143,21 @@ def test_grids_of_one_and_two_axes():
 def test_what_is_no_grid(shape, pixel):
     with pytest.raises(InputError, match=r"a grid has one or two axes|pixel_size = 0 m"):
         grid(shape, pixel)
+
+
+@pytest.mark.parametrize("kind", [PeriodicHalfSpace, FreeHalfSpace])
+def test_jax_copies_a_half_space_and_computes_nothing_anew(kind):
+    half_space = kind(PAIR, shape=(6, 8), pixel_size=(1e-6, 2e-6))
+    doubled = jax.tree.map(lambda leaf: 2.0 * leaf, half_space)
+    assert type(doubled) is kind
+    assert doubled.shape == (6, 8)
+    np.testing.assert_array_equal(doubled.pixel_size, [2e-6, 4e-6])
+    pressure = jnp.zeros((6, 8)).at[2, 3].set(1e6)
+    np.testing.assert_array_equal(
+        doubled.normal_displacement(pressure), 2.0 * half_space.normal_displacement(pressure)
+    )
+
+
+def test_a_surface_without_responses_is_no_half_space():
+    with pytest.raises(TypeError, match="abstract"):
+        HalfSpace(PAIR, shape=(2, 2), pixel_size=jnp.ones(2), _operators=None)

@@ -1,4 +1,4 @@
-"""The formulas of contacts by NumPy and within a program of JAX: equal numbers and slopes, also at borders."""
+"""The formulas of contacts by NumPy and within programs of JAX: equal numbers and slopes."""
 
 import inspect
 
@@ -276,11 +276,6 @@ FORMULAS = dict(
         entry(creep_layer.width_factor),
         entry(creep_layer.peak_pressure_factor),
         entry(creep_layer.layer_creepage_factor, *ALL_FRICTION, {"layer_ratio": 2000.0}),
-        entry(crowned_line.crowned_line, CYLINDERS, ENDS_LOADED),
-        entry(crowned_line.compression_and_shortening, CYLINDERS, ENDS_LOADED),
-        entry(crowned_line.crown_compliance, CYLINDERS, ENDS_LOADED),
-        entry(crowned_shear.crown_shear_compliance, CYLINDERS, ENDS_LOADED),
-        entry(crowned_shear.crown_slip, CYLINDERS, {"stick_force": lambda row: row["normal_force"]}),
         entry(exponential.decay_length),
         entry(exponential.line_contact_factor),
         entry(random_contact, GROSS_SLIP, BEYOND),
@@ -337,11 +332,8 @@ FORMULAS = dict(
             skew.longitudinal_capacity_ratio,
             {"lateral_creepage": lambda row: row["lateral_gross_slip_creepage"]},
         ),
-        entry(stress_peaks.full_slip_stress, own={"position": (-1.5, 1.5), "depth": (0.1, 1.5)}),
         entry(stress_peaks.mises_friction),
         entry(strip_theory.strip_logarithm, {"target": 1.0}),
-        entry(subsurface_stress.traction_stress),
-        entry(mises_stress, *ALL_FRICTION, AT_EDGE | {"depth": 0.0}),
         entry(tilted_line.logarithmic_end_drop),
         arrays(
             strip_theory.strip_creepage,
@@ -374,7 +366,20 @@ FORMULAS = dict(
     ]
 )
 
-ENGINES = Engines(FORMULAS)
+LARGE = dict(
+    [
+        entry(crowned_line.crowned_line, CYLINDERS, ENDS_LOADED),
+        entry(crowned_line.compression_and_shortening, CYLINDERS, ENDS_LOADED),
+        entry(crowned_line.crown_compliance, CYLINDERS, ENDS_LOADED),
+        entry(crowned_shear.crown_shear_compliance, CYLINDERS, ENDS_LOADED),
+        entry(crowned_shear.crown_slip, CYLINDERS, {"stick_force": lambda row: row["normal_force"]}),
+        entry(stress_peaks.full_slip_stress, own={"position": (-1.5, 1.5), "depth": (0.1, 1.5)}),
+        entry(subsurface_stress.traction_stress),
+        entry(mises_stress, *ALL_FRICTION, AT_EDGE | {"depth": 0.0}),
+    ]
+)
+
+ENGINES = Engines(FORMULAS, alone=LARGE)
 
 
 @pytest.mark.parametrize("name", ENGINES.names)

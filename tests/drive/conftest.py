@@ -1,10 +1,8 @@
-"""Forces of batches of one size, so that each closure is compiled once for all files here."""
+"""Forces of batches of drives, and states of one drive of each kind."""
 
 import functools
 import math
 
-import equinox as eqx
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -20,10 +18,10 @@ from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.states import rolling_state, state_at_rest
 from asperity.drive.wedge.force_balance import force_balance
 from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, contact_radii, triangle
+from asperity.engine.control import at_once, traced_once
 from asperity.joint.contacts import JointContacts, bulk_springs
 from asperity.materials import Material, pair
 
-SIZE = 256
 STANDARD = {
     "sun_radius": 4e-3,
     "planet_radius": 13.5e-3,
@@ -92,21 +90,23 @@ def _mechanism(*, closure="elastic", **changes):
     )
 
 
-@eqx.filter_jit
-def _solved(numbers, closure):
+def _balance(numbers, *, closure):
     return force_balance(
         mechanism=_mechanism(closure=closure, **numbers), output_torque=numbers["output_torque"]
     )
 
 
+_BALANCE = traced_once(_balance, fixed=("closure",))
+
+
 def _numbers(forces):
     names = ("sp", "pwr", "pwl", "wro", "wlo")
-    flat = {f"N_{name}": value for name, value in zip(names, np.asarray(forces.normal), strict=True)}
-    flat |= {f"T_{name}": value for name, value in zip(names, np.asarray(forces.tangential), strict=True)}
+    flat = {f"N_{name}": value for name, value in zip(names, forces.normal, strict=True)}
+    flat |= {f"T_{name}": value for name, value in zip(names, forces.tangential, strict=True)}
     flat |= {"F_cl": forces.pin_left, "F_cr": forces.pin_right}
     flat |= {"T_in": forces.input_torque, "T_out": forces.output_torque}
     flat |= {"B_l": forces.left_bearing_torque, "B_r": forces.right_bearing_torque}
-    return {key: np.asarray(value) for key, value in flat.items()}
+    return flat
 
 
 @pytest.fixture(scope="session")
@@ -117,10 +117,12 @@ def mechanism():
 
 @pytest.fixture(scope="session")
 def solved_forces():
-    """The compiled force balance of a batch of drives: numbers by name, of one shape, and the closure."""
+    """The force balance of a batch of drives: numbers by name, of one shape, and the closure."""
 
     def solve(numbers, closure):
-        return _solved({name: np.zeros(SIZE) + STANDARD[name] for name in STANDARD} | numbers, closure)
+        (shape,) = {np.shape(value) for value in numbers.values()}
+        whole = {name: np.full(shape, value) for name, value in STANDARD.items()} | numbers
+        return at_once(functools.partial(_BALANCE, closure=closure), whole)
 
     return solve
 
@@ -130,15 +132,9 @@ def forces_of(solved_forces):
     """Forces of a batch of the paper's drive with changes, as a dictionary of arrays of the length of the changes."""
 
     def solve(*, closure="elastic", **changes):
-        rows = np.broadcast_arrays(*map(np.atleast_1d, changes.values()))
-        count = rows[0].size
-        padded = {key: np.resize(row, SIZE).astype(float) for key, row in zip(changes, rows, strict=True)}
-        forces = solved_forces(padded, closure)
-        found = {key: value[:count] for key, value in _numbers(forces).items()}
-        return found | {
-            "balance": np.asarray(forces.balance_residual)[:count],
-            "closure": np.asarray(forces.closure_residual)[:count],
-        }
+        rows = np.broadcast_arrays(*(np.atleast_1d(value).astype(float) for value in changes.values()))
+        forces = solved_forces(dict(zip(changes, rows, strict=True)), closure)
+        return _numbers(forces) | {"balance": forces.balance_residual, "closure": forces.closure_residual}
 
     return solve
 
@@ -173,10 +169,10 @@ def steel_laws():
 def solved(drives, steel_laws):
     """State at rest and rolling state of a drive under 1000 N and an output torque."""
 
-    @eqx.filter_jit
+    @traced_once
     def states(drive, torque, preload, wall):
         laws = steel_laws(drive=drive, ring_wall_thickness=wall)
-        pattern = jnp.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
+        pattern = np.array([1.0 if contact.internal else 0.0 for contact in drive.contacts])
         rest = state_at_rest(drive=drive, laws=laws, pattern=pattern, preload=preload)
         rolling = rolling_state(
             drive=drive, laws=laws, interference=rest.interference, output_torque=torque, start=rest
@@ -184,6 +180,6 @@ def solved(drives, steel_laws):
         return rest, rolling
 
     def of(name, torque, preload=1000.0, wall=60e-3):
-        return states(drives[name], jnp.asarray(torque), jnp.asarray(preload), jnp.asarray(wall))
+        return at_once(states, drives[name], torque, preload, wall)
 
     return of

@@ -328,7 +328,6 @@ LIMITS = np.array([0.3, 1.0, 2.0, 49.0])
 FORMULAS = dict([
     entry(of_geometry, GEOMETRY, {"left_push_angle": 0.0, "right_push_angle": 0.0}),
     entry(approach, SPRINGS, LIFTED, LEAST),
-    entry(crowned_approach, {**SPRINGS, **CROWNS}, LIFTED, edges=(np.nan,)),
     entry(bearing_torque, {**BEARINGS, "pin_force": (-200.0, 200.0)}),
     entry(mechanism.leading_sense, {"rotation": (-600.0, 600.0), "output_torque": (-5.0, 5.0)}, STANDS),
     entry(carter_creepages, CREEP, {"tangential": lambda row: row["friction_coefficient"] * row["normal"]}),
@@ -369,6 +368,7 @@ FORMULAS = dict([
 ])  # fmt: skip
 TORQUES = {"planetary": 8.0, "multiroller": 20.0, "stepped": 6.0, "wedge": 5.0}
 LARGE = dict([
+    entry(crowned_approach, {**SPRINGS, **CROWNS}, LIFTED, edges=(np.nan,)),
     given(
         "force balance, elastic", wedge_states("elastic"), torque=4.0, preload=1000.0, **DRIVES["wedge"][1]
     ),

@@ -2,8 +2,6 @@
 
 import dataclasses
 
-import equinox as eqx
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -16,6 +14,7 @@ from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
 from asperity.drive.state.states import drive_states, loaded_state, state_at_rest
 from asperity.drive.wedge.force_balance import force_balance
 from asperity.drive.wedge.geometry import DriveGeometry, triangle
+from asperity.engine.control import at_once
 
 GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.1, -0.15)
 CLOSURES = {
@@ -24,7 +23,7 @@ CLOSURES = {
 }
 SIDES = triangle(GEOMETRY)
 REST = rest_state(geometry=GEOMETRY, sides=SIDES, preload=1000.0)
-PATTERN = jnp.array([0.0, 0.0, 0.0, 1.0, 1.0])
+PATTERN = np.array([0.0, 0.0, 0.0, 1.0, 1.0])
 CENTRIFUGAL = 25.0  # of the planet [N]; of a loading roller 10
 
 
@@ -42,13 +41,12 @@ def laws_of(drive):
 
 def load_of(drive, torque, *, turns):
     """Torque and centrifugal forces, which act along the radii of the floating bodies."""
-    size = jnp.array([CENTRIFUGAL, 10.0, 10.0])
+    size = np.array([CENTRIFUGAL, 10.0, 10.0])
     centres = drive.centres[1:4]
-    radial = centres / jnp.linalg.norm(centres, axis=1)[:, None]
-    return DriveLoad(jnp.asarray(torque), turns * size[:, None] * radial)
+    radial = centres / np.linalg.norm(centres, axis=1)[:, None]
+    return DriveLoad(np.asarray(torque), turns * size[:, None] * radial)
 
 
-@eqx.filter_jit
 def _states(drive, torque, turns):
     load = load_of(drive, torque, turns=turns)
     return drive_states(drive=drive, laws=laws_of(drive), pattern=PATTERN, preload=1000.0, load=load)
@@ -56,7 +54,7 @@ def _states(drive, torque, turns):
 
 def general(closure, torque, turns):
     drive = wedge_drive(GEOMETRY, planet_count=3.0, closure=closure)
-    return _states(drive, jnp.asarray(torque), jnp.asarray(turns))
+    return at_once(_states, drive, torque, turns)
 
 
 def by_statics(closure, torque, turns):
@@ -74,10 +72,9 @@ def by_statics(closure, torque, turns):
         loading_roller_mass=10.0 / SIDES.roller_orbit,
         closure=closure,
     )
-    return force_balance(mechanism=still, output_torque=torque)
+    return at_once(lambda torque: force_balance(mechanism=still, output_torque=torque), torque)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("closure", CLOSURES)
 @pytest.mark.parametrize(("torque", "turns"), [(5.0, 0.0), (12.0, 1.0), (-7.0, 1.0)])
 def test_forces_are_those_of_the_papers_statics(closure, torque, turns):
@@ -90,7 +87,6 @@ def test_forces_are_those_of_the_papers_statics(closure, torque, turns):
     np.testing.assert_allclose(np.abs(found.pin_force[1]), expected.pin_left, rtol=1e-9)
 
 
-@pytest.mark.long
 def test_only_the_standing_drive_has_equal_coefficients():
     """In rolling creep decides, with the assumption and without it."""
     with_springs, assumed = general(Closure(), 5.0, 0.0), general(CLOSURES["elastic"], 5.0, 0.0)
@@ -100,7 +96,6 @@ def test_only_the_standing_drive_has_equal_coefficients():
     assert share[1][1] == pytest.approx(float(share[1][0]), rel=1e-12)
 
 
-@pytest.mark.slow
 def test_the_first_slip_ends_it():
     """With springs the left ring contact slides from 9.7 N·m on while the others carry more; without them none can."""
     torque = 15.0
@@ -113,7 +108,6 @@ def test_the_first_slip_ends_it():
     assert not np.any(np.asarray(beyond.slides))
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("rolls", [False, True])
 def test_every_sector_keeps_the_pin_force_and_the_coefficients_of_its_own(rolls):
     """One planet 2 µm larger: its right pin keeps another force than those of the other two."""
@@ -124,25 +118,23 @@ def test_every_sector_keeps_the_pin_force_and_the_coefficients_of_its_own(rolls)
         laws,
         springs=type(laws.springs)(
             *(
-                jnp.tile(each, 3)
+                np.tile(each, 3)
                 for each in (laws.springs.secant_compliance, laws.springs.incremental_compliance)
             )
         ),
-        reference_force=jnp.tile(laws.reference_force, 3),
+        reference_force=np.tile(laws.reference_force, 3),
         creep=type(laws.creep)(
-            *(jnp.tile(each, 3) for each in (laws.creep.friction_coefficient, laws.creep.gross_slip_scale))
+            *(np.tile(each, 3) for each in (laws.creep.friction_coefficient, laws.creep.gross_slip_scale))
         ),
     )
-    added = jnp.zeros(15).at[0].set(2e-6)
-    rest = state_at_rest(
-        drive=drive, laws=laws, pattern=jnp.tile(PATTERN, 3), interference=13e-6, added=added
-    )
+    added = 2e-6 * np.eye(15)[0]
+    rest = state_at_rest(drive=drive, laws=laws, pattern=np.tile(PATTERN, 3), interference=13e-6, added=added)
     state = loaded_state(
         drive=drive,
         laws=laws,
         rest=rest,
-        load=DriveLoad(jnp.asarray(6.0)),
-        rolls=jnp.asarray(rolls),
+        load=DriveLoad(6.0),
+        rolls=rolls,
     )
     assert float(state.residual) < STATE_TOLERANCE
     right = np.asarray(rest.pin_force)[::2]

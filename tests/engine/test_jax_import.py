@@ -45,7 +45,7 @@ from asperity.joint.description import Joint
 from asperity.precision import require_double_precision, use_double_precision
 
 use_double_precision()
-assert not [name for name in sys.modules if name.partition(".")[0] in ("jax", "jaxlib", "equinox")]
+assert not [name for name in sys.modules if name.partition(".")[0] in ("jax", "jaxlib")]
 import jax.numpy as jnp
 import jax
 

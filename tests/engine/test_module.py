@@ -113,6 +113,7 @@ def test_modules_in_programs():
     assert traced == [("part", ("a",)), ("part", ("b",))]
 
 
+@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_many_modules_and_slopes_by_a_module():
     several = jax.tree.map(
         lambda *leaves: jnp.stack([jnp.asarray(leaf) for leaf in leaves]), whole(), whole(2.0)

@@ -1,4 +1,4 @@
-"""Joints by NumPy and within programs of JAX: equal formulas and slopes, and equal states, also where they slip."""
+"""Joints by NumPy and within programs of JAX: equal formulas and slopes, and equal states."""
 
 import dataclasses
 import math

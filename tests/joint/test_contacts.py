@@ -2,10 +2,10 @@
 
 import dataclasses
 
-import equinox as eqx
 import numpy as np
 import pytest
 
+from asperity.engine.control import at_once
 from asperity.joint.contacts import (
     bulk_springs,
     closure_springs,
@@ -60,9 +60,8 @@ def approach(force):
 
 @pytest.fixture(scope="module")
 def found(joint):
-    """Everything the module says about the joint, one compiled program."""
+    """Everything the module says about the joint."""
 
-    @eqx.filter_jit
     def said(joint, normal, lifted):
         contacts = joint_contacts(joint)
         loaded = loaded_contacts(
@@ -84,7 +83,7 @@ def found(joint):
             "contacts": loaded.rough,
         }
 
-    return said(joint, NORMAL, NORMAL * [1.0, 1.0, 0.0, 1.0, 0.0])
+    return at_once(said, joint, NORMAL, NORMAL * [1.0, 1.0, 0.0, 1.0, 0.0])
 
 
 def test_pairs_of_materials_by_hand(paper_joint):

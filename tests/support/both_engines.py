@@ -27,8 +27,8 @@ Scale = Callable[[np.ndarray], Any]
 class Formula(NamedTuple):
     """A function of one tree of numbers, such a tree, and what differences are measured by.
 
-    That is the number itself, or the ``scale`` of its array where it is more: of rows their median, for they have
-    nothing to do with each other, and of one array its largest number.
+    That is the number itself, or the ``scale`` of its array where it is more: of rows their median, for they
+    have nothing to do with each other, and of one array its largest number.
     """
 
     function: Callable[[Any], Any]
@@ -45,7 +45,8 @@ def rows(
 ) -> Formula:
     """A formula of keywords, or of places, that takes rows of numbers: drawn ones, then borders and edges.
 
-    A border gives the value of some arguments, or a function that makes it of the others; ``fixed`` are no numbers.
+    A border gives the value of some arguments, or a function that makes it of the others; ``fixed`` are no
+    numbers.
     """
     generator = np.random.default_rng(zlib.crc32(function.__name__.encode()))
 
@@ -150,9 +151,9 @@ def assert_alike(
 ) -> None:
     """Two trees of numbers with the same structure, and the same numbers but for rounding.
 
-    ``scale`` as of :class:`Formula`, also of the arrays ``beside`` them in a tree of this structure: what is 0 but for
-    rounding, as the slope of a number that does not change, is known as well as these. ``kinds``: whether nan and both
-    infinities are told apart. Places with one of the names in ``skip`` are not compared.
+    ``scale`` as of :class:`Formula`, also of the arrays ``beside`` them in a tree of this structure: what is 0
+    but for rounding, as the slope of a number that does not change, is known as well as these. ``kinds``:
+    whether nan and both infinities are told apart. Places with one of the names in ``skip`` are not compared.
     """
     ours_by_place, ours_structure = jax.tree_util.tree_flatten_with_path(ours)
     theirs_by_place, theirs_structure = jax.tree_util.tree_flatten_with_path(theirs)

@@ -4,14 +4,13 @@ import dataclasses
 import math
 from pathlib import Path
 
-import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.contact.interface import RoughContact
 from asperity.drive.wedge.geometry import triangle
+from asperity.engine import trees
+from asperity.engine.control import at_once
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
@@ -48,11 +47,12 @@ NO_LOAD, SLIPPING, FREE = (len(REFERENCE) + i for i in range(3))
 
 @pytest.fixture(scope="module")
 def contact() -> RoughContact:
-    dimension, normal, tangential = jnp.array(POINTS).T
-    solved: RoughContact = eqx.filter_jit(preset.table_1_contact)(
-        fractal_dimension=dimension, normal_force=normal, tangential_force=tangential
-    )
-    return solved
+    def solved(dimension: np.ndarray, normal: np.ndarray, tangential: np.ndarray) -> RoughContact:
+        return preset.table_1_contact(
+            fractal_dimension=dimension, normal_force=normal, tangential_force=tangential
+        )
+
+    return at_once(solved, *np.array(POINTS).T)
 
 
 def test_case_c_agrees_with_the_reference(contact: RoughContact) -> None:
@@ -131,10 +131,10 @@ def test_a_column_that_table_1_does_not_have_is_refused() -> None:
 
 def test_one_number_may_be_the_batch() -> None:
     joint = preset.table_2_joint(preset.operating_grid())
-    joint = jax.tree.map(float, joint)
+    joint = trees.map(float, joint)
     torques = np.array([1.0, 5.0])
-    many = jax.jit(published_joint)(dataclasses.replace(joint, output_torque=torques))
-    alone = jax.jit(published_joint)(joint)
+    many = at_once(published_joint, dataclasses.replace(joint, output_torque=torques))
+    alone = at_once(published_joint, joint)
     np.testing.assert_allclose(many.forces.normal[:, 1], alone.forces.normal, rtol=1e-12)
     assert float(many.stiffness.output[1]) == pytest.approx(float(alone.stiffness.output), rel=1e-12)
 
@@ -144,7 +144,7 @@ def test_the_published_model_is_a_level_of_the_example_files_joint() -> None:
     """Equations (1)-(30) by the paper's own reduction, and by the balance of every body in the general chain."""
     example = Path(__file__).parents[2] / "examples" / "zou2025.toml"
     chain = solve_joint(joint_from_case(read_case(example))).result
-    published = jax.jit(published_joint)(preset.table_2_joint(preset.operating_grid()))
+    published = at_once(published_joint, preset.table_2_joint(preset.operating_grid()))
     assert bool(published.solved)
     for name in ("normal", "tangential"):
         np.testing.assert_allclose(getattr(published.forces, name), getattr(chain.forces, name), rtol=1e-9)

@@ -227,10 +227,11 @@ def swing_drift_share(*, stroke: Real, half_width: Real, slip_ratio: Real) -> Re
     column = xp.clip(xp.searchsorted(xp.asarray(STROKES), x) - 1, 0, STROKES.size - 2)
     left, right = entry_of(STROKES, column), entry_of(STROKES, column + 1)
     along = xp.clip((x - left) / (right - left), 0.0, 1.0)
-    table = xp.asarray(_DRIFT_SHARE)
+    table, width = _DRIFT_SHARE.ravel(), STROKES.size
 
     def at(line: Real) -> Real:
-        return table[line, column] * (1.0 - along) + table[line, column + 1] * along
+        place = line * width + column
+        return entry_of(table, place) * (1.0 - along) + entry_of(table, place + 1) * along
 
     within = at(row) * (1.0 - weight) + at(row + 1) * weight
     longest = STROKES[-1]

@@ -156,7 +156,12 @@ def complex_number(real: Any, imaginary: Any) -> Any:
         import jax
 
         return jax.lax.complex(*jax.numpy.broadcast_arrays(real, imaginary))
-    return real + 1j * imaginary
+    own = _kind((real, imaginary))
+    if own is not None and not isinstance(own, str):
+        return own.function("complex_number")(real, imaginary)
+    number = np.empty(np.broadcast_shapes(np.shape(real), np.shape(imaginary)), dtype=complex)
+    number.real, number.imag = real, imaginary  # a sum would make nan of an infinite part
+    return number
 
 
 def entry_of(table: Any, place: Any) -> Any:

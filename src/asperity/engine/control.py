@@ -18,7 +18,7 @@ import numpy as np
 from asperity.engine import trees
 from asperity.engine.arrays import is_of_jax, uses_jax, xp
 from asperity.engine.dual import Dual, directions_at, highest_level, plain, slopes_at, value_at
-from asperity.engine.many import Many, chosen, many, together
+from asperity.engine.many import Many, aligned, chosen, many, together
 
 
 def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], state: Any) -> Any:
@@ -137,7 +137,8 @@ def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[.
             import jax
 
             return jax.vmap(function, out_axes=out_axis)(*arguments)
-        if _MANY.active:  # one after the other, for what the function closes over may be many numbers already
+        # one after the other where numbers have slopes, and where what the function closes over may be many already
+        if _MANY.active or any(isinstance(leaf, Dual) for leaf in trees.leaves(arguments)):
             return stacked([function(*each) for each in entries(arguments)], axis=out_axis)
         _MANY.active = True
         try:
@@ -264,9 +265,7 @@ def _changed_with_slopes(array: Any, place: Any, values: Any, how: str) -> Any:
 
 def _changed_of_many(array: Any, place: Any, values: Any, how: str) -> Any:
     count = len((array if isinstance(array, Many) else values).values)
-    changed = np.array(
-        array.values if isinstance(array, Many) else np.broadcast_to(array, (count, *array.shape))
-    )
-    given = values.values if isinstance(values, Many) else values
-    _CHANGES[how](changed, (slice(None), *place) if isinstance(place, tuple) else (slice(None), place), given)
+    changed = np.array(together(array, count))
+    at = (slice(None), *place) if isinstance(place, tuple) else (slice(None), place)
+    _CHANGES[how](changed, at, aligned(values, changed[at].ndim - 1))
     return Many(changed)

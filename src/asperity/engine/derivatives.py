@@ -169,7 +169,7 @@ class with_rule:  # noqa: N801 - a decorator
         """The function, its slopes by the rule."""
         fixed, numbers = arguments[: self._fixed], arguments[self._fixed :]
         known = self._known
-        if known is not None and all(map(operator.is_, numbers, known[0])):
+        if known is not None and all(map(operator.is_, arguments, known[0])):
             return known[1]
         leaves = trees.leaves(numbers)
         if any(map(is_of_jax, leaves)):
@@ -189,7 +189,7 @@ class with_rule:  # noqa: N801 - a decorator
         assert self._rule is not None
         primals = trees.map(lambda leaf: value_at(leaf, level), numbers)
         value, slopes, before = self(*fixed, *primals), [], self._known
-        self._knowing.value = primals, value
+        self._knowing.value = (*fixed, *primals), value
         try:
             for k in range(count):
                 if all(slopes_at(leaf, level, count)[k] is None for leaf in trees.leaves(numbers)):

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity.engine.arrays import OwnNumber, special
+from asperity.engine.arrays import OwnNumber, complex_number, special
 from asperity.engine.arrays import any_xp as xp
 
 
@@ -73,7 +73,7 @@ class Dual(OwnNumber):
         return _each(self, lambda part: part.imag)
 
     def astype(self, kind: Any) -> Any:
-        return self if kind is float else plain(self).astype(kind)
+        return self if np.dtype(kind).kind in "fc" else plain(self).astype(kind)
 
     def reshape(self, *shape: Any) -> Any:
         return _each(self, lambda part: part.reshape(*shape))
@@ -294,7 +294,6 @@ def _nothing(value: Any) -> np.ndarray:
 
 #: Slopes of functions of one number, of the value and the argument.
 _OF_ONE: dict[str, Callable[[Any, Any], Any]] = {
-    "abs": lambda value, x: xp.sign(plain(x)),
     "sqrt": lambda value, x: 0.5 / value,
     "cbrt": lambda value, x: value / (3.0 * x),
     "exp": lambda value, x: value,
@@ -311,7 +310,8 @@ _OF_ONE: dict[str, Callable[[Any, Any], Any]] = {
     "arctanh": lambda value, x: 1.0 / (1.0 - x * x),
     "square": lambda value, x: 2.0 * x,
     "erf": lambda value, x: 2.0 / math.sqrt(math.pi) * xp.exp(-x * x),
-    "gamma": lambda value, x: value * special.digamma(plain(x)),
+    "gamma": lambda value, x: value * special.digamma(x),
+    "digamma": lambda value, x: special.polygamma(1, _constant(x)),
 }
 #: Slopes of functions of two numbers, of the value and both arguments.
 _OF_TWO: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
@@ -382,6 +382,13 @@ _OF_VALUES = {
 }
 
 
+def _constant(number: Any) -> Any:
+    """A number without slopes; a slope of what comes of it is not known."""
+    if isinstance(number, Dual):
+        raise NotImplementedError("derivatives of the gamma function beyond the second are not known here")
+    return number
+
+
 def _share(larger: Any, smaller: Any) -> Any:
     """1 where the first number is larger, a half where both are alike."""
     one, other = plain(larger), plain(smaller)
@@ -390,6 +397,8 @@ def _share(larger: Any, smaller: Any) -> Any:
 
 def _with_slopes(name: str) -> Callable[..., Any]:
     """A function of numbers with slopes."""
+    if name in _OWN:
+        return _OWN[name]
     if name in _OF_VALUES:
         return lambda *given, **options: getattr(xp, name)(*(_plain_inside(one) for one in given), **options)
     if name in _OF_ONE:
@@ -400,8 +409,6 @@ def _with_slopes(name: str) -> Callable[..., Any]:
         return lambda x, *rest, **options: _linear(name, x, *rest, **options)
     if name in _BILINEAR:
         return lambda x, y, **options: _bilinear(name, x, y, **options)
-    if name in _OWN:
-        return _OWN[name]
 
     def unknown(*_: Any, **__: Any) -> Any:
         raise NotImplementedError(f"the slope of {name} is not known to asperity.engine.arrays")
@@ -417,7 +424,7 @@ def _plain_inside(argument: Any) -> Any:
 
 
 def _of_one(name: str, x: Dual) -> Dual:
-    value = getattr(special if name in ("erf", "gamma") else xp, name)(x.value)
+    value = getattr(special if name in ("erf", "gamma", "digamma") else xp, name)(x.value)
     slope = _OF_ONE[name](value, x.value)
     return Dual(value, [None if along is None else slope * along for along in x.slopes], x.level)
 
@@ -498,14 +505,15 @@ def _clip(x: Any, lower: Any = None, upper: Any = None) -> Any:
     return above if upper is None else xp.minimum(above, upper)
 
 
-def _extreme(place_of: str) -> Callable[..., Any]:
-    """The largest or the smallest number along an axis, or of all."""
+def _extreme(name: str) -> Callable[..., Any]:
+    """The largest or the smallest number along axes; numbers alike share its slope, as JAX has it."""
 
-    def extreme(x: Any, axis: int | None = None) -> Any:
-        if axis is None:
-            x, axis = x.reshape(-1), 0
-        place = xp.expand_dims(getattr(xp, place_of)(plain(x), axis=axis), axis)
-        return _each(x, lambda part: xp.take_along_axis(part, place, axis=axis).sum(axis=axis))
+    def extreme(x: Any, axis: Any = None) -> Any:
+        find = getattr(xp, name)
+        alike = xp.where(plain(x) == find(plain(x), axis=axis, keepdims=True), 1.0, 0.0)
+        share = alike / xp.sum(alike, axis=axis, keepdims=True)
+        slopes = [None if slope is None else xp.sum(share * slope, axis=axis) for slope in x.slopes]
+        return Dual(find(x.value, axis=axis), slopes, x.level)
 
     return extreme
 
@@ -552,14 +560,46 @@ def _einsum(rule: str, *given: Any) -> Any:
 
 
 def _nan_kept(x: Any, y: Any) -> Any:
-    return xp.where(xp.isnan(plain(y)) | (plain(x) >= plain(y)), x, y)
+    # of numbers alike the second one, as JAX has it
+    return xp.where(xp.isnan(plain(y)) | (plain(x) > plain(y)), x, y)
+
+
+def _complex(real: Any, imaginary: Any) -> Any:
+    a, b, level, first, second = _pair(real, imaginary)
+    slopes = [
+        None if s is None and t is None else complex_number(0.0 if s is None else s, 0.0 if t is None else t)
+        for s, t in zip(first, second, strict=True)
+    ]
+    return Dual(complex_number(a, b), slopes, level)
+
+
+def _absolute(x: Dual) -> Dual:
+    value = xp.abs(x.value)
+    if getattr(plain(x), "dtype", np.dtype(float)).kind != "c":
+        slope = xp.where(plain(x) >= 0.0, 1.0, -1.0)  # at 0 as JAX has it
+        return Dual(value, [None if along is None else slope * along for along in x.slopes], x.level)
+    real, imag = x.value.real, x.value.imag
+    slopes = [
+        None if along is None else (real * along.real + imag * along.imag) / value for along in x.slopes
+    ]
+    return Dual(value, slopes, x.level)
+
+
+def _each_apart(
+    x: Dual, name: str, rest: tuple[Any, ...], options: dict[str, Any], of_slopes: dict[str, float]
+) -> Dual:
+    """A linear function of a number, and of its slopes without the constants that options add."""
+    function = getattr(xp, name)
+    without = options | {key: value for key, value in of_slopes.items() if key in options}
+    slopes = [None if slope is None else function(slope, *rest, **without) for slope in x.slopes]
+    return Dual(function(x.value, *rest, **options), slopes, x.level)
 
 
 _OWN: dict[str, Callable[..., Any]] = {
     "where": _where,
     "clip": _clip,
-    "max": _extreme("argmax"),
-    "min": _extreme("argmin"),
+    "max": _extreme("max"),
+    "min": _extreme("min"),
     "broadcast_arrays": _broadcast_arrays,
     "full_like": _full_like,
     "full": _full,
@@ -567,6 +607,13 @@ _OWN: dict[str, Callable[..., Any]] = {
     "norm": _norm,
     "einsum": _einsum,
     "fmax": _nan_kept,
+    "abs": _absolute,
+    "complex_number": _complex,
+    "pad": lambda x, widths, **options: _each_apart(x, "pad", (widths,), options, {"constant_values": 0.0}),
+    "diff": lambda x, *rest, **options: _each_apart(
+        x, "diff", rest, options, {"prepend": 0.0, "append": 0.0}
+    ),
+    "sum": lambda x, *rest, **options: _each_apart(x, "sum", rest, options, {"initial": 0.0}),
     "add": _sum,
     "subtract": lambda x, y: _sum(x, -y),
     "divide": _quotient,

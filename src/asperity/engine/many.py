@@ -10,10 +10,12 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.lib.array_utils import normalize_axis_index
 
 from asperity.engine import trees
-from asperity.engine.arrays import OwnNumber
+from asperity.engine.arrays import OwnNumber, complex_number
 from asperity.engine.arrays import any_xp as xp
+from asperity.engine.dual import Dual
 
 
 class Many(OwnNumber):
@@ -66,9 +68,10 @@ class Many(OwnNumber):
         return (self[i] for i in range(self.shape[0]))
 
     def __getitem__(self, place: Any) -> Any:
-        if isinstance(place, Many):
-            return Many(self.values[np.arange(len(self.values)), place.values])
-        return Many(self.values[(slice(None), *place) if isinstance(place, tuple) else (slice(None), place)])
+        parts = place if isinstance(place, tuple) else (place,)
+        if any(isinstance(part, Many) for part in parts) or _is_apart(parts):
+            return one_by_one(lambda array, *at: array[at], (self, *parts))
+        return Many(self.values[(slice(None), *parts)])
 
     def astype(self, kind: Any) -> Any:
         return Many(self.values.astype(kind))
@@ -185,7 +188,14 @@ def many(modules: Any) -> Any:
 
 def together(module: Any, count: int, axis: int = 0) -> Any:
     """The arrays of many modules, stacked along an axis; what is the same for all is repeated."""
-    return trees.map(lambda leaf: np.moveaxis(_values(leaf, count), 0, axis), module)
+
+    def stacked(leaf: Any) -> Any:
+        if isinstance(leaf, Dual):
+            slopes = [None if slope is None else stacked(slope) for slope in leaf.slopes]
+            return Dual(stacked(leaf.value), slopes, leaf.level)
+        return np.moveaxis(_values(leaf, count), 0, axis)
+
+    return trees.map(stacked, module)
 
 
 def chosen(conditions: Many, yes: Any, no: Any) -> Any:
@@ -208,7 +218,7 @@ def _ndim(number: Any) -> int:
     )
 
 
-def _aligned(number: Any, ndim: int) -> Any:
+def aligned(number: Any, ndim: int) -> Any:
     """Values with axes of length 1 after the first, so that the others stand under those of arrays of more axes."""
     if not isinstance(number, Many):
         return number
@@ -235,7 +245,7 @@ def _operation(function: Callable[..., Any], one: Any, other: Any) -> Any:
     if isinstance(one, OwnNumber) and isinstance(other, OwnNumber) and one.rank != other.rank:
         return NotImplemented  # the number of higher rank computes
     ndim = max(_ndim(one), _ndim(other))
-    return Many(function(_aligned(one, ndim), _aligned(other, ndim)))
+    return Many(function(aligned(one, ndim), aligned(other, ndim)))
 
 
 def _count(given: Any) -> int:
@@ -256,7 +266,15 @@ def _axis(number: Any, axis: Any) -> Any:
         return tuple(range(1, number.values.ndim))
     if isinstance(axis, tuple):
         return tuple(_axis(number, each) for each in axis)
-    return axis + 1 if axis >= 0 else axis
+    return 1 + normalize_axis_index(axis, number.values.ndim - 1)
+
+
+def _is_apart(parts: tuple[Any, ...]) -> bool:
+    """Whether arrays of places, and numbers beside them, stand apart: NumPy puts their axes first then."""
+    if not any(isinstance(part, np.ndarray | list) for part in parts):
+        return False
+    chosen_by = [i for i, part in enumerate(parts) if isinstance(part, np.ndarray | list | int | np.integer)]
+    return chosen_by[-1] - chosen_by[0] >= len(chosen_by)
 
 
 def _of_each(name: str) -> Callable[..., Any]:
@@ -266,7 +284,7 @@ def _of_each(name: str) -> Callable[..., Any]:
     function: Any = getattr(np, name, None)
     if isinstance(function, np.ufunc) or name in ("where", "isreal"):
         return lambda *given: _elementwise(function, given)
-    if name in ("sum", "mean", "max", "min", "any", "all", "cumsum", "prod"):
+    if name in ("sum", "mean", "max", "min", "any", "all", "prod"):
         return lambda x, axis=None, **options: Many(function(x.values, axis=_axis(x, axis), **options))
     return lambda *given, **options: one_by_one(_function(name), given, options)
 
@@ -287,7 +305,7 @@ def _elementwise(function: Any, given: tuple[Any, ...]) -> Any:
     ndim = 0
     for one in given:
         ndim = max(ndim, _ndim(one))
-    return Many(function(*[_aligned(one, ndim) for one in given]))
+    return Many(function(*[aligned(one, ndim) for one in given]))
 
 
 def one_by_one(
@@ -299,7 +317,7 @@ def one_by_one(
 
     def entry(argument: Any, i: int) -> Any:
         if isinstance(argument, list | tuple):
-            return type(argument)(entry(one, i) for one in argument)
+            return type(argument)([entry(one, i) for one in argument])
         return argument.values[i] if isinstance(argument, Many) else argument
 
     results = [
@@ -319,9 +337,16 @@ def _joined(name: str) -> Callable[..., Any]:
     def joined(given: Any, axis: int = 0) -> Many:
         count = _count(given)
         values = [_values(one, count) for one in given]
-        return Many(getattr(np, name)(values, axis=axis + 1 if axis >= 0 else axis))
+        axes = values[0].ndim - (name == "concatenate")
+        return Many(getattr(np, name)(values, axis=1 + normalize_axis_index(axis, axes)))
 
     return joined
+
+
+def _cumsum(x: Many, axis: int | None = None) -> Many:
+    if axis is None:
+        return Many(np.cumsum(x.values.reshape(len(x.values), -1), axis=1))
+    return Many(np.cumsum(x.values, axis=_axis(x, axis)))
 
 
 def _extreme_place(name: str) -> Callable[..., Any]:
@@ -335,7 +360,7 @@ def _extreme_place(name: str) -> Callable[..., Any]:
 
 def _broadcast_to(x: Many, shape: Any) -> Many:
     given = (shape,) if isinstance(shape, int) else tuple(shape)
-    return Many(np.broadcast_to(_aligned(x, len(given)), (len(x.values), *given)))
+    return Many(np.broadcast_to(aligned(x, len(given)), (len(x.values), *given)))
 
 
 def _broadcast_arrays(*given: Any) -> list[Any]:
@@ -344,16 +369,24 @@ def _broadcast_arrays(*given: Any) -> list[Any]:
 
 
 def _matmul(one: Any, other: Any) -> Any:
-    a = one.values if isinstance(one, Many) else np.asarray(one)
-    b = other.values if isinstance(other, Many) else np.asarray(other)
-    if _ndim(other) == 1:
-        return Many(np.matmul(a, b[..., None])[..., 0])
-    if _ndim(one) == 1:
-        return Many(np.matmul(a[..., None, :], b)[..., 0, :])
-    return Many(np.matmul(a, b))
+    row, column = _ndim(one) == 1, _ndim(other) == 1
+    if not (_ndim(one) and _ndim(other)):
+        raise ValueError("matmul: a number without axes is no matrix")
+    a = one[None, :] if row else one
+    b = other[:, None] if column else other
+    ndim = max(_ndim(a), _ndim(b))
+    product = np.matmul(aligned(a, ndim), aligned(b, ndim))
+    if column:
+        product = product[..., 0]
+    if row:
+        product = product[..., 0] if column else product[..., 0, :]
+    return Many(product)
 
 
 def _block(rows: Any) -> Any:
+    nested = all(isinstance(row, list | tuple) for row in rows)
+    if not nested or any(isinstance(each, list | tuple) or _ndim(each) != 2 for row in rows for each in row):
+        return one_by_one(np.block, (rows,))
     whole = [xp.concatenate(list(row), axis=-1) for row in rows]
     return xp.concatenate(whole, axis=-2)
 
@@ -366,11 +399,16 @@ def _asarray(given: Any, dtype: Any = None) -> Any:
 
 def _diag(x: Many) -> Any:
     if x.ndim == 1:
-        return Many(x.values[:, :, None] * np.eye(x.shape[0]))
+        places = np.arange(x.shape[0])
+        matrices = np.zeros((len(x.values), *x.shape * 2), dtype=x.dtype)
+        matrices[:, places, places] = x.values
+        return Many(matrices)
     return Many(np.diagonal(x.values, axis1=1, axis2=2))
 
 
-def _solve(matrix: Any, right_side: Any) -> Many:
+def _solve(matrix: Any, right_side: Any) -> Any:
+    if _ndim(matrix) != 2 or _ndim(right_side) != 1:
+        return one_by_one(np.linalg.solve, (matrix, right_side))
     count = _count((matrix, right_side))
     return Many(np.linalg.solve(_values(matrix, count), _values(right_side, count)[..., None])[..., 0])
 
@@ -386,7 +424,9 @@ def _split(x: Many, places: Any, axis: int = 0) -> list[Many]:
 def _take_along_axis(x: Any, place: Any, axis: int) -> Many:
     count = _count((x, place))
     return Many(
-        np.take_along_axis(_values(x, count), _values(place, count), axis=axis + 1 if axis >= 0 else axis)
+        np.take_along_axis(
+            _values(x, count), _values(place, count), axis=1 + normalize_axis_index(axis, _ndim(x))
+        )
     )
 
 
@@ -418,7 +458,7 @@ def _repeat(x: Many, times: Any, axis: int | None = None) -> Many:
 
 
 def _expand_dims(x: Many, axis: int) -> Many:
-    return Many(np.expand_dims(x.values, axis + 1 if axis >= 0 else axis))
+    return Many(np.expand_dims(x.values, 1 + normalize_axis_index(axis, x.values.ndim)))
 
 
 def _norm(x: Many, axis: int | None = None) -> Any:
@@ -437,6 +477,8 @@ _OWN: dict[str, Callable[..., Any]] = {
     "concatenate": _joined("concatenate"),
     "argmax": _extreme_place("argmax"),
     "argmin": _extreme_place("argmin"),
+    "cumsum": _cumsum,
+    "complex_number": lambda real, imaginary: _operation(complex_number, real, imaginary),
     "broadcast_to": _broadcast_to,
     "broadcast_arrays": _broadcast_arrays,
     "broadcast_shapes": np.broadcast_shapes,

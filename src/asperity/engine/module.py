@@ -58,8 +58,18 @@ class Module:
 
 def _same(one: Any, other: Any) -> bool:
     """Whether two fields have the same numbers."""
-    if isinstance(one, tuple | list | dict | Module) or one is None or other is None:
+    if isinstance(one, tuple | list):
+        return type(one) is type(other) and len(one) == len(other) and all(map(_same, one, other))
+    if isinstance(one, dict):
+        return (
+            isinstance(other, dict)
+            and one.keys() == other.keys()
+            and all(_same(one[k], other[k]) for k in one)
+        )
+    if isinstance(one, Module):
         return bool(one == other)
+    if one is None or other is None:
+        return one is other
     return bool(np.array_equal(one, other))
 
 

@@ -30,7 +30,8 @@ def map(function: Callable[..., Any], tree: Any, *others: Any) -> Any:
     if isinstance(tree, list):
         return [map(function, *each) for each in zip(tree, *others, strict=True)]
     if isinstance(tree, dict):
-        return {key: map(function, entry, *[other[key] for other in others]) for key, entry in tree.items()}
+        made = {key: map(function, tree[key], *[other[key] for other in others]) for key in sorted(tree)}
+        return {key: made[key] for key in tree}
     return function(tree, *others)
 
 

@@ -48,7 +48,7 @@ from asperity.rolling.onset import RollingOnset
 from asperity.show.title_block import Title
 from asperity.standing.windup import Windup
 
-_PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
+_PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "matplotlib")
 _CREEP_SHARE = 0.05  # as in asperity windup
 
 

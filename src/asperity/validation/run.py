@@ -83,7 +83,7 @@ def validation_document(checks: list[Check]) -> dict[str, Any]:
         "asperity_version": asperity.__version__,
         "source_sha256": source_checksum(),
         "python": platform.python_version(),
-        "packages": {name: version(name) for name in ("jax", "jaxlib", "equinox", "numpy", "scipy")},
+        "packages": {name: version(name) for name in ("jax", "jaxlib", "numpy", "scipy")},
         "platform": f"{platform.system()} {platform.machine()}",
         "checks": [check.as_dict() for check in checks],
         "passed": sum(check.passed for check in checks),

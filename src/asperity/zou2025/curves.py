@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import equinox as eqx
 import numpy as np
-from jax.typing import ArrayLike
 
 from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.control import at_once
 from asperity.errors import NoSolutionError
-from asperity.precision import require_double_precision
-from asperity.types import Array, Real
+from asperity.types import Array, ArrayLike, Real
 from asperity.zou2025 import preset
 from asperity.zou2025.published import PublishedJoint, published_joint
 
@@ -116,7 +113,6 @@ def _joint_axes() -> dict[str, tuple[np.ndarray, str, np.ndarray]]:
 
 def pair_curves() -> dict[str, PairCurve]:
     """The six cases of Table 1, and two of them at a lower fractal dimension, as one batch."""
-    require_double_precision()
     axes = _pair_axes()
     cases: list[dict[str, ArrayLike]] = [
         {**preset.TABLE_1, "fractal_dimension": dimension, name: values}
@@ -124,20 +120,19 @@ def pair_curves() -> dict[str, PairCurve]:
     ]
     sizes = [values.size for _, values, _ in axes.values()]
     batch = {
-        key: xp.concatenate(
+        key: np.concatenate(
             [np.broadcast_to(case[key], size) for case, size in zip(cases, sizes, strict=True)]
         )
         for key in preset.TABLE_1
     }
-    stiffness = np.asarray(eqx.filter_jit(preset.table_1_contact)(**batch).tangential_stiffness)
-    parts = np.split(stiffness, np.cumsum(sizes)[:-1])
+    contact = at_once(lambda numbers: preset.table_1_contact(**numbers), batch)
+    parts = np.split(contact.tangential_stiffness, np.cumsum(sizes)[:-1])
     return {
         case: PairCurve(name, values, part)
         for (case, (name, values, _)), part in zip(axes.items(), parts, strict=True)
     }
 
 
-@eqx.filter_jit
 def _published(joint: PublishedJoint) -> tuple[dict[str, Real], Array]:
     """Results that the figures show, and whether each joint is solved."""
     result = published_joint(joint)
@@ -153,20 +148,19 @@ def _published(joint: PublishedJoint) -> tuple[dict[str, Real], Array]:
 
 def joint_curves() -> dict[str, JointCurves]:
     """All sweeps of the joint of Table 2, solved as one batch."""
-    require_double_precision()
     axes = _joint_axes()
     grids = [preset.operating_grid(output_torque=t, **{name: values}) for t, name, values in axes.values()]
     batch: preset.OperatingPoint = trees.map(
-        lambda *leaves: xp.asarray(np.concatenate([np.ravel(leaf) for leaf in leaves])), *grids
+        lambda *leaves: np.concatenate([np.ravel(leaf) for leaf in leaves]), *grids
     )
-    shown, solved = _published(preset.table_2_joint(batch))
+    shown, solved = at_once(_published, preset.table_2_joint(batch))
     if not np.all(solved):
         raise NoSolutionError(
-            f"the force balance did not converge at {np.count_nonzero(~np.asarray(solved))} of {solved.size} points of "
+            f"the force balance did not converge at {np.count_nonzero(~solved)} of {solved.size} points of "
             "the reproduction; this is a defect of the solver, because all points lie within the paper's ranges"
         )
     ends = np.cumsum([t.size * values.size for t, _, values in axes.values()])[:-1]
-    parts = {key: np.split(np.asarray(numbers), ends, axis=-1) for key, numbers in shown.items()}
+    parts = {key: np.split(numbers, ends, axis=-1) for key, numbers in shown.items()}
     return {
         field: JointCurves(
             torque,

@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from jax.typing import ArrayLike
 
 from asperity.contact.fractal import Surface
 from asperity.contact.interface import RoughContact
@@ -15,7 +14,7 @@ from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
 from asperity.materials import Material, hardness, pair
-from asperity.types import Real
+from asperity.types import ArrayLike, Real
 from asperity.zou2025.published import PublishedJoint
 
 YIELD_STRENGTH = 450e6  # Pa, Tables 1 and 2

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.control import while_loop
 from asperity.engine.derivatives import without_slopes
+from asperity.engine.dual import highest_level
 from asperity.implicit import implicit_root
 from asperity.types import Array, Real
 
@@ -185,8 +186,12 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
     ----------
     Equation (A9) of :doc:`/equations`. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2021) 5.
     """
-    if not uses_jax(first_guess, excesses(xp.asarray(first_guess))):
-        return first_limit_of_numbers(excesses=excesses, first_guess=first_guess)
+    at_guess = excesses(xp.asarray(first_guess))
+    if not uses_jax(first_guess, at_guess):
+        found = first_limit_of_numbers(
+            excesses=lambda value: without_slopes(excesses(value)), first_guess=without_slopes(first_guess)
+        )
+        return with_derivative(excesses=excesses, limit=found) if highest_level([at_guess]) else found
     import jax
 
     excesses = jax.jit(excesses)  # traced once for the search and for the derivative

@@ -1,0 +1,123 @@
+"""Joints over their torque by NumPy, all at once, and within programs of JAX: equal states and slopes."""
+
+import jax
+import numpy as np
+import pytest
+from both_engines import assert_alike, direction
+
+from asperity.engine import trees
+from asperity.engine.control import at_once
+from asperity.engine.derivatives import value_and_slope
+from asperity.joint.description import in_motion
+from asperity.joint.evaluation import assembled_joint
+from asperity.standing.over_torque import curve_program, over_torque_program, standing_program
+from asperity.standing.springs_over_torque import springs_program
+
+SPRINGS = {
+    'bodies = "exact"': 'bodies = "springs"',
+    'ring_support = "free" ': 'ring_support = "rigid_housing" ',
+}
+SKEW = '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\nhysteresis_factor = 0.01\n\n[lubrication]'
+BEARINGS = """[bearings]
+sun_torque = "0.001 N*m"
+loading_roller_torque = "0.0005 N*m"
+carrier_torque = "0.005 N*m"
+pin_friction_coefficient = 0.002
+pin_diameter = "4 mm"
+pin_length = "6 mm"
+
+[model]"""
+JOINTS = {
+    "planetary": ("planetary", {}),
+    "cam": ("planetary", {**SPRINGS, "[load]\n": '[load]\ncam_force_per_torque = "60 N/Nm"\n'}),
+    "skew": ("planetary", {**SPRINGS, "[lubrication]": SKEW}),
+    "pins": ("zou2025", {"[model]": BEARINGS}),
+}
+NO_SLIP = 1e6
+#: Programs of an assembled joint and of torques, and further numbers of theirs.
+PROGRAMS = {
+    "standing": (standing_program, (NO_SLIP,)),
+    "turning": (over_torque_program, (NO_SLIP,)),
+    "springs": (springs_program, ()),
+}
+CASES = [
+    pytest.param(program, joint, marks=pytest.mark.slow if joint in ("cam", "pins") else pytest.mark.long)
+    for program in PROGRAMS
+    for joint in JOINTS
+]
+#: Over the joint's own: both senses, none, and beyond what its contacts hold.
+SHARES = np.array([-60.0, -0.9, -0.3, 0.0, 0.2, 0.95, 1.2, 60.0])
+
+
+@pytest.fixture(scope="module")
+def assembled(planar_joint):
+    """Maker of a joint of NumPy's numbers in motion, and of its state without torque."""
+
+    def make(name):
+        example, replaced = JOINTS[name]
+        numbers = trees.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint(example, replaced))
+        joint = in_motion(numbers)
+        return joint, at_once(assembled_joint, joint)
+
+    return make
+
+
+def rows_of(found, places):
+    return trees.map(lambda leaf: np.asarray(leaf)[places], found)
+
+
+def stands(found):
+    """At which torques a joint that stands has a state."""
+    return np.asarray(found.solved) if hasattr(found, "solved") else np.isfinite(found.stiffness)
+
+
+@pytest.mark.parametrize(("program", "name"), CASES)
+def test_both_engines_follow_a_joint_over_its_torque(assembled, program, name):
+    """At torques without a state there is none in either of them; there the other numbers have no meaning."""
+    (joint, without_torque), (function, numbers) = assembled(name), PROGRAMS[program]
+    torques = joint.output_torque * SHARES
+    ours = at_once(function, joint, without_torque, torques, *map(np.asarray, numbers))
+    theirs = jax.jit(function)(joint, without_torque, torques, *numbers)
+    known = stands(ours)
+    np.testing.assert_array_equal(known, stands(theirs))
+    assert not known[[0, -1]].any() or name == "cam"
+    assert known[1:-2].all()
+    assert_alike(*(rows_of(found, known) for found in (ours, theirs)), 1e-9, beside=ours)
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name == "cam" else pytest.mark.slow) for name in JOINTS]
+)
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_all_torques_at_once_are_one_torque_after_the_other(assembled, program, name):
+    (joint, without_torque), (function, numbers) = assembled(name), PROGRAMS[program]
+    torques = joint.output_torque * SHARES
+
+    def at(torques):
+        return at_once(function, joint, without_torque, torques, *map(np.asarray, numbers))
+
+    together = at(torques)
+    known = stands(together)
+    for k in np.flatnonzero(known):
+        assert_alike(rows_of(together, [k]), at(torques[[k]]), 1e-9, beside=together)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("shown", ["assembly", "drift"])
+def test_slopes_of_measured_curves_are_those_of_jax(assembled, shown):
+    """By all numbers of the joint."""
+    joint, _ = assembled("cam")
+    torques = joint.output_torque * np.array([-0.5, 0.3, 0.9])
+
+    def curve(joint, torques=torques):
+        found = curve_program(joint, torques, NO_SLIP, shown)
+        return found[shown], found["slip_ratio"]
+
+    along = direction(joint)
+    value, slope = value_and_slope(curve, (joint,), (along,))
+
+    def program(joint, along, torques):
+        return jax.jvp(lambda joint: curve(joint, torques), (joint,), (along,))
+
+    _, expected = jax.jit(program)(joint, along, torques)
+    assert_alike(slope, expected, 1e-9, beside=value)
