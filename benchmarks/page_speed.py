@@ -1,11 +1,9 @@
 """Time from a key press on a slider of the page to all plots redrawn, in headless Chromium.
 
-    python benchmarks/page_speed.py [FILE] [--presses 50] [--wait 90]
+    python benchmarks/page_speed.py [FILE] [--presses 50]
 
 Needs the extras 'page' and 'test' and an installed Chromium. Prints median and worst time of the key presses, the time
-of an empty round trip to the server, of the first load once the programs are compiled, and the bytes transferred.
-After the first answer, the server compiles the programs of its answers again, to run faster: presses are measured
-before and after a time in which it can do that.
+of an empty round trip to the server, of the first load, and the bytes transferred.
 """
 
 from __future__ import annotations
@@ -58,12 +56,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("file", nargs="?", default=str(FILE))
     parser.add_argument("--presses", type=int, default=50)
-    parser.add_argument(
-        "--wait",
-        type=float,
-        default=90.0,
-        help="time for the second compilation [s]; 5 where it is in the cache",
-    )
     asked = parser.parse_args()
     browser_path = shutil.which("chromium") or shutil.which("google-chrome")
     if browser_path is None:
@@ -76,14 +68,14 @@ def main() -> None:
     try:
         with sync_playwright() as driver:
             browser = driver.chromium.launch(executable_path=browser_path, args=["--no-sandbox"])
-            _measure(browser, found.group(), asked.presses, asked.wait)
+            _measure(browser, found.group(), asked.presses)
             browser.close()
     finally:
         server.terminate()
         server.wait()
 
 
-def _measure(browser: object, address: str, presses: int, wait: float) -> None:
+def _measure(browser: object, address: str, presses: int) -> None:
     page = browser.new_page(viewport={"width": 1400, "height": 1000})  # type: ignore[attr-defined]
     page.goto(address)
     page.wait_for_selector("html[data-state=ready]", timeout=600_000)
@@ -96,18 +88,13 @@ def _measure(browser: object, address: str, presses: int, wait: float) -> None:
     loaded, loaded_bytes = page.evaluate("performance.now()"), sum(sizes)
     for _ in range(5):
         page.evaluate(PRESS)
-    first = [page.evaluate(PRESS) for _ in range(presses)]
-    page.wait_for_timeout(1e3 * wait)
-    for _ in range(5):
-        page.evaluate(PRESS)
     times = [page.evaluate(PRESS) for _ in range(presses)]
     empty = [page.evaluate(ROUND_TRIP) for _ in range(presses)]
     plots = page.locator("#plots svg[role=img]").count()
     print(f"key press to {plots} plots, the drawing and all tables redrawn, {presses} presses:")
-    print(f"  at once median {statistics.median(first):.0f} ms, worst {max(first):.0f} ms")
-    print(f"  later median {statistics.median(times):.0f} ms, worst {max(times):.0f} ms")
+    print(f"  median {statistics.median(times):.0f} ms, worst {max(times):.0f} ms")
     print(f"empty round trip: median {statistics.median(empty):.1f} ms")
-    print(f"first load, programs compiled: {loaded:.0f} ms, {loaded_bytes / 1e3:.0f} kB")
+    print(f"first load: {loaded:.0f} ms, {loaded_bytes / 1e3:.0f} kB")
 
 
 if __name__ == "__main__":

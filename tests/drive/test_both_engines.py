@@ -292,6 +292,15 @@ def limit_of(excess):
     return found
 
 
+def straight(value, number):
+    return value - number
+
+
+def steep(value, number):
+    """Which hardly changes where the search halves its interval."""
+    return xp.expm1(30.0 * (value / number - 1.0))
+
+
 def given(label, function, **numbers):
     return label, Formula(lambda these: function(**these), numbers)
 
@@ -363,8 +372,8 @@ FORMULAS = dict([
         planet_spring=5e7,
     ),
     given("self-locking with equal friction", tied, friction_coefficient=np.full(5, 0.12)),
-    given("first limit, straight", limit_of(lambda value, number: value - number), number=LIMITS),
-    given("first limit, steep", limit_of(lambda value, number: xp.expm1(30.0 * (value / number - 1.0))), number=LIMITS),
+    given("first limit, straight", limit_of(straight), number=LIMITS),
+    given("first limit, steep", limit_of(steep), number=LIMITS),
 ])  # fmt: skip
 TORQUES = {"planetary": 8.0, "multiroller": 20.0, "stepped": 6.0, "wedge": 5.0}
 LARGE = dict([

@@ -57,16 +57,21 @@ def test_a_function_of_known_numbers_is_that_of_numpy(given):
     assert np.all(found == expected)
 
 
-@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_an_array_of_jax_among_the_arguments_decides():
-    one, two = jnp.ones(2), np.full(2, 2.0)
-    for found in (
-        *(xp.add(two, one), xp.add(one, 1.0), xp.stack([two, one]), xp.stack((two, [1.0, one][1]))),
-        *(xp.concatenate([two, one]), xp.block([[two, one], [two, two]]), xp.where(two > 1.0, one, 0.0)),
-        *(xp.clip(two, 0.0, one), xp.full((2,), fill_value=one[0]), xp.sum(a=one), xp.linalg.norm(one)),
-        *(special.erf(one), xp.linalg.solve(jnp.eye(2), two), entry_of([1.0, 2.0], jnp.asarray(1))),
-    ):
-        assert isinstance(found, jax.Array)
+    two = np.full(2, 2.0)
+
+    def of_jax(one):
+        return [
+            *(xp.add(two, one), xp.add(one, 1.0), xp.stack([two, one]), xp.stack((two, [1.0, one][1]))),
+            *(xp.concatenate([two, one]), xp.block([[two, one], [two, two]]), xp.where(two > 1.0, one, 0.0)),
+            *(xp.clip(two, 0.0, one), xp.full((2,), fill_value=one[0]), xp.sum(a=one), xp.linalg.norm(one)),
+            *(special.erf(one), xp.linalg.solve(one * np.eye(2), two), entry_of(two, one.astype(int))),
+        ]
+
+    kinds = []
+    jax.jit(lambda one: kinds.extend(map(is_of_jax, of_jax(one))) or 0.0)(np.ones(2))
+    assert len(kinds) == 14
+    assert all(kinds)
     for found in (
         *(xp.add(two, 1.0), xp.stack([two, two]), xp.sum(two, axis=0), xp.zeros(3), xp.eye(2)),
         *(

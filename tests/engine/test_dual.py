@@ -467,25 +467,31 @@ def test_a_number_with_slopes_never_becomes_an_array_of_numpy_unnoticed():
 def test_numbers_alike_share_the_slope_of_the_larger_and_of_the_smaller():
     """The mean of the slopes on both sides, as JAX has it."""
     one, other = np.array([1.0, 2.0]), np.array([1.0, 5.0])
-    for name in ("maximum", "minimum"):
-        found = value_and_slope(getattr(xp, name), (one, one), (one, other))
-        assert_alike(found, jax.jvp(getattr(jnp, name), (one, one), (one, other)))
-    for y in (1.0, np.array([1.0, np.nan])):  # of which the second counts, as by JAX
-        found = value_and_slope(lambda x, y=y: xp.fmax(x, y), (one,), (other,))
-        assert_alike(found, jax.jvp(lambda x, y=y: jnp.fmax(x, y), (one,), (other,)))
-    same = np.array([2.0, 2.0, 1.0])
-    for name, x in (("max", same), ("min", -same)):
-        found = value_and_slope(getattr(xp, name), (x,), (np.array([1.0, 4.0, 9.0]),))
-        assert_alike(found, jax.jvp(getattr(jnp, name), (x,), (np.array([1.0, 4.0, 9.0]),)))
+    same, along = np.array([2.0, 2.0, 1.0]), np.array([1.0, 4.0, 9.0])
+    rows, turned = np.stack([same, along]), np.stack([along, same])
+
+    def of(slope, m):
+        return [
+            *(slope(getattr(m, name), (one, one), (one, other)) for name in ("maximum", "minimum")),
+            *(slope(lambda x, y=y: m.fmax(x, y), (one,), (other,)) for y in (1.0, np.array([1.0, np.nan]))),
+            slope(m.max, (same,), (along,)),
+            slope(m.min, (-same,), (along,)),
+            slope(lambda x: m.max(x, axis=1), (rows,), (turned,)),
+        ]
+
+    assert_alike(of(value_and_slope, xp), jax.jit(lambda: of(jax.jvp, jnp))())
 
 
 def test_slopes_where_functions_have_an_edge():
     """What a formula does not choose by where may be infinite, and must then be so in both engines."""
-    for name in ("sqrt", "log", "arcsin", "arccos", "arctanh", "log1p", "cbrt"):
-        x = np.array([-2.0, -1.0, 0.0, 1.0])
-        found = value_and_slope(getattr(xp, name), (x,), (np.ones(4),))
-        expected = jax.jvp(getattr(jnp, name), (x,), (np.ones(4),))
-        np.testing.assert_array_equal(np.isfinite(found), np.isfinite(expected), err_msg=name)
+    names = ["sqrt", "log", "arcsin", "arccos", "arctanh", "log1p", "cbrt"]
+    x = np.array([-2.0, -1.0, 0.0, 1.0])
+
+    def of(slope, m):
+        return [slope(getattr(m, name), (x,), (np.ones(4),)) for name in names]
+
+    expected = jax.jit(lambda: of(jax.jvp, jnp))()
+    np.testing.assert_array_equal(np.isfinite(of(value_and_slope, xp)), np.isfinite(expected))
 
 
 def test_powers_of_negative_numbers_and_of_zero():

@@ -21,21 +21,22 @@ def system(count, *, several=None):
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 17])
-@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_systems_and_their_derivatives(count):
     matrix, right = system(count)
     change, moved = np.random.default_rng(7).normal(size=(count, count)), np.cos(np.arange(count))
-    found, slope = jax.jvp(
-        solve, (jnp.array(matrix), jnp.array(right)), (jnp.array(change), jnp.array(moved))
-    )
+
+    @jax.jit
+    def program(matrix, right):
+        back = jax.grad(lambda b: jnp.sum(solve(matrix, b) ** 2))(right)
+        return *jax.jvp(solve, (matrix, right), (jnp.array(change), jnp.array(moved))), back
+
+    found, slope, back = program(matrix, right)
     expected = np.linalg.solve(matrix, right)
     np.testing.assert_allclose(found, expected, rtol=1e-10)
     np.testing.assert_allclose(slope, np.linalg.solve(matrix, moved - change @ expected), rtol=1e-9)
-    back = jax.grad(lambda b: jnp.sum(solve(jnp.array(matrix), b) ** 2))(jnp.array(right))
     np.testing.assert_allclose(back, np.linalg.solve(matrix.T, 2.0 * expected), rtol=1e-9)
 
 
-@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_the_derivatives_are_those_of_the_linear_function():
     """(1 + p) A x = b, eliminated by a matrix that is taken for constant: x' = -x/(1 + p)."""
     matrix, right = system(3)
@@ -43,22 +44,29 @@ def test_the_derivatives_are_those_of_the_linear_function():
     def of(p, right):
         return solve_with(lambda x: (1.0 + p) * (matrix @ x), jnp.array(1.25 * matrix), right)
 
+    @jax.jit
+    def program(right):
+        return *jax.jvp(lambda p: of(p, right), (0.25,), (1.0,)), jax.grad(lambda b: of(0.25, b)[1])(right)
+
+    found, slope, back = program(right)
     x = np.linalg.solve(1.25 * matrix, right)
-    found, slope = jax.jvp(of, (0.25, jnp.array(right)), (1.0, jnp.zeros(3)))
     np.testing.assert_allclose(found, x, rtol=1e-12)
     np.testing.assert_allclose(slope, -x / 1.25, rtol=1e-12)
-    back = jax.grad(lambda b: of(0.25, b)[1])(jnp.array(right))
     np.testing.assert_allclose(back, np.linalg.inv(1.25 * matrix)[1], rtol=1e-12)
 
 
-@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_the_largest_pivot_is_taken_and_a_singular_system_has_no_number():
     """With the first pivot, 1e-20, the first unknown would be lost to rounding."""
-    matrices = jnp.array([[[1e-20, 1.0], [1.0, 1.0]], [[1.0, 1.0], [1.0, 1.0]]])
-    right = jnp.array([[1.0, 2.0], [1.0, 2.0]])
-    with optimised():
-        written_out = jax.vmap(solve_in_turn)(matrices, right)
-    for found in (jax.vmap(solve)(matrices, right), jax.vmap(solve_in_turn)(matrices, right), written_out):
+    matrices = np.array([[[1e-20, 1.0], [1.0, 1.0]], [[1.0, 1.0], [1.0, 1.0]]])
+    right = np.array([[1.0, 2.0], [1.0, 2.0]])
+
+    @jax.jit
+    def program(matrices, right):
+        with optimised():
+            written_out = jax.vmap(solve_in_turn)(matrices, right)
+        return jax.vmap(solve)(matrices, right), jax.vmap(solve_in_turn)(matrices, right), written_out
+
+    for found in program(matrices, right):
         np.testing.assert_allclose(found[0], [1.0, 1.0], rtol=1e-14)
         assert not np.all(np.isfinite(found[1]))
 
@@ -70,17 +78,27 @@ def test_a_batch_needs_no_lapack():
 
 
 @pytest.mark.parametrize("count", [1, 2, 6])
-@pytest.mark.programs("it looks at the programs of JAX themselves")
 def test_one_system_and_a_batch_in_a_step_of_an_iteration(count):
-    matrices, right = map(jnp.array, system(count, several=70))
+    matrices, right = system(count, several=70)
+
+    @jax.jit
+    def program(matrices, right):
+        with optimised():
+            written_out = jax.vmap(solve_in_turn)(matrices, right)
+        return (
+            solve_in_turn(matrices[0], right[0]),
+            jax.vmap(solve_in_turn)(matrices, right),
+            written_out,
+            jax.vmap(solve_in_turn, in_axes=(None, 0))(matrices[0], right),
+            jax.vmap(solve_in_turn, in_axes=(0, None))(matrices, right[0]),
+        )
+
+    one, batch, written_out, one_matrix, one_side = program(matrices, right)
     expected = np.linalg.solve(matrices, right[..., None])[..., 0]
-    np.testing.assert_allclose(solve_in_turn(matrices[0], right[0]), expected[0], rtol=1e-10)
-    np.testing.assert_allclose(jax.vmap(solve_in_turn)(matrices, right), expected, rtol=1e-10)
-    with optimised():
-        np.testing.assert_allclose(jax.vmap(solve_in_turn)(matrices, right), expected, rtol=1e-10)
-    one_matrix = jax.vmap(solve_in_turn, in_axes=(None, 0))(matrices[0], right)
+    np.testing.assert_allclose(one, expected[0], rtol=1e-10)
+    np.testing.assert_allclose(batch, expected, rtol=1e-10)
+    np.testing.assert_allclose(written_out, expected, rtol=1e-10)
     np.testing.assert_allclose(one_matrix, np.linalg.solve(matrices[0], right.T).T, rtol=1e-10)
-    one_side = jax.vmap(solve_in_turn, in_axes=(0, None))(matrices, right[0])
     np.testing.assert_allclose(one_side, np.linalg.solve(matrices, right[0]), rtol=1e-10)
 
 

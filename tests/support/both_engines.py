@@ -151,8 +151,8 @@ def assert_alike(
 ) -> None:
     """Two trees of numbers with the same structure, and the same numbers but for rounding.
 
-    ``scale`` as of :class:`Formula`, also of the arrays ``beside`` them in a tree of this structure: what is 0
-    but for rounding, as the slope of a number that does not change, is known as well as these. ``kinds``:
+    ``scale`` as of :class:`Formula`, also of the arrays ``beside`` them in a tree of this structure: what is
+    0 but for rounding, as the slope of a number that does not change, is known as well as these. ``kinds``:
     whether nan and both infinities are told apart. Places with one of the names in ``skip`` are not compared.
     """
     ours_by_place, ours_structure = jax.tree_util.tree_flatten_with_path(ours)

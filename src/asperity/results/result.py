@@ -210,4 +210,7 @@ class Result:
 
     def of(self, solved: SolvedJoint) -> Any:
         """Its value [SI]: an array, with the axis of its rows first, or a sequence of its rows."""
-        return operator.attrgetter(self.value)(solved) if isinstance(self.value, str) else self.value(solved)
+        with np.errstate(all="ignore"):  # what has no value divides by zero
+            return (
+                operator.attrgetter(self.value)(solved) if isinstance(self.value, str) else self.value(solved)
+            )
