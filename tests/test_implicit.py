@@ -193,6 +193,7 @@ def test_numbers_that_a_function_gives_back_and_their_slopes_are_those_of_jax():
     np.testing.assert_allclose([found[0][1], found[1][1]], [[x, y], [dx, dy]], rtol=1e-9)
 
 
+@pytest.mark.programs("operations by JAX, one after the other")
 def test_slopes_of_slopes_of_numbers_that_a_function_gives_back_are_those_of_jax():
     def twice(slope, p):
         return slope(lambda p: slope(settled, (p,), (1.0,)), (p,), (1.0,))

@@ -77,6 +77,7 @@ def test_mode_with_michells_fields(n, support, rim):
     assert total == pytest.approx(dense(n, support, rim, 1.0, 1.4, kappa), rel=1e-9)
 
 
+@pytest.mark.programs("operations by JAX, one after the other")
 def test_weights_of_a_support_and_their_slope():
     assert [float(x) for x in support_weights(support_stiffness=0.0, radius=1.0, shear_modulus=G)] == [
         1.0,

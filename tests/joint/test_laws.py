@@ -125,6 +125,7 @@ def test_a_given_preload_is_the_reference(planar_joint):
     np.testing.assert_allclose(laws.asperity_compliance * rough.tangential_stiffness, 1.0, rtol=1e-12)
 
 
+@pytest.mark.programs("operations by JAX, one after the other")
 def test_springs_and_coupling_of_exact_bodies(planar_joint, monkeypatch):
     """Half-widths grow with the root of the force: of each body an e-fold takes (1 - nu^2)/(pi E L)."""
     joint = planar_joint("planetary")

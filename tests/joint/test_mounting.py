@@ -50,6 +50,7 @@ def test_cooling_of_aluminium_planets_by_hand():
     assert float(mounted.cooling) == pytest.approx(30e-6 / (12.6e-6 * 0.01 + 23.6e-6 * 0.04), rel=0.01)
 
 
+@pytest.mark.programs("operations by JAX, one after the other")
 def test_both_rings_of_a_stepped_drive_by_hand():
     """Rings of 50 and 48 mm, each with its own force and its own interference."""
     joint = joint_from_case(read_case(EXAMPLES / "stepped_planet.toml"))
@@ -60,6 +61,7 @@ def test_both_rings_of_a_stepped_drive_by_hand():
     assert np.asarray(mounted.heating)[rings] == pytest.approx(by_hand, rel=2e-3)
 
 
+@pytest.mark.programs("operations by JAX, one after the other")
 def test_a_material_without_expansion_has_no_temperatures():
     joint = joint_from_case(read_case(EXAMPLES / "zou2025.toml"))
     mounted = mounting(joint, _assembled([1000.0] * 5, [0.0, 0.0, 0.0, 1e-5, 1e-5]), 0.0)

@@ -134,6 +134,9 @@ class _Special:
     """Functions of :mod:`scipy.special` and of the same of JAX, which NumPy lacks; imported when they are called."""
 
     def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+
         def of_scipy(*arguments: Any) -> Any:
             return getattr(importlib.import_module("scipy.special"), name)(*arguments)
 

@@ -69,6 +69,8 @@ class Many(OwnNumber):
 
     def __getitem__(self, place: Any) -> Any:
         parts = place if isinstance(place, tuple) else (place,)
+        if any(isinstance(part, Many) and part.dtype == bool for part in parts):
+            raise TypeError("conditions of many numbers choose different places of each; use xp.where")
         if any(isinstance(part, Many) for part in parts) or _is_apart(parts):
             return one_by_one(lambda array, *at: array[at], (self, *parts))
         return Many(self.values[(slice(None), *parts)])
