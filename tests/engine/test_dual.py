@@ -474,6 +474,7 @@ def test_numbers_alike_share_the_slope_of_the_larger_and_of_the_smaller():
         return [
             *(slope(getattr(m, name), (one, one), (one, other)) for name in ("maximum", "minimum")),
             *(slope(lambda x, y=y: m.fmax(x, y), (one,), (other,)) for y in (1.0, np.array([1.0, np.nan]))),
+            slope(m.abs, (np.array([0.0, -0.0]),), (other,)),  # that of the numbers above 0
             slope(m.max, (same,), (along,)),
             slope(m.min, (-same,), (along,)),
             slope(lambda x: m.max(x, axis=1), (rows,), (turned,)),
@@ -555,13 +556,20 @@ def test_a_number_as_a_count_has_no_slopes():
     ids=["square", "inverse", "exp", "sqrt", "parts", "turned", "abs"],
 )
 def test_complex_numbers(function):
-    at, along = (MATRIX, MATRIX.T), (MATRIX + 0.1, 1.0 - MATRIX)
+    """By both parts, and by each of them."""
+    (x, y), (dx, dy) = (MATRIX, MATRIX.T), (MATRIX + 0.1, 1.0 - MATRIX)
 
-    def of(m):
-        return lambda real, imaginary: function(m, complex_number(real, imaginary))
+    def of(slope, m):
+        def number(real, imaginary):
+            return function(m, complex_number(real, imaginary))
 
-    found = value_and_slope(of(xp), at, along)
-    assert_alike(found, jax.jvp(of(jnp), tuple(map(jnp.asarray, at)), tuple(map(jnp.asarray, along))))
+        return [
+            slope(number, (x, y), (dx, dy)),
+            slope(lambda real: number(real, y), (x,), (dx,)),
+            slope(lambda imaginary: number(x, imaginary), (y,), (dy,)),
+        ]
+
+    assert_alike(of(value_and_slope, xp), jax.jit(lambda: of(jax.jvp, jnp))())
 
 
 def test_a_slope_of_a_slope_is_not_taken_for_a_slope():

@@ -1,6 +1,7 @@
 """Torque capacity of planar joints by hand."""
 
 import dataclasses
+import functools
 from types import SimpleNamespace
 
 import jax
@@ -12,7 +13,10 @@ from asperity.drive.state.equations import STANDING, Task, forces_on, machine_of
 from asperity.drive.state.search import known_state, solved, started_from, state_of
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE
 from asperity.drive.state.states import closed_around
+from asperity.engine.arrays import as_numbers
+from asperity.engine.control import at_once
 from asperity.errors import InputError
+from asperity.joint import capacity
 from asperity.joint.capacity import (
     capacity_both_ways,
     excesses_of,
@@ -20,8 +24,8 @@ from asperity.joint.capacity import (
     limiting_torques,
     smaller_sizes,
 )
-from asperity.joint.description import body_masses
-from asperity.joint.evaluation import laws_and_states
+from asperity.joint.description import body_masses, in_motion
+from asperity.joint.evaluation import assembled_joint, laws_and_states
 from asperity.joint.laws import drive_load
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
@@ -258,3 +262,19 @@ def test_the_search_from_rest_finds_the_capacity_of_one_loading():
     np.testing.assert_array_equal(sliding, 2)
     np.testing.assert_allclose(found[:, 0], torque, rtol=1e-8)
     assert np.all(found[:, 1] < found[:, 0])
+
+
+@pytest.mark.long
+def test_the_program_that_searches_wedges_with_skew_finds_what_numpy_finds(planar_joint):
+    joint = in_motion(
+        as_numbers(
+            planar_joint("zou2025", replaced={"[model]\n": '[rolling]\nskew = "0.3 mrad"\n\n[model]\n'})
+        )
+    )
+    without_torque = at_once(assembled_joint, joint)
+    options = {"direction": (1.0,), "holds": (False,), "rolls": True}
+    by_numpy = at_once(functools.partial(capacity._searched, **options), joint, without_torque)
+    by_program = capacity.searched_capacities(joint, without_torque, **options)
+    np.testing.assert_allclose(by_program.output_torque, by_numpy.output_torque, rtol=1e-10)
+    np.testing.assert_array_equal(by_program.limit, by_numpy.limit)
+    np.testing.assert_array_equal(by_program.limiting_contact, by_numpy.limiting_contact)

@@ -5,11 +5,12 @@ from __future__ import annotations
 import dataclasses
 import functools
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from asperity.body.rim_moments import WIDEST_CONTACT
+from asperity.drive.layout.wedge import wedges
 from asperity.drive.state.first_limit import FirstLimit, first_limit, first_limit_of_numbers, slip_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
@@ -204,9 +205,36 @@ def searched_capacities(
 
     The flags are those of :func:`under_torque`, ``holds`` one for each direction.
     """
-    search = functools.partial(_searched, direction=direction, holds=holds, rolls=rolls)
-    known: TorqueCapacity = at_once(search, joint, without_torque)
+    options: dict[str, Any] = {"direction": direction, "holds": holds, "rolls": rolls}
+    known: TorqueCapacity
+    if rolls and joint.rolling.skew is not None and wedges(joint.drive):
+        known = _by_program(joint, without_torque, **options)
+    else:
+        known = at_once(functools.partial(_searched, **options), joint, without_torque)
     return known
+
+
+@functools.cache
+def _program() -> Callable[..., Any]:
+    import jax
+
+    return jax.jit(
+        _searched,
+        static_argnames=("direction", "holds", "rolls"),
+        compiler_options={"xla_backend_optimization_level": 0},  # compiled in a third of the time
+    )
+
+
+def _by_program(joint: Joint, without_torque: Pressed, **options: Any) -> TorqueCapacity:
+    """The same by JAX: with skew the rolling of wedges ends where no state is found, which takes fifty looks to locate.
+
+    NumPy takes up to a second for each of them, and a program as long as ten to compile.
+    """
+    import jax
+
+    with jax.enable_x64(True), np.errstate(all="ignore"):
+        found: TorqueCapacity = trees.map(np.asarray, _program()(joint, without_torque, **options))
+    return found
 
 
 def _searched(

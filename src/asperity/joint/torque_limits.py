@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from asperity.drive.state.first_limit import FirstLimit
-from asperity.engine.arrays import entry_of, xp
+from asperity.engine.arrays import entry_of
 from asperity.engine.module import Module
 from asperity.types import Array
 from asperity.units import format_quantity
@@ -69,7 +69,7 @@ def named_capacity(
     kinds, places = zip(("none", contacts), *entries, strict=True)
     return TorqueCapacity(
         output_torque=limit.value,
-        limit=xp.asarray([LIMIT_KINDS.index(kind) for kind in kinds])[1 + limit.which],
+        limit=entry_of([LIMIT_KINDS.index(kind) for kind in kinds], 1 + limit.which),
         limiting_contact=entry_of(places, 1 + limit.which),
     )
 
