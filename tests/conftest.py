@@ -82,7 +82,8 @@ def few_programs(request):
     if os.environ.get("ASPERITY_COUNT_PROGRAMS"):
         with open(os.environ["ASPERITY_COUNT_PROGRAMS"], "a") as log:
             log.write(f"{made} {request.node.nodeid}\n")
-    if made > MOST_PROGRAMS and request.node.get_closest_marker("programs") is None:
+    marks = ("programs", "slow", "long")
+    if made > MOST_PROGRAMS and not any(map(request.node.get_closest_marker, marks)):
         pytest.fail(
             f"{made} programs of JAX were made, more than {MOST_PROGRAMS}: see few_programs in conftest.py"
         )

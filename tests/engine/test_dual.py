@@ -17,7 +17,7 @@ from asperity.engine.dual import Dual
 
 # as many numbers at once as the axes are long: an axis taken for another changes numbers, not only shapes
 COUNT = 3
-SHAPES = {"s": (), "v": (3,), "c": (3, 1), "m": (3, 3), "t": (3, 3, 3)}
+SHAPES = {"s": (), "v": (3,), "c": (3, 1), "m": (3, 3), "t": (3, 3, 3), "r": (2, 3)}
 PLACES = np.array([[2, 0, 1], [0, 0, 2], [1, 1, 0]])
 MATRIX = np.array([[0.3, -1.2, 2.0], [0.7, 0.1, -0.4], [-0.9, 1.1, 0.6]])
 ROW = MATRIX[1]
@@ -274,8 +274,8 @@ CASES = {
         ("m", lambda m, x: x[np.array([2, 0]), 1]),
         ("m", lambda m, x: x[PLACES]),
         ("m", lambda m, x: x[MATRIX[0] > 0.0]),
-        ("m", lambda m, x: [row * (1.0 + k) for k, row in enumerate(x)]),
-        ("m", lambda m, x: [x[len(x) - 1], x * float(x.ndim), x / x.size, x + float(x.shape[1])]),
+        ("r", lambda m, x: [row * (1.0 + k) for k, row in enumerate(x)]),
+        ("r", lambda m, x: [x[len(x) - 1], x * float(x.ndim), x / x.size, x + float(x.shape[1])]),
         ("m", lambda m, x: x.astype(float)),
     ],
     "several steps": [
