@@ -1,4 +1,4 @@
-"""Small linear systems of known numbers, with slopes, of many at once and within programs, against NumPy's."""
+"""Small linear systems of known numbers, with slopes, of many at once and in programs, against NumPy."""
 
 import jax
 import jax.numpy as jnp

@@ -1,4 +1,4 @@
-"""Loops, branches and maps: those of Python for known numbers, and what JAX makes of them within its programs."""
+"""Loops, branches and maps: Python's for known numbers, and what JAX makes of them in its programs."""
 
 import warnings
 

@@ -463,7 +463,7 @@ def test_a_function_of_nothing_but_constants_is_the_same_for_all():
 
 
 def test_a_map_within_a_map():
-    """The inner one goes over what is the same for all, over what is another for each, and over the places of one."""
+    """The inner one goes over what is the same for all, over what is another for each, and over both."""
     a, b = MATRIX, MATRIX[:2] + 1.0
 
     def outer(row):

@@ -111,9 +111,12 @@ def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbe
     return yes(*numbers) if taken else no(*numbers)
 
 
-def map_over(function: Callable[[Any], Any], given: Any) -> Any:
-    """A function of each entry of a module's first axis, as :func:`jax.lax.map`; under NumPy of all at once."""
-    if uses_jax(given):
+def map_over(function: Callable[[Any], Any], given: Any, *, beside: Any = None) -> Any:
+    """A function of each entry of a module's first axis, as :func:`jax.lax.map`; under NumPy of all at once.
+
+    ``beside``: numbers that the function closes over; where they are JAX's, JAX maps.
+    """
+    if uses_jax(given, beside):
         import jax
 
         return jax.lax.map(function, given)

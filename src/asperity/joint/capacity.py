@@ -282,4 +282,4 @@ def limiting_torques(
             excesses=lambda torque: loaded(sign * torque, rolls, hold).excesses, first_guess=guess
         )
 
-    return _named(joint, map_over(search, (direction, holds)))
+    return _named(joint, map_over(search, (direction, holds), beside=guess))
