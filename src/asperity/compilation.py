@@ -12,7 +12,6 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import jax
-import numpy as np
 
 from asperity.engine.elimination import optimised
 
@@ -28,21 +27,22 @@ Kinds = tuple[tuple[tuple[int, ...], Any], ...]
 
 
 def program_for_few(
-    function: Callable[..., Any], *arrays: np.ndarray, options: tuple[Any, ...] = (), often: bool = False
+    function: Callable[..., Any], *modules: Any, options: tuple[Any, ...] = (), often: bool = False
 ) -> Callable[..., Any]:
-    """A function of arrays, compiled for arrays of these shapes; the same program on a repeated call.
+    """A function of modules of arrays, compiled for arrays of these shapes; the same program on a repeated call.
 
-    ``options`` are its leading arguments that select what to compute, texts and tuples of texts; the program is the
-    function without them. ``often``: it is called thousands of times.
+    ``options`` are its leading arguments that select what to compute, no numbers of the program but values that can be
+    hashed; the program is the function without them. ``often``: it is called thousands of times.
     """
-    return _for_few(function, options, tuple((each.shape, each.dtype) for each in arrays), often)
+    arrays, structure = jax.tree.flatten(modules)
+    return _for_few(function, options, structure, tuple((each.shape, each.dtype) for each in arrays), often)
 
 
 @functools.lru_cache(maxsize=16)
 def _for_few(
-    function: Callable[..., Any], options: tuple[Any, ...], kinds: Kinds, often: bool
+    function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: Kinds, often: bool
 ) -> Callable[..., Any]:
-    shapes = [jax.ShapeDtypeStruct(*kind) for kind in kinds]
+    shapes = jax.tree.unflatten(structure, [jax.ShapeDtypeStruct(*kind) for kind in kinds])
     lowered = jax.jit(functools.partial(function, *options)).lower(*shapes)
     return _compiled(lowered, _FOR_OFTEN if often else _FOR_FEW)
 

@@ -65,9 +65,9 @@ def _by_lapack(matrix: Any, right_side: Any) -> Any:
 
 
 def solve_in_turn(matrix: Array, right_side: Array) -> Array:
-    r"""Solve :math:`A x = b` in a step of an iteration: one system by elimination; a batch by LAPACK, or written out.
+    """The x, shape (n,), of :math:`A x = b` in a step of an iteration, whose derivatives nobody asks for.
 
-    Shape (n,).
+    NumPy's numbers by LAPACK; within programs one system by elimination, a batch by LAPACK or written out.
     """
     if uses_jax(matrix, right_side):
         from asperity.engine import elimination
@@ -78,10 +78,10 @@ def solve_in_turn(matrix: Array, right_side: Array) -> Array:
 
 
 def least_squares(matrix: Array, right_side: Array) -> Array:
-    """The x, shape (n,), that makes :math:`|A x - b|` smallest, by the normal equations, refined once.
+    """The x, shape (n,), that makes :math:`|A x - b|` smallest.
 
-    Where A, shape (m, n), has a rank below n it is not finite, or with NumPy's numbers the shortest of all; nan where A
-    or b is not finite.
+    NumPy's numbers by LAPACK; within programs by the normal equations, refined once. Where A, shape (m, n), has a rank
+    below n it is not finite, or with NumPy's numbers the shortest of all; nan where A or b is not finite.
     """
     if uses_jax(matrix, right_side):
         from asperity.engine import elimination

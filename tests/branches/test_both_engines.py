@@ -13,6 +13,7 @@ from both_engines import assert_alike
 from asperity.branches.branches import SectorDeviations, assembled_branches
 from asperity.branches.results import _sums, unequal_branches
 from asperity.engine import trees
+from asperity.engine.arrays import as_numbers
 from asperity.joint.evaluation import laws_and_states
 from asperity.joint.unfolding import SectorSizes, settled_sectors
 
@@ -44,7 +45,7 @@ def branches(planar_joint):
     @functools.cache
     def make(name):
         example, replaced, per_size, support = DRIVES[name]
-        joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint(example, replaced))
+        joint = as_numbers(planar_joint(example, replaced))
         errors = np.array([1e-6, 0.0, -1e-6])
         sizes = SectorDeviations(
             {"planet": errors}, np.outer(errors, per_size), np.asarray(per_size), support

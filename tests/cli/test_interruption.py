@@ -24,7 +24,7 @@ def when(event, word):
     sys.addaudithook(lambda name, args: name == event and word in str(args[0]) and strike())
 if {collecting}:
     gc.set_threshold = lambda *_: None
-    gc.callbacks.append(lambda *_: "jax._src.lax" in sys.modules and strike())
+    gc.callbacks.append(lambda *_: "asperity.joint_file.model" in sys.modules and strike())
 else:
     when({event!r}, {word!r})
 {patch}
@@ -68,8 +68,7 @@ def answer(ended):
     "word",
     [
         "click",  # before there is a command
-        # by the C code of JAX, which imports NumPy
-        pytest.param("numpy.linalg", marks=pytest.mark.slow),
+        pytest.param("numpy.linalg", marks=pytest.mark.slow),  # by the C code of NumPy
         pytest.param("asperity.joint_file.model", marks=pytest.mark.slow),
     ],
 )

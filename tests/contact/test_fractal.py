@@ -187,7 +187,7 @@ def values_of(D, G, force, shear, mu, factor, modulus, shear_modulus, hardness):
         tangential_contact_modulus=shear_modulus,
         hardness=hardness,
     )
-    return np.stack(jnp.broadcast_arrays(*jax.tree.leaves(found)))
+    return jnp.stack(jnp.broadcast_arrays(*jax.tree.leaves(found)))
 
 
 INPUTS = ("D", "G", "F", "T", "mu", "lambda", "E", "G*", "H")

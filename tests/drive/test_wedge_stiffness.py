@@ -118,12 +118,14 @@ def test_very_stiff_springs_are_as_good_as_rigid_ones():
 @pytest.mark.slow
 def test_coupled_contacts_have_a_share_each():
     normal, tangential = np.full(5, 1e8), np.full(5, 2e8)
+    coupling = np.zeros((10, 10))
+    coupling[1, 6] = coupling[6, 1] = 1e-10
     plain = solve(PAPER, normal, tangential)
     coupled = network_stiffness(
         drive=wedge_drive(PAPER, planet_count=3),
         normal_compliance=1.0 / normal,
         tangential_compliance=1.0 / tangential,
-        coupling=np.zeros((10, 10)).at[1, 6].set(1e-10).at[6, 1].set(1e-10),
+        coupling=coupling,
     )
     assert shares(coupled) == pytest.approx(1.0, abs=1e-9)
     assert float(coupled.output) != pytest.approx(float(plain.output), rel=1e-4)

@@ -16,7 +16,6 @@ from asperity.engine.control import (
     fori_loop,
     in_one,
     is_rounding,
-    last_of,
     least_at,
     map_over,
     once,
@@ -263,14 +262,6 @@ def test_a_known_state_of_a_scan_that_becomes_one_of_jax_on_the_way():
     assert (float(last), outputs.tolist()) == (8.0, [2.0, 3.0, 5.0])
 
 
-def test_the_last_of_several_steps():
-    def step(state):
-        return state + 1.0, {"seen": state * state}
-
-    assert last_of(step, 2.0, 3) == {"seen": 16.0}
-    assert float(jax.jit(lambda x: last_of(step, x, 3))(2.0)["seen"]) == 16.0
-
-
 def test_a_branch_that_is_not_taken_costs_nothing():
     assert cond(True, lambda x: x + 1.0, lambda x: x / 0, 1) == 2.0
     assert cond(np.bool_(False), lambda x: x / 0, lambda x: x - 1.0, 1) == 0.0
@@ -337,6 +328,40 @@ def test_a_vectorised_function_is_that_of_jax_in_a_program():
         np.testing.assert_allclose(found, outer(MATRIX[0], axis=axis), rtol=1e-15)
         rows = [np.stack([row, row * 0.3]) for row in MATRIX - 1.2]
         np.testing.assert_allclose(found, np.stack(rows, axis=axis), rtol=1e-15)
+
+
+def map_over_one(function):
+    return lambda given: map_over(function, given)
+
+
+BESIDE = {
+    "an operator": lambda x, beside: x * beside,
+    "an operator of JAX's": lambda x, beside: beside - x,
+    "a function": lambda x, beside: xp.where(x > 1.0, beside, x),
+    "a power": lambda x, beside: xp.sqrt(x) ** beside,
+    "a product": lambda x, beside: xp.matmul(xp.stack([x, 2.0 * x]), xp.stack([beside, x])),
+    "a loop": lambda x, beside: while_loop(lambda s: s[0] < beside, lambda s: (2.0 * s[0], s[1]), (x, 1.0))[
+        0
+    ],
+    "a branch": lambda x, beside: cond(beside > 0.0, lambda: x, lambda: -x),
+    "a place": lambda x, beside: put(xp.stack([x, x]), 1, beside)[1] + x,
+    "a rule": lambda x, beside: value_and_slope(lambda n: n * x, (beside,), (1.0,))[1],
+}
+
+
+@pytest.mark.parametrize("over", [vectorised, map_over_one], ids=["vectorised", "map_over"])
+@pytest.mark.parametrize("function", BESIDE.values(), ids=BESIDE.keys())
+def test_what_is_mapped_may_close_over_numbers_of_jax(function, over):
+    """The numbers that are mapped are NumPy's: a program takes them as constants."""
+    numbers, beside = np.array([0.5, 1.0, 3.0]), 4.0
+
+    def found(given):
+        return over(lambda x: function(x, given))(numbers)
+
+    expected = [float(function(jnp.asarray(x), jnp.asarray(beside))) for x in numbers]
+    np.testing.assert_allclose(jax.jit(found)(beside), expected, rtol=1e-14)
+    np.testing.assert_allclose(found(jnp.asarray(beside)), expected, rtol=1e-14)
+    np.testing.assert_allclose(found(beside), expected, rtol=1e-14)
 
 
 def test_slopes_go_through_a_vectorised_function():

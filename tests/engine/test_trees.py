@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.engine import trees
-from asperity.engine.module import Module, static
+from asperity.engine.module import Module, same_numbers, static
 
 
 class Pair(NamedTuple):
@@ -120,16 +120,17 @@ UNLIKE = [
     (Numbers(1.0), Numbers(1.0, "a", 2.0)),
     (Numbers(1.0), (1.0, None)),
     (Pair(1.0, 2.0), (1.0, 2.0)),
+    (np.array([1.0]), (1.0,)),
 ]
 
 
 @pytest.mark.parametrize(("one", "other"), ALIKE)
-def test_trees_alike(one, other):
-    assert trees.alike(one, other) is True
-    assert trees.alike(other, one) is True
+def test_trees_with_the_same_numbers(one, other):
+    assert same_numbers(one, other) is True
+    assert same_numbers(other, one) is True
 
 
 @pytest.mark.parametrize(("one", "other"), UNLIKE)
-def test_trees_unlike(one, other):
-    assert trees.alike(one, other) is False
-    assert trees.alike(other, one) is False
+def test_trees_with_other_numbers(one, other):
+    assert same_numbers(one, other) is False
+    assert same_numbers(other, one) is False

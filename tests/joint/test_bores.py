@@ -14,6 +14,7 @@ from asperity.body.conforming_pin import SHARED
 from asperity.body.pin_contact import pin_contact
 from asperity.body.shapes import Annulus
 from asperity.drive.structure.dynamics import natural_frequencies, sprung_drive
+from asperity.engine.arrays import as_numbers
 from asperity.errors import InputError
 from asperity.joint.bores import bore_stiffness, pins_in_bores, refuse_pins
 from asperity.joint.description import in_motion
@@ -136,7 +137,7 @@ def test_the_drive_winds_up_as_its_assembly_gives_way(hollow, clearance, torque)
     bare, _, pinned = hollow
     step, compliances = 0.01 * torque, []
     for joint in (bare, dataclasses.replace(pinned, pin_clearance=clearance)):
-        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+        numbers = as_numbers(joint)
         more, less = (float(turned(numbers, torque + side * step)) for side in (1.0, -1.0))
         at = solve_joint(dataclasses.replace(joint, output_torque=torque))
         compliances.append((abs(more - less) / (2.0 * step), 1.0 / stiffness(at)))
@@ -190,13 +191,13 @@ def test_friction_of_pins_needs_no_bore(planar_joint):
 def test_derivatives_by_the_clearance(planar_joint, clearance):
     """Of the stiffness and the wind-up, by finite differences; from one side where there is no clearance."""
     joint = planar_joint("planetary_hollow", {"[model]": FITTING})
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = as_numbers(joint)
 
     def found(gap):
         result = evaluate(dataclasses.replace(numbers, pin_clearance=gap))
         return jnp.log(result.assembly.stiffness.output), result.forces.normal[0]
 
-    slopes = jax.jit(lambda gap: jax.jvp(found, (gap,), (np.ones_like(gap),)))
+    slopes = jax.jit(lambda gap: jax.jvp(found, (gap,), (jnp.ones_like(gap),)))
     step = 1e-8 if clearance else 1e-10
     (at, slope), (more, after) = slopes(np.asarray(clearance)), slopes(np.asarray(clearance + step))
     for one, other, first, last in zip(at, more, slope, after, strict=True):

@@ -10,6 +10,7 @@ import pytest
 from both_engines import Engines, Formula, assert_alike, direction, rows
 
 from asperity.engine import trees
+from asperity.engine.arrays import as_numbers
 from asperity.engine.derivatives import value_and_slope
 from asperity.joint import bodies, bores, contacts, crowned_contacts, description, laws, status, stiffness
 from asperity.joint.bearing_lives import joint_bearing_lives
@@ -87,7 +88,7 @@ def made(planar_case):
         else:
             example, replaced = JOINTS[name]
             case = planar_case(example, replaced=replaced)
-        return trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint_from_case(case))
+        return as_numbers(joint_from_case(case))
 
     return make
 
@@ -325,7 +326,7 @@ def test_both_engines_find_the_same_states(made, name):
     "floating", [pytest.param((), marks=pytest.mark.long), pytest.param(("sun",), marks=pytest.mark.slow)]
 )
 def test_both_engines_find_the_same_states_of_unlike_branches(planar_joint, floating):
-    joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint("planetary", SPRINGS))
+    joint = as_numbers(planar_joint("planetary", SPRINGS))
     added = np.outer([2e-6, 0.0, -1e-6], [1.0, 1.0])
     given = SectorSizes(added, np.zeros_like(added), np.asarray(5e7))
 

@@ -239,7 +239,7 @@ def test_the_search_from_rest_finds_the_capacity_of_one_loading():
     draws = 64
     text = unlike_planets({"one": 90, "two": 52, "three": 12}, "0.1")
     joint = joint_from_case(parse_case(text, source="three.toml"))
-    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    joint = as_numbers(joint)
     random = np.random.default_rng(1)
     frictions = tuple(jnp.asarray(0.03 * 10.0 ** random.uniform(size=draws)) for _ in joint.contact_names)
 
@@ -272,9 +272,9 @@ def test_the_program_that_searches_wedges_with_skew_finds_what_numpy_finds(plana
         )
     )
     without_torque = at_once(assembled_joint, joint)
-    options = {"direction": (1.0,), "holds": (False,), "rolls": True}
-    by_numpy = at_once(functools.partial(capacity._searched, **options), joint, without_torque)
-    by_program = capacity.searched_capacities(joint, without_torque, **options)
+    searches = capacity.CapacitySearches((1.0,), (False,), rolls=True)
+    by_numpy = at_once(functools.partial(capacity._searched, searches), joint, without_torque)
+    by_program = capacity.searched_capacities(searches, joint, without_torque)
     np.testing.assert_allclose(by_program.output_torque, by_numpy.output_torque, rtol=1e-10)
     np.testing.assert_array_equal(by_program.limit, by_numpy.limit)
     np.testing.assert_array_equal(by_program.limiting_contact, by_numpy.limiting_contact)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.mechanism import Bearings
+from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.joint.evaluation import evaluate
 from asperity.joint_file.build import joint_from_case
@@ -18,7 +19,7 @@ pytestmark = pytest.mark.slow
 
 
 def solved(function, joint):
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = as_numbers(joint)
     return at_once(function, numbers)
 
 

@@ -7,6 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.engine.arrays import as_numbers
 from asperity.joint.solve import solution_of
 from asperity.joint.torque_limits import TorqueCapacity
 from asperity.joint_file.build import joint_from_values
@@ -89,7 +90,7 @@ def listed(values):
 
 def joint_of(values):
     """The joint of a file, every branch by itself where it states them."""
-    return jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint_with_branches(values))
+    return as_numbers(joint_with_branches(values))
 
 
 def answers(joint):

@@ -5,12 +5,13 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import contact_angles, incidence, speeds
+from asperity.engine.arrays import as_numbers
 from asperity.joint.description import in_motion
 
 
 @pytest.mark.parametrize("example", ["planetary", "multiroller", "stepped_planet"])
 def test_what_a_drive_knows_is_what_a_program_finds(example, planar_joint):
-    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint(example))
+    joint = as_numbers(planar_joint(example))
 
     def found(drive):
         return incidence(drive), speeds(drive), contact_angles(drive)

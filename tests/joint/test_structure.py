@@ -6,11 +6,11 @@ Without torque both have the same forces; the numbers are those of that chain, a
 import dataclasses
 import math
 
-import jax
 import numpy as np
 import pytest
 
 from asperity.drive.stiffness.torsional_stiffness import Assembly
+from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.joint.body_shape import SOLID, BodyShape
 from asperity.joint.evaluation import evaluate
@@ -67,7 +67,7 @@ def shares(assembly: Assembly) -> dict[str, float]:
 )
 def test_stiffness_interference_and_shares(case, springs, stiffness, interference, expected):
     joint = dataclasses.replace(joint_from_case(case), output_torque=0.0, input_speed=0.0, **springs)
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = as_numbers(joint)
     found = at_once(evaluate, numbers)
     if "shapes" in springs:
         # that chain reacted the torque on the ring along its inner rim: the twist of the wall up to the outer one, at
@@ -112,7 +112,7 @@ def test_a_housing_between_none_and_a_rigid_one(case):
     def stiffness(*support):
         shapes = (*4 * (SOLID,), BodyShape("ring", 10e-3, *support))
         there = dataclasses.replace(joint, shapes=shapes)
-        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
+        numbers = as_numbers(there)
         return float(at_once(evaluate, numbers).assembly.stiffness.output)
 
     found = [

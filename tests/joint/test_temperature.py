@@ -2,10 +2,10 @@
 
 import dataclasses
 
-import jax
 import numpy as np
 import pytest
 
+from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.errors import InputError
 from asperity.joint.evaluation import evaluate
@@ -91,7 +91,7 @@ def test_a_loose_joint_is_refused_with_its_temperature(planetary_at):
 
 
 def solved(joint):
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = as_numbers(joint)
     return at_once(evaluate, numbers)
 
 

@@ -2,10 +2,10 @@
 
 import math
 
-import jax
 import numpy as np
 import pytest
 
+from asperity.engine.arrays import as_numbers
 from asperity.errors import NoSolutionError
 from asperity.joint.solve import joint_state
 from asperity.joint.temperature_limits import (
@@ -96,7 +96,7 @@ def test_one_of_two_rings_lets_go_where_the_joint_solved_there_loses_its_contact
     first, *_ = (each for each in document["preload"]["temperature_limits"] if each["side"] == "below")
     assert (first["lost"], first["part"]) == ("contact", "pr2")
     joint = joint_from_case(case_at(first["temperature_degC"] + 0.1))
-    near = joint_state(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)).rest
+    near = joint_state(as_numbers(joint)).rest
     forces = np.asarray(near.normal) / np.asarray(solved.result.rest.normal)
     assert 0.0 < forces[2] < 2e-3
     assert np.all(forces[:2] > 0.5)

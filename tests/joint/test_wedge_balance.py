@@ -2,7 +2,6 @@
 
 import dataclasses
 
-import jax
 import numpy as np
 import pytest
 
@@ -10,6 +9,7 @@ from asperity.drive.mechanism import Bearings, Mechanism, leading_sense, rest_st
 from asperity.drive.wedge.branch import branch_forces, carrier_residual
 from asperity.drive.wedge.force_balance import closure_misfit, loaded_branch
 from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, triangle
+from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.joint.contacts import closure_springs
 from asperity.joint.description import body_masses, joint_contacts
@@ -31,7 +31,7 @@ BEARINGS = Bearings(
 
 
 def solved(joint):
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = as_numbers(joint)
     return at_once(evaluate, numbers)
 
 

@@ -9,7 +9,7 @@ import pytest
 from both_engines import Engines, Formula, rows
 
 from asperity.drive.state.state import BodiesOfContacts
-from asperity.engine import trees
+from asperity.engine.arrays import as_numbers
 from asperity.joint.assembled import Pressed
 from asperity.joint.bodies import with_rims
 from asperity.joint.description import in_motion, joint_contacts
@@ -185,7 +185,7 @@ LARGE = [*CREEPS, *(f"rolling, {name}" for name in JOINTS), "onset", "at another
 def engines(planar_joint):
     found = {}
     for name, replaced in JOINTS.items():
-        joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint("planetary", replaced))
+        joint = as_numbers(planar_joint("planetary", replaced))
         joint = in_motion(joint)
         for label, forces in FORCES.items():
             normal, tangential = map(np.array, forces)

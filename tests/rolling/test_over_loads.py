@@ -2,10 +2,10 @@
 
 import dataclasses
 
-import jax
 import numpy as np
 import pytest
 
+from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.joint.evaluation import evaluate
 from asperity.rolling.curves import rolling_curves
@@ -27,7 +27,7 @@ def test_a_load_of_the_curves_and_of_the_map_is_the_joint_under_it(curves, plane
 
     def under(torque, speed):
         there = dataclasses.replace(joint, output_torque=float(torque), input_speed=float(speed))
-        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
+        numbers = as_numbers(there)
         return at_once(evaluate, numbers).rolling
 
     there = under(curves.torque[place], joint.input_speed)

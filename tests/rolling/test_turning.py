@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drives import planetary_drive, two_row_multiroller
+from asperity.engine.arrays import as_numbers
 from asperity.joint.assembled import Pressed
 from asperity.joint.description import joint_contacts
 from asperity.joint.evaluation import evaluate, laws_and_states
@@ -30,7 +31,7 @@ def test_rollers_between_sun_and_ring_turn_against_the_sun():
 
 @pytest.mark.long
 def test_rolling_at_another_torque_is_that_of_a_joint_with_this_torque(planar_joint):
-    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint("planetary"))
+    joint = as_numbers(planar_joint("planetary"))
 
     def both(torque, speed):
         laws, states = laws_and_states(joint)

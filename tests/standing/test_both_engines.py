@@ -6,12 +6,13 @@ import pytest
 from both_engines import assert_alike, direction
 
 from asperity.engine import trees
+from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.engine.derivatives import value_and_slope
 from asperity.joint.description import in_motion
 from asperity.joint.evaluation import assembled_joint
-from asperity.standing.over_torque import curve_program, over_torque_program, standing_program
-from asperity.standing.springs_over_torque import springs_program
+from asperity.standing.over_torque import curve_program, over_torque_of_assembled, standing_of_assembled
+from asperity.standing.springs_over_torque import springs_of_assembled
 
 SPRINGS = {
     'bodies = "exact"': 'bodies = "springs"',
@@ -36,9 +37,9 @@ JOINTS = {
 NO_SLIP = 1e6
 #: Programs of an assembled joint and of torques, and further numbers of theirs.
 PROGRAMS = {
-    "standing": (standing_program, (NO_SLIP,)),
-    "turning": (over_torque_program, (NO_SLIP,)),
-    "springs": (springs_program, ()),
+    "standing": (standing_of_assembled, (NO_SLIP,)),
+    "turning": (over_torque_of_assembled, (NO_SLIP,)),
+    "springs": (springs_of_assembled, ()),
 }
 CASES = [
     pytest.param(program, joint, marks=pytest.mark.slow if joint in ("cam", "pins") else pytest.mark.long)
@@ -55,7 +56,7 @@ def assembled(planar_joint):
 
     def make(name):
         example, replaced = JOINTS[name]
-        numbers = trees.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint(example, replaced))
+        numbers = as_numbers(planar_joint(example, replaced))
         joint = in_motion(numbers)
         return joint, at_once(assembled_joint, joint)
 

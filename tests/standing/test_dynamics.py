@@ -10,6 +10,7 @@ import pytest
 
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.stiffness.network import spring_laws
+from asperity.engine.arrays import as_numbers
 from asperity.errors import AsperityError
 from asperity.joint.bodies import joint_inertias
 from asperity.joint.description import in_motion
@@ -133,7 +134,7 @@ def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
 def made_up(joint, stiffness, slopes):
     """What the springs of a joint might be at as many torques: of one compliance at each contact."""
     count, moves = len(joint.drive.contacts), 2 * len(joint.drive.floating)
-    drive = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)).drive
+    drive = in_motion(as_numbers(joint)).drive
     springs = spring_laws(
         drive=drive,
         normal_compliance=np.full(count, 1e-9),

@@ -45,6 +45,10 @@ class OwnNumber:
         raise TypeError("this is no array of NumPy; compute with asperity.engine.arrays.xp")
 
 
+class MeetsJaxError(TypeError):
+    """A number of our own meets one of JAX's, which cannot compute with it."""
+
+
 def is_of_jax(number: Any) -> bool:
     """Whether a number is an array of JAX, or stands for one in a program; False where nobody has imported JAX."""
     if type(number) in _PLAIN:
@@ -54,8 +58,26 @@ def is_of_jax(number: Any) -> bool:
 
 
 def uses_jax(*modules: Any) -> bool:
-    """Whether an array of JAX is among the leaves of modules of numbers."""
-    return "jax" in sys.modules and any(is_of_jax(leaf) for leaf in trees.leaves(modules))
+    """Whether an array of JAX is among the leaves of modules of numbers.
+
+    Raises
+    ------
+    MeetsJaxError
+        If a number of our own is among them as well.
+    """
+    if "jax" not in sys.modules:
+        return False
+    leaves = trees.leaves(modules)
+    if not any(map(is_of_jax, leaves)):
+        return False
+    refuse_own(leaves)
+    return True
+
+
+def refuse_own(numbers: Iterable[Any]) -> None:
+    """Raise :class:`MeetsJaxError` if a number of our own is among those that JAX is to compute with."""
+    if any(isinstance(number, OwnNumber) for number in numbers):
+        raise MeetsJaxError("numbers with slopes, or many at once, meet an array of JAX")
 
 
 def as_numbers(tree: Any) -> Any:
@@ -122,6 +144,7 @@ def _choosing(of_numpy: Callable[..., Any], library: str, name: str) -> Callable
         if own is None:
             return of_numpy(*arguments, **options)
         if own == "jax":
+            refuse_own(trees.leaves((arguments, options)))
             return getattr(importlib.import_module(library), name)(*arguments, **options)
         if own not in of_own:
             of_own[own] = own.function(name)

@@ -1,7 +1,7 @@
 """Loops, branches and maps of the formula code: Python's for numbers that are known, XLA's within its programs.
 
-Under NumPy a loop ends as soon as it may, a branch that is not taken costs nothing, and a map is one call after the
-other.
+Under NumPy a loop ends as soon as it may, a branch that is not taken costs nothing, and a map computes all its entries
+at once.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from asperity.engine import trees
-from asperity.engine.arrays import is_of_jax, uses_jax, xp
+from asperity.engine.arrays import MeetsJaxError, is_of_jax, refuse_own, uses_jax, xp
 from asperity.engine.dual import Dual, directions_at, highest_level, plain, slopes_at, value_at
 from asperity.engine.many import Many, aligned, chosen, many, together
 
@@ -94,33 +94,35 @@ def scan(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, given: Any = N
     return state, stacked(outputs)
 
 
-def last_of(step: Callable[[Any], tuple[Any, Any]], state: Any, length: int) -> Any:
-    """What the last of several steps gave; each takes the state that the one before it left."""
-    return trees.map(lambda leaf: leaf[-1], scan(lambda state, _: step(state), state, None, length)[1])
-
-
 def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbers: Any) -> Any:
     """One of two functions of the numbers, as :func:`jax.lax.cond`."""
     if is_of_jax(condition):
         import jax
 
-        return jax.lax.cond(condition, yes, no, *numbers)
+        def for_jax(function: Callable[..., Any]) -> Callable[..., Any]:
+            def result(*numbers: Any) -> Any:
+                found = function(*numbers)
+                refuse_own(trees.leaves(found))
+                return found
+
+            return result
+
+        return jax.lax.cond(condition, for_jax(yes), for_jax(no), *numbers)
     if isinstance(condition, Many) and condition.values.any() and not condition.values.all():
         return chosen(condition, yes(*numbers), no(*numbers))
     taken = condition.values.any() if isinstance(condition, Many) else condition
     return yes(*numbers) if taken else no(*numbers)
 
 
-def map_over(function: Callable[[Any], Any], given: Any, *, beside: Any = None) -> Any:
-    """A function of each entry of a module's first axis, as :func:`jax.lax.map`; under NumPy of all at once.
+def map_over(function: Callable[[Any], Any], given: Any) -> Any:
+    """A function of each entry of a module's first axis, as :func:`jax.lax.map`; under NumPy of all at once."""
 
-    ``beside``: numbers that the function closes over; where they are JAX's, JAX maps.
-    """
-    if uses_jax(given, beside):
+    def by_jax(given: Any) -> Any:
         import jax
 
         return jax.lax.map(function, given)
-    return vectorised(function)(given)
+
+    return _over(function, by_jax, (given,), out_axis=0)
 
 
 class _ManyAtOnce(threading.local):
@@ -135,21 +137,31 @@ _MANY = _ManyAtOnce()
 def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[..., Any]:
     """A function over the first axes of its arguments, as :func:`jax.vmap`."""
 
-    def over(*arguments: Any) -> Any:
-        if uses_jax(arguments):
-            import jax
+    def by_jax(*arguments: Any) -> Any:
+        import jax
 
-            return jax.vmap(function, out_axes=out_axis)(*arguments)
-        # one after the other where numbers have slopes, and where what the function closes over may be many already
-        if _MANY.active or any(isinstance(leaf, Dual) for leaf in trees.leaves(arguments)):
-            return stacked([function(*each) for each in entries(arguments)], axis=out_axis)
-        _MANY.active = True
-        try:
-            return together(function(*many(arguments)), len(trees.leaves(arguments)[0]), out_axis)
-        finally:
-            _MANY.active = False
+        return jax.vmap(function, out_axes=out_axis)(*arguments)
 
-    return over
+    return lambda *arguments: _over(function, by_jax, arguments, out_axis)
+
+
+def _over(
+    function: Callable[..., Any], by_jax: Callable[..., Any], arguments: tuple[Any, ...], out_axis: int
+) -> Any:
+    """A function over the first axes of its arguments; by JAX where these or what it closes over are JAX's."""
+    if uses_jax(arguments):
+        return by_jax(*arguments)
+    # one after the other where numbers have slopes, and where what the function closes over may be many already
+    if _MANY.active or any(isinstance(leaf, Dual) for leaf in trees.leaves(arguments)):
+        return stacked([function(*each) for each in entries(arguments)], axis=out_axis)
+    _MANY.active = True
+    try:
+        return together(function(*many(arguments)), len(trees.leaves(arguments)[0]), out_axis)
+    except MeetsJaxError:
+        pass
+    finally:
+        _MANY.active = False
+    return by_jax(*arguments)
 
 
 def entries(given: Any) -> list[Any]:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from asperity.engine import trees
-from asperity.engine.arrays import is_of_jax, uses_jax, xp
+from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.dual import Dual, directions_at, highest_level, plain, slopes_at, value_at
 
 
@@ -131,7 +131,8 @@ _NO_SLOPE = object()
 class with_rule:  # noqa: N801 - a decorator
     """A function with a rule for its derivatives: as :class:`jax.custom_jvp`, under both engines.
 
-    ``fixed`` leading arguments are no numbers. With ``none_for_zero`` the rule is given None for a tangent that is 0.
+    ``fixed`` leading arguments are no numbers. With ``none_for_zero`` the other arguments are numbers, no modules
+    of them, and the rule is given None for a tangent that is 0.
     """
 
     def __init__(self, function: Callable[..., Any], *, fixed: int = 0, none_for_zero: bool = False) -> None:
@@ -172,7 +173,7 @@ class with_rule:  # noqa: N801 - a decorator
         if known is not None and all(map(operator.is_, arguments, known[0])):
             return known[1]
         leaves = trees.leaves(numbers)
-        if any(map(is_of_jax, leaves)):
+        if uses_jax(leaves):
             return self._of_jax(*arguments)
         level = highest_level(leaves)
         if level == 0:
@@ -207,4 +208,5 @@ class with_rule:  # noqa: N801 - a decorator
     def _tangents(self, numbers: tuple[Any, ...], level: int, count: int, k: int) -> tuple[Any, ...]:
         if not self._none_for_zero:
             return trees.map(lambda leaf: _slope(leaf, level, count, k), numbers)
+        assert len(trees.leaves(numbers)) == len(numbers)
         return tuple(slopes_at(leaf, level, count)[k] for leaf in numbers)

@@ -323,63 +323,19 @@ _OF_TWO: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
     "mod": (lambda v, x, y: 1.0, lambda v, x, y: -xp.floor(plain(x) / plain(y))),
 }
 #: Functions that are linear in the arrays of their first argument, which may be a list of them.
-_LINEAR = {
-    *(
-        "sum",
-        "mean",
-        "stack",
-        "concatenate",
-        "block",
-        "column_stack",
-        "broadcast_to",
-        "reshape",
-        "ravel",
-        "moveaxis",
-    ),
-    *(
-        "swapaxes",
-        "transpose",
-        "tile",
-        "repeat",
-        "pad",
-        "split",
-        "diag",
-        "diagonal",
-        "asarray",
-        "array",
-        "diff",
-    ),
-    *(
-        "atleast_1d",
-        "real",
-        "negative",
-        "expand_dims",
-        "squeeze",
-        "flip",
-        "cumsum",
-        "take_along_axis",
-        "trace",
-    ),
-}
+_LINEAR = (
+    {"mean", "cumsum", "trace", "negative", "real"}
+    | {"array", "asarray", "atleast_1d", "stack", "concatenate", "block", "column_stack", "split"}
+    | {"reshape", "ravel", "expand_dims", "squeeze", "moveaxis", "swapaxes", "transpose", "flip"}
+    | {"broadcast_to", "tile", "repeat", "diag", "diagonal", "take_along_axis"}
+)
 _BILINEAR = {"multiply", "matmul", "tensordot", "outer", "dot", "cross"}
 #: Functions of the values alone, without slopes.
-_OF_VALUES = {
-    *(
-        "isfinite",
-        "isnan",
-        "isinf",
-        "sign",
-        "floor",
-        "argmax",
-        "argmin",
-        "any",
-        "all",
-        "shape",
-        "ndim",
-        "size",
-    ),
-    *("zeros_like", "ones_like", "searchsorted", "broadcast_shapes", "argsort"),
-}
+_OF_VALUES = (
+    {"isfinite", "isnan", "isinf", "any", "all", "sign", "floor"}
+    | {"argmax", "argmin", "argsort", "searchsorted"}
+    | {"shape", "ndim", "size", "broadcast_shapes", "zeros_like", "ones_like"}
+)
 
 
 def _constant(number: Any) -> Any:

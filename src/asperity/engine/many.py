@@ -13,7 +13,7 @@ import numpy as np
 from numpy.lib.array_utils import normalize_axis_index
 
 from asperity.engine import trees
-from asperity.engine.arrays import OwnNumber, complex_number
+from asperity.engine.arrays import OwnNumber, complex_number, uses_jax
 from asperity.engine.arrays import any_xp as xp
 from asperity.engine.dual import Dual
 
@@ -246,6 +246,7 @@ def _operation(function: Callable[..., Any], one: Any, other: Any) -> Any:
         return Many(function(one, other.values))
     if isinstance(one, OwnNumber) and isinstance(other, OwnNumber) and one.rank != other.rank:
         return NotImplemented  # the number of higher rank computes
+    uses_jax((one, other))  # which refuses both together
     ndim = max(_ndim(one), _ndim(other))
     return Many(function(aligned(one, ndim), aligned(other, ndim)))
 

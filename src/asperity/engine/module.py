@@ -49,28 +49,30 @@ class Module:
         return (
             type(self) is type(other)
             and all(getattr(self, name) == getattr(other, name) for name in self.static_fields)
-            and all(_same(getattr(self, name), getattr(other, name)) for name in self.number_fields)
+            and all(same_numbers(getattr(self, name), getattr(other, name)) for name in self.number_fields)
         )
 
     def __hash__(self) -> int:
         return hash((type(self), *(getattr(self, name) for name in self.static_fields)))
 
 
-def _same(one: Any, other: Any) -> bool:
-    """Whether two fields have the same numbers."""
-    if isinstance(one, tuple | list):
-        return type(one) is type(other) and len(one) == len(other) and all(map(_same, one, other))
-    if isinstance(one, dict):
-        return (
-            isinstance(other, dict)
-            and one.keys() == other.keys()
-            and all(_same(one[k], other[k]) for k in one)
-        )
-    if isinstance(one, Module):
-        return bool(one == other)
+def same_numbers(one: Any, other: Any) -> bool:
+    """Whether two trees have the same structure and the same numbers."""
+    if isinstance(one, _HOLDERS) or isinstance(other, _HOLDERS):
+        if type(one) is not type(other):
+            return False
+        if isinstance(one, Module):
+            return bool(one == other)
+        if isinstance(one, dict):
+            return one.keys() == other.keys() and all(same_numbers(one[key], other[key]) for key in one)
+        return len(one) == len(other) and all(map(same_numbers, one, other))
     if one is None or other is None:
         return one is other
     return bool(np.array_equal(one, other))
+
+
+#: What is no number but holds some.
+_HOLDERS = (Module, tuple, list, dict)
 
 
 class Partial(Module):

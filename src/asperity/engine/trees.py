@@ -56,29 +56,3 @@ def _collect(tree: Any, found: list[Any]) -> None:
             _collect(tree[key], found)
     else:
         found.append(tree)
-
-
-def alike(one: Any, other: Any) -> bool:
-    """Whether two trees have the same structure and equal leaves."""
-    kind = type(one)
-    if kind is not type(other):
-        return (
-            one is not None
-            and other is not None
-            and not _holds(one)
-            and not _holds(other)
-            and bool(one == other)
-        )
-    if isinstance(one, Module):
-        static = all(getattr(one, name) == getattr(other, name) for name in kind.static_fields)
-        return static and all(alike(getattr(one, name), getattr(other, name)) for name in kind.number_fields)
-    if isinstance(one, tuple | list):
-        return len(one) == len(other) and all(alike(*pair) for pair in zip(one, other, strict=True))
-    if isinstance(one, dict):
-        return one.keys() == other.keys() and all(alike(one[key], other[key]) for key in one)
-    return one is None or bool(one == other)
-
-
-def _holds(tree: Any) -> bool:
-    """Whether a tree is no leaf."""
-    return isinstance(tree, Module | tuple | list | dict)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -187,73 +187,53 @@ def torque_capacities(joint: Joint, without_torque: Pressed) -> TorqueCapacities
     [N·m], equations (A9) and (M3) of :doc:`/equations`.
     """
     ways, hold = (1.0, -1.0), (False, False, True, True)
-    standing = searched_capacities(joint, without_torque, direction=ways * 2, holds=hold, rolls=False)
-    rolling = searched_capacities(joint, without_torque, direction=ways, holds=hold[:2], rolls=True)
+    standing = searched_capacities(CapacitySearches(ways * 2, hold, rolls=False), joint, without_torque)
+    rolling = searched_capacities(CapacitySearches(ways, hold[:2], rolls=True), joint, without_torque)
     with_slip, holding = (trees.map(lambda leaf, at=at: leaf[at], standing) for at in (np.s_[:2], np.s_[2:]))
     return TorqueCapacities(with_slip, rolling, holding)
 
 
-def searched_capacities(
-    joint: Joint,
-    without_torque: Pressed,
-    *,
-    direction: tuple[float, ...],
-    holds: tuple[bool, ...],
-    rolls: bool,
-) -> TorqueCapacity:
-    """Torque capacities of one joint, of NumPy's numbers, in directions, 1 or −1, as :func:`torque_capacities`.
+class CapacitySearches(NamedTuple):
+    """Torque capacities that are searched together: in directions, 1 or −1, with the flags of :func:`under_torque`."""
 
-    The flags are those of :func:`under_torque`, ``holds`` one for each direction.
-    """
-    options: dict[str, Any] = {"direction": direction, "holds": holds, "rolls": rolls}
+    direction: tuple[float, ...]
+    holds: tuple[bool, ...]
+    rolls: bool
+
+
+def searched_capacities(searches: CapacitySearches, joint: Joint, without_torque: Pressed) -> TorqueCapacity:
+    """Torque capacities of one joint, of NumPy's numbers, as :func:`torque_capacities`, along the first axis."""
     known: TorqueCapacity
-    if rolls and joint.rolling.skew is not None and wedges(joint.drive):
-        known = _by_program(joint, without_torque, **options)
+    if searches.rolls and joint.rolling.skew is not None and wedges(joint.drive):
+        known = _by_program(searches, joint, without_torque)
     else:
-        known = at_once(functools.partial(_searched, **options), joint, without_torque)
+        known = at_once(functools.partial(_searched, searches), joint, without_torque)
     return known
 
 
-@functools.cache
-def _program() -> Callable[..., Any]:
-    import jax
-
-    return jax.jit(
-        _searched,
-        static_argnames=("direction", "holds", "rolls"),
-        compiler_options={"xla_backend_optimization_level": 0},  # compiled in a third of the time
-    )
-
-
-def _by_program(joint: Joint, without_torque: Pressed, **options: Any) -> TorqueCapacity:
+def _by_program(searches: CapacitySearches, joint: Joint, without_torque: Pressed) -> TorqueCapacity:
     """The same by JAX: with skew the rolling of wedges ends where no state is found, which takes fifty looks to locate.
 
     NumPy takes up to a second for each of them, and a program as long as ten to compile.
     """
     import jax
 
+    from asperity.compilation import program_for_few
+
+    given = trees.map(np.asarray, (joint, without_torque))
     with jax.enable_x64(True), np.errstate(all="ignore"):
-        found: TorqueCapacity = trees.map(np.asarray, _program()(joint, without_torque, **options))
-    return found
+        found: TorqueCapacity = program_for_few(_searched, *given, options=(searches,))(*given)
+    return trees.map(np.asarray, found)
 
 
-def _searched(
-    joint: Joint,
-    without_torque: Pressed,
-    *,
-    direction: tuple[float, ...],
-    holds: tuple[bool, ...],
-    rolls: bool,
-) -> TorqueCapacity:
+def _searched(searches: CapacitySearches, joint: Joint, without_torque: Pressed) -> TorqueCapacity:
     joint = in_motion(joint)
     loaded = loading(joint, without_torque)
-    at = vectorised(lambda torque, hold: loaded(torque, rolls, hold).excesses)
-    guess = xp.full(len(direction), first_guess(joint, without_torque.rest))
+    direction, holds = np.array(searches.direction), np.array(searches.holds)
+    at = vectorised(lambda torque, hold: loaded(torque, searches.rolls, hold).excesses)
     limit = first_limit_of_numbers(
-        excesses=lambda torque: (
-            at(np.array(direction) * torque, np.array(holds)).T
-        ),  # of all searches at once
-        first_guess=guess,
+        excesses=lambda torque: at(direction * torque, holds).T,  # of all searches at once
+        first_guess=xp.full(direction.size, first_guess(joint, without_torque.rest)),
     )
     return _named(joint, limit)
 
@@ -274,7 +254,7 @@ def limiting_torques(
     """Largest output torques that keep every limit: signs, and as of :func:`under_torque`, shape (searches,) [N·m]."""
     joint = in_motion(joint)
     loaded = loading(joint, Pressed(laws, rest))
-    guess = xp.asarray(first_guess(joint, rest))
+    guess = first_guess(joint, rest)
 
     def search(given: tuple[Array, Array]) -> FirstLimit:
         sign, hold = given
@@ -282,4 +262,4 @@ def limiting_torques(
             excesses=lambda torque: loaded(sign * torque, rolls, hold).excesses, first_guess=guess
         )
 
-    return _named(joint, map_over(search, (direction, holds), beside=guess))
+    return _named(joint, map_over(search, (direction, holds)))

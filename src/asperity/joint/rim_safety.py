@@ -120,7 +120,6 @@ def body_rims(
             )
         return rim_range(body=body, stresses=stresses)
 
-    # traced and compiled once
     ranges = vectorised(stress_range)(tuple(map(xp.stack, zip(*states, strict=True))), pin)
     working, resting = (trees.map(operator.itemgetter(i), ranges) for i in range(2))
     strength = material.yield_strength if material.tensile_strength is None else material.tensile_strength

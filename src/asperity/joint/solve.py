@@ -14,12 +14,13 @@ from asperity.drive.layout.existence import refuse_impossible
 from asperity.drive.state.state import ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.engine import trees
+from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.assembled import Pressed
 from asperity.joint.bores import overhang, refuse_pins
-from asperity.joint.capacity import searched_capacities, torque_capacities, under_torque
+from asperity.joint.capacity import CapacitySearches, searched_capacities, torque_capacities, under_torque
 from asperity.joint.description import Joint, in_motion, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
 from asperity.joint.fit import refuse_loose
@@ -137,7 +138,7 @@ def solve_joint(joint: Joint) -> Solution:
 
 def refuse_impossible_joint(joint: Joint) -> Joint:
     """The joint with NumPy's numbers, unless its parts do not fit; nothing is compiled."""
-    joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    joint = as_numbers(joint)
     refuse_impossible(joint.drive)
     refuse_housing(joint)  # first: what temperature does to the fit is not known without it
     refuse_loose(joint.fit)
@@ -288,8 +289,9 @@ def _standing_capacity(joint: Joint, direction: float) -> TorqueCapacity:
     """Capacity of one joint, standing, in one direction, 1 or −1."""
     joint = in_motion(joint)
     without_torque: Pressed = at_once(assembled_joint, joint)
-    both = searched_capacities(joint, without_torque, direction=(direction,), holds=(False,), rolls=False)
-    capacity: TorqueCapacity = trees.map(lambda leaf: leaf[0], both)
+    searches = CapacitySearches((direction,), (False,), rolls=False)
+    found = searched_capacities(searches, joint, without_torque)
+    capacity: TorqueCapacity = trees.map(lambda leaf: leaf[0], found)
     return capacity
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from asperity.contact.roller_pairs import Roughness
 from asperity.engine import trees
+from asperity.engine.arrays import as_numbers
 from asperity.engine.control import entries, stacked
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
@@ -20,7 +21,7 @@ _FEW = 50
 
 def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple[int, ...]) -> JointResult:
     """One joint with many surfaces, whose numbers broadcast to the shape of one axis; the batch is the first axis."""
-    numbers = trees.map(lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=()))
+    numbers = as_numbers(dataclasses.replace(joint, surfaces=()))
     samples = trees.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
     if shape[0] > _FEW:
         return _by_program(numbers, samples)

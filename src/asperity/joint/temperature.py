@@ -11,8 +11,7 @@ import numpy as np
 
 from asperity.drive.layout.expansion import interference_of_strains, ring_expansion, ring_interference
 from asperity.drive.state.states import rest_forces
-from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.module import Module
 from asperity.errors import InputError
 from asperity.joint.description import ContactFit, Joint, places
@@ -77,7 +76,7 @@ def at_temperature(joint: Joint, temperature: float) -> Joint:
         rise = temperature - housing.assembly_temperature
         housing = dataclasses.replace(housing, temperature_rise=rise)
     heated = dataclasses.replace(joint, fit=fit, housing=housing)
-    return trees.map(lambda leaf: np.asarray(leaf, dtype=float), heated)
+    return as_numbers(heated)
 
 
 def assembly_document(

@@ -12,8 +12,7 @@ import numpy as np
 import asperity
 from asperity.drive.layout.drive import CARRIER
 from asperity.drive.state.loads import MemberLoads, pin_components
-from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import as_numbers, xp
 from asperity.joint.description import Joint, tracks_of
 from asperity.joint.evaluation import JointResult
 from asperity.joint.housing import ring_fit, seated
@@ -77,7 +76,7 @@ def loads_document(solved: SolvedJoint, bearings: list[Document], mounting_gap: 
     cases = [case_entry("without torque", 0.0, 0.0, None, None)]
     loads, at_rest = [loads_without_torque(joint, result)], result.rest
     held = [forces_on_axis(joint, at_rest.normal, at_rest.tangential, at_rest.pin_force)]
-    numbers: Joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: Joint = as_numbers(joint)
     loaded: list[tuple[str, float | None, Joint, JointResult]] = [("working torque", None, numbers, result)]
     for index, state in enumerate(solved.duty_states):
         loaded.append((f"duty {index + 1}", float(numbers.rolling.duty[index].share), *state))

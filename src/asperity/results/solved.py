@@ -17,7 +17,7 @@ from asperity.drive.layout.existence import neighbour_gaps, neighbours
 from asperity.drive.state.loads import MemberLoads
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws
 from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once
 from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
@@ -206,7 +206,7 @@ class SolvedJoint:
     @functools.cached_property
     def duty_states(self) -> tuple[tuple[Joint, JointResult], ...]:
         """The joint under each load of its duty, and its result."""
-        numbers: Joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), self.joint)
+        numbers: Joint = as_numbers(self.joint)
         states = []
         for point in numbers.rolling.duty:
             joint = dataclasses.replace(

@@ -261,7 +261,7 @@ def _of_program(solved: SolvedJoint) -> JointCapacity:
     joint = _without_duty(in_motion(solved.joint))
     assert solved.laws is not None
     without_torque = Pressed(solved.laws, solved.result.rest)
-    loaded, guess = loading(joint, without_torque), xp.asarray(first_guess(joint, solved.result.rest))
+    loaded, guess = loading(joint, without_torque), first_guess(joint, solved.result.rest)
     at_rest, in_rolling = (_entries_of_search(solved, prefix) for prefix in ("", _IN_ROLLING))
     before_rows = len(at_rest) + len(in_rolling)
 
@@ -269,7 +269,7 @@ def _of_program(solved: SolvedJoint) -> JointCapacity:
     def excesses(torque: Array) -> Array:
         """Of the search, standing and in rolling, then of the rows; every contact that stands holds."""
         standing, rolling = _both(
-            map_over(lambda rolls: loaded(torque, rolls, ~rolls), xp.array([False, True]), beside=guess)
+            map_over(lambda rolls: loaded(torque, rolls, ~rolls), xp.array([False, True]))
         )
         pressed = None if joint.cam is None else standing.pressed
         states = DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
@@ -296,7 +296,7 @@ def _of_program(solved: SolvedJoint) -> JointCapacity:
         return with_derivative(excesses=lambda torque: excesses(sign * torque), limit=first)
 
     ways = xp.array([1.0, -1.0])
-    slips = map_over(slip_of, (xp.tile(ways, 2), xp.repeat(xp.array([False, True]), 2)), beside=guess)
+    slips = map_over(slip_of, (xp.tile(ways, 2), xp.repeat(xp.array([False, True]), 2)))
     standing, rolling = _both(trees.map(lambda leaf: leaf.reshape(2, 2), slips))
     rolling = rolling._replace(which=xp.where(rolling.which < 0, -1, len(at_rest) + rolling.which))
     stands = standing.value * (1.0 - _ALIKE) <= rolling.value

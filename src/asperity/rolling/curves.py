@@ -10,8 +10,7 @@ import numpy as np
 
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import ContactLaws
-from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, vectorised
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
@@ -55,7 +54,7 @@ def rolling_curves(
     From 0 to the torque capacity [N·m], or to twice the joint's torque if it is infinite or nan; speeds up to 1.5 times
     the joint's.
     """
-    numbers: Joint = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: Joint = as_numbers(joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     output_torque, speed = float(numbers.output_torque), float(numbers.sun_speed)
     limited = math.isfinite(torque_capacity)
@@ -122,7 +121,7 @@ def creep_curves(joint: Joint, result: JointResult) -> CreepCurves:
 
     Asperities and skew are taken at each traction; nan where the joint does not roll.
     """
-    numbers: Any = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: Any = as_numbers(joint)
     normal = np.asarray(result.rolling.normal)
     return CreepCurves(*at_once(_curves, numbers, normal))
 

@@ -17,8 +17,7 @@ import numpy as np
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift, still_stroke, swing_drift_share
 from asperity.drive.layout.drive import Drive, creeping_speeds, speeds
 from asperity.drive.state.creep import drift_per_turn
-from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, fori_loop
 from asperity.engine.module import Module
 from asperity.errors import InputError
@@ -231,9 +230,7 @@ def rolling_onset(
         return None
     grown = np.sqrt(np.asarray(result.rolling.normal) / np.asarray(result.forces.normal))  # Hertz
     width = np.asarray(result.diagnostics.hertz_half_width) * grown
-    numbers = trees.map(
-        lambda leaf: np.asarray(leaf, dtype=float), (joint.drive, result.rolling, width, windup, creep_share)
-    )
+    numbers = as_numbers((joint.drive, result.rolling, width, windup, creep_share))
     found: RollingOnset = at_once(_onset, *numbers)
     return found
 

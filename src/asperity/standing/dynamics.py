@@ -15,6 +15,7 @@ from asperity.drive.structure.dynamics import (
 )
 from asperity.drive.structure.inertia import mass_matrix
 from asperity.engine import trees
+from asperity.engine.arrays import as_numbers
 from asperity.engine.module import Module
 from asperity.errors import InputError
 from asperity.joint.bodies import body_spins, joint_inertias
@@ -163,12 +164,12 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
     solution = solve_joint(joint)
     if not float(solution.result.assembly.stiffness.output) > 0.0:
         raise InputError("the assembled joint has no stiffness, so that it has no natural frequency")
-    coupled: Inertias = trees.map(lambda leaf: np.asarray(leaf, dtype=float), inertias)
+    coupled: Inertias = as_numbers(inertias)
     output_torque = float(joint.output_torque)
     limit = _limit(solution, output_torque)
     largest = np.copysign(_NEAR_CAPACITY * limit, output_torque) if np.isfinite(limit) else output_torque
     torques = np.append(np.linspace(0.0, largest, _TORQUES), output_torque)
-    numbers = trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = as_numbers(joint)
     over, standing, turning = _about_torques(numbers, coupled, torques)
     at = trees.map(lambda values: values[-1], over)
     spread = np.geomspace(at.locked_frequency / 100.0, 10.0 * at.free_frequency, _FREQUENCIES)

@@ -13,8 +13,7 @@ from asperity.drive.state.creep import drift_per_turn
 from asperity.drive.state.first_limit import slip_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
 from asperity.drive.state.states import loaded_state, loaded_states, standing_state
-from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, map_over, vectorised
 from asperity.engine.derivatives import value_and_slope
 from asperity.joint.assembled import Pressed, assembled
@@ -29,10 +28,6 @@ from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.rolling import turning
 from asperity.rolling.turning import driving_sense, with_driving_sense
 from asperity.types import Array, Real
-
-#: Torques of one call: one program serves curves of any number of points. Those of the page fill it: 49 of its curves
-#: over the torque, and 150 of its wind-up in three calls.
-BATCH = 50
 
 
 class StandingOverTorque(NamedTuple):
@@ -76,24 +71,24 @@ def over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -
 
     ``no_slip_friction``: under which no contact slips [-]. Results of states that do not balance have no meaning.
     """
-    return in_batches(over_torque_program, joint, torques, no_slip_friction)
+    return at_torques(over_torque_of_assembled, joint, torques, no_slip_friction)
 
 
 def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction: float) -> StandingOverTorque:
     """What a joint that stands does at torques, as NumPy arrays."""
-    return in_batches(standing_program, joint, torques, no_slip_friction)
+    return at_torques(standing_of_assembled, joint, torques, no_slip_friction)
 
 
-def in_batches(program: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
-    """What a program of a joint, its assembled state, torques and further numbers gives at all torques."""
-    moving = in_motion(trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
-    return at_once(program, moving, at_once(assembled_joint, moving), np.asarray(torques, float), *numbers)
+def at_torques(function: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
+    """What a function of a joint, its assembled state, torques and further numbers gives, as NumPy arrays."""
+    moving = in_motion(as_numbers(joint))
+    return at_once(function, moving, at_once(assembled_joint, moving), np.asarray(torques, float), *numbers)
 
 
-def standing_program(
+def standing_of_assembled(
     joint: Joint, without_torque: Pressed, torques: Array, no_slip_friction: Real
 ) -> StandingOverTorque:
-    """What is compiled to wind an assembled joint up."""
+    """The same of a joint that is assembled."""
     contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
     return map_over(_stands(joint, contacts, without_torque, no_slip_friction), torques)
 
@@ -115,10 +110,10 @@ def _stands(
     return at
 
 
-def over_torque_program(
+def over_torque_of_assembled(
     joint: Joint, without_torque: Pressed, torques: Array, no_slip_friction: Real
 ) -> OverTorque:
-    """What is compiled to follow an assembled joint over its torque."""
+    """As :func:`over_torque`, of a joint that is assembled."""
     contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
     sense = driving_sense(joint.drive)
     states = _states(joint, contacts, without_torque)

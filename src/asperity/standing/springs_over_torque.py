@@ -11,8 +11,7 @@ from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState, surface_speeds
 from asperity.drive.state.states import standing_state
 from asperity.drive.stiffness.network import SpringLaws
-from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, map_over
 from asperity.engine.derivatives import value_and_slope
 from asperity.joint.assembled import Pressed
@@ -25,7 +24,7 @@ from asperity.joint.solve import Solution
 from asperity.joint.stiffness import loaded_stiffness, working_springs
 from asperity.rolling.turning import driving_sense
 from asperity.standing.over_torque import (
-    in_batches,
+    at_torques,
     rolling_with_its_torque,
     slope_of_lost_speed,
     with_its_torque,
@@ -53,12 +52,12 @@ class SpringsOverTorque(NamedTuple):
 
 def springs_over_torque(joint: Joint, torques: np.ndarray) -> SpringsOverTorque:
     """The springs and the creep of a joint about output torques of either sign [N·m], as NumPy arrays."""
-    found: SpringsOverTorque = in_batches(springs_program, joint, torques)
+    found: SpringsOverTorque = at_torques(springs_of_assembled, joint, torques)
     return found
 
 
-def springs_program(joint: Joint, without_torque: Pressed, torques: Array) -> SpringsOverTorque:
-    """What is compiled to find them."""
+def springs_of_assembled(joint: Joint, without_torque: Pressed, torques: Array) -> SpringsOverTorque:
+    """The same of a joint that is assembled."""
     contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
     pressed, unloaded = pressed_at(joint, contacts, without_torque), with_its_torque(joint)
     rolls, sense = rolling_with_its_torque(joint, contacts), driving_sense(joint.drive)
@@ -88,7 +87,7 @@ def springs_program(joint: Joint, without_torque: Pressed, torques: Array) -> Sp
 
 def springs_of_solution(joint: Joint, solution: Solution) -> SpringLaws:
     """All springs of a joint that is solved, standing under its torque, as NumPy arrays."""
-    moving = in_motion(trees.map(lambda leaf: np.asarray(leaf, dtype=float), joint))
+    moving = in_motion(as_numbers(joint))
     result, standing = solution.result, solution.states.standing
     forces = (
         result.forces.normal,

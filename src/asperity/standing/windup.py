@@ -27,8 +27,7 @@ import numpy as np
 
 from asperity.drive.layout.mirror import mirror_image
 from asperity.drive.state.state import SLIP_TOLERANCE
-from asperity.engine import trees
-from asperity.engine.module import Module
+from asperity.engine.module import Module, same_numbers
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.play import Play, play_angle, play_compliance
@@ -264,7 +263,7 @@ def is_symmetric(joint: Joint) -> bool:
         ),
     )
     return all(
-        trees.alike(entries[k], entries[other])
+        same_numbers(entries[k], entries[other])
         for entries, images in described
         for k, other in enumerate(images)
         if k != other

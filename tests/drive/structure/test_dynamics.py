@@ -19,6 +19,7 @@ from asperity.drive.structure.dynamics import (
     sprung_drive,
 )
 from asperity.drive.structure.inertia import mass_matrix
+from asperity.engine.arrays import as_numbers
 from asperity.joint.description import in_motion
 
 RATIO = 5.0
@@ -150,7 +151,7 @@ def test_motor_stands_at_the_antiresonance():
 
 @pytest.fixture(scope="module")
 def planetary(planar_joint):
-    return in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint("planetary")))
+    return in_motion(as_numbers(planar_joint("planetary")))
 
 
 def springs_of(drive, rng):
@@ -180,7 +181,7 @@ def springs_of(drive, rng):
 )
 def test_under_a_slow_torque_the_drive_gives_way_as_its_network_does(planar_joint, name):
     """A motor far too heavy to move, and no masses between it and the load: 1/K and the shafts in series."""
-    joint = in_motion(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint(name)))
+    joint = in_motion(as_numbers(planar_joint(name)))
     given = springs_of(joint.drive, np.random.default_rng(2))
     springs = jax.tree.map(np.asarray, spring_laws(**given))
     members = joint.drive.members

@@ -9,8 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from asperity.drive.layout.drive import CARRIER, Drive, Incidence, gaps, incidence, speeds
-from asperity.engine import trees
-from asperity.engine.arrays import xp
+from asperity.engine.arrays import as_numbers, xp
 from asperity.errors import InputError
 from asperity.types import Array
 
@@ -31,7 +30,7 @@ class _Measures(NamedTuple):
 
 
 def _measured(drive: Drive) -> _Measures:
-    drive = trees.map(lambda leaf: np.asarray(leaf, dtype=float), drive)
+    drive = as_numbers(drive)
     with np.errstate(all="ignore"):  # what cannot exist is judged by the nan that it makes
         return _Measures(gaps(drive), neighbour_gaps(drive), incidence(drive), output_share(drive))
 
@@ -112,7 +111,7 @@ def pulling_contacts(drive: Drive) -> tuple[str, ...]:
     normal forces of the contacts of every floating body and Q the push of its pin; friction does not act before the
     drive carries a torque. Equation (M1) of :doc:`/equations`. The drive has concrete (not traced) values.
     """
-    matrices = incidence(trees.map(lambda leaf: np.asarray(leaf, dtype=float), drive))
+    matrices = incidence(as_numbers(drive))
     balance = np.concatenate([matrices.approach, matrices.pins]).T
     _, values, rows = np.linalg.svd(balance)
     unknown = balance.shape[1] - int(np.sum(values > 1e-9 * values.max(initial=0.0)))

@@ -15,13 +15,15 @@ from asperity.engine import trees
 from asperity.joint_file.own_branches import joint_with_branches
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.si_tables import Values, numbers, replace_values, table_structure, with_numbers
-from asperity.standing.over_torque import BATCH, curve_program
+from asperity.standing.over_torque import curve_program
 from asperity.standing.standing import NO_SLIP_FRICTION
 from asperity.standing.windup import StiffnessLevel
 from asperity.types import Array
 
 #: What a curve shows of a joint.
 Shown = StiffnessLevel | Literal["drift"]
+#: Torques of one call: one program serves curves of any number of points.
+_BATCH = 50
 
 
 class JointPoints(NamedTuple):
@@ -90,9 +92,9 @@ def _over(
     function: Callable[..., Any], options: tuple[str, str], torque: np.ndarray, *given: np.ndarray
 ) -> Any:
     """What a function of options, of numbers of a joint and of torques gives at different torques."""
-    filled = np.concatenate([torque, np.full(-torque.size % BATCH, torque[-1])])
+    filled = np.concatenate([torque, np.full(-torque.size % _BATCH, torque[-1])])
     parts = []
-    for part in filled.reshape(-1, BATCH):
+    for part in filled.reshape(-1, _BATCH):
         # a posterior calls the curves thousands of times
         program = program_for_few(function, *given, part, options=options, often=function is _curves)
         parts.append(trees.map(np.asarray, program(*given, part)))
