@@ -10,7 +10,7 @@ import numpy as np
 from asperity.contact.roller_pairs import Roughness
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
-from asperity.engine.control import entries, stacked
+from asperity.engine.control import entries, stacked, vectorised
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.solve import joint_state
@@ -30,13 +30,14 @@ def over_surfaces(joint: Joint, surfaces: tuple[Roughness, ...], *, shape: tuple
 
 def _by_program(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
     """The same of many surfaces, compiled."""
-    import jax
+    from asperity.compilation import program_for_few
 
-    def one(joint: Joint, surface: tuple[Roughness, ...]) -> JointResult:
-        return evaluate(dataclasses.replace(joint, surfaces=surface))
+    found: JointResult = program_for_few(_of_many, joint, surfaces)(joint, surfaces)
+    return trees.map(np.asarray, found)
 
-    found: JointResult = trees.map(np.asarray, jax.jit(jax.vmap(one, (None, 0)))(joint, surfaces))
-    return found
+
+def _of_many(joint: Joint, surfaces: tuple[Roughness, ...]) -> JointResult:
+    return vectorised(lambda one: evaluate(dataclasses.replace(joint, surfaces=one)))(surfaces)
 
 
 def result_ends(
