@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from asperity.engine import trees
-from asperity.engine.arrays import MeetsJaxError, is_of_jax, refuse_own, uses_jax, xp
+from asperity.engine.arrays import MeetsJaxError, OwnNumber, is_of_jax, refuse_own, uses_jax, xp
 from asperity.engine.dual import Dual, directions_at, highest_level, plain, slopes_at, value_at
 from asperity.engine.many import Many, aligned, chosen, many, together
 
@@ -179,9 +179,10 @@ def at_once(function: Callable[..., Any], *modules: Any) -> Any:
     """A function of modules of numbers: under NumPy without its warnings, with NumPy's arrays as leaves.
 
     This is the door to the formula code. Formulas choose between regimes by ``where``, so that what is not chosen may
-    divide by zero; nan and infinite numbers mean the same in both engines.
+    divide by zero; nan and infinite numbers mean the same in both engines. Inside of it, with numbers of the engine's
+    own or of JAX, the function is called as it is.
     """
-    if uses_jax(modules):
+    if uses_jax(modules) or any(isinstance(leaf, OwnNumber) for leaf in trees.leaves(modules)):
         return function(*modules)
     with np.errstate(all="ignore"):
         return trees.map(np.asarray, function(*trees.map(np.asarray, modules)))

@@ -93,7 +93,7 @@ def _written_out(matrix: Array, vector: Array) -> Array:
 
 @jax.jit
 def least_squares(matrix: Array, right_side: Array) -> Array:
-    """The x that makes |A x - b| smallest, shape (n,), by the normal equations, refined once."""
+    """The x that makes :math:`|A x - b|` smallest, shape (n,), by the normal equations, refined once."""
     square = jnp.sum(matrix[:, :, None] * matrix[:, None, :], axis=0)
     solution = solve(square, _product(matrix.T, right_side))
     return solution + solve(square, _product(matrix.T, right_side - _product(matrix, solution)))

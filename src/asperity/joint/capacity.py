@@ -10,13 +10,18 @@ from typing import NamedTuple
 import numpy as np
 
 from asperity.body.rim_moments import WIDEST_CONTACT
-from asperity.drive.layout.wedge import wedges
-from asperity.drive.state.first_limit import FirstLimit, first_limit, first_limit_of_numbers, slip_ratio
+from asperity.drive.state.first_limit import (
+    FirstLimit,
+    first_limit,
+    first_limit_of_numbers,
+    of_each,
+    slip_ratio,
+)
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import loaded_state
 from asperity.engine import trees
 from asperity.engine.arrays import xp
-from asperity.engine.control import at_once, cond, least_at, map_over, vectorised
+from asperity.engine.control import at_once, cond, least_at, map_over
 from asperity.joint.assembled import Pressed
 from asperity.joint.bodies import contact_walls
 from asperity.joint.description import (
@@ -203,38 +208,20 @@ class CapacitySearches(NamedTuple):
 
 def searched_capacities(searches: CapacitySearches, joint: Joint, without_torque: Pressed) -> TorqueCapacity:
     """Torque capacities of one joint, of NumPy's numbers, as :func:`torque_capacities`, along the first axis."""
-    known: TorqueCapacity
-    if searches.rolls and joint.rolling.skew is not None and wedges(joint.drive):
-        known = _by_program(searches, joint, without_torque)
-    else:
-        known = at_once(functools.partial(_searched, searches), joint, without_torque)
+    known: TorqueCapacity = at_once(functools.partial(_searched, searches), joint, without_torque)
     return known
-
-
-def _by_program(searches: CapacitySearches, joint: Joint, without_torque: Pressed) -> TorqueCapacity:
-    """The same by JAX: with skew the rolling of wedges ends where no state is found, which takes fifty looks to locate.
-
-    NumPy takes up to a second for each of them, and a program as long as ten to compile.
-    """
-    import jax
-
-    from asperity.compilation import program_for_few
-
-    given = trees.map(np.asarray, (joint, without_torque))
-    with jax.enable_x64(True), np.errstate(all="ignore"):
-        found: TorqueCapacity = program_for_few(_searched, *given, options=(searches,))(*given)
-    return trees.map(np.asarray, found)
 
 
 def _searched(searches: CapacitySearches, joint: Joint, without_torque: Pressed) -> TorqueCapacity:
     joint = in_motion(joint)
     loaded = loading(joint, without_torque)
-    direction, holds = np.array(searches.direction), np.array(searches.holds)
-    at = vectorised(lambda torque, hold: loaded(torque, searches.rolls, hold).excesses)
-    limit = first_limit_of_numbers(
-        excesses=lambda torque: at(direction * torque, holds).T,  # of all searches at once
-        first_guess=xp.full(direction.size, first_guess(joint, without_torque.rest)),
+    each = of_each(
+        lambda torque, sign, holds: loaded(sign * torque, searches.rolls, holds).excesses,
+        np.array(searches.direction),
+        np.array(searches.holds),
     )
+    guess = xp.full(len(searches.direction), first_guess(joint, without_torque.rest))
+    limit = first_limit_of_numbers(excesses=each, first_guess=guess)
     return _named(joint, limit)
 
 

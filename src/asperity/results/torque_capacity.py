@@ -7,6 +7,7 @@ the tables of results that is judged as function or damage: a new row of that ki
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 from typing import Any, NamedTuple
 
@@ -17,19 +18,19 @@ from asperity.drive.state.first_limit import (
     FARTHEST,
     FirstLimit,
     first_limit_of_numbers,
+    of_each,
     searched_limit,
     with_derivative,
 )
 from asperity.drive.state.states import DriveStates
 from asperity.engine import trees
 from asperity.engine.arrays import entry_of, xp
-from asperity.engine.control import map_over, traced_once
+from asperity.engine.control import at_once, map_over, traced_once
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
 from asperity.joint.capacity import first_guess, limits_of, loading
 from asperity.joint.description import Joint, in_motion
 from asperity.joint.evaluation import joint_result
-from asperity.joint.solve import joint_state
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, kind_words
 from asperity.results import contact_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
 from asperity.results.notes import Severity
@@ -191,17 +192,6 @@ def _named(solved: SolvedJoint, limit: FirstLimit, entries: list[_Entry]) -> Joi
     return JointCapacity(limit.value, entry_of(codes, 1 + limit.which), entry_of(places, 1 + limit.which))
 
 
-def _under(solved: SolvedJoint, torque: float) -> SolvedJoint:
-    """One joint, solved, under another output torque [N·m]; what its duty does to its bearings is not that torque's."""
-    there: Any = np.asarray(torque, dtype=float)
-    joint = dataclasses.replace(solved.joint, output_torque=there)
-    assert solved.laws is not None
-    under = SolvedJoint(joint, joint_state(joint, Pressed(solved.laws, solved.result.rest)), solved.laws)
-    if joint.rolling.duty and any(under.has_bearings):
-        under.bearings = SolvedJoint(_without_duty(joint), under.result, solved.laws).bearings
-    return under
-
-
 def _without_duty(joint: Joint) -> Joint:
     return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
 
@@ -213,11 +203,24 @@ def _of_numbers(solved: SolvedJoint) -> JointCapacity:
         ((solution.first_slip, ""), (solution.rolling_capacity, _IN_ROLLING)),
         ((solution.reverse_first_slip, ""), (solution.reverse_rolling_capacity, _IN_ROLLING)),
     )
-    both = [
-        _in_direction(solved, sign, [_slip(solved, *slip) for slip in slips], entries)
-        for sign, slips in zip((1.0, -1.0), of_slip, strict=True)
-    ]
-    return trees.map(lambda *ways: np.stack(ways), *both)
+    slip = _stacked([_first_slip(*(_slip(solved, *way) for way in both)) for both in of_slip])
+    if not entries:
+        return slip
+    rows = _named(solved, at_once(functools.partial(_limit_of_rows, solved), slip.output_torque), entries)
+    return trees.map(lambda *ways: np.where(np.isfinite(rows.output_torque), *ways), rows, slip)
+
+
+def _stacked(each: list[JointCapacity]) -> JointCapacity:
+    return trees.map(lambda *ways: np.stack(ways), *each)
+
+
+def _limit_of_rows(solved: SolvedJoint, slip: Array) -> FirstLimit:
+    """Where the first row exceeds its limit below given torques, in both directions."""
+    limits = _LimitsUnderTorque(solved)
+    return first_limit_of_numbers(
+        excesses=of_each(lambda torque, sign: limits.of_rows(sign * torque), np.array([1.0, -1.0])),
+        **_up_to(slip, limits.guess),
+    )
 
 
 def _slip(solved: SolvedJoint, capacity: TorqueCapacity, prefix: str) -> JointCapacity:
@@ -229,22 +232,10 @@ def _slip(solved: SolvedJoint, capacity: TorqueCapacity, prefix: str) -> JointCa
     return JointCapacity(*numbers)
 
 
-def _in_direction(
-    solved: SolvedJoint, sign: float, slips: list[JointCapacity], entries: list[_Entry]
-) -> JointCapacity:
-    """The capacity of one joint in the direction of a sign: slip, unless a row exceeds its limit below."""
-    standing, rolling = slips
+def _first_slip(standing: JointCapacity, rolling: JointCapacity) -> JointCapacity:
+    """Where a contact slips first, standing or in rolling."""
     first = float(standing.output_torque) * (1.0 - _ALIKE) <= float(rolling.output_torque)
-    slip = standing if first else rolling
-
-    def excesses(torque: Any) -> Any:
-        return np.asarray(excesses_of_rows(_under(solved, sign * float(torque))))
-
-    if not entries:
-        return slip
-    guess = first_guess(solved.joint, solved.result.rest)
-    found = first_limit_of_numbers(excesses=excesses, **_up_to(slip.output_torque, guess))
-    return _named(solved, found, entries) if np.isfinite(found.value) else slip
+    return standing if first else rolling
 
 
 def _up_to(slip: Any, guess: Any) -> dict[str, Any]:
@@ -256,27 +247,47 @@ def _up_to(slip: Any, guess: Any) -> dict[str, Any]:
     }
 
 
+class _LimitsUnderTorque:
+    """By how much one joint exceeds its limits under other output torques [N·m]; each is what a joint of it has alone.
+
+    ``guess``: torque of the right order. What its duty does to its bearings is not that torque's.
+    """
+
+    def __init__(self, solved: SolvedJoint) -> None:
+        assert solved.laws is not None
+        self._joint = _without_duty(in_motion(solved.joint))
+        self._without_torque = Pressed(solved.laws, solved.result.rest)
+        self.loaded = loading(self._joint, self._without_torque)
+        self.guess = first_guess(self._joint, solved.result.rest)
+
+    def of_all(self, torque: Array) -> Array:
+        """Limits of the search, standing and in rolling, then of the rows; every contact that stands holds."""
+        standing, rolling, rows = self._together(torque)
+        return xp.concatenate([standing, rolling, rows])
+
+    def of_rows(self, torque: Array) -> Array:
+        """Limits of the rows alone."""
+        return self._together(torque)[2]
+
+    def _together(self, torque: Array) -> tuple[Array, Array, Array]:
+        standing, rolling = _both(
+            map_over(lambda rolls: self.loaded(torque, rolls, ~rolls), xp.array([False, True]))
+        )
+        pressed = None if self._joint.cam is None else standing.pressed
+        states = DriveStates(self._without_torque.rest, standing.state, rolling.state, pressed)
+        there = dataclasses.replace(self._joint, output_torque=torque)
+        result = joint_result(there, self._without_torque.laws, states)
+        rows = excesses_of_rows(SolvedJoint(there, result, self._without_torque.laws))
+        return standing.excesses, rolling.excesses, xp.asarray(rows)
+
+
 def _of_program(solved: SolvedJoint) -> JointCapacity:
     """Both directions of a joint inside a program, with derivatives."""
-    joint = _without_duty(in_motion(solved.joint))
-    assert solved.laws is not None
-    without_torque = Pressed(solved.laws, solved.result.rest)
-    loaded, guess = loading(joint, without_torque), first_guess(joint, solved.result.rest)
+    limits = _LimitsUnderTorque(solved)
+    loaded, guess = limits.loaded, limits.guess
     at_rest, in_rolling = (_entries_of_search(solved, prefix) for prefix in ("", _IN_ROLLING))
     before_rows = len(at_rest) + len(in_rolling)
-
-    @traced_once  # traced once for the search and for the derivative
-    def excesses(torque: Array) -> Array:
-        """Of the search, standing and in rolling, then of the rows; every contact that stands holds."""
-        standing, rolling = _both(
-            map_over(lambda rolls: loaded(torque, rolls, ~rolls), xp.array([False, True]))
-        )
-        pressed = None if joint.cam is None else standing.pressed
-        states = DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
-        there = dataclasses.replace(joint, output_torque=torque)
-        result = joint_result(there, without_torque.laws, states)
-        rows = excesses_of_rows(SolvedJoint(there, result, without_torque.laws))
-        return xp.concatenate([standing.excesses, rolling.excesses, xp.asarray(rows)])
+    excesses = traced_once(limits.of_all)  # for the search and for the derivative
 
     def slip_of(given: tuple[Array, Array]) -> FirstLimit:
         """Where the first contact slips standing, or in rolling."""

@@ -7,12 +7,18 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.state.first_limit import first_limit, slip_ratio
+from asperity.drive.state.first_limit import first_limit, first_limit_of_numbers, of_each, slip_ratio
+from asperity.engine.arrays import xp
 
 
 def cubic(limit):
     """Two limits as by hand: x³ reaches its own first, the line would reach twice that."""
     return lambda x: jnp.stack([(x / limit) ** 3 - 1.0, 0.5 * x / limit - 1.0])
+
+
+def cubic_of_any(x, limit):
+    """As ``cubic``, of one value and with the numbers of any engine."""
+    return xp.stack([(x / limit) ** 3 - 1.0, 0.5 * x / limit - 1.0])
 
 
 @pytest.mark.parametrize("guess", [1e-3, 1.0, 7.0, 7.5, 1e6])
@@ -72,3 +78,79 @@ def test_where_nothing_is_known_beyond_a_limit_it_is_that_which_is_all_but_reach
 
     found = first_limit(excesses=lifts, first_guess=1.0)
     assert (float(found.value), int(found.which)) == (pytest.approx(7.0, rel=1e-11), 1)
+
+
+def hole(x):
+    """Nothing is known beyond 3, where the first function would reach its limit at 7."""
+    return np.stack([np.where(x > 3.0, np.nan, x - 7.0), np.where(x > 3.0, 1.0, -1.0)])
+
+
+def kinked(x):
+    """The first function reaches its limit at 5, with another slope beyond 4.9."""
+    return np.stack([np.where(x < 4.9, 0.1, 1.0) * (x - 4.9) - 0.1, x / 20.0 - 1.0])
+
+
+def lost(x):
+    """The second function all but reaches its limit at 7, beyond which nothing is known."""
+    beyond = x > 7.0 - 1e-12
+    known = [np.where(beyond, np.nan, share * x / 7.0 - 1.0) for share in (0.5, 1.0)]
+    return np.stack([*known, np.where(beyond, 1.0, -1.0)])
+
+
+def both_ways(x):
+    """A limit at 2, kept again beyond 2.5: the first one counts."""
+    return np.stack([(x - 2.0) * (2.5 - x), x / 50.0 - 1.0])
+
+
+@pytest.mark.parametrize(
+    ("functions", "value", "which", "most_looks"),
+    [
+        (lambda x: np.stack([(x / 7.0) ** 3 - 1.0, x / 14.0 - 1.0]), 7.0, 0, 7),
+        (lambda x: np.stack([np.exp(x) - np.exp(0.3), x - 1.0]), 0.3, 0, 6),
+        (lambda x: np.stack([x / 2e4 - 1.0]), 2e4, 0, 20),
+        (lambda x: np.stack([x - 5.0, 1.0 + x]), 0.0, 1, 1),
+        (lambda x: np.stack([-1.0 / (1.0 + x)]), math.inf, -1, 41),
+        (hole, 3.0, 1, 17),
+        (kinked, 5.0, 0, 7),
+        (lost, 7.0, 1, 17),
+        (both_ways, 2.0, 0, 7),
+    ],
+)
+@pytest.mark.parametrize("searches", [1, 2, 3, 70])
+def test_a_search_by_many_looks_at_once_finds_what_one_by_one_does(
+    functions, value, which, most_looks, searches
+):
+    looks = []
+
+    def excesses(x):
+        looks.append(x.shape)
+        return functions(x)
+
+    found = first_limit_of_numbers(excesses=excesses, first_guess=np.ones(searches))
+    np.testing.assert_allclose(found.value, np.full(searches, value), rtol=1e-12)
+    assert found.which.tolist() == [which] * searches
+    assert len(looks) <= most_looks
+    with np.errstate(all="ignore"):
+        alone = first_limit(excesses=functions, first_guess=1.0)
+    np.testing.assert_allclose(found.value, float(alone.value), rtol=1e-12)
+    assert int(alone.which) == which
+
+
+def test_searches_side_by_side_find_each_its_own():
+    limits = np.array([1e-9, 0.3, 7.0, 2e5])
+    found = first_limit_of_numbers(excesses=of_each(cubic_of_any, limits), first_guess=np.ones(4))
+    np.testing.assert_allclose(found.value, limits, rtol=1e-12)
+    assert found.which.tolist() == [0] * 4
+
+
+@pytest.mark.parametrize(("farthest", "value"), [(0.0, math.inf), (1.0, math.inf), (8.0, 7.0)])
+def test_a_search_goes_no_farther_than_it_may(farthest, value):
+    seen = []
+
+    def excesses(x):
+        seen.append(np.max(x))
+        return np.stack([x / 7.0 - 1.0])
+
+    found = first_limit_of_numbers(excesses=excesses, first_guess=np.ones(2), farthest=farthest)
+    np.testing.assert_allclose(found.value, np.full(2, value), rtol=1e-12)
+    assert max(seen, default=0.0) <= farthest

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from asperity.engine.arrays import uses_jax, xp
-from asperity.engine.control import while_loop
+from asperity.engine.control import vectorised, while_loop
 from asperity.engine.derivatives import without_slopes
 from asperity.engine.dual import highest_level
 from asperity.implicit import implicit_root
@@ -23,6 +25,11 @@ FARTHEST = 2.0**40
 _MOST_STEPS = 150  # with ninety halvings, which reach any interval's last digit
 _NUDGE = 0.2  # of the square of the relative width
 _ALL_BUT_REACHED = 1e-6
+
+#: Values that searches by NumPy look at together, of all searches: as many take hardly longer than one.
+_TOGETHER = 64
+#: Where each looks around the root of its chord, in parts of what that may be off; elsewhere it looks evenly.
+_AROUND = np.array([-256.0, -16.0, -1.0, -1.0 / 16.0, 1.0 / 16.0, 1.0, 16.0, 256.0])
 
 
 class FirstLimit(NamedTuple):
@@ -42,7 +49,7 @@ class FirstLimit(NamedTuple):
 
 class _Search(NamedTuple):
     lower: Array  # no limit is reached here
-    upper: Array  # one is, once bracketed
+    upper: Array  # one is, once bracketed; before, the next values end here
     below: Array  # the largest excess at the lower bound; at 0 taken as that of a ratio to its limit
     above: Array  # and at the upper one
     bracketed: Array
@@ -52,17 +59,47 @@ class _Search(NamedTuple):
     steps: Array
 
 
+def _chord(state: _Search) -> tuple[Array, Array]:
+    """Where the chord says that the limit is reached, and how far it may be off."""
+    lower, upper = state.lower, state.upper
+    chord = (state.above * lower - state.below * upper) / (state.above - state.below)
+    off = xp.maximum(_NUDGE * (upper - lower) ** 2 / upper, 0.5 * SEARCH_TOLERANCE * upper)
+    return chord, off
+
+
 def _within(state: _Search) -> Array:
-    """Where to look next: near the root of the chord, but no farther off than halving can make up for."""
+    """The one value to look at next: near the root of the chord, but no farther off than halving can make up for."""
     lower, upper = state.lower, state.upper
     width, half = upper - lower, 0.5 * (lower + upper)
-    chord = (state.above * lower - state.below * upper) / (state.above - state.below)
+    chord, nudge = _chord(state)
     side = xp.sign(half - chord)
-    nudge = xp.maximum(_NUDGE * width**2 / upper, 0.5 * SEARCH_TOLERANCE * upper)
     near = xp.where(nudge < abs(half - chord), chord + side * nudge, half)
     reach = xp.maximum(state.slack - 0.5 * width, 0.0)
     trial = xp.where(abs(near - half) <= reach, near, half - side * reach)
     return xp.where(xp.isfinite(trial), trial, half)
+
+
+def _several_within(state: _Search, looks: int) -> Array:
+    """Values to look at next, in order: some even, which end any search, and some around the root of the chord."""
+    lower, upper = state.lower, state.upper
+    chord, off = _chord(state)
+    others = looks - _AROUND.size
+    even = lower + _along(np.arange(1, others + 1) / (others + 1), lower) * (upper - lower)
+    around = xp.clip(xp.where(xp.isfinite(chord), chord, upper) + _along(_AROUND, lower) * off, lower, upper)
+    return xp.sort(xp.concatenate([even, around]), axis=0)
+
+
+def _ahead(state: _Search, start: Array, looks: int) -> Array:
+    """The values to look at while no limit is reached: up to the end of the interval; next to nothing at first."""
+    lower = state.lower
+    even = lower + _along(np.arange(1, looks + 1) / looks, lower) * (state.upper - lower)
+    first = xp.where(state.steps == 0, SMALLEST_SHARE * start, even[0])
+    return xp.concatenate([first[None], even[1:]])
+
+
+def _along(values: np.ndarray, of: Array) -> Array:
+    """Values along an axis before those of another array."""
+    return values.reshape(-1, *(1 for _ in of.shape))
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -90,8 +127,11 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
     return xp.where(touching, force / xp.where(touching, limit, 1.0), xp.where(force > 0.0, xp.inf, 0.0))
 
 
-def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real) -> _Search:
-    """The interval of the first limit, narrowed to its last digits; none beyond so many times the start."""
+def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real, looks: int) -> _Search:
+    """The interval of the first limit, narrowed to its last digits; none beyond so many times the start.
+
+    The excesses are those of ``looks`` values at once, along an axis before those of the start.
+    """
 
     def unfinished(state: _Search) -> Array:
         wide = (state.upper - state.lower > SEARCH_TOLERANCE * state.upper) & (
@@ -102,22 +142,28 @@ def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real) 
 
     def narrow(state: _Search) -> _Search:
         """Next to nothing, then the first guess, doubled until a limit is reached; then narrow the interval."""
-        trial = xp.where(state.bracketed, _within(state), state.upper)
-        excess = excesses(trial)
+        within = _within(state)[None] if looks == 1 else _several_within(state, looks)
+        trials = xp.where(state.bracketed, within, _ahead(state, start, looks))
+        excess = excesses(trials)
         beyond = excess >= 0.0
-        reached = xp.any(beyond, axis=0)
+        any_beyond = xp.any(beyond, axis=0)
+        reached = xp.any(any_beyond, axis=0)
+        first = xp.argmax(any_beyond, axis=0)  # of the values at which a limit is reached
+        last = xp.where(reached, first, looks) - 1  # of those before it
         known = xp.where(xp.isnan(excess), -1.0, excess)
-        largest = xp.max(known, axis=0)
-        further = xp.where(state.steps == 0, start, 2.0 * state.upper)
+        largest, at = xp.max(known, axis=0), xp.argmax(known, axis=0)
+        further = xp.where((state.steps == 0) & (looks == 1), start, 2.0 * state.upper)
         return _Search(
-            lower=xp.where(reached, state.lower, trial),
-            upper=xp.where(reached, trial, xp.where(state.bracketed, state.upper, further)),
-            below=xp.where(reached, state.below, largest),
-            above=xp.where(reached, largest, state.above),
+            lower=_before(last, trials, state.lower),
+            upper=xp.where(reached, _at(first, trials), xp.where(state.bracketed, state.upper, further)),
+            below=_before(last, largest, state.below),
+            above=xp.where(reached, _at(first, largest), state.above),
             bracketed=state.bracketed | reached,
-            slack=xp.where(state.bracketed, 0.5 * state.slack, xp.where(reached, trial - state.lower, 0.0)),
-            which=xp.where(reached, xp.argmax(beyond, axis=0), state.which),
-            nearest=xp.where(reached, state.nearest, xp.argmax(known, axis=0)),
+            slack=xp.where(
+                state.bracketed, 0.5 * state.slack, xp.where(reached, _at(first, trials) - state.lower, 0.0)
+            ),
+            which=xp.where(reached, _at(first, xp.argmax(beyond, axis=0)), state.which),
+            nearest=_before(last, at, state.nearest),
             steps=state.steps + 1,
         )
 
@@ -125,7 +171,7 @@ def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real) 
     nothing = xp.zeros_like(start)
     first = _Search(
         lower=nothing,
-        upper=SMALLEST_SHARE * start,
+        upper=start if looks > 1 else SMALLEST_SHARE * start,
         below=nothing - 1.0,
         above=nothing,
         bracketed=nowhere,
@@ -139,15 +185,47 @@ def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real) 
     return last._replace(which=xp.where(last.below > -_ALL_BUT_REACHED, last.nearest, last.which))
 
 
+def _at(number: Array, values: Array) -> Array:
+    """The values of one of the looks, by its number."""
+    return xp.take_along_axis(values, number[None], axis=0)[0]
+
+
+def _before(number: Array, values: Array, otherwise: Array) -> Array:
+    """The same of the last look before a limit, or what was known before all of them."""
+    return xp.where(number >= 0, _at(xp.maximum(number, 0), values), otherwise)
+
+
 def first_limit_of_numbers(
     *, excesses: Callable[[Any], Any], first_guess: Real, farthest: Real = FARTHEST
 ) -> FirstLimit:
-    """That of :func:`first_limit`, without derivatives.
+    """That of :func:`first_limit`, without derivatives, of functions of several values at once.
 
-    Limits are looked for up to ``farthest`` times the first guess [-]: up to it with 1, not at all with 0.
+    ``excesses``: values, shape (looks, ...), to the functions, shape (limits, looks, ...); under NumPy many values take
+    hardly longer than one. Limits are looked for up to ``farthest`` times the first guess [-]: up to it with 1, not at
+    all with 0.
     """
-    last = _searched(excesses, xp.asarray(first_guess, dtype=float), farthest)
+    start = xp.asarray(first_guess, dtype=float)
+    last = _searched(excesses, start, farthest, max(2 * _AROUND.size, _TOGETHER // start.size))
     return _found(last, first_guess)
+
+
+def of_each(excesses: Callable[..., Array], *given: Array) -> Callable[[Array], Array]:
+    """Functions of one value, shape (limits,), as those of several values of several searches at once.
+
+    ``given``: numbers of each search, further arguments of the functions.
+    """
+    each = vectorised(excesses)
+
+    def of_all(values: Array) -> Array:
+        beside = [xp.broadcast_to(number, values.shape).ravel() for number in given]
+        return each(values.ravel(), *beside).T.reshape(-1, *values.shape)
+
+    return of_all
+
+
+def _one_look(excesses: Callable[[Array], Array]) -> Callable[[Array], Array]:
+    """Functions of one value as those of several, of which there is one."""
+    return lambda values: excesses(values[0])[:, None]
 
 
 def _found(last: _Search, start: Real) -> FirstLimit:
@@ -188,9 +266,9 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
     """
     at_guess = excesses(xp.asarray(first_guess))
     if not uses_jax(first_guess, at_guess):
-        found = first_limit_of_numbers(
-            excesses=lambda value: without_slopes(excesses(value)), first_guess=without_slopes(first_guess)
-        )
+        start = without_slopes(xp.asarray(first_guess, dtype=float))
+        one = _one_look(lambda value: without_slopes(excesses(value)))
+        found = _found(_searched(one, start, FARTHEST, 1), start)
         return with_derivative(excesses=excesses, limit=found) if highest_level([at_guess]) else found
     import jax
 
@@ -213,7 +291,7 @@ def searched_limit(
         (excess,) = jax.core.eval_jaxpr(program.jaxpr, fixed, value)
         return excess
 
-    found: FirstLimit = without_slopes(_found(_searched(excesses_of, start, farthest), start))
+    found: FirstLimit = without_slopes(_found(_searched(_one_look(excesses_of), start, farthest, 1), start))
     return found
 
 
