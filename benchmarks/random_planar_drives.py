@@ -22,11 +22,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.drive.layout.drive import Drive
+from asperity.drive.layout.drive import Drive, driving_sense
 from asperity.drive.layout.existence import has_room
 from asperity.joint.description import joint_contacts
 from asperity.joint.evaluation import evaluated_with_laws
 from asperity.joint.laws import drive_load
+from asperity.joint.machine import joint_machine
 from asperity.joint.status import NO_ROOM, STATUS_NAMES, joint_status
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.case_types import CASES
@@ -34,7 +35,6 @@ from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.precision import use_double_precision
-from asperity.rolling.turning import driving_sense
 
 CHUNK = 1024
 DRAWN = 8 * CHUNK  # at once, before those without room are left out
@@ -146,7 +146,7 @@ def program_of(values: dict[str, Any], paths: tuple[str, ...]) -> Callable[..., 
     def one(*numbers: jax.Array) -> dict[str, Any]:
         joint = joint_from_values(replace_values(values, dict(zip(paths, numbers, strict=True))))
         result, _ = evaluated_with_laws(joint)
-        load = drive_load(joint, list(result.masses), joint.output_torque)
+        load = drive_load(joint_machine(joint))
         forces = result.forces
         used = jnp.abs(forces.tangential) / joint_contacts(joint).pairs.friction_coefficient / forces.normal
         slides = result.diagnostics.slip_ratio == 1.0

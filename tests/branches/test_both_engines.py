@@ -9,12 +9,12 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from both_engines import assert_alike
+from machines import laws_and_states
 
 from asperity.branches.branches import SectorDeviations, assembled_branches
 from asperity.branches.results import _sums, unequal_branches
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
-from asperity.joint.evaluation import laws_and_states
 from asperity.joint.unfolding import SectorSizes, settled_sectors
 
 SPRINGS = {

@@ -7,6 +7,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from machines import laws_and_states
 from pressed_pin import hole, pressed_pin
 
 from asperity.body.bore import bore_modes
@@ -18,7 +19,7 @@ from asperity.engine.arrays import as_numbers
 from asperity.errors import InputError
 from asperity.joint.bores import bore_stiffness, pins_in_bores, refuse_pins
 from asperity.joint.description import in_motion
-from asperity.joint.evaluation import evaluate, laws_and_states
+from asperity.joint.evaluation import evaluate
 from asperity.joint.solve import solve_joint
 from asperity.standing.springs_over_torque import springs_of_solution, springs_over_torque
 

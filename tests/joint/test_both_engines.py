@@ -8,16 +8,28 @@ import jax
 import numpy as np
 import pytest
 from both_engines import Engines, Formula, assert_alike, direction, rows
+from machines import laws_and_states
 
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
 from asperity.engine.derivatives import value_and_slope
-from asperity.joint import bodies, bores, contacts, crowned_contacts, description, laws, status, stiffness
+from asperity.joint import (
+    bodies,
+    body_compliance,
+    bores,
+    contacts,
+    crowned_contacts,
+    description,
+    laws,
+    status,
+    stiffness,
+)
 from asperity.joint.bearing_lives import joint_bearing_lives
 from asperity.joint.diagnostics import diagnose
-from asperity.joint.evaluation import evaluate, evaluated_with_laws, laws_and_states
+from asperity.joint.evaluation import evaluate, evaluated_with_laws
 from asperity.joint.fit import Fit, loose_temperature
 from asperity.joint.housing import seats
+from asperity.joint.machine import joint_machine
 from asperity.joint.mounting import mounting
 from asperity.joint.play import Play, play_angle, play_compliance
 from asperity.joint.rims import joint_rims
@@ -115,32 +127,30 @@ def of_contacts(joint, normal, tangential):
 
 def of_bodies(joint, normal):
     """The bodies of a joint, and what they weigh."""
-    each = bodies.with_rims(joint, description.joint_contacts(joint))
-    width = each.pairs.half_width(normal)
-    compliance = bodies.body_compliance(
-        joint=joint, contacts=each, half_width=width, stick_half_width=0.5 * width
+    machine = joint_machine(joint)
+    width = machine.contacts.pairs.half_width(normal)
+    compliance = body_compliance.body_compliance(
+        machine=machine, half_width=width, stick_half_width=0.5 * width
     )
-    masses = description.body_masses(joint)
-    return compliance, bodies.walls_known(joint=joint, half_width=width), masses, bodies.joint_inertias(joint)
+    known = body_compliance.walls_known(machine=machine, half_width=width)
+    return compliance, known, machine.masses, bodies.joint_inertias(joint)
 
 
 def of_laws(joint, normal, tangential):
     """The laws of the contacts around their forces without torque, and the loads of the drive."""
-    each = bodies.with_rims(joint, description.joint_contacts(joint))
-    masses = description.body_masses(joint)
+    machine = joint_machine(joint)
     return (
-        laws.contact_laws(joint, each, normal),
-        laws.creep_law(joint, each, normal, tangential),
-        laws.drive_load(joint, masses, joint.output_torque),
-        laws.centrifugal_forces(joint, masses),
+        laws.contact_laws(machine, normal),
+        laws.creep_law(machine, normal, tangential),
+        laws.drive_load(machine),
+        laws.centrifugal_forces(joint, machine.masses),
     )
 
 
 def of_stiffness(joint, normal, tangential):
-    each = bodies.with_rims(joint, description.joint_contacts(joint))
     still, nothing = np.zeros(len(joint.drive.contacts)), np.zeros(len(joint.drive.pinned))
     pins = bores.PinLoads(nothing, 0.0 * normal, tangential, normal[0])
-    return stiffness.loaded_stiffness(joint, each, normal, tangential, still, pins)
+    return stiffness.loaded_stiffness(joint_machine(joint), normal, tangential, still, pins)
 
 
 def of_crowns(joint, normal, tangential):

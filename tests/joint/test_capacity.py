@@ -1,22 +1,21 @@
 """Torque capacity of planar joints by hand."""
 
 import dataclasses
-import functools
 from types import SimpleNamespace
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from machines import laws_and_states
 
 from asperity.drive.state.equations import STANDING, Task, forces_on, machine_of
 from asperity.drive.state.search import known_state, solved, started_from, state_of
 from asperity.drive.state.state import SLIP_TOLERANCE, STATE_TOLERANCE
 from asperity.drive.state.states import closed_around
 from asperity.engine.arrays import as_numbers
-from asperity.engine.control import at_once
 from asperity.errors import InputError
-from asperity.joint import capacity
+from asperity.joint.assembled import Pressed
 from asperity.joint.capacity import (
     capacity_both_ways,
     excesses_of,
@@ -24,9 +23,8 @@ from asperity.joint.capacity import (
     limiting_torques,
     smaller_sizes,
 )
-from asperity.joint.description import body_masses, in_motion
-from asperity.joint.evaluation import assembled_joint, laws_and_states
 from asperity.joint.laws import drive_load
+from asperity.joint.machine import joint_machine
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
@@ -246,15 +244,15 @@ def test_the_search_from_rest_finds_the_capacity_of_one_loading():
     def both(frictions):
         there = dataclasses.replace(joint, friction_coefficients=frictions)
         laws, states = laws_and_states(there)
+        machine = joint_machine(there)
         found = limiting_torques(
-            there,
-            states.rest,
-            laws,
+            machine,
+            Pressed(laws, states.rest),
             direction=jnp.ones(2),
             rolls=False,
             holds=jnp.array([False, True]),
         )
-        load = drive_load(there, body_masses(there), 1.0)
+        load = drive_load(machine.under(1.0))
         end, torque = loaded_step_by_step(there.drive, laws, states.rest, load)
         return found.output_torque, torque, jnp.sum(end.slides != 0.0)
 
@@ -262,19 +260,3 @@ def test_the_search_from_rest_finds_the_capacity_of_one_loading():
     np.testing.assert_array_equal(sliding, 2)
     np.testing.assert_allclose(found[:, 0], torque, rtol=1e-8)
     assert np.all(found[:, 1] < found[:, 0])
-
-
-@pytest.mark.long
-def test_the_program_that_searches_wedges_with_skew_finds_what_numpy_finds(planar_joint):
-    joint = in_motion(
-        as_numbers(
-            planar_joint("zou2025", replaced={"[model]\n": '[rolling]\nskew = "0.3 mrad"\n\n[model]\n'})
-        )
-    )
-    without_torque = at_once(assembled_joint, joint)
-    searches = capacity.CapacitySearches((1.0,), (False,), rolls=True)
-    by_numpy = at_once(functools.partial(capacity._searched, searches), joint, without_torque)
-    by_program = capacity.searched_capacities(searches, joint, without_torque)
-    np.testing.assert_allclose(by_program.output_torque, by_numpy.output_torque, rtol=1e-10)
-    np.testing.assert_array_equal(by_program.limit, by_numpy.limit)
-    np.testing.assert_array_equal(by_program.limiting_contact, by_numpy.limiting_contact)

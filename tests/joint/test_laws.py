@@ -6,15 +6,15 @@ import math
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from machines import assembled_laws
 from scipy.optimize import brentq
 
 from asperity.contact.crowned_line import crown_compression
 from asperity.drive.mechanism import total_approach
 from asperity.drive.state.creep import creepages
 from asperity.errors import InputError
-from asperity.joint.assembled import assembled
 from asperity.joint.contacts import rough_joint_contacts
-from asperity.joint.description import body_masses, joint_contacts
+from asperity.joint.description import joint_contacts
 from asperity.joint.evaluation import assembled_joint
 from asperity.joint.laws import (
     approach_springs,
@@ -23,6 +23,7 @@ from asperity.joint.laws import (
     drive_load,
     logarithmic_decrease,
 )
+from asperity.joint.machine import joint_machine
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.build import joint_from_values, with_nominal_sizes
 from asperity.joint_file.reader import parse_case
@@ -51,7 +52,7 @@ def test_reference_force_of_an_interference(planar_joint):
         return force * unit * (sun + planet + ring)
 
     joint = planar_joint("planetary", SPRINGS)
-    laws = assembled(joint, joint_contacts(joint)).laws
+    laws = assembled_laws(joint)
     expected = brentq(lambda force: compression(force) - 30e-6, 10.0, 1e6)
     np.testing.assert_allclose(laws.reference_force, expected, rtol=1e-3)
     assert laws.coupling is None
@@ -65,10 +66,10 @@ def test_crowns_take_from_the_force_of_an_interference(planar_joint):
     """30 um are the approaches of both contacts, that of the crowned planet's track included."""
     crown = {'contact_length = "10 mm"': 'planet_crown_radius = "1 m"\ncontact_length = "10 mm"'}
     even, joint = planar_joint("planetary", SPRINGS), planar_joint("planetary", SPRINGS | crown)
-    laws = assembled(joint, joint_contacts(joint)).laws
+    laws = assembled_laws(joint)
     force = float(laws.reference_force[0])
     np.testing.assert_allclose(laws.reference_force, force, rtol=1e-12)
-    of_cylinders = contact_laws(even, joint_contacts(even), jnp.full(2, force))
+    of_cylinders = contact_laws(joint_machine(even), jnp.full(2, force))
     approach = force * float(np.sum(of_cylinders.springs.secant_compliance))
     approach += sum(
         float(
@@ -117,7 +118,7 @@ def test_an_interference_makes_the_preload_that_makes_it(planar_case, name, sect
 
 def test_a_given_preload_is_the_reference(planar_joint):
     joint = planar_joint("planetary", SPRINGS | {'interference = "30 um"': 'preload = "700 N"'})
-    laws = assembled(joint, joint_contacts(joint)).laws
+    laws = assembled_laws(joint)
     np.testing.assert_allclose(laws.reference_force, 700.0, rtol=1e-12)
     rough = rough_joint_contacts(
         contacts=joint_contacts(joint), normal_force=jnp.full(2, 700.0), tangential_force=jnp.zeros(2)
@@ -133,7 +134,7 @@ def test_springs_and_coupling_of_exact_bodies(planar_joint, monkeypatch):
         [[3.0, 0.5, 9.0, 9.0], [0.5, 4.0, 9.0, 9.0], [9.0, 9.0, 9.0, 9.0], [9.0, 9.0, 9.0, 9.0]]
     )
     monkeypatch.setattr("asperity.joint.laws.body_compliance", lambda **_: whole)
-    springs, coupling = approach_springs(joint, joint_contacts(joint), jnp.full(2, 700.0))
+    springs, coupling = approach_springs(joint_machine(joint), jnp.full(2, 700.0))
     fall = 2.0 * (1.0 - POISSON**2) / (math.pi * YOUNG * LENGTH)
     np.testing.assert_allclose(springs.incremental_compliance, [3e-9, 4e-9], rtol=1e-12)
     np.testing.assert_allclose(springs.secant_compliance, [3e-9 + fall, 4e-9 + fall], rtol=1e-9)
@@ -146,7 +147,7 @@ def test_creep_of_skewed_contacts_by_hand(planar_joint):
     joint = planar_joint("planetary", SPRINGS | skewed)
     normal, friction = np.array([3000.0, 3000.0]), 0.08
     tangential = 0.25 * friction * normal
-    found = creep_law(joint, joint_contacts(joint), normal, tangential)
+    found = creep_law(joint_machine(joint), normal, tangential)
     creepage = np.asarray(creepages(law=found.law, normal=normal, tangential=tangential))
     modulus = YOUNG / (2.0 * (1.0 - POISSON**2))
     for k, (angle, radius) in enumerate(((0.5e-3, 20e-3 / 3.0), (-0.8e-3, 100e-3 / 3.0))):
@@ -170,12 +171,12 @@ def test_creep_of_skewed_contacts_by_hand(planar_joint):
 def test_centrifugal_force_and_pin(planar_joint):
     """m omega^2 r outwards at 1500 rpm over the ratio 6; the pin is the reciprocal of its stiffness."""
     joint = dataclasses.replace(planar_joint("planetary"), pin_stiffness=1e8)
-    load = drive_load(joint, body_masses(joint), 7.0)
+    load = drive_load(joint_machine(joint).under(7.0))
     mass, omega = 7833.0 * math.pi * 20e-3**2 * LENGTH, 1500.0 * math.pi / 30.0 / 6.0
     np.testing.assert_allclose(load.body_force, [[0.0, mass * omega**2 * 30e-3]], rtol=1e-12, atol=1e-12)
     np.testing.assert_allclose(load.pin_compliance, [1e-8])
     assert float(load.output_torque) == 7.0
-    rigid = drive_load(planar_joint("planetary"), body_masses(joint), 7.0)
+    rigid = drive_load(joint_machine(planar_joint("planetary")))
     np.testing.assert_array_equal(rigid.pin_compliance, [0.0])
 
 

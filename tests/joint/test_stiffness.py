@@ -12,10 +12,12 @@ import pytest
 from asperity.body.compliance import compliance_matrix, modes_needed
 from asperity.body.coupling import coupled_compliance
 from asperity.errors import AsperityError
-from asperity.joint.bodies import body_compliance, exact_bodies
+from asperity.joint.bodies import exact_bodies
+from asperity.joint.body_compliance import body_compliance
 from asperity.joint.contacts import LoadedContacts, loaded_contacts
 from asperity.joint.description import joint_contacts
 from asperity.joint.evaluation import evaluate
+from asperity.joint.machine import joint_machine
 from asperity.joint.solve import solve_joint
 from asperity.joint.stiffness import (
     loaded_stiffness,
@@ -74,13 +76,13 @@ def test_shafts_are_in_series_with_the_whole(planetary):
         rough=solution.result.contacts,
         interfaces=solution.result.interfaces,
     )
-    published, held, alone = stiffness_levels(springs, contacts, loaded, jnp.zeros(2), jnp.zeros(1))
+    published, held, alone = stiffness_levels(joint_machine(springs), loaded, jnp.zeros(2), jnp.zeros(1))
     rigid = float(alone.stiffness.output)
     # a planet on a rigid pin moves radially only: free centres change nothing
     assert rigid == pytest.approx(float(held.output), rel=1e-9)
     entry, out = rigid / 36.0, 4.0 * rigid
     shafts = dataclasses.replace(springs, input_shaft_stiffness=entry, output_shaft_stiffness=out)
-    same, _, whole = stiffness_levels(shafts, contacts, loaded, jnp.zeros(2), jnp.zeros(1))
+    same, _, whole = stiffness_levels(joint_machine(shafts), loaded, jnp.zeros(2), jnp.zeros(1))
     assert float(whole.stiffness.output) == pytest.approx(rigid / 2.25, rel=1e-9)
     assert float(whole.input_shaft_share) == pytest.approx(1.0 / 2.25, rel=1e-9)
     assert float(whole.output_shaft_share) == pytest.approx(0.25 / 2.25, rel=1e-9)
@@ -105,7 +107,7 @@ def under_forces(planetary, monkeypatch):
                 lines=None if solved is None else SimpleNamespace(solved=jnp.array(solved)),
             )
 
-        def levels(joint, contacts, loaded, sliding_friction, pin_force):
+        def levels(machine, loaded, sliding_friction, pin_force):
             asked["friction"] = np.asarray(sliding_friction)
             return result.published, result.series_with_bulk, result.assembly
 
@@ -113,7 +115,7 @@ def under_forces(planetary, monkeypatch):
         monkeypatch.setattr("asperity.joint.stiffness.stiffness_levels", levels)
         monkeypatch.setattr("asperity.joint.stiffness.walls_known", lambda **_: jnp.array(True))
         forces = (jnp.asarray(each, dtype=float) for each in (normal, tangential, slides))
-        return loaded_stiffness(joint, joint_contacts(joint), *forces, jnp.zeros(1))
+        return loaded_stiffness(joint_machine(joint), *forces, jnp.zeros(1))
 
     return of, asked
 
@@ -239,7 +241,8 @@ def test_bodies_of_unequal_contacts(joint):
 def test_shear_follows_the_logarithm_of_the_traction(joint):
     r"""The zone that sticks gives :math:`C(T) - C(0) = \sum (1-\nu^2)/(\pi E B) \ln[1/(1-T/\mu N)]`, Cattaneo."""
     made = joint()
-    contacts = joint_contacts(made)
+    machine = joint_machine(made)
+    contacts = machine.contacts
     normal = jnp.array([1000.0, 657.0, 465.0, 647.0, 449.0])
 
     def compliance(share):
@@ -247,7 +250,7 @@ def test_shear_follows_the_logarithm_of_the_traction(joint):
             contacts=contacts, normal_force=normal, tangential_force=share * 0.12 * normal
         )
         width, stick = widths_of_bodies(contacts=contacts, loaded=loaded)
-        bodies = body_compliance(joint=made, contacts=contacts, half_width=width, stick_half_width=stick)
+        bodies = body_compliance(machine=machine, half_width=width, stick_half_width=stick)
         springs = springs_of_compliance(compliance=bodies, half_width=width, loaded=loaded)
         return 1.0 / springs.tangential_stiffness - 1.0 / loaded.interfaces.asperity_tangential
 

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drive import Contact
+from asperity.drive.layout.drive import Body, Contact, Drive
 from asperity.joint.body_shape import SOLID, BodyShape, on_pin
 from asperity.results import RESULTS
 from asperity.results.load_rows import ROWS
@@ -45,14 +45,17 @@ class Solved(SimpleNamespace):
 
 def solved(*shapes, strengths=(3e8, 3e8, 3e8)):
     """A planetary drive; stresses of the inner and of the outer rim of sun, planet and ring [MPa], all different."""
-    bodies = tuple(SimpleNamespace(name=name) for name in ("sun", "planet", "ring"))
-    contacts = (Contact("sp", "sun", "planet"), Contact("pr", "planet", "ring", internal=True))
-    drive = SimpleNamespace(
-        bodies=bodies,
-        contacts=contacts,
-        members=("sun", "planet", "ring", "carrier"),
-        first_radius=(10e-3, 20e-3),
-        second_radius=(20e-3, 50e-3),
+    drive = Drive(
+        bodies=(Body("sun", "axis"), Body("planet", "pin"), Body("ring", "axis")),
+        contacts=(Contact("sp", "sun", "planet"), Contact("pr", "planet", "ring", internal=True)),
+        centres=np.array([[0.0, 0.0], [0.0, 30e-3], [0.0, 0.0]]),
+        first_radius=np.array([10e-3, 20e-3]),
+        second_radius=np.array([20e-3, 50e-3]),
+        push_angles=np.zeros(1),
+        sectors=3.0,
+        input="sun",
+        output="carrier",
+        grounded="ring",
     )
     both = 1e6 * np.array([[1.0, 50.0, -80.0], [2.0, -60.0, 30.0]])
     safety = np.array([9.0, 2.0, 0.5])

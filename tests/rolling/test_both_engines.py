@@ -7,19 +7,18 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from both_engines import Engines, Formula, rows
+from machines import laws_and_states
 
 from asperity.drive.state.state import BodiesOfContacts
 from asperity.engine.arrays import as_numbers
 from asperity.joint.assembled import Pressed
-from asperity.joint.bodies import with_rims
 from asperity.joint.description import in_motion, joint_contacts
-from asperity.joint.evaluation import laws_and_states
-from asperity.joint.laws import creep_law
+from asperity.joint.machine import joint_machine
 from asperity.rolling import creep, life, onset, power, surface
 from asperity.rolling.conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.rolling.duty import duty_life
 from asperity.rolling.rolling import turning
-from asperity.rolling.turning import driving_sense, rolling_at, with_driving_sense
+from asperity.rolling.turning import rolling_at
 
 SPRINGS = {
     'bodies = "exact"': 'bodies = "springs"',
@@ -122,9 +121,7 @@ def of_creep(joint, normal, tangential):
 
 def of_rolling(joint, state):
     """A joint that turns, from its rolling state."""
-    contacts = joint_contacts(joint)
-    law = creep_law(joint, contacts, state.normal, state.tangential)
-    return turning(joint, contacts, law, with_driving_sense(state, driving_sense(joint.drive)))
+    return turning(joint_machine(joint), state)
 
 
 def of_onset(drive, rolling, half_width):
@@ -135,8 +132,7 @@ def of_onset(drive, rolling, half_width):
 
 def of_torques(joint, laws, rest, torque, speed):
     """Steady rolling at another torque and speed, as a duty has it."""
-    contacts = with_rims(joint, joint_contacts(joint))
-    found = rolling_at(joint, contacts, Pressed(laws, rest))(torque, speed)
+    found = rolling_at(joint_machine(joint), Pressed(laws, rest))(torque, speed)
     return found.normal, found.tangential, 1.0 + found.speed_loss, found.power.oil, found.life_turns
 
 

@@ -5,13 +5,15 @@ import dataclasses
 import jax
 import numpy as np
 import pytest
+from machines import laws_and_states
 
+from asperity.drive.layout.drive import driving_sense
 from asperity.drive.layout.drives import planetary_drive, two_row_multiroller
 from asperity.engine.arrays import as_numbers
 from asperity.joint.assembled import Pressed
-from asperity.joint.description import joint_contacts
-from asperity.joint.evaluation import evaluate, laws_and_states
-from asperity.rolling.turning import driving_sense, rolling_at
+from asperity.joint.evaluation import evaluate
+from asperity.joint.machine import joint_machine
+from asperity.rolling.turning import rolling_at
 
 
 def test_rollers_between_sun_and_ring_turn_against_the_sun():
@@ -35,7 +37,7 @@ def test_rolling_at_another_torque_is_that_of_a_joint_with_this_torque(planar_jo
 
     def both(torque, speed):
         laws, states = laws_and_states(joint)
-        rolled = rolling_at(joint, joint_contacts(joint), Pressed(laws, states.rest))
+        rolled = rolling_at(joint_machine(joint), Pressed(laws, states.rest))
         there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
         return rolled(torque, speed), evaluate(there).rolling
 

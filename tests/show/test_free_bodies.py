@@ -6,10 +6,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from asperity.drive.layout.drive import driving_sense
 from asperity.drive.state.loads import member_loads
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
-from asperity.rolling.turning import driving_sense
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
 from asperity.show.free_bodies import body_forces, free_bodies
 from asperity.show.sheet import Circle, Line, Text

@@ -9,8 +9,8 @@ from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.engine.derivatives import value_and_slope
-from asperity.joint.description import in_motion
-from asperity.joint.evaluation import assembled_joint
+from asperity.joint.assembled import assembled as assembled_machine
+from asperity.joint.machine import joint_machine
 from asperity.standing.over_torque import curve_program, over_torque_of_assembled, standing_of_assembled
 from asperity.standing.springs_over_torque import springs_of_assembled
 
@@ -52,13 +52,13 @@ SHARES = np.array([-60.0, -0.9, -0.3, 0.0, 0.2, 0.95, 1.2, 60.0])
 
 @pytest.fixture(scope="module")
 def assembled(planar_joint):
-    """Maker of a joint of NumPy's numbers in motion, and of its state without torque."""
+    """Maker of a joint of NumPy's numbers as a machine, and of its state without torque."""
 
     def make(name):
         example, replaced = JOINTS[name]
         numbers = as_numbers(planar_joint(example, replaced))
-        joint = in_motion(numbers)
-        return joint, at_once(assembled_joint, joint)
+        machine = at_once(joint_machine, numbers)
+        return machine, at_once(assembled_machine, machine)
 
     return make
 
@@ -75,10 +75,10 @@ def stands(found):
 @pytest.mark.parametrize(("program", "name"), CASES)
 def test_both_engines_follow_a_joint_over_its_torque(assembled, program, name):
     """At torques without a state there is none in either of them; there the other numbers have no meaning."""
-    (joint, without_torque), (function, numbers) = assembled(name), PROGRAMS[program]
-    torques = joint.output_torque * SHARES
-    ours = at_once(function, joint, without_torque, torques, *map(np.asarray, numbers))
-    theirs = jax.jit(function)(joint, without_torque, torques, *numbers)
+    (machine, without_torque), (function, numbers) = assembled(name), PROGRAMS[program]
+    torques = machine.joint.output_torque * SHARES
+    ours = at_once(function, machine, without_torque, torques, *map(np.asarray, numbers))
+    theirs = jax.jit(function)(machine, without_torque, torques, *numbers)
     known = stands(ours)
     np.testing.assert_array_equal(known, stands(theirs))
     assert not known[[0, -1]].any() or name == "cam"
@@ -91,11 +91,11 @@ def test_both_engines_follow_a_joint_over_its_torque(assembled, program, name):
 )
 @pytest.mark.parametrize("program", PROGRAMS)
 def test_all_torques_at_once_are_one_torque_after_the_other(assembled, program, name):
-    (joint, without_torque), (function, numbers) = assembled(name), PROGRAMS[program]
-    torques = joint.output_torque * SHARES
+    (machine, without_torque), (function, numbers) = assembled(name), PROGRAMS[program]
+    torques = machine.joint.output_torque * SHARES
 
     def at(torques):
-        return at_once(function, joint, without_torque, torques, *map(np.asarray, numbers))
+        return at_once(function, machine, without_torque, torques, *map(np.asarray, numbers))
 
     together = at(torques)
     known = stands(together)
@@ -107,7 +107,7 @@ def test_all_torques_at_once_are_one_torque_after_the_other(assembled, program, 
 @pytest.mark.parametrize("shown", ["assembly", "drift"])
 def test_slopes_of_measured_curves_are_those_of_jax(assembled, shown):
     """By all numbers of the joint."""
-    joint, _ = assembled("cam")
+    joint = assembled("cam")[0].joint
     torques = joint.output_torque * np.array([-0.5, 0.3, 0.9])
 
     def curve(joint, torques=torques):

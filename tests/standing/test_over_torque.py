@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.bodies import joint_inertias
-from asperity.joint.description import joint_contacts
+from asperity.joint.machine import joint_machine
 from asperity.joint.play import Play
 from asperity.joint.solve import solve_joint
 from asperity.rolling.onset import rolling_onset
@@ -125,8 +125,8 @@ def test_both_senses_of_rotation(joint):
 def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
     """mu = 0.08: 120 of 240 N, and 1 where a contact slides; without slip no contact slides."""
 
-    def stiffness(joint, contacts, normal, tangential, slides, pins):
-        level = SimpleNamespace(output=abs(slides).sum() + contacts.pairs.friction_coefficient[0])
+    def stiffness(machine, normal, tangential, slides, pins):
+        level = SimpleNamespace(output=abs(slides).sum() + machine.contacts.pairs.friction_coefficient[0])
         return SimpleNamespace(
             published=level, series_with_bulk=level, assembly=SimpleNamespace(stiffness=level)
         )
@@ -146,7 +146,7 @@ def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
             worst=np.array(worst),
             residual=np.array(residual),
         )
-        found = _standing(joint, joint_contacts(joint), 1e30, state, rest, None)
+        found = _standing(joint_machine(joint), 1e30, state, rest, None)
         np.testing.assert_allclose(found.slip_ratio, [0.5, 1.0], rtol=1e-12)
         np.testing.assert_allclose(found.assembly, [1.08, 1e30], rtol=1e-12)
         assert (bool(found.balanced), bool(found.solved)) == (balanced, solved)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any, NamedTuple
 
 from asperity.contact.rolling_fatigue import spectrum_life
@@ -21,11 +20,12 @@ from asperity.engine.arrays import xp
 from asperity.engine.control import vectorised
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
-from asperity.joint.description import Joint, body_masses, joint_contacts
+from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.fit import per_contact
 from asperity.joint.laws import creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
+from asperity.joint.machine import joint_machine
 from asperity.joint.working_loads import (
     forces_on_axis,
     member_speeds,
@@ -170,17 +170,17 @@ def _state(drive: Drive, pin_force: Array, axis_force: Array, speeds: Array) -> 
 
 def _under_duty(joint: Joint, without_torque: Pressed, torques: Array, speeds: Array) -> BearingState:
     """The bearings under the loads of the duty, which are the first axis."""
-    contacts, masses = joint_contacts(joint), body_masses(joint)
-    pressed = pressed_at(joint, contacts, without_torque)
+    machine = joint_machine(joint, without_torque.laws.rims)
+    pressed = pressed_at(machine, without_torque)
 
     def under(torque: Array, speed: Array) -> BearingState:
         laws, rest = pressed(torque)
         both = loaded_states(
-            drive=joint.drive,
+            drive=machine.drive,
             laws=laws,
             rest=rest,
-            load=rolling_load(dataclasses.replace(joint, input_speed=speed), contacts, masses, torque),
-            creep_of=creep_under(joint, contacts),
+            load=rolling_load(machine.under(torque, speed)),
+            creep_of=creep_under(machine),
         )
         state = trees.map(lambda rests, rolls: xp.where(speed > 0.0, rolls, rests), *both)
         known = xp.where(state.residual < STATE_TOLERANCE, 1.0, xp.nan)

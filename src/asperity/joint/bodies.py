@@ -1,25 +1,17 @@
-"""The bodies of a drive, discs and annuli by plane elasticity, stepped rollers as springs; their inertias."""
+"""The bodies of a joint: discs and annuli by plane elasticity, stepped rollers; their inertias."""
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 
-from asperity.body.coupling import BodyInMachine, coupled_compliance, machine_kernel
-from asperity.body.rim_moments import WIDEST_CONTACT, walls_resolved
+from asperity.body.coupling import BodyInMachine, machine_kernel
+from asperity.body.rim_moments import RimKernel
 from asperity.body.shapes import Annulus, Disc
-from asperity.body.stepped import WIDEST_BORE, SteppedRoller, bore_addition
-from asperity.contact.hertz_line import (
-    logarithmic_compliance,
-    ring_secant_compliance,
-    roller_secant_compliance,
-)
+from asperity.body.stepped import SteppedRoller
 from asperity.drive.layout.drive import CARRIER, contact_angles, speeds
 from asperity.drive.structure.inertia import roller_inertia
 from asperity.engine.arrays import xp
-from asperity.engine.control import added_at
-from asperity.joint.contacts import JointContacts
+from asperity.engine.module import Module, static
 from asperity.joint.description import (
     Joint,
     body_masses,
@@ -66,156 +58,64 @@ def exact_bodies(joint: Joint) -> list[BodyInMachine]:
     return bodies
 
 
-def hollow_stepped(joint: Joint) -> dict[int, SteppedRoller]:
-    """The hollow rollers with two tracks, by the numbers of the bodies."""
-    rollers = {}
-    for number, (shape, material) in enumerate(zip(joint.shapes, joint.materials, strict=True)):
-        tracks = tracks_of(joint, number)
-        if shape.kind != "hollow" or len(tracks) != 2:
-            continue
-        assert shape.size is not None
-        one, two = track_lengths(joint, number)
-        rollers[number] = SteppedRoller(
-            (tracks[0][0], tracks[1][0]),
-            (one, two),
-            0.5 * shape.size,
-            material.youngs_modulus,
-            material.poisson_ratio,
-            joint.plane_state,
-        )
-    return rollers
+class SteppedInMachine(Module):
+    """A hollow roller with two tracks, and the positions of its contacts.
+
+    Parameters
+    ----------
+    roller : SteppedRoller
+        The roller.
+    contacts, tracks : tuple of int
+        Numbers of its contacts, and of the track of each [-].
+    contact_angles : Array
+        Their polar angles about its centre, shape (n,) [rad].
+    sectors : Real
+        Number of equal sectors that share it [-].
+    """
+
+    roller: SteppedRoller
+    contacts: tuple[int, ...] = static()
+    tracks: tuple[int, ...] = static()
+    contact_angles: Array
+    sectors: Real
+
+    def on_track(self, track: int) -> list[int]:
+        """Its contacts on one of its tracks."""
+        return [contact for contact, on in zip(self.contacts, self.tracks, strict=True) if on == track]
 
 
-def _bores_of_stepped(joint: Joint) -> Array:
-    """What the bores of stepped rollers add to the compliance of all contacts, shape (2 contacts, 2 contacts) [m/N]."""
-    count = len(joint.drive.contacts)
+def are_stepped(joint: Joint) -> tuple[int, ...]:
+    """Numbers of the hollow rollers with two tracks."""
+    return tuple(
+        number
+        for number, shape in enumerate(joint.shapes)
+        if shape.kind == "hollow" and len(tracks_of(joint, number)) == 2
+    )
+
+
+def stepped_rollers(joint: Joint) -> tuple[SteppedInMachine, ...]:
+    """The hollow rollers with two tracks."""
     first, _ = places(joint.drive)
     at_first, at_second = contact_angles(joint.drive)
-    added = xp.zeros((2 * count, 2 * count))
-    for number, roller in hollow_stepped(joint).items():
-        on_track = [(k, track) for track, (_, ks) in enumerate(tracks_of(joint, number)) for k in ks]
-        contacts = np.array([k for k, _ in on_track])
-        part = bore_addition(
-            roller=roller,
-            contact_angles=xp.stack([at_first[k] if first[k] == number else at_second[k] for k in contacts]),
-            contact_tracks=tuple(track for _, track in on_track),
-            sectors=joint.drive.sectors if joint.drive.bodies[number].place == "axis" else 1.0,
-        )
-        both = np.concatenate([contacts, contacts + count])
-        added = added_at(added, (both[:, None], both[None]), part)
-    return added
+    rollers = []
+    for number in are_stepped(joint):
+        (radius, ones), (other, others) = tracks_of(joint, number)
+        shape, material = joint.shapes[number], joint.materials[number]
+        assert shape.size is not None
+        one, two = track_lengths(joint, number)
+        elastic = (material.youngs_modulus, material.poisson_ratio)
+        roller = SteppedRoller((radius, other), (one, two), 0.5 * shape.size, *elastic, joint.plane_state)
+        contacts = (*ones, *others)
+        angles = [at_first[k] if first[k] == number else at_second[k] for k in contacts]
+        sectors = joint.drive.sectors if joint.drive.bodies[number].place == "axis" else 1.0
+        tracks = (0,) * len(ones) + (1,) * len(others)
+        rollers.append(SteppedInMachine(roller, contacts, tracks, xp.stack(angles), sectors))
+    return tuple(rollers)
 
 
-def _exact_sides(joint: Joint) -> np.ndarray:
-    """Whether the first and the second body of each contact are exact, shape (2, contacts)."""
-    exact = [len(tracks_of(joint, number)) == 1 for number in range(len(joint.drive.bodies))]
-    return np.array([[exact[body] for body in side] for side in places(joint.drive)])
-
-
-def one_sided_secants(contacts: JointContacts, half_width: Array) -> tuple[Array, Array]:
-    """Secant compliance of the first and of the second body of each contact as springs.
-
-    Shape (contacts,) [m/N].
-    """
-    pairs = contacts.pairs
-    one, two = (
-        {
-            "contact_length": pairs.contact_length,
-            "youngs_modulus": body.youngs_modulus,
-            "poisson_ratio": body.poisson_ratio,
-            "half_width": half_width,
-        }
-        for body in (contacts.driving, contacts.driven)
-    )
-    second = xp.where(
-        pairs.sign > 0.0,
-        roller_secant_compliance(radius=pairs.radius_2, **two),
-        ring_secant_compliance(wall_thickness=contacts.ring_wall_thickness, **two),
-    )
-    return xp.asarray(roller_secant_compliance(radius=pairs.radius_1, **one)), second
-
-
-def body_compliance(
-    *, joint: Joint, contacts: JointContacts, half_width: Array, stick_half_width: Array
-) -> Array:
-    r"""Incremental compliance of all bodies of one sector between its contacts, shape (2 contacts, 2 contacts) [m/N].
-
-    .. math:: C = \sum_{exact} P_b^\mathsf{T} C^{(b)} P_b + \operatorname{diag}\sum_{springs} \frac{1-\nu^2}{\pi E B}
-              \left(2 \ln\frac{4R}{b} - 2\right) + \sum_{bores} \Delta C
-
-    First the normal, then the tangential springs, from the half-widths of the strips and of their stick zones [m]. A
-    stepped roller is a spring under each of its contacts; tangentially as stiff as normally, with the stick zone in
-    place of the strip. To it comes what its bore adds, :func:`asperity.body.stepped.bore_addition`. Equations (E3) and
-    (E6) of :doc:`/equations`.
-    """
-    count = len(joint.drive.contacts)
-    exact = _exact_sides(joint)
-    compliance = xp.zeros((2 * count, 2 * count))
-    bodies = exact_bodies(joint)
-    if bodies:
-        compliance = coupled_compliance(
-            bodies=bodies,
-            contact_lengths=contacts.pairs.contact_length,
-            half_widths=half_width,
-            stick_half_widths=stick_half_width,
-            kernel=contacts.rims,
-        )
-    if exact.all():
-        return compliance
-    local_compliance = []
-    for width in (half_width, stick_half_width):
-        sides = zip(
-            one_sided_secants(contacts, width), (contacts.driving, contacts.driven), exact, strict=True
-        )
-        parts = []
-        for secant, body, known in sides:
-            bend = logarithmic_compliance(
-                contact_length=contacts.pairs.contact_length,
-                youngs_modulus=body.youngs_modulus,
-                poisson_ratio=body.poisson_ratio,
-            )
-            parts.append(xp.where(known, 0.0, secant - bend))
-        local_compliance.append(parts[0] + parts[1])
-    return compliance + xp.diag(xp.concatenate(local_compliance)) + _bores_of_stepped(joint)
-
-
-def with_rims(joint: Joint, contacts: JointContacts) -> JointContacts:
-    """The contacts of a joint, with what its exact bodies do at every load."""
-    bodies = exact_bodies(joint) if joint.body_model == "exact" else []
-    return dataclasses.replace(contacts, rims=machine_kernel(bodies)) if bodies else contacts
-
-
-def contact_walls(joint: Joint) -> list[tuple[list[int], Real]]:
-    """Contacts of each ring, hollow roller and track of a hollow stepped roller, and the wall that they press [m]."""
-    walls: list[tuple[list[int], Real]] = [
-        (list(member.contacts), member.body.outer_radius - member.body.inner_radius)
-        for member in exact_bodies(joint)
-        if isinstance(member.body, Annulus)
-    ]
-    for number, roller in hollow_stepped(joint).items():
-        walls += [(contacts, radius - roller.bore_radius) for radius, contacts in tracks_of(joint, number)]
-    return walls
-
-
-def walls_known(*, joint: Joint, half_width: Array) -> Array:
-    """Whether every ring and hollow roller has a wall for which its compliance is known."""
-    holds = xp.ones((), dtype=bool)
-    if joint.body_model == "springs":
-        return holds
-    for member in exact_bodies(joint):
-        body = member.body
-        if not isinstance(body, Annulus):
-            continue
-        alone = member.sectors is None
-        sectors: Real = 1.0 if member.sectors is None else member.sectors
-        holds = holds & walls_resolved(
-            ratio=body.inner_radius / body.outer_radius, sectors=sectors, one_sector=alone
-        )
-    for roller in hollow_stepped(joint).values():
-        holds = holds & (roller.bore_radius <= WIDEST_BORE * xp.minimum(*roller.radii))
-    for contacts, wall in contact_walls(joint):
-        holds = holds & ~(xp.max(half_width[np.array(contacts)]) > WIDEST_CONTACT * wall)
-    return holds
+def rims_of(bodies: tuple[BodyInMachine, ...]) -> RimKernel | None:
+    """What exact bodies do at every load; None without any."""
+    return machine_kernel(list(bodies)) if bodies else None
 
 
 def body_spins(joint: Joint) -> list[Real]:

@@ -23,17 +23,11 @@ from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once, cond, least_at, map_over
 from asperity.joint.assembled import Pressed
-from asperity.joint.bodies import contact_walls
-from asperity.joint.description import (
-    Joint,
-    body_masses,
-    contact_values,
-    in_motion,
-    joint_contacts,
-    tracks_of,
-)
+from asperity.joint.body_compliance import contact_walls
+from asperity.joint.description import Joint, contact_values, tracks_of
 from asperity.joint.laws import creep_law, creep_under, rolling_load
 from asperity.joint.loading_cam import pressed_at
+from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import TorqueCapacity, limit_entries, named_capacity
 from asperity.rolling.creep import capacity_loss
 from asperity.types import Array, Real
@@ -69,12 +63,13 @@ def smaller_sizes(joint: Joint) -> Array:
     return xp.stack([xp.asarray(size) for size in sizes])
 
 
-def _widths_of_walls(joint: Joint) -> tuple[Array, ...]:
+def _widths_of_walls(machine: JointMachine) -> tuple[Array, ...]:
     """Half-widths up to which the compliance of the walls at the contacts is known, if any; shape (contacts,) [m]."""
+    joint = machine.joint
     if joint.cam is None or joint.body_model == "springs":
         return ()
     widths = xp.full(len(joint.drive.contacts), xp.inf)
-    for contacts, wall in contact_walls(joint):
+    for contacts, wall in contact_walls(machine):
         widths = least_at(widths, np.array(contacts), WIDEST_CONTACT * wall)
     return (widths,)
 
@@ -91,32 +86,24 @@ class UnderTorque(NamedTuple):
     excesses: Array
 
 
-def under_torque(
-    joint: Joint, without_torque: Pressed, torque: Real, rolls: Array | bool, holds: Array | bool
-) -> UnderTorque:
-    """State of a joint under an output torque [N·m], and how it keeps its limits; equations (A9) and (M3).
-
-    The limits are slip, lift-off, widths of strips and walls, and a solution. The joint's own torque does not count;
-    the flags are those of :func:`asperity.drive.state.states.loaded_state`.
-    """
-    return loading(in_motion(joint), without_torque)(xp.asarray(torque), rolls, holds)
-
-
 def loading(
-    joint: Joint, without_torque: Pressed
+    machine: JointMachine, without_torque: Pressed
 ) -> Callable[[Array, Array | bool, Array | bool], UnderTorque]:
-    """The joint under torques, from its assembled state: of a torque and the flags of :func:`under_torque`."""
-    drive, laws = joint.drive, without_torque.laws
-    contacts = dataclasses.replace(joint_contacts(joint), rims=laws.rims)
-    limits = (smaller_sizes(joint), *_widths_of_walls(joint))
+    """How a joint under output torques [N·m] keeps its limits, from its assembled state; equations (A9) and (M3).
+
+    Of a torque and the flags of :func:`asperity.drive.state.states.loaded_state`. The limits are slip, lift-off, widths
+    of strips and walls, and a solution.
+    """
+    joint, contacts = machine.joint, machine.contacts
+    limits = (smaller_sizes(joint), *_widths_of_walls(machine))
     friction = contacts.pairs.friction_coefficient
-    unloaded = rolling_load(joint, contacts, body_masses(joint), 0.0)
-    pressed = pressed_at(joint, contacts, without_torque)
+    unloaded = rolling_load(machine)
+    pressed = pressed_at(machine, without_torque)
 
     def friction_left(state: DriveState) -> Array:
         """Friction that skew leaves to the joint that turns."""
         lost = capacity_loss(
-            creep=creep_law(joint, contacts, state.normal, state.tangential),
+            creep=creep_law(machine, state.normal, state.tangential),
             friction_coefficient=friction,
             width_over_radius=contacts.pairs.half_width(state.normal) / contacts.pairs.effective_radius,
         )
@@ -125,13 +112,13 @@ def loading(
     def at(torque: Array, rolls: Array | bool, holds: Array | bool) -> UnderTorque:
         laws, rest = pressed(torque)
         state = loaded_state(
-            drive=drive,
+            drive=machine.drive,
             laws=laws,
             rest=rest,
-            load=dataclasses.replace(unloaded, output_torque=torque),
+            load=dataclasses.replace(unloaded, output_torque=xp.asarray(torque, dtype=float)),
             rolls=rolls,
             holds=holds,
-            creep_of=creep_under(joint, contacts),
+            creep_of=creep_under(machine),
         )
         touching = state.normal > _LIFTED * rest.normal
         available = friction
@@ -186,43 +173,44 @@ def _named(joint: Joint, limit: FirstLimit) -> TorqueCapacity:
     return named_capacity(limit, limits_of(joint), contacts=len(joint.drive.contacts))
 
 
-def torque_capacities(joint: Joint, without_torque: Pressed) -> TorqueCapacities:
+def torque_capacities(machine: JointMachine, without_torque: Pressed) -> TorqueCapacities:
     """Torque capacities of one joint, of NumPy's numbers, in both directions, and its first slip, as positive torques.
 
     [N·m], equations (A9) and (M3) of :doc:`/equations`.
     """
     ways, hold = (1.0, -1.0), (False, False, True, True)
-    standing = searched_capacities(CapacitySearches(ways * 2, hold, rolls=False), joint, without_torque)
-    rolling = searched_capacities(CapacitySearches(ways, hold[:2], rolls=True), joint, without_torque)
+    standing = searched_capacities(CapacitySearches(ways * 2, hold, rolls=False), machine, without_torque)
+    rolling = searched_capacities(CapacitySearches(ways, hold[:2], rolls=True), machine, without_torque)
     with_slip, holding = (trees.map(lambda leaf, at=at: leaf[at], standing) for at in (np.s_[:2], np.s_[2:]))
     return TorqueCapacities(with_slip, rolling, holding)
 
 
 class CapacitySearches(NamedTuple):
-    """Torque capacities that are searched together: in directions, 1 or −1, with the flags of :func:`under_torque`."""
+    """Torque capacities that are searched together: in directions, 1 or −1, with the flags of :func:`loading`."""
 
     direction: tuple[float, ...]
     holds: tuple[bool, ...]
     rolls: bool
 
 
-def searched_capacities(searches: CapacitySearches, joint: Joint, without_torque: Pressed) -> TorqueCapacity:
+def searched_capacities(
+    searches: CapacitySearches, machine: JointMachine, without_torque: Pressed
+) -> TorqueCapacity:
     """Torque capacities of one joint, of NumPy's numbers, as :func:`torque_capacities`, along the first axis."""
-    known: TorqueCapacity = at_once(functools.partial(_searched, searches), joint, without_torque)
+    known: TorqueCapacity = at_once(functools.partial(_searched, searches), machine, without_torque)
     return known
 
 
-def _searched(searches: CapacitySearches, joint: Joint, without_torque: Pressed) -> TorqueCapacity:
-    joint = in_motion(joint)
-    loaded = loading(joint, without_torque)
+def _searched(searches: CapacitySearches, machine: JointMachine, without_torque: Pressed) -> TorqueCapacity:
+    loaded = loading(machine, without_torque)
     each = of_each(
         lambda torque, sign, holds: loaded(sign * torque, searches.rolls, holds).excesses,
         np.array(searches.direction),
         np.array(searches.holds),
     )
-    guess = xp.full(len(searches.direction), first_guess(joint, without_torque.rest))
+    guess = xp.full(len(searches.direction), first_guess(machine.joint, without_torque.rest))
     limit = first_limit_of_numbers(excesses=each, first_guess=guess)
-    return _named(joint, limit)
+    return _named(machine.joint, limit)
 
 
 def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:
@@ -232,16 +220,18 @@ def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rol
     there.
     """
     both = xp.array([1.0, -1.0])
-    return limiting_torques(joint, rest, laws, direction=both, rolls=rolls, holds=xp.zeros(2, dtype=bool))
+    machine = joint_machine(joint, laws.rims)
+    return limiting_torques(
+        machine, Pressed(laws, rest), direction=both, rolls=rolls, holds=xp.zeros(2, dtype=bool)
+    )
 
 
 def limiting_torques(
-    joint: Joint, rest: DriveState, laws: ContactLaws, *, direction: Array, rolls: bool, holds: Array
+    machine: JointMachine, without_torque: Pressed, *, direction: Array, rolls: bool, holds: Array
 ) -> TorqueCapacity:
-    """Largest output torques that keep every limit: signs, and as of :func:`under_torque`, shape (searches,) [N·m]."""
-    joint = in_motion(joint)
-    loaded = loading(joint, Pressed(laws, rest))
-    guess = first_guess(joint, rest)
+    """Largest output torques that keep every limit: signs, and as of :func:`loading`, shape (searches,) [N·m]."""
+    loaded = loading(machine, without_torque)
+    guess = first_guess(machine.joint, without_torque.rest)
 
     def search(given: tuple[Array, Array]) -> FirstLimit:
         sign, hold = given
@@ -249,4 +239,4 @@ def limiting_torques(
             excesses=lambda torque: loaded(sign * torque, rolls, hold).excesses, first_guess=guess
         )
 
-    return _named(joint, map_over(search, (direction, holds)))
+    return _named(machine.joint, map_over(search, (direction, holds)))

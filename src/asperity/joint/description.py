@@ -216,11 +216,8 @@ def pin_names(drive: Drive) -> tuple[str, ...]:
 
 def places(drive: Drive) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """Numbers of the first and of the second body of each contact: their places in the drive's bodies."""
-    names = [body.name for body in drive.bodies]
-    return (
-        tuple(names.index(contact.first) for contact in drive.contacts),
-        tuple(names.index(contact.second) for contact in drive.contacts),
-    )
+    layout = drive.layout
+    return tuple(layout.first.tolist()), tuple(layout.second.tolist())
 
 
 def bodies_of_contacts(joint: Joint) -> BodiesOfContacts:
@@ -277,17 +274,11 @@ def tracks_of(joint: Joint, body: int) -> list[tuple[Array, list[int]]]:
 
     Contacts of one track are those that the drive lists with one radius.
     """
-    first, second = places(joint.drive)
-    tracks: dict[str, tuple[Array, list[int]]] = {}
-    for k, contact in enumerate(joint.drive.contacts):
-        for side, bodies, radii in (
-            (0, first, joint.drive.first_radius),
-            (1, second, joint.drive.second_radius),
-        ):
-            if bodies[k] == body:
-                track = contact.tracks[side]
-                tracks.setdefault(track, (radii[k], []))[1].append(k)
-    return list(tracks.values())
+    radii = joint.drive.first_radius, joint.drive.second_radius
+    return [
+        (radii[track.side][track.contacts[0]], list(track.contacts))
+        for track in joint.drive.layout.tracks[body]
+    ]
 
 
 def track_lengths(joint: Joint, body: int) -> list[Real]:

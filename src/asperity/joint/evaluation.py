@@ -9,27 +9,32 @@ import numpy as np
 from asperity.contact.interface import Interface, RoughContact
 from asperity.drive.layout.drive import speed_ratio, speeds
 from asperity.drive.layout.expansion import ring_interference
-from asperity.drive.state.state import STATE_TOLERANCE, BodiesOfContacts, ContactLaws, DriveState
-from asperity.drive.state.states import DriveStates
+from asperity.drive.state.state import (
+    STATE_TOLERANCE,
+    BodiesOfContacts,
+    ContactLaws,
+    DriveState,
+    in_driving_sense,
+)
+from asperity.drive.state.states import DriveStates, loaded_state
 from asperity.drive.stiffness.torsional_stiffness import (
     Assembly,
     TorsionalStiffness,
     contact_torsional_stiffness,
 )
-from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module, static
 from asperity.joint.assembled import Pressed, assembled
-from asperity.joint.bodies import with_rims
 from asperity.joint.bores import pin_loads
-from asperity.joint.description import Joint, bodies_of_contacts, body_masses, in_motion, joint_contacts
+from asperity.joint.description import Joint, bodies_of_contacts
 from asperity.joint.diagnostics import Diagnostics, diagnose
-from asperity.joint.laws import creep_law, creep_under, rolling_load
-from asperity.joint.loading_cam import CamOfJoint, mean_preload, states_under_torque, turned_cam, with_its_cam
+from asperity.joint.laws import creep_under, rolling_load
+from asperity.joint.loading_cam import CamOfJoint, mean_preload, pressed_at, turned_cam, with_its_cam
+from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.duty import with_duty_life
 from asperity.rolling.rolling import RollingResult, turning
-from asperity.rolling.turning import driving_sense, rolling_at, with_driving_sense
+from asperity.rolling.turning import rolling_at
 from asperity.types import Array, Real
 
 
@@ -140,44 +145,39 @@ def evaluate(joint: Joint) -> JointResult:
 
 def evaluated_with_laws(joint: Joint) -> tuple[JointResult, ContactLaws]:
     """The chain, and the laws of the contacts that it derived; a state of the drive that nobody reads costs nothing."""
-    joint = in_motion(joint)
-    laws, states = laws_and_states(joint)
-    return joint_result(joint, laws, states), laws
+    machine = joint_machine(joint)
+    without_torque = assembled(machine)
+    states = states_under_torque(machine, without_torque)
+    return joint_result(machine, without_torque.laws, states), without_torque.laws
 
 
 def assembled_joint(joint: Joint) -> Pressed:
     """A joint under its preload or interference alone, and the laws of its contacts."""
-    joint = in_motion(trees.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
-    return assembled(joint, with_rims(joint, joint_contacts(joint)))
+    return assembled(joint_machine(joint))
 
 
-def laws_and_states(joint: Joint) -> tuple[ContactLaws, DriveStates]:
-    """The first half of the chain: laws of the contacts; the drive assembled, standing and rolling; equation (M3)."""
-    joint = in_motion(trees.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
-    contacts = with_rims(joint, joint_contacts(joint))
-    load = rolling_load(joint, contacts, body_masses(joint), joint.output_torque)
-    return states_under_torque(joint, contacts, load, creep_under(joint, contacts))
+def states_under_torque(machine: JointMachine, without_torque: Pressed) -> DriveStates:
+    """An assembled joint, standing and rolling under its torque; equation (M3)."""
+    torque, cam = machine.joint.output_torque, machine.joint.cam
+    laws, pressed = pressed_at(machine, without_torque)(torque)
+    load, creep_of = rolling_load(machine), creep_under(machine)
+    standing, rolling = (
+        loaded_state(drive=machine.drive, laws=laws, rest=pressed, load=load, rolls=rolls, creep_of=creep_of)
+        for rolls in (False, True)
+    )
+    return DriveStates(without_torque.rest, standing, rolling, None if cam is None else pressed)
 
 
-def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointResult:
-    """The second half of the chain: what the states of :func:`laws_and_states` mean; equations (M1)–(M4)."""
-    joint = in_motion(trees.map(lambda leaf: xp.asarray(leaf, dtype=float), joint))
-    drive, contacts = joint.drive, dataclasses.replace(joint_contacts(joint), rims=laws.rims)
-    masses = body_masses(joint)
+def joint_result(machine: JointMachine, laws: ContactLaws, states: DriveStates) -> JointResult:
+    """What the states of a joint mean: its stiffness, its contacts, its limits and its rolling; equations (M1)–(M4)."""
+    joint, drive, contacts = machine.joint, machine.drive, machine.contacts
     rest = states.rest if states.pressed is None else states.pressed
-    cam = turned_cam(joint, contacts, states.rest, rest)
-    sense = driving_sense(drive)
-    standing, rolling = (with_driving_sense(state, sense) for state in (states.standing, states.rolling))
+    cam = turned_cam(machine, states.rest, rest)
+    standing = in_driving_sense(states.standing, drive)
     stiffness = loaded_stiffness(
-        joint,
-        contacts,
-        standing.normal,
-        standing.tangential,
-        standing.slides,
-        pin_loads(states.standing, rest),
+        machine, standing.normal, standing.tangential, standing.slides, pin_loads(states.standing, rest)
     )
     loaded = stiffness.contacts
-    creep = creep_law(joint, contacts, states.rolling.normal, states.rolling.tangential)
     inside = np.array([contact.internal for contact in drive.contacts])
     ideal = drive.sense * speeds(drive)  # in the sense of the input
     diagnostics = diagnose(
@@ -191,7 +191,7 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
         speed_ratio=xp.asarray(speed_ratio(drive)),
         speeds=ideal,
         output_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
-        masses=xp.stack([xp.asarray(mass) for mass in masses]),
+        masses=xp.stack([xp.asarray(mass) for mass in machine.masses]),
         preload=mean_preload(joint, rest.normal),
         interference=ring_interference(
             drive=drive, forces=laws.reference_force, interference=rest.interference
@@ -221,11 +221,11 @@ def joint_result(joint: Joint, laws: ContactLaws, states: DriveStates) -> JointR
             diagnostics, slip_ratio=xp.where(standing.slides != 0.0, 1.0, diagnostics.slip_ratio)
         ),
         rolling=with_duty_life(
-            turning(joint, contacts, creep, rolling),
+            turning(machine, states.rolling),
             conditions=joint.rolling,
             bodies=bodies_of_contacts(joint),
             planet_count=xp.asarray(drive.sectors),
-            rolled=rolling_at(joint, contacts, Pressed(laws, states.rest)),
+            rolled=rolling_at(machine, Pressed(laws, states.rest)),
         ),
         contact_law_holds=stiffness.contact_law_holds,
         walls_hold=stiffness.walls_hold,

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-
-import numpy as np
+from collections.abc import Sequence
 
 from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.contact.carter import gross_slip_creepage
@@ -15,11 +14,9 @@ from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.state.creep import CreepLaw, creepages
 from asperity.drive.state.state import ContactLaws, Creeping, CreepOf, DriveLoad, surface_speeds
-from asperity.drive.state.supports import Supports, carrier_supports
 from asperity.engine.arrays import xp
 from asperity.engine.module import Partial
-from asperity.joint.bodies import body_compliance
-from asperity.joint.bores import pin_compliances, pins_in_bores
+from asperity.joint.body_compliance import body_compliance
 from asperity.joint.contacts import (
     JointContacts,
     bulk_springs,
@@ -30,6 +27,7 @@ from asperity.joint.contacts import (
 from asperity.joint.crowned_contacts import lateral_strain_compliance
 from asperity.joint.description import Joint
 from asperity.joint.fit import BodyModel
+from asperity.joint.machine import JointMachine
 from asperity.materials import Material
 from asperity.rolling.creep import ContactCreep, contact_creep, contact_friction
 from asperity.rolling.power import oil_drag
@@ -37,12 +35,13 @@ from asperity.rolling.surface import mean_half_width
 from asperity.types import Array, Real
 
 
-def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) -> ContactLaws:
+def contact_laws(machine: JointMachine, reference_force: Array) -> ContactLaws:
     """Laws of the contacts around forces without torque, shape (contacts,) [N]; equations (A3), (B1) and (E3).
 
     Approach, slip, and the creep of smooth even rollers; a rolling state takes that of :func:`creep_law`.
     """
-    springs, coupling = approach_springs(joint, contacts, reference_force)
+    joint, contacts = machine.joint, machine.contacts
+    springs, coupling = approach_springs(machine, reference_force)
     crowned = contacts.crown_curvature is not None
     rough = rough_joint_contacts(
         contacts=contacts, normal_force=reference_force, tangential_force=xp.zeros_like(reference_force)
@@ -58,8 +57,8 @@ def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) 
             lateral_strain_compliance(contacts.driving, contacts.driven) if crowned else None
         ),
         rims=contacts.rims,
-        linear_compliance=ring_springs(joint),
-        bores=pins_in_bores(joint),
+        linear_compliance=machine.ring_compliance,
+        bores=machine.bores,
         slip_exponent=1.0 if isinstance(contacts.pairs.surface, RandomRoughness) else 1.0 / 3.0,
     )
     if joint.closure_springs is None:
@@ -70,14 +69,13 @@ def contact_laws(joint: Joint, contacts: JointContacts, reference_force: Array) 
     return dataclasses.replace(laws, closure=closure)
 
 
-def approach_springs(
-    joint: Joint, contacts: JointContacts, force: Array
-) -> tuple[NormalSprings, Array | None]:
+def approach_springs(machine: JointMachine, force: Array) -> tuple[NormalSprings, Array | None]:
     """Normal springs of the contacts at given forces, and their coupling."""
+    joint, contacts = machine.joint, machine.contacts
     width = xp.asarray(contacts.pairs.half_width(force))
     if joint.body_model == "springs":
         return bulk_springs(contacts=contacts, half_width=width), None
-    compliance = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=width)
+    compliance = body_compliance(machine=machine, half_width=width, stick_half_width=width)
     normal = compliance[: force.size, : force.size]
     diagonal = xp.diag(normal)
     bend = logarithmic_decrease(contacts=contacts, body_model=joint.body_model, plane_state=joint.plane_state)
@@ -97,24 +95,22 @@ def smooth_creep(contacts: JointContacts, normal_force: Array) -> CreepLaw:
     return CreepLaw(friction, limit / xp.sqrt(normal_force))
 
 
-def creep_law(
-    joint: Joint, contacts: JointContacts, normal_force: Array, tangential_force: Array
-) -> ContactCreep:
+def creep_law(machine: JointMachine, normal_force: Array, tangential_force: Array) -> ContactCreep:
     """Creep of the contacts with the factors of asperities and skew around forces of shape (contacts,) [N].
 
     (B1), (B3).
     """
     return contact_creep(
-        contacts=contacts,
-        skew=joint.rolling.skew,
+        contacts=machine.contacts,
+        skew=machine.joint.rolling.skew,
         normal_force=normal_force,
         tangential_force=tangential_force,
     )
 
 
-def creep_under(joint: Joint, contacts: JointContacts) -> CreepOf:
+def creep_under(machine: JointMachine) -> CreepOf:
     """Creep by the law of :func:`creep_law` under any forces, as a module of numbers."""
-    return Partial(_creep_under, (joint.rolling.skew, contacts))
+    return Partial(_creep_under, (machine.joint.rolling.skew, machine.contacts))
 
 
 def _creep_under(
@@ -133,31 +129,7 @@ def _creep_under(
     return Creeping(creep.law, 0.5 * axial * creep.skew)
 
 
-def ring_springs(joint: Joint) -> Array | None:
-    """Compliance of the springs in series with the contacts of rings, shape (contacts,) [m/N]; None for none."""
-    if joint.ring_bending_stiffness is None:
-        return None
-    inside = np.array([contact.internal for contact in joint.drive.contacts])
-    return xp.where(inside, 1.0 / xp.asarray(joint.ring_bending_stiffness, dtype=float), 0.0)
-
-
-def supports_of(joint: Joint) -> Supports | None:
-    """Springs that hold the rollers of a joint on the carrier besides its pins along their push; None for none."""
-    drive = joint.drive
-    planets = tuple(
-        body
-        for body in drive.floating
-        if drive.bodies[body].place == "free" and not drive.bodies[body].on_axis
-    )
-    return carrier_supports(
-        drive=drive,
-        pin_transverse_stiffness=joint.pin_transverse_stiffness,
-        planet_support_stiffness=joint.planet_support_stiffness,
-        planets=planets,
-    )
-
-
-def centrifugal_forces(joint: Joint, masses: list[Real]) -> Array:
+def centrifugal_forces(joint: Joint, masses: Sequence[Real]) -> Array:
     r"""Forces :math:`m \omega_c^2 r` on the floating bodies, shape (floating, 2) [N]."""
     drive = joint.drive
     carrier = speeds(drive)[drive.members.index(CARRIER)] * joint.input_speed
@@ -165,35 +137,36 @@ def centrifugal_forces(joint: Joint, masses: list[Real]) -> Array:
     return xp.stack(forces) if forces else xp.zeros((0, 2))
 
 
-def drive_load(joint: Joint, masses: list[Real], torque: Real) -> DriveLoad:
-    """What acts on the drive under a torque [N·m]: centrifugal forces of masses [kg], and its springs.
+def drive_load(machine: JointMachine) -> DriveLoad:
+    """What acts on the drive under its torque: centrifugal forces, and its springs.
 
     Equations (2)–(4) of Zou et al. 2025 have the same forces.
     """
+    joint = machine.joint
     return DriveLoad(
-        output_torque=xp.asarray(torque, dtype=float),
-        body_force=centrifugal_forces(joint, masses),
-        pin_compliance=pin_compliances(joint),
+        output_torque=xp.asarray(joint.output_torque, dtype=float),
+        body_force=centrifugal_forces(joint, machine.masses),
+        pin_compliance=machine.pin_compliance,
         bearings=joint.bearings,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
-        supports=supports_of(joint),
+        supports=machine.supports,
         rotation=xp.asarray(joint.input_speed, dtype=float),
         standing_rotation=xp.asarray(joint.input_speed, dtype=float),
         friction_on_carrier=joint.carrier_balance == "complete",
     )
 
 
-def rolling_load(joint: Joint, contacts: JointContacts, masses: list[Real], torque: Real) -> DriveLoad:
+def rolling_load(machine: JointMachine) -> DriveLoad:
     """As :func:`drive_load`, with what resists rolling: oil, hysteresis and skew, where the joint has them; (B9).
 
     The oil drags at speeds without creep.
     """
-    load, rolling = drive_load(joint, masses, torque), joint.rolling
+    load, joint, rolling = drive_load(machine), machine.joint, machine.joint.rolling
     if rolling.viscosity is None and rolling.hysteresis_loss_factor is None and rolling.skew is None:
         return load
     size = xp.abs(xp.asarray(joint.input_speed, dtype=float))
     one, two = surface_speeds(drive=joint.drive, speed=xp.asarray(speeds(joint.drive)) * size)
-    numbers = (rolling.viscosity, rolling.hysteresis_loss_factor, contacts, 0.5 * (one + two))
+    numbers = (rolling.viscosity, rolling.hysteresis_loss_factor, machine.contacts, 0.5 * (one + two))
     return dataclasses.replace(load, resistance_of=Partial(_resistance_under, numbers))
 
 

@@ -7,17 +7,17 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
-from asperity.drive.state.state import ContactLaws, CreepOf, DriveLoad, DriveState
-from asperity.drive.state.states import DriveStates, loaded_states, rest_forces
+from asperity.drive.state.state import DriveState
+from asperity.drive.state.states import rest_forces
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_compliance, cam_preload, with_cam
 from asperity.drive.stiffness.torsional_stiffness import Assembly
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import value_and_slope, without_slopes
 from asperity.engine.module import Module
 from asperity.implicit import SETTLED, settled_root
-from asperity.joint.assembled import Pressed, assembled, pressed_around
-from asperity.joint.contacts import JointContacts
+from asperity.joint.assembled import Pressed, pressed_around
 from asperity.joint.description import Joint
+from asperity.joint.machine import JointMachine
 from asperity.types import Array, Real
 
 
@@ -39,11 +39,12 @@ class CamOfJoint(Module):
     pressed: DriveState
 
 
-def pressed_at(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> Callable[[Real], Pressed]:
+def pressed_at(machine: JointMachine, without_torque: Pressed) -> Callable[[Real], Pressed]:
     """A joint as its cam presses it under an output torque of either sign [N·m]; equation (I3) of :doc:`/equations`.
 
     Without a cam it is the same at every torque, as it is assembled under its preload or interference alone.
     """
+    joint = machine.joint
     if joint.cam is None:
         return lambda torque: without_torque
     cam, rest = joint.cam, without_torque.rest
@@ -54,7 +55,7 @@ def pressed_at(joint: Joint, contacts: JointContacts, without_torque: Pressed) -
             force_per_torque=cam.force_per_torque,
             output_torque=torque,
         )
-        return _by_force(joint, contacts, rest, preload)
+        return _by_force(machine, rest, preload)
 
     return pressed
 
@@ -66,19 +67,19 @@ def mean_preload(joint: Joint, normal: Array) -> Array:
 
 
 def _by_force(
-    joint: Joint, contacts: JointContacts, least: DriveState, preload: Array, known: DriveState | None = None
+    machine: JointMachine, least: DriveState, preload: Array, known: DriveState | None = None
 ) -> Pressed:
     """A joint that its cam presses with a force, from the state without it; where it is known, with its derivatives.
 
     Unlike sectors have nan where the laws of their contacts and their forces do not settle.
     """
+    joint = machine.joint
     assert joint.cam is not None
     unlike, pattern = joint.unlike, xp.asarray(joint.cam.pattern, dtype=float)
 
     around = functools.partial(
         pressed_around,
-        joint,
-        contacts,
+        machine,
         pattern=pattern,
         preload=preload,
         added=least.interference,
@@ -102,30 +103,15 @@ def _by_force(
     )
 
 
-def states_under_torque(
-    joint: Joint, contacts: JointContacts, load: DriveLoad, creep_of: CreepOf
-) -> tuple[ContactLaws, DriveStates]:
-    """A joint assembled, standing and rolling under its torque."""
-    without_torque = assembled(joint, contacts)
-    pressed = pressed_at(joint, contacts, without_torque)(joint.output_torque)
-    loaded = loaded_states(
-        drive=joint.drive, laws=pressed.laws, rest=pressed.rest, load=load, creep_of=creep_of, separate=True
-    )
-    return without_torque.laws, DriveStates(
-        without_torque.rest, *loaded, None if joint.cam is None else pressed.rest
-    )
-
-
-def turned_cam(
-    joint: Joint, contacts: JointContacts, without_torque: DriveState, pressed: DriveState
-) -> CamOfJoint | None:
+def turned_cam(machine: JointMachine, without_torque: DriveState, pressed: DriveState) -> CamOfJoint | None:
     """How far the cam of a joint has turned, and how much it gives way; equation (I3). None without a cam."""
+    joint = machine.joint
     if joint.cam is None:
         return None
     preload = mean_preload(joint, pressed.normal)
 
     def interference(preload: Array) -> Array:
-        return _by_force(joint, contacts, without_torque, preload, pressed).rest.interference
+        return _by_force(machine, without_torque, preload, pressed).rest.interference
 
     _, softness = value_and_slope(interference, (preload,), (xp.ones_like(preload),))
     common: dict[str, Any] = {

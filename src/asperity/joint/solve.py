@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import functools
 import math
 from typing import Any, NamedTuple
 
@@ -18,14 +17,15 @@ from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.assembled import Pressed
+from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bores import overhang, refuse_pins
-from asperity.joint.capacity import CapacitySearches, searched_capacities, torque_capacities, under_torque
-from asperity.joint.description import Joint, in_motion, pin_names, tracks_of
-from asperity.joint.evaluation import JointResult, assembled_joint, joint_result
+from asperity.joint.capacity import CapacitySearches, searched_capacities, torque_capacities
+from asperity.joint.description import Joint, pin_names, tracks_of
+from asperity.joint.evaluation import JointResult, assembled_joint, joint_result, states_under_torque
 from asperity.joint.fit import refuse_loose
 from asperity.joint.housing import refuse_housing
 from asperity.joint.loading_cam import mean_preload
+from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.units import format_apart, format_quantity
 
@@ -57,22 +57,17 @@ class Solution(Module):
 
 def solution_of(joint: Joint) -> Solution:
     """Everything about one joint, of NumPy's numbers, without a judgement whether it exists."""
-    joint = in_motion(joint)
-    without_torque, states = _states(joint)
-    result = at_once(joint_result, joint, without_torque.laws, states)
-    capacities = torque_capacities(joint, without_torque)
+    machine, without_torque, states = _states(joint)
+    result = at_once(joint_result, machine, without_torque.laws, states)
+    capacities = torque_capacities(machine, without_torque)
     both = [trees.map(lambda leaf, i=i: leaf[i], part) for part in capacities for i in range(2)]
     return Solution(result, without_torque.laws, states, *both)
 
 
-def joint_state(joint: Joint, without_torque: Pressed | None = None) -> JointResult:
-    """What one joint does under its own torque and speed, of NumPy's numbers, without its capacities.
-
-    ``without_torque``: the assembled joint, where it is known.
-    """
-    joint = in_motion(joint)
-    without_torque, states = _states(joint, without_torque)
-    result: JointResult = at_once(joint_result, joint, without_torque.laws, states)
+def joint_state(joint: Joint) -> JointResult:
+    """What one joint does under its own torque and speed, of NumPy's numbers, without its capacities."""
+    machine, without_torque, states = _states(joint)
+    result: JointResult = at_once(joint_result, machine, without_torque.laws, states)
     return result
 
 
@@ -86,28 +81,17 @@ class DirectedLimits(NamedTuple):
 
 def states_and_limits(joint: Joint) -> tuple[DriveStates, DirectedLimits]:
     """States of one joint, of NumPy's numbers, and its capacities in the direction of its torque; nothing else."""
-    joint = in_motion(joint)
-    without_torque, states = _states(joint)
+    machine, without_torque, states = _states(joint)
     place = int(float(joint.output_torque) < 0.0)
-    limits = torque_capacities(joint, without_torque)
+    limits = torque_capacities(machine, without_torque)
     return states, DirectedLimits(*(trees.map(lambda leaf: leaf[place], each) for each in limits))
 
 
-def _states(joint: Joint, without_torque: Pressed | None = None) -> tuple[Pressed, DriveStates]:
-    """The assembled joint, found unless it is known, and its states under its torque."""
-    if without_torque is None:
-        without_torque = at_once(assembled_joint, joint)
-    standing, rolling = (
-        at_once(
-            functools.partial(under_torque, rolls=rolls, holds=False),
-            joint,
-            without_torque,
-            joint.output_torque,
-        )
-        for rolls in (False, True)
-    )
-    pressed = None if joint.cam is None else standing.pressed
-    return without_torque, DriveStates(without_torque.rest, standing.state, rolling.state, pressed)
+def _states(joint: Joint) -> tuple[JointMachine, Pressed, DriveStates]:
+    """The machine that a joint is, assembled, and its states under its torque."""
+    machine: JointMachine = at_once(joint_machine, joint)
+    without_torque: Pressed = at_once(assembled, machine)
+    return machine, without_torque, at_once(states_under_torque, machine, without_torque)
 
 
 def solve_joint(joint: Joint) -> Solution:
@@ -279,7 +263,7 @@ def _pressed_with(joint: Joint, key: str, size: float) -> Joint:
     unlike = joint.unlike
     for _ in range(0 if unlike is None else _SETTLINGS):
         assert unlike is not None
-        rest = at_once(assembled_joint, in_motion(joint)).rest
+        rest = at_once(assembled_joint, joint).rest
         unlike = dataclasses.replace(unlike, reference_force=rest.normal)
         joint = trees.map(np.asarray, dataclasses.replace(joint, unlike=unlike))
     return joint
@@ -287,10 +271,9 @@ def _pressed_with(joint: Joint, key: str, size: float) -> Joint:
 
 def _standing_capacity(joint: Joint, direction: float) -> TorqueCapacity:
     """Capacity of one joint, standing, in one direction, 1 or −1."""
-    joint = in_motion(joint)
-    without_torque: Pressed = at_once(assembled_joint, joint)
+    machine: JointMachine = at_once(joint_machine, joint)
     searches = CapacitySearches((direction,), (False,), rolls=False)
-    found = searched_capacities(searches, joint, without_torque)
+    found = searched_capacities(searches, machine, at_once(assembled, machine))
     capacity: TorqueCapacity = trees.map(lambda leaf: leaf[0], found)
     return capacity
 

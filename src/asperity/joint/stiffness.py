@@ -6,7 +6,7 @@ import dataclasses
 import functools
 from typing import Any, NamedTuple
 
-from asperity.drive.layout.drive import speed_ratio
+from asperity.drive.layout.drive import Drive, speed_ratio
 from asperity.drive.state.state import SLIP_TOLERANCE
 from asperity.drive.stiffness.network import (
     NetworkStiffness,
@@ -19,11 +19,10 @@ from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStif
 from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import vectorised
-from asperity.joint.bodies import body_compliance, walls_known
-from asperity.joint.bores import PinLoads, pin_compliances, pin_forces, pins_in_bores, pressed_bores
+from asperity.joint.body_compliance import body_compliance, walls_known
+from asperity.joint.bores import PinLoads, pin_forces, pressed_bores
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
-from asperity.joint.description import Joint
-from asperity.joint.laws import ring_springs, supports_of
+from asperity.joint.machine import JointMachine
 from asperity.types import Array, Real
 
 #: Half-width over effective radius that stands for an open contact, whose springs are left out.
@@ -92,8 +91,7 @@ class LoadedStiffness(NamedTuple):
 
 
 def loaded_stiffness(
-    joint: Joint,
-    contacts: JointContacts,
+    machine: JointMachine,
     normal_force: Array,
     tangential_force: Array,
     slides: Array,
@@ -106,8 +104,8 @@ def loaded_stiffness(
     force follows its normal force, all over the strip. Equations (A8) and (M4) of :doc:`/equations`.
     """
     holds = slides == 0.0
-    loaded, friction = _under_forces(contacts, normal_force, tangential_force, slides)
-    published, series, assembly = stiffness_levels(joint, contacts, loaded, friction, pins)
+    loaded, friction = _under_forces(machine.contacts, normal_force, tangential_force, slides)
+    published, series, assembly = stiffness_levels(machine, loaded, friction, pins)
     loaded = loaded._replace(
         traction=xp.where(holds, loaded.traction, 1.0),
         rough=dataclasses.replace(
@@ -119,7 +117,7 @@ def loaded_stiffness(
             bulk_tangential=xp.where(holds, loaded.interfaces.bulk_tangential, 0.0),
         ),
     )
-    law_holds, walls = _laws_hold(joint, loaded, normal_force)
+    law_holds, walls = _laws_hold(machine, loaded, normal_force)
     published, series = trees.map(lambda value: xp.where(law_holds, value, xp.nan), (published, series))
     assembly = trees.map(lambda value: xp.where(law_holds & walls, value, xp.nan), assembly)
     return LoadedStiffness(loaded, published, series, assembly, law_holds, walls)
@@ -140,18 +138,17 @@ def _under_forces(
     return loaded, slides * friction
 
 
-def _laws_hold(joint: Joint, loaded: LoadedContacts, normal_force: Array) -> tuple[Array, Array]:
+def _laws_hold(machine: JointMachine, loaded: LoadedContacts, normal_force: Array) -> tuple[Array, Array]:
     """Whether every loaded contact has an elastic spot; whether every wall and every crowned line is known."""
     law_holds = xp.all((loaded.rough.normal_stiffness > 0.0) | (normal_force <= 0.0))
-    walls = walls_known(joint=joint, half_width=loaded.half_width)
+    walls = walls_known(machine=machine, half_width=loaded.half_width)
     if loaded.lines is not None:
         walls = walls & xp.all(loaded.lines.solved | (normal_force <= 0.0))
     return law_holds, walls
 
 
 def working_springs(
-    joint: Joint,
-    contacts: JointContacts,
+    machine: JointMachine,
     normal_force: Array,
     tangential_force: Array,
     slides: Array,
@@ -161,38 +158,34 @@ def working_springs(
 
     nan where a law does not hold. Equation (A8) of :doc:`/equations`.
     """
-    loaded, friction = _under_forces(contacts, normal_force, tangential_force, slides)
-    rings = ring_springs(joint)
-    springs = spring_laws(**_springs_of_assembly(joint, contacts, loaded, friction, pins, rings, None))
-    known = xp.stack(_laws_hold(joint, loaded, normal_force)).all()
+    loaded, friction = _under_forces(machine.contacts, normal_force, tangential_force, slides)
+    springs = spring_laws(**_springs_of_assembly(machine, loaded, friction, pins, None))
+    known = xp.stack(_laws_hold(machine, loaded, normal_force)).all()
     return springs._replace(laws=xp.where(known, springs.laws, xp.nan))
 
 
 def stiffness_levels(
-    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, sliding_friction: Array, pins: PinLoads
+    machine: JointMachine, loaded: LoadedContacts, sliding_friction: Array, pins: PinLoads
 ) -> tuple[TorsionalStiffness, TorsionalStiffness, Assembly]:
     """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly.
 
     The signs of the pins' forces say which sides of their bores they press; without force those that a torque presses.
     """
-    ratio, interfaces = xp.asarray(speed_ratio(joint.drive)), loaded.interfaces
-    held = vectorised(functools.partial(_with_held_centres, joint, sliding_friction))(
+    ratio, interfaces = xp.asarray(speed_ratio(machine.drive)), loaded.interfaces
+    held = vectorised(functools.partial(_with_held_centres, machine.drive, sliding_friction))(
         xp.stack([xp.asarray(interfaces.asperity_tangential), xp.asarray(interfaces.tangential)])
     )
-    rings = ring_springs(joint)
     network = network_stiffness(
-        **_springs_of_assembly(
-            joint, contacts, loaded, sliding_friction, pins, rings, held.tangential_force[1]
-        )
+        **_springs_of_assembly(machine, loaded, sliding_friction, pins, held.tangential_force[1])
     )
     published, series = (TorsionalStiffness(sun=output / ratio**2, output=output) for output in held.output)
-    return published, series, _assembly(joint, network, rings, ratio)
+    return published, series, _assembly(machine, network, ratio)
 
 
-def _with_held_centres(joint: Joint, sliding_friction: Array, tangential: Array) -> NetworkStiffness:
+def _with_held_centres(drive: Drive, sliding_friction: Array, tangential: Array) -> NetworkStiffness:
     """A joint whose centres are held, from the tangential stiffnesses of its contacts [N/m]."""
     return network_stiffness(
-        drive=joint.drive,
+        drive=drive,
         normal_compliance=None,
         tangential_compliance=_compliance(tangential),
         sliding_friction=sliding_friction,
@@ -200,25 +193,23 @@ def _with_held_centres(joint: Joint, sliding_friction: Array, tangential: Array)
 
 
 def _springs_of_assembly(
-    joint: Joint,
-    contacts: JointContacts,
+    machine: JointMachine,
     loaded: LoadedContacts,
     sliding_friction: Array,
     pins: PinLoads,
-    rings: Array | None,
     added: Array | None,
 ) -> dict[str, Any]:
     """Springs of the assembly, as arguments of :func:`asperity.drive.stiffness.network.network_stiffness`.
 
-    ``rings`` are the compliances in series with the contacts of rings; ``added``, the tangential forces under a unit
-    torque with centres held [N], are found where they are not known.
+    ``added``, the tangential forces under a unit torque with centres held [N], are found where they are not known.
     """
+    joint, rings = machine.joint, machine.ring_compliance
     normal, tangential, coupling = loaded.interfaces.normal, loaded.interfaces.tangential, None
-    if added is None and pins_in_bores(joint) is not None:
-        added = _with_held_centres(joint, sliding_friction, xp.asarray(tangential)).tangential_force
-    pin_compliance, by_pin = _pins(joint, pins, added)
+    if added is None and machine.bores is not None:
+        added = _with_held_centres(joint.drive, sliding_friction, xp.asarray(tangential)).tangential_force
+    pin_compliance, by_pin = _pins(machine, pins, added)
     if joint.body_model == "exact":
-        normal, tangential, coupling = _springs_of_bodies(joint, contacts, loaded, by_pin)
+        normal, tangential, coupling = _springs_of_bodies(machine, loaded, by_pin)
     return {
         "drive": joint.drive,
         "normal_compliance": _compliance(normal) if rings is None else _compliance(normal) + rings,
@@ -227,7 +218,7 @@ def _springs_of_assembly(
         "pin_compliance": pin_compliance,
         "sliding_friction": sliding_friction,
         "support_stiffness": None if joint.unlike is None else joint.unlike.support_stiffness,
-        "supports": supports_of(joint),
+        "supports": machine.supports,
     }
 
 
@@ -237,31 +228,31 @@ def _compliance(stiffness: Real) -> Array:
     return xp.where(acts, 1.0 / xp.where(acts, stiffness, 1.0), xp.nan)
 
 
-def _pins(joint: Joint, loads: PinLoads, added: Array | None) -> tuple[Array, Array | None]:
+def _pins(machine: JointMachine, loads: PinLoads, added: Array | None) -> tuple[Array, Array | None]:
     """Compliance of each pin along its push, shape (pins,), and with the contacts, shape (2 contacts, pins) [m/N].
 
     The latter is None where no pin presses in a bore. ``added`` are the tangential forces under a unit torque with
     centres held [N].
     """
-    compliance, bores = pin_compliances(joint), pins_in_bores(joint)
+    compliance, bores = machine.pin_compliance, machine.bores
     if bores is None:
         return compliance, None
     assert added is not None
-    by_torque = pin_forces(joint.drive, xp.zeros_like(added), added)
+    by_torque = pin_forces(machine.drive, xp.zeros_like(added), added)
     pressed = pressed_bores(bores, loads, by_torque)
     in_bore = bores.pin_slope(pressed, loads.added, loads.tangential)
     return compliance + in_bore, xp.concatenate(bores.by_pin(pressed))
 
 
 def _springs_of_bodies(
-    joint: Joint, contacts: JointContacts, loaded: LoadedContacts, by_pin: Array | None
+    machine: JointMachine, loaded: LoadedContacts, by_pin: Array | None
 ) -> tuple[Real, Real, Array | None]:
     """Normal and tangential stiffness [N/m] and coupling [m/N] of elastic bodies with the bores of their pins.
 
     ``by_pin`` is what pins and contacts do to each other, None where no pin presses in a bore.
     """
-    width, stick = widths_of_bodies(contacts=contacts, loaded=loaded)
-    compliance = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=stick)
+    width, stick = widths_of_bodies(contacts=machine.contacts, loaded=loaded)
+    compliance = body_compliance(machine=machine, half_width=width, stick_half_width=stick)
     springs = springs_of_compliance(compliance=compliance, half_width=width, loaded=loaded)
     coupling = springs.coupling
     if by_pin is not None:
@@ -272,9 +263,9 @@ def _springs_of_bodies(
     return springs.normal_stiffness, springs.tangential_stiffness, coupling
 
 
-def _assembly(joint: Joint, network: NetworkStiffness, rings: Array | None, ratio: Array) -> Assembly:
+def _assembly(machine: JointMachine, network: NetworkStiffness, ratio: Array) -> Assembly:
     """The drive in series with its shafts, and the shares of all springs in its compliance."""
-    drive = joint.drive
+    joint, drive, rings = machine.joint, machine.drive, machine.ring_compliance
     across = 0 if joint.pin_transverse_stiffness is None else len(drive.pinned)
     bending = xp.zeros(len(drive.contacts))
     if rings is not None:

@@ -11,7 +11,8 @@ from asperity.engine.arrays import xp
 from asperity.engine.module import Module
 from asperity.implicit import settled_root
 from asperity.joint.assembled import Pressed, assembled
-from asperity.joint.description import Joint, UnlikeSectors, joint_contacts
+from asperity.joint.description import Joint, UnlikeSectors
+from asperity.joint.machine import joint_machine
 from asperity.types import Array, Real
 
 
@@ -108,13 +109,13 @@ def settled_sectors(
     ``floating``: the bodies on the axis whose centres can move; the forces of the sizes are not read. With equal sizes
     the laws are those of equal sectors. Equation (I4) of :doc:`/equations`.
     """
-    alone = assembled(joint, joint_contacts(joint))
+    alone = assembled(joint_machine(joint))
     base, equal = alone.laws.reference_force, alone.rest.normal
 
     def around(force: Array) -> Pressed:
         given = dataclasses.replace(sizes, reference_force=force)
         unlike = unfolded_joint(joint, given, sectors=sectors, floating=floating)
-        return assembled(unlike, joint_contacts(unlike))
+        return assembled(joint_machine(unlike))
 
     def change(ratio: Array) -> Array:
         return around(base * ratio).rest.normal.reshape(ratio.shape) / equal - ratio

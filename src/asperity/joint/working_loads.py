@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from asperity.drive.layout.drive import CARRIER, Drive, creeping_speeds
+from asperity.drive.layout.drive import CARRIER, Drive, creeping_speeds, driving_sense
 from asperity.drive.layout.unfolding import forces_on_centre
 from asperity.drive.state.loads import MemberLoads, drag_pairs, member_loads
 from asperity.drive.state.state import Resistance
@@ -14,7 +14,6 @@ from asperity.engine.control import put
 from asperity.joint.description import Joint, track_lengths
 from asperity.joint.evaluation import JointResult
 from asperity.joint.laws import centrifugal_forces
-from asperity.rolling.turning import driving_sense
 from asperity.types import Array
 
 

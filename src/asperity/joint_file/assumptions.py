@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from asperity.joint.bodies import hollow_stepped
+from asperity.joint.bodies import are_stepped
 from asperity.joint.bores import pins_bend
 from asperity.joint.description import Joint
 from asperity.joint.pin_bound import pins_rigid
@@ -97,7 +97,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
         )
     if joint.drive.pinned:
         told += _pins(joint)
-    bored = [joint.drive.bodies[number].name.replace("_", " ") for number in hollow_stepped(joint)]
+    bored = [joint.drive.bodies[number].name.replace("_", " ") for number in are_stepped(joint)]
     if bored and joint.body_model == "exact":
         told.append(f"{', '.join(bored)}: {HOLLOW_STEPPED}")
     if case.play is None:

@@ -29,8 +29,9 @@ from asperity.engine.control import at_once, map_over, traced_once
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
 from asperity.joint.capacity import first_guess, limits_of, loading
-from asperity.joint.description import Joint, in_motion
+from asperity.joint.description import Joint
 from asperity.joint.evaluation import joint_result
+from asperity.joint.machine import joint_machine
 from asperity.joint.torque_limits import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, kind_words
 from asperity.results import contact_rows, limit_rows, load_rows, rolling_rows, stiffness_rows
 from asperity.results.notes import Severity
@@ -255,10 +256,10 @@ class _LimitsUnderTorque:
 
     def __init__(self, solved: SolvedJoint) -> None:
         assert solved.laws is not None
-        self._joint = _without_duty(in_motion(solved.joint))
+        self._machine = joint_machine(_without_duty(solved.joint), solved.laws.rims)
         self._without_torque = Pressed(solved.laws, solved.result.rest)
-        self.loaded = loading(self._joint, self._without_torque)
-        self.guess = first_guess(self._joint, solved.result.rest)
+        self.loaded = loading(self._machine, self._without_torque)
+        self.guess = first_guess(self._machine.joint, solved.result.rest)
 
     def of_all(self, torque: Array) -> Array:
         """Limits of the search, standing and in rolling, then of the rows; every contact that stands holds."""
@@ -273,11 +274,11 @@ class _LimitsUnderTorque:
         standing, rolling = _both(
             map_over(lambda rolls: self.loaded(torque, rolls, ~rolls), xp.array([False, True]))
         )
-        pressed = None if self._joint.cam is None else standing.pressed
+        pressed = None if self._machine.joint.cam is None else standing.pressed
         states = DriveStates(self._without_torque.rest, standing.state, rolling.state, pressed)
-        there = dataclasses.replace(self._joint, output_torque=torque)
+        there = self._machine.under(torque)
         result = joint_result(there, self._without_torque.laws, states)
-        rows = excesses_of_rows(SolvedJoint(there, result, self._without_torque.laws))
+        rows = excesses_of_rows(SolvedJoint(there.joint, result, self._without_torque.laws))
         return standing.excesses, rolling.excesses, xp.asarray(rows)
 
 

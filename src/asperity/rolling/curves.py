@@ -14,9 +14,10 @@ from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, vectorised
 from asperity.engine.module import Module
 from asperity.joint.assembled import Pressed
-from asperity.joint.description import Joint, joint_contacts
+from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.laws import creep_law
+from asperity.joint.machine import joint_machine
 from asperity.rolling.rolling import RollingResult
 from asperity.rolling.turning import rolling_at
 from asperity.types import Array
@@ -102,8 +103,8 @@ def rolling_over_loads(
     joint: Joint, without_torque: Pressed, torque: Array, input_speed: Array
 ) -> RollingResult:
     """Steady rolling of a joint under torques at speeds."""
-    contacts = joint_contacts(joint)
-    return vectorised(rolling_at(joint, contacts, without_torque))(torque, input_speed)
+    machine = joint_machine(joint, without_torque.laws.rims)
+    return vectorised(rolling_at(machine, without_torque))(torque, input_speed)
 
 
 _POINTS, _LARGEST_SHARE = 60, 0.98
@@ -127,11 +128,11 @@ def creep_curves(joint: Joint, result: JointResult) -> CreepCurves:
 
 
 def _curves(joint: Joint, normal: Array) -> tuple[Array, Array]:
-    contacts = joint_contacts(joint)
+    machine = joint_machine(joint)
 
     def at(share: Array) -> tuple[Array, Array]:
-        tangential = xp.asarray(contacts.pairs.friction_coefficient) * share * normal
-        law = creep_law(joint, contacts, normal, tangential).law
+        tangential = xp.asarray(machine.contacts.pairs.friction_coefficient) * share * normal
+        law = creep_law(machine, normal, tangential).law
         return tangential / normal, creepages(law=law, normal=normal, tangential=tangential)
 
     return vectorised(at, out_axis=-1)(xp.linspace(0.0, _LARGEST_SHARE, _POINTS))

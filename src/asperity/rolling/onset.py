@@ -15,7 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift, still_stroke, swing_drift_share
-from asperity.drive.layout.drive import Drive, creeping_speeds, speeds
+from asperity.drive.layout.drive import Drive, creeping_speeds, driving_sense, speeds
 from asperity.drive.state.creep import drift_per_turn
 from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, fori_loop
@@ -24,7 +24,6 @@ from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.rolling.rolling import RollingResult
-from asperity.rolling.turning import driving_sense
 from asperity.types import Array, Real
 
 

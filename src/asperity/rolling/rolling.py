@@ -15,13 +15,20 @@ from asperity.drive.layout.drive import CARRIER, speeds
 from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
 from asperity.drive.state.loads import friction_moments, friction_power
-from asperity.drive.state.state import BodiesOfContacts, DriveState, RollingSpeeds, surface_speeds
+from asperity.drive.state.state import (
+    BodiesOfContacts,
+    DriveState,
+    RollingSpeeds,
+    in_driving_sense,
+    surface_speeds,
+)
 from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
-from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, bodies_of_contacts, places
-from asperity.rolling.creep import ContactCreep, ContactFriction, contact_friction
+from asperity.joint.laws import creep_law
+from asperity.joint.machine import JointMachine
+from asperity.rolling.creep import ContactFriction, contact_friction
 from asperity.rolling.life import DriveLives, cycle_rates, drive_lives
 from asperity.rolling.power import RollingPower, rolling_power
 from asperity.rolling.surface import RollingStrips, flash_temperatures, oil_film, rolling_strips
@@ -145,13 +152,14 @@ class RollingResult(Module):
     crown_creepage_factor: Array | None = None
 
 
-def turning(joint: Joint, contacts: JointContacts, creep: ContactCreep, state: DriveState) -> RollingResult:
+def turning(machine: JointMachine, rolls: DriveState) -> RollingResult:
     """Drift, losses, surfaces, shakedown and life of a joint that turns; equations (B1) and (M3) of :doc:`/equations`.
 
-    ``creep`` is that of its contacts around the forces of the rolling drive; tangential forces and creepages of its
-    rolling ``state`` have the sense of the drive.
+    ``rolls``: its drive that rolls under its torque at its speed.
     """
-    pairs = contacts.pairs
+    joint, contacts, pairs = machine.joint, machine.contacts, machine.contacts.pairs
+    creep = creep_law(machine, rolls.normal, rolls.tangential)
+    state = in_driving_sense(rolls, machine.drive)
     normal = xp.where(state.normal > 0.0, state.normal, 1.0)
     traction = state.tangential / normal
     strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)

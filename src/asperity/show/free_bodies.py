@@ -7,11 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from asperity.drive.layout.drive import contact_angles
+from asperity.drive.layout.drive import contact_angles, driving_sense
 from asperity.joint.body_shape import BodyShape
 from asperity.joint.description import Joint, places, tracks_of
 from asperity.joint.evaluation import JointResult
-from asperity.rolling.turning import driving_sense
 from asperity.show.sheet import Align, Circle, Item, Line, Point, Text
 from asperity.units import format_quantity
 

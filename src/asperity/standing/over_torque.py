@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from asperity.drive.layout.drive import creeping_speeds
+from asperity.drive.layout.drive import creeping_speeds, driving_sense
 from asperity.drive.state.creep import drift_per_turn
 from asperity.drive.state.first_limit import slip_ratio
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad, DriveState
@@ -17,16 +17,14 @@ from asperity.engine.arrays import as_numbers, xp
 from asperity.engine.control import at_once, map_over, vectorised
 from asperity.engine.derivatives import value_and_slope
 from asperity.joint.assembled import Pressed, assembled
-from asperity.joint.bodies import with_rims
 from asperity.joint.bores import pin_loads
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint, body_masses, in_motion, joint_contacts
-from asperity.joint.evaluation import assembled_joint
-from asperity.joint.laws import creep_law, creep_under, drive_load, rolling_load
+from asperity.joint.description import Joint
+from asperity.joint.laws import creep_under, drive_load, rolling_load
 from asperity.joint.loading_cam import CamOfJoint, pressed_at, turned_cam, with_its_cam
+from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.stiffness import loaded_stiffness
 from asperity.rolling.rolling import turning
-from asperity.rolling.turning import driving_sense, with_driving_sense
 from asperity.types import Array, Real
 
 
@@ -80,54 +78,49 @@ def standing_over_torque(joint: Joint, torques: np.ndarray, *, no_slip_friction:
 
 
 def at_torques(function: Callable[..., Any], joint: Joint, torques: np.ndarray, *numbers: float) -> Any:
-    """What a function of a joint, its assembled state, torques and further numbers gives, as NumPy arrays."""
-    moving = in_motion(as_numbers(joint))
-    return at_once(function, moving, at_once(assembled_joint, moving), np.asarray(torques, float), *numbers)
+    """What a function of a machine, its assembled state, torques and further numbers gives, as NumPy arrays."""
+    machine = at_once(joint_machine, as_numbers(joint))
+    return at_once(function, machine, at_once(assembled, machine), np.asarray(torques, float), *numbers)
 
 
 def standing_of_assembled(
-    joint: Joint, without_torque: Pressed, torques: Array, no_slip_friction: Real
+    machine: JointMachine, without_torque: Pressed, torques: Array, no_slip_friction: Real
 ) -> StandingOverTorque:
     """The same of a joint that is assembled."""
-    contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
-    return map_over(_stands(joint, contacts, without_torque, no_slip_friction), torques)
+    return map_over(_stands(machine, without_torque, no_slip_friction), torques)
 
 
 def _stands(
-    joint: Joint, contacts: JointContacts, without_torque: Pressed, no_slip_friction: Real
+    machine: JointMachine, without_torque: Pressed, no_slip_friction: Real
 ) -> Callable[[Array], StandingOverTorque]:
     """The joint that stands under an output torque [N·m]."""
-    unloaded = with_its_torque(joint)
-    pressed = pressed_at(joint, contacts, without_torque)
+    unloaded = with_its_torque(machine)
+    pressed = pressed_at(machine, without_torque)
 
     def at(torque: Array) -> StandingOverTorque:
         load = dataclasses.replace(unloaded, output_torque=torque)
         laws, rest = pressed(torque)
-        state = standing_state(drive=joint.drive, laws=laws, rest=rest, load=load)
-        cam = turned_cam(joint, contacts, without_torque.rest, rest)
-        return _standing(joint, contacts, no_slip_friction, state, rest, cam)
+        state = standing_state(drive=machine.drive, laws=laws, rest=rest, load=load)
+        cam = turned_cam(machine, without_torque.rest, rest)
+        return _standing(machine, no_slip_friction, state, rest, cam)
 
     return at
 
 
 def over_torque_of_assembled(
-    joint: Joint, without_torque: Pressed, torques: Array, no_slip_friction: Real
+    machine: JointMachine, without_torque: Pressed, torques: Array, no_slip_friction: Real
 ) -> OverTorque:
     """As :func:`over_torque`, of a joint that is assembled."""
-    contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
-    sense = driving_sense(joint.drive)
-    states = _states(joint, contacts, without_torque)
+    states = _states(machine, without_torque)
 
     def at(torque: Array) -> OverTorque:
         under = states(torque)
         rolls = under.rolling
-        creep = creep_law(joint, contacts, rolls.normal, rolls.tangential)
-        shown = with_driving_sense(rolls, sense)
-        turned = turning(dataclasses.replace(joint, output_torque=torque), contacts, creep, shown)
+        turned = turning(machine.under(torque), rolls)
         works = rolls.residual < STATE_TOLERANCE
         return OverTorque(
-            **_standing(joint, contacts, no_slip_friction, under.standing, under.rest, under.cam)._asdict(),
-            drift=_drift(joint, torque, under),
+            **_standing(machine, no_slip_friction, under.standing, under.rest, under.cam)._asdict(),
+            drift=_drift(machine, torque, under),
             efficiency=xp.where(works, turned.power.efficiency, xp.nan),
             total_loss=xp.where(works, turned.power.loss, xp.nan),
             life_hours=xp.where(works, turned.life_hours.drive, xp.nan),
@@ -138,8 +131,7 @@ def over_torque_of_assembled(
 
 
 def slope_of_lost_speed(
-    joint: Joint,
-    contacts: JointContacts,
+    machine: JointMachine,
     pressed: Callable[[Array], Pressed],
     unloaded: DriveLoad,
     torque: Array,
@@ -153,12 +145,12 @@ def slope_of_lost_speed(
     def rolling_at_torque(torque: Array) -> DriveState:
         laws, rest = pressed(torque)
         return loaded_state(
-            drive=joint.drive,
+            drive=machine.drive,
             laws=laws,
             rest=rest,
             load=dataclasses.replace(unloaded, output_torque=torque),
             rolls=True,
-            creep_of=creep_under(joint, contacts),
+            creep_of=creep_under(machine),
         )
 
     rolling, slope = value_and_slope(rolling_at_torque, (torque,), (xp.ones_like(torque),))
@@ -170,11 +162,10 @@ def curve_program(joint: Joint, torques: Array, no_slip_friction: Real, shown: s
 
     ``shown``: the name of a stiffness, or ``drift``; with the slip ratio, and whether the joint that stands is solved.
     """
-    joint = in_motion(joint)
-    contacts = with_rims(joint, joint_contacts(joint))
-    without_torque = assembled(joint, contacts)
-    states = _states(joint, contacts, without_torque) if shown == "drift" else None
-    stands = _stands(joint, contacts, without_torque, no_slip_friction)
+    machine = joint_machine(joint)
+    without_torque = assembled(machine)
+    states = _states(machine, without_torque) if shown == "drift" else None
+    stands = _stands(machine, without_torque, no_slip_friction)
 
     def at(torque: Array) -> dict[str, Array]:
         if states is None:
@@ -182,8 +173,8 @@ def curve_program(joint: Joint, torques: Array, no_slip_friction: Real, shown: s
             return {name: curves[name] for name in (shown, "slip_ratio", "solved")}
         under = states(torque)
         solved = under.standing.residual < STATE_TOLERANCE
-        drift = _drift(joint, torque, under)
-        return {"drift": drift, "slip_ratio": _slip_ratio(contacts, under.standing), "solved": solved}
+        drift = _drift(machine, torque, under)
+        return {"drift": drift, "slip_ratio": _slip_ratio(machine.contacts, under.standing), "solved": solved}
 
     return map_over(at, torques)
 
@@ -198,23 +189,23 @@ class _Under(NamedTuple):
     cam: CamOfJoint | None
 
 
-def _states(joint: Joint, contacts: JointContacts, without_torque: Pressed) -> Callable[[Array], _Under]:
+def _states(machine: JointMachine, without_torque: Pressed) -> Callable[[Array], _Under]:
     """The joint under an output torque [N·m]."""
-    unloaded = rolling_with_its_torque(joint, contacts)
-    pressed = pressed_at(joint, contacts, without_torque)
+    unloaded = rolling_with_its_torque(machine)
+    pressed = pressed_at(machine, without_torque)
 
     def under(torque: Array) -> _Under:
         laws, rest = pressed(torque)
         load = dataclasses.replace(unloaded, output_torque=torque)
-        given: dict[str, Any] = {"drive": joint.drive, "laws": laws, "rest": rest}
-        given["creep_of"] = creep_under(joint, contacts)
+        given: dict[str, Any] = {"drive": machine.drive, "laws": laws, "rest": rest}
+        given["creep_of"] = creep_under(machine)
         standing, rolling = loaded_states(load=load, **given)
         backwards = rolling
         # what opposes the rotation changes the forces
         if load.resistance_of is not None or load.bearings is not None:
             other = dataclasses.replace(load, rotation=-_sense(load.rotation))
             backwards = loaded_state(load=other, rolls=True, **given)
-        cam = turned_cam(joint, contacts, without_torque.rest, rest)
+        cam = turned_cam(machine, without_torque.rest, rest)
         return _Under(rest, standing, rolling, backwards, cam)
 
     return under
@@ -225,35 +216,32 @@ def _sense(rotation: Real) -> Array:
     return xp.where(xp.asarray(rotation) < 0.0, -1.0, 1.0)
 
 
-def with_its_torque(joint: Joint) -> DriveLoad:
+def with_its_torque(machine: JointMachine) -> DriveLoad:
     """Loads of a joint that stands and begins to move with its torque, as in a wind-up; the torque is to be put in."""
-    return dataclasses.replace(drive_load(joint, body_masses(joint), 0.0), standing_rotation=xp.zeros(()))
+    return dataclasses.replace(drive_load(machine), standing_rotation=xp.zeros(()))
 
 
-def rolling_with_its_torque(joint: Joint, contacts: JointContacts) -> DriveLoad:
+def rolling_with_its_torque(machine: JointMachine) -> DriveLoad:
     """The same, with what resists the rolling of the joint that turns."""
-    resists = rolling_load(joint, contacts, body_masses(joint), 0.0).resistance_of
-    return dataclasses.replace(with_its_torque(joint), resistance_of=resists)
+    return dataclasses.replace(with_its_torque(machine), resistance_of=rolling_load(machine).resistance_of)
 
 
 def _standing(
-    joint: Joint,
-    contacts: JointContacts,
+    machine: JointMachine,
     no_slip_friction: Real,
     state: DriveState,
     rest: DriveState,
     cam: CamOfJoint | None,
 ) -> StandingOverTorque:
     """Stiffness of the joint that stands, assembled so at ``rest``, with and without slip."""
-    sense = driving_sense(joint.drive)
+    contacts, sense = machine.contacts, driving_sense(machine.drive)
     friction_coefficient = xp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
     frictions = xp.stack([friction_coefficient, xp.full_like(friction_coefficient, no_slip_friction)])
 
     def levels(friction: Array) -> tuple[Array, Array, Array]:
         pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
         stiffness = loaded_stiffness(
-            joint,
-            dataclasses.replace(contacts, pairs=pairs),
+            dataclasses.replace(machine, contacts=dataclasses.replace(contacts, pairs=pairs)),
             state.normal,
             sense * state.tangential,
             xp.where(friction == friction_coefficient, state.slides, 0.0),
@@ -285,9 +273,9 @@ def _slip_ratio(contacts: JointContacts, state: DriveState) -> Array:
     return xp.where(state.slides == 0.0, slip, 1.0)
 
 
-def _drift(joint: Joint, torque: Array, under: _Under) -> Array:
+def _drift(machine: JointMachine, torque: Array, under: _Under) -> Array:
     """Drift of the joint that rolls with the torque and against it [rad]."""
-    drive, own = joint.drive, _sense(drive_load(joint, body_masses(joint), 0.0).rotation)
+    drive, own = machine.drive, _sense(machine.joint.input_speed)
     out = drive.members.index(drive.output)
 
     def turned(creepage: Array) -> Array:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from asperity.drive.layout.drive import driving_sense
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState, surface_speeds
 from asperity.drive.state.states import standing_state
@@ -16,13 +17,12 @@ from asperity.engine.control import at_once, map_over
 from asperity.engine.derivatives import value_and_slope
 from asperity.joint.assembled import Pressed
 from asperity.joint.bores import PinLoads, pin_loads
-from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint, in_motion, joint_contacts
+from asperity.joint.description import Joint
 from asperity.joint.laws import creep_under
 from asperity.joint.loading_cam import pressed_at, turned_cam, with_its_cam
+from asperity.joint.machine import JointMachine, joint_machine
 from asperity.joint.solve import Solution
 from asperity.joint.stiffness import loaded_stiffness, working_springs
-from asperity.rolling.turning import driving_sense
 from asperity.standing.over_torque import (
     at_torques,
     rolling_with_its_torque,
@@ -56,27 +56,26 @@ def springs_over_torque(joint: Joint, torques: np.ndarray) -> SpringsOverTorque:
     return found
 
 
-def springs_of_assembled(joint: Joint, without_torque: Pressed, torques: Array) -> SpringsOverTorque:
+def springs_of_assembled(machine: JointMachine, without_torque: Pressed, torques: Array) -> SpringsOverTorque:
     """The same of a joint that is assembled."""
-    contacts = dataclasses.replace(joint_contacts(joint), rims=without_torque.laws.rims)
-    pressed, unloaded = pressed_at(joint, contacts, without_torque), with_its_torque(joint)
-    rolls, sense = rolling_with_its_torque(joint, contacts), driving_sense(joint.drive)
+    pressed, unloaded = pressed_at(machine, without_torque), with_its_torque(machine)
+    rolls, sense = rolling_with_its_torque(machine), driving_sense(machine.drive)
 
     def at(torque: Array) -> SpringsOverTorque:
         laws, rest = pressed(torque)
         load = dataclasses.replace(unloaded, output_torque=torque)
-        state = standing_state(drive=joint.drive, laws=laws, rest=rest, load=load)
+        state = standing_state(drive=machine.drive, laws=laws, rest=rest, load=load)
         forces = (state.normal, sense * state.tangential, state.slides, pin_loads(state, rest))
-        cam = turned_cam(joint, contacts, without_torque.rest, rest)
-        assembly = with_its_cam(loaded_stiffness(joint, contacts, *forces).assembly, cam)
+        cam = turned_cam(machine, without_torque.rest, rest)
+        assembly = with_its_cam(loaded_stiffness(machine, *forces).assembly, cam)
         solved = state.residual < STATE_TOLERANCE
-        slope, rolling = slope_of_lost_speed(joint, contacts, pressed, rolls, torque)
+        slope, rolling = slope_of_lost_speed(machine, pressed, rolls, torque)
         known = xp.where(rolling.residual < STATE_TOLERANCE, 1.0, xp.nan)
-        by_normal, by_tangential = _creep_slopes(joint, contacts, rolling)
+        by_normal, by_tangential = _creep_slopes(machine, rolling)
         return SpringsOverTorque(
             stiffness=xp.where(solved, xp.asarray(assembly.stiffness.output), xp.nan),
             cam_compliance=xp.zeros(()) if cam is None else xp.asarray(cam.compliance),
-            springs=working_springs(joint, contacts, *forces),
+            springs=working_springs(machine, *forces),
             lost_speed_slope=slope,
             creep_by_normal=known * by_normal,
             creep_by_tangential=known * by_tangential,
@@ -87,7 +86,6 @@ def springs_of_assembled(joint: Joint, without_torque: Pressed, torques: Array) 
 
 def springs_of_solution(joint: Joint, solution: Solution) -> SpringLaws:
     """All springs of a joint that is solved, standing under its torque, as NumPy arrays."""
-    moving = in_motion(as_numbers(joint))
     result, standing = solution.result, solution.states.standing
     forces = (
         result.forces.normal,
@@ -95,22 +93,21 @@ def springs_of_solution(joint: Joint, solution: Solution) -> SpringLaws:
         standing.slides,
         pin_loads(standing, result.pressed),
     )
-    found: SpringLaws = at_once(_of_forces, moving, solution.laws, *forces)
+    found: SpringLaws = at_once(_of_forces, as_numbers(joint), solution.laws, *forces)
     return found
 
 
 def _of_forces(
     joint: Joint, laws: ContactLaws, normal: Array, tangential: Array, slides: Array, pins: PinLoads
 ) -> SpringLaws:
-    """What is compiled to find the springs under known forces."""
-    contacts = dataclasses.replace(joint_contacts(joint), rims=laws.rims)
-    return working_springs(joint, contacts, normal, tangential, slides, pins)
+    """The springs under known forces."""
+    return working_springs(joint_machine(joint, laws.rims), normal, tangential, slides, pins)
 
 
-def _creep_slopes(joint: Joint, contacts: JointContacts, rolling: DriveState) -> tuple[Array, Array]:
+def _creep_slopes(machine: JointMachine, rolling: DriveState) -> tuple[Array, Array]:
     """Slopes of the speeds of creep by the normal and by the tangential forces, shape (contacts,) [m/(N·s)]."""
-    law = creep_under(joint, contacts)
-    one, two = surface_speeds(drive=joint.drive, speed=rolling.speed * joint.input_speed)
+    law = creep_under(machine)
+    one, two = surface_speeds(drive=machine.drive, speed=rolling.speed * machine.joint.input_speed)
 
     def creeps(normal: Array, tangential: Array) -> Array:
         return creepages(law=law(normal, tangential).law, normal=normal, tangential=tangential)

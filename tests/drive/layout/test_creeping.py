@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from asperity.drive.layout.drive import creeping_speeds, speeds
+from asperity.drive.layout.drive import creeping_speeds, driving_sense, speeds
 from asperity.drive.state.state import surface_speeds
-from asperity.rolling.turning import driving_sense
 
 
 @pytest.mark.slow

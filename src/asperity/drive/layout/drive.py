@@ -94,6 +94,13 @@ class Closure:
     constant_pins: tuple[str, ...] = ()
 
 
+class Track(NamedTuple):
+    """A track of a body: the contacts that roll on it, by number, and on which side of the first of them it is."""
+
+    contacts: tuple[int, ...]
+    side: int
+
+
 class Layout(NamedTuple):
     """Which member is which, of all drives with the same bodies and contacts; constant arrays of NumPy.
 
@@ -102,7 +109,7 @@ class Layout(NamedTuple):
     grounded one. ``first`` and ``second``: numbers of the bodies of each contact, shape (contacts,); ``outward``: -1
     where the first lies inside the second, else 1; ``sector``: that of the second one. ``floating`` and ``pinned``:
     numbers of the bodies whose centres can move, and of those on pins. ``unit``: a row for each member, shape (members,
-    members), and ``relative``, the same less the carrier's. ``on_axis``: members on the axis.
+    members), and ``relative``, the same less the carrier's. ``on_axis``: members on the axis. ``tracks``: of each body.
     """
 
     members: tuple[str, ...]
@@ -120,6 +127,7 @@ class Layout(NamedTuple):
     unit: np.ndarray
     relative: np.ndarray
     on_axis: np.ndarray
+    tracks: tuple[tuple[Track, ...], ...]
 
 
 @functools.lru_cache(maxsize=256)
@@ -145,7 +153,19 @@ def _layout(
         unit=unit,
         relative=unit - unit[number[CARRIER]],
         on_axis=np.array([*(body.place == "axis" for body in bodies), True]),
+        tracks=tuple(_tracks(body.name, contacts) for body in bodies),
     )
+
+
+def _tracks(body: str, contacts: tuple[Contact, ...]) -> tuple[Track, ...]:
+    """The tracks of a body, in the order of their first contacts."""
+    tracks: dict[str, Track] = {}
+    for number, contact in enumerate(contacts):
+        for side, name in enumerate((contact.first, contact.second)):
+            if name == body:
+                known = tracks.get(contact.tracks[side], Track((), side))
+                tracks[contact.tracks[side]] = known._replace(contacts=(*known.contacts, number))
+    return tuple(tracks.values())
 
 
 class Incidence(Module):
@@ -411,6 +431,27 @@ def speed_ratio(drive: Drive) -> Real:
     Equation (M2) of :doc:`/equations`.
     """
     return drive.sense / speeds(drive)[drive.members.index(drive.output)]
+
+
+def driving_sense(drive: Drive) -> Array:
+    """Sign that makes tangential forces and creepages positive where the first body of a contact drives the second.
+
+    Parameters
+    ----------
+    drive : Drive
+        The drive.
+
+    Returns
+    -------
+    Array
+        +1 or −1, shape (contacts,): the sense in which the first surface moves, seen from the carrier.
+
+    References
+    ----------
+    Equation (M2) of :doc:`/equations`.
+    """
+    speed, layout = speeds(drive), drive.layout
+    return xp.sign(speed[layout.first] - speed[layout.carrier])
 
 
 def creeping_speeds(*, drive: Drive, creepage: Array) -> tuple[Array, Array]:

@@ -97,9 +97,10 @@ def _ahead(state: _Search, start: Array, looks: int) -> Array:
     return xp.concatenate([first[None], even[1:]])
 
 
-def _along(values: np.ndarray, of: Array) -> Array:
+def _along(values: Any, of: Array) -> Array:
     """Values along an axis before those of another array."""
-    return values.reshape(-1, *(1 for _ in of.shape))
+    along: Array = values.reshape(-1, *(1 for _ in of.shape))
+    return along
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -209,7 +210,7 @@ def first_limit_of_numbers(
     return _found(last, first_guess)
 
 
-def of_each(excesses: Callable[..., Array], *given: Array) -> Callable[[Array], Array]:
+def of_each(excesses: Callable[..., Array], *given: np.ndarray) -> Callable[[Array], Array]:
     """Functions of one value, shape (limits,), as those of several values of several searches at once.
 
     ``given``: numbers of each search, further arguments of the functions.

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from typing import NamedTuple
 
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
-from asperity.drive.layout.drive import Drive
+from asperity.drive.layout.drive import Drive, driving_sense
 from asperity.drive.mechanism import Bearings, NormalSprings, total_approach
 from asperity.drive.state.bores import Bores
 from asperity.drive.state.creep import CreepLaw
@@ -218,6 +219,12 @@ class DriveState(Module):
     def residual(self) -> Array:
         """Largest relative residual of all equations [-]; infinite where a contact has lifted off or friction fails."""
         return xp.where(self.carried, self.worst, xp.inf)
+
+
+def in_driving_sense(state: DriveState, drive: Drive) -> DriveState:
+    """A state whose tangential forces, creepages and resistances have the signs of ``driving_sense`` of its drive."""
+    sense, signed = driving_sense(drive), ("tangential", "creepage", *Resistance._fields)
+    return dataclasses.replace(state, **{name: sense * getattr(state, name) for name in signed})
 
 
 def contact_approach(*, laws: ContactLaws, normal: Array) -> Array:
