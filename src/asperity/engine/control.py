@@ -6,11 +6,12 @@ at once.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import itertools
 import math
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -21,21 +22,48 @@ from asperity.engine.dual import Dual, directions_at, highest_level, plain, slop
 from asperity.engine.many import Many, aligned, chosen, many, together
 
 
+class _ManyAtOnce(threading.local):
+    """Whether a function of many numbers at once is being computed in this thread, and of which it is wanted."""
+
+    active = False
+    wanted: np.ndarray | None = None
+
+
+_MANY = _ManyAtOnce()
+
+
+def _wanted(conditions: np.ndarray) -> np.ndarray:
+    """Conditions of many numbers, where the numbers are wanted."""
+    return conditions if _MANY.wanted is None else conditions & _MANY.wanted
+
+
+@contextlib.contextmanager
+def _only(wanted: np.ndarray) -> Iterator[None]:
+    """Within it only some of many numbers are wanted: loops and branches need not go on for the others."""
+    before, _MANY.wanted = _MANY.wanted, wanted
+    try:
+        yield
+    finally:
+        _MANY.wanted = before
+
+
 def while_loop(unfinished: Callable[[Any], Any], improve: Callable[[Any], Any], state: Any) -> Any:
     """A state, improved while it is unfinished, as :func:`jax.lax.while_loop`.
 
     A state of NumPy's numbers that becomes one of JAX's on the way, by what the functions close over, goes on as one.
-    Of many states at once each keeps what it had when it was finished.
+    Of many states at once each keeps what it had when it was finished; loops and branches inside go on for the others.
     """
     while not uses_jax(state):
         going = unfinished(state)
         if is_of_jax(going):
             break
         if isinstance(going, Many):
-            if not going.values.any():
+            wanted = _wanted(going.values)
+            if not wanted.any():
                 return state
-            better = improve(state)
-            state = better if going.values.all() else chosen(going, better, state)
+            with _only(wanted):
+                better = improve(state)
+            state = better if wanted.all() else chosen(Many(wanted), better, state)
             continue
         if not going:
             return state
@@ -72,7 +100,10 @@ def fori_loop(
 def is_rounding(residual: Any) -> bool:
     """Whether residuals of equations whose terms are of order 1 are all as small as rounding makes them."""
     left = plain(residual)
-    return not np.any((left.values if isinstance(left, Many) else left) > _ROUNDING)
+    if isinstance(left, Many):
+        most = left.values.reshape(len(left.values), -1).max(axis=1, initial=0.0)
+        return not np.any(_wanted(most > _ROUNDING))
+    return not np.any(left > _ROUNDING)
 
 
 #: Four times the relative rounding error of a double.
@@ -108,10 +139,18 @@ def cond(condition: Any, yes: Callable[..., Any], no: Callable[..., Any], *numbe
             return result
 
         return jax.lax.cond(condition, for_jax(yes), for_jax(no), *numbers)
-    if isinstance(condition, Many) and condition.values.any() and not condition.values.all():
-        return chosen(condition, yes(*numbers), no(*numbers))
-    taken = condition.values.any() if isinstance(condition, Many) else condition
-    return yes(*numbers) if taken else no(*numbers)
+    if not isinstance(condition, Many):
+        return yes(*numbers) if condition else no(*numbers)
+    met, missed = _wanted(condition.values), _wanted(~condition.values)
+    if not missed.any():
+        return yes(*numbers)
+    if not met.any():
+        return no(*numbers)
+    with _only(met):
+        of_met = yes(*numbers)
+    with _only(missed):
+        of_missed = no(*numbers)
+    return chosen(condition, of_met, of_missed)
 
 
 def map_over(function: Callable[[Any], Any], given: Any) -> Any:
@@ -123,15 +162,6 @@ def map_over(function: Callable[[Any], Any], given: Any) -> Any:
         return jax.lax.map(function, given)
 
     return _over(function, by_jax, (given,), out_axis=0)
-
-
-class _ManyAtOnce(threading.local):
-    """Whether a function of many numbers at once is being computed in this thread."""
-
-    active = False
-
-
-_MANY = _ManyAtOnce()
 
 
 def vectorised(function: Callable[..., Any], *, out_axis: int = 0) -> Callable[..., Any]:

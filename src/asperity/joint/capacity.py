@@ -140,19 +140,19 @@ def loading(
 def excesses_of(state: DriveState, normal_at_rest: Array, slip: Array, *sizes: Array) -> Array:
     """By how much a state exceeds each limit, in the order of :func:`asperity.joint.torque_limits.named_capacity` [-].
 
-    ``slip``: slip ratios; ``sizes``: excesses of the widths of strips, then of walls, shape (contacts,).
+    ``slip``: slip ratios; ``sizes``: excesses of the widths of strips, then of walls, shape (contacts,). Where no state
+    was found, its forces have no meaning, and nothing else is exceeded.
     """
+    found = state.worst < STATE_TOLERANCE
     touching = state.normal > _LIFTED * normal_at_rest
     begins = xp.where(state.slides != 0.0, -1.0, slip - 1.0 - SLIP_TOLERANCE)
-    return xp.concatenate(
-        [
-            -xp.ones(1),  # pins without friction do not lock
-            xp.where(touching, begins, -1.0),
-            _LIFTED - state.normal / normal_at_rest,
-            *sizes,
-            xp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
-        ]
-    )
+    of_state = [
+        -xp.ones(1),  # pins without friction do not lock
+        xp.where(touching, begins, -1.0),
+        _LIFTED - state.normal / normal_at_rest,
+        *sizes,
+    ]
+    return xp.concatenate([xp.where(found, xp.concatenate(of_state), -1.0), xp.where(found, -1.0, 1.0)[None]])
 
 
 def first_guess(joint: Joint, rest: DriveState) -> Real:

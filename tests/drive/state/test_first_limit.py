@@ -154,3 +154,11 @@ def test_a_search_goes_no_farther_than_it_may(farthest, value):
     found = first_limit_of_numbers(excesses=excesses, first_guess=np.ones(2), farthest=farthest)
     np.testing.assert_allclose(found.value, np.full(2, value), rtol=1e-12)
     assert max(seen, default=0.0) <= farthest
+
+
+def test_a_search_that_has_ended_stays_where_it_ended_beside_one_that_goes_on():
+    """Both have limits at 5; that from 2 may not look beyond 2."""
+    limits = of_each(lambda x: xp.stack([x / 5.0 - 1.0]))
+    found = first_limit_of_numbers(excesses=limits, first_guess=np.array([2.0, 9.0]), farthest=1.0)
+    np.testing.assert_allclose(found.value, [math.inf, 5.0], rtol=1e-12)
+    assert found.which.tolist() == [-1, 0]

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from asperity.engine import trees
 from asperity.engine.arrays import uses_jax, xp
 from asperity.engine.control import vectorised, while_loop
 from asperity.engine.derivatives import without_slopes
@@ -134,12 +135,14 @@ def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real, 
     The excesses are those of ``looks`` values at once, along an axis before those of the start.
     """
 
-    def unfinished(state: _Search) -> Array:
+    def searching(state: _Search) -> Array:
         wide = (state.upper - state.lower > SEARCH_TOLERANCE * state.upper) & (
             state.upper > SMALLEST_SHARE * start
         )
-        searching = ~state.bracketed & (state.upper <= farthest * start) | state.bracketed & wide
-        return xp.any(searching) & (state.steps < _MOST_STEPS)
+        return ~state.bracketed & (state.upper <= farthest * start) | state.bracketed & wide
+
+    def unfinished(state: _Search) -> Array:
+        return xp.any(searching(state)) & (state.steps < _MOST_STEPS)
 
     def narrow(state: _Search) -> _Search:
         """Next to nothing, then the first guess, doubled until a limit is reached; then narrow the interval."""
@@ -154,7 +157,7 @@ def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real, 
         known = xp.where(xp.isnan(excess), -1.0, excess)
         largest, at = xp.max(known, axis=0), xp.argmax(known, axis=0)
         further = xp.where((state.steps == 0) & (looks == 1), start, 2.0 * state.upper)
-        return _Search(
+        narrowed = _Search(
             lower=_before(last, trials, state.lower),
             upper=xp.where(reached, _at(first, trials), xp.where(state.bracketed, state.upper, further)),
             below=_before(last, largest, state.below),
@@ -167,6 +170,9 @@ def _searched(excesses: Callable[[Array], Array], start: Array, farthest: Real, 
             nearest=_before(last, at, state.nearest),
             steps=state.steps + 1,
         )
+        goes_on = searching(state)
+        kept: _Search = trees.map(lambda new, old: xp.where(goes_on, new, old), narrowed, state)
+        return kept._replace(steps=narrowed.steps)
 
     nowhere = xp.zeros_like(start, dtype=bool)
     nothing = xp.zeros_like(start)

@@ -39,6 +39,9 @@ from asperity.linear import solve, solve_in_turn
 from asperity.types import Array, Real
 
 _NEWTON_BUDGET = 60
+_PATIENCE = (
+    15  # steps without a shorter one after which a search is given up: towards a root they become shorter
+)
 _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
 _SMALLEST_STEP = 1e-13
 #: Steps shorter than this become shorter as their squares do, and the next one can be foretold.
@@ -79,7 +82,8 @@ def newton(
     Notes
     -----
     The search ends with a step that is as small as rounding errors, or after which the next one would be: with
-    quadratic convergence a step s after a step t is followed by one of :math:`s\,(s/t)^2`.
+    quadratic convergence a step s after a step t is followed by one of :math:`s\,(s/t)^2`. It is given up where steps
+    have not become shorter for a while.
 
     References
     ----------
@@ -87,24 +91,44 @@ def newton(
     """
     start, shape = in_one(first)
 
-    def unfinished(state: tuple[Array, Array, Array, Array]) -> Array:
-        _, size, before, steps = state
-        settled = (size < _SHORT_STEP) & (size * (size / before) ** 2 < _SMALLEST_STEP)
-        return (size > _SMALLEST_STEP) & ~settled & (size < longest) & (steps < _NEWTON_BUDGET)
+    def unfinished(state: _Iterate) -> Array:
+        size = state.size
+        settled = (size < _SHORT_STEP) & (size * (size / state.before) ** 2 < _SMALLEST_STEP)
+        patient = (state.steps < _NEWTON_BUDGET) & (state.steps < state.best + _PATIENCE)
+        return (size > _SMALLEST_STEP) & ~settled & (size < longest) & patient
 
-    def improve(state: tuple[Array, Array, Array, Array]) -> tuple[Array, Array, Array, Array]:
-        x, before, _, steps = state
-        step, _ = in_one(step_at(shape(x)))
-        normal, falling = x[:positive], step[:positive]
+    def improve(state: _Iterate) -> _Iterate:
+        step, _ = in_one(step_at(shape(state.x)))
+        normal, falling = state.x[:positive], step[:positive]
         room = xp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, xp.inf)
         share = xp.minimum(1.0, xp.min(room))
-        return x - share * step, xp.max(xp.abs(step)), before, steps + 1
+        size, steps = xp.max(xp.abs(step)), state.steps + 1
+        shortest = size < state.shortest
+        return _Iterate(
+            x=state.x - share * step,
+            size=size,
+            before=state.size,
+            steps=steps,
+            shortest=xp.where(shortest, size, state.shortest),
+            best=xp.where(shortest, steps, state.best),
+        )
 
     nothing = tied_zeros(start[0])
+    count = nothing.astype(int)
     # no step has gone before the first one: it foretells nothing
-    begin = (start, nothing + 1.0, nothing, nothing.astype(int))
-    x, size, _, _ = while_loop(unfinished, improve, begin)
-    return shape(x), size
+    last = while_loop(
+        unfinished, improve, _Iterate(start, nothing + 1.0, nothing, count, nothing + xp.inf, count)
+    )
+    return shape(last.x), last.size
+
+
+class _Iterate(NamedTuple):
+    x: Array
+    size: Array  # largest change of an unknown in the last step, not shortened
+    before: Array  # and in the step before
+    steps: Array
+    shortest: Array  # the smallest of these changes so far
+    best: Array  # the step that made it
 
 
 # a state in which contacts slide: more than this, or a longer last step of Newton's method, is that of a mechanism
