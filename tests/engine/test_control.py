@@ -1,5 +1,6 @@
 """Loops, branches and maps: Python's for known numbers, and what JAX makes of them in its programs."""
 
+import math
 import warnings
 
 import jax
@@ -95,6 +96,102 @@ def test_each_of_many_keeps_its_array_when_its_loop_was_finished():
     for one, row in zip(found, np.abs(MATRIX), strict=True):
         steps = np.ceil(3.0 / row.max())
         np.testing.assert_allclose(one, row * steps, rtol=1e-14)
+
+
+def test_a_loop_inside_goes_on_only_for_those_that_the_loop_outside_wants():
+    """The outer loop takes 1, 2 and 3 steps; the inner one as many as its number says, which grow from step to step."""
+    inner_steps = []
+
+    def count(number):
+        steps = 0
+
+        def step(left):
+            nonlocal steps
+            steps += 1
+            return left - 1.0
+
+        left = while_loop(lambda left: left > 0.0, step, number)
+        inner_steps.append(steps)
+        return left
+
+    def outer(last):
+        def improve(state):
+            number, done = state
+            return number + 10.0 + count(number), done + 1.0
+
+        return while_loop(lambda state: state[1] < last, improve, (100.0 / last**2, 0.0 * last))
+
+    last = np.array([1.0, 2.0, 3.0])
+    found = vectorised(outer)(last)
+    # 100 of the first, which takes no part any more; then 35 of the second; then 30 of the third, at 29.4
+    assert inner_steps == [100, 35, 30]
+    alone = [outer(each) for each in last]
+    np.testing.assert_allclose(found[0], [number for number, _ in alone], rtol=1e-15)
+    np.testing.assert_array_equal(found[1], last)
+
+
+def test_a_branch_inside_a_loop_is_that_of_those_that_the_loop_wants():
+    """Numbers above 5 have left the loop: nobody asks for their branch any more."""
+    taken = []
+
+    def branch(name, value):
+        taken.append(name)
+        return value
+
+    def improve(number):
+        return cond(
+            number < 5.0,
+            lambda x: branch("below", x + 2.0),
+            lambda x: branch("above", x + 100.0),
+            number,
+        )
+
+    found = vectorised(lambda number: while_loop(lambda x: x < 5.0, improve, number))(
+        np.array([0.0, 4.0, 7.0])
+    )
+    np.testing.assert_array_equal(found, [6.0, 6.0, 7.0])
+    assert taken == ["below"] * 3
+
+
+def test_loops_inside_a_branch_go_on_for_those_of_this_branch():
+    """Halved until it is below 1: of the branch of small numbers that is never, of the other one 3 times."""
+    steps = []
+
+    def halved(number):
+        def half(x):
+            steps.append(1)
+            return 0.5 * x
+
+        return while_loop(lambda x: x >= 1.0, half, number)
+
+    found = vectorised(lambda x: cond(x < 3.0, lambda x: x, halved, x))(np.array([2.0, 4.0, 7.0]))
+    np.testing.assert_array_equal(found, [2.0, 0.5, 0.875])
+    assert len(steps) == 3
+
+
+def test_steps_end_where_those_that_are_wanted_are_settled():
+    """Newton's steps towards roots of 2 settle for the number that goes on, whatever the other one does."""
+    steps = []
+
+    def root(number):
+        def step(_, x):
+            steps.append(1)
+            return 0.5 * (x + number / x)
+
+        def settled(before, after):
+            return is_rounding(abs(after / before - 1.0))
+
+        return fori_loop(0, 50, step, number, settled=settled)
+
+    def outer(number):
+        return while_loop(lambda x: x > 3.0, root, number)
+
+    found = vectorised(outer)(np.array([2.0, 6.0]))
+    np.testing.assert_allclose(found, [2.0, math.sqrt(6.0)], rtol=1e-15)
+    alone = len(steps)
+    steps.clear()
+    outer(np.array(6.0))
+    assert alone == len(steps)
 
 
 def test_slopes_of_many_go_through_a_loop():

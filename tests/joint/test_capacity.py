@@ -86,7 +86,10 @@ def test_a_strip_stays_below_the_smaller_radius_or_wall(planar_joint):
 
 
 def test_by_how_much_a_state_exceeds_each_limit():
-    """Two contacts, of which the second is apart or slides: slip, lift-off, width, walls, and whether it is solved."""
+    """Two contacts, of which the second is apart or slides: slip, lift-off, width, walls, and whether it is solved.
+
+    Where no state was found, of its forces only one that became nothing has a meaning.
+    """
     rest, slip, wide, thin = (
         np.array(pair) for pair in ([100.0, 50.0], [1.2, 0.5], [-0.3, 0.1], [-0.8, -0.9])
     )
@@ -97,8 +100,11 @@ def test_by_how_much_a_state_exceeds_each_limit():
     apart = SimpleNamespace(
         normal=np.array([80.0, -1.0]), slides=np.array([1.0, 0.0]), worst=np.asarray(1e-3)
     )
-    left = [-1.0, -1.0, -1.0, -0.8, 0.02, -0.3, 0.1, 1.0]
+    left = [-1.0, -1.0, -1.0, -0.8, 0.02, -1.0, -1.0, 1.0]
     np.testing.assert_allclose(excesses_of(apart, rest, slip, wide), left, rtol=1e-9)
+    unknown = SimpleNamespace(normal=np.array([80.0, 20.0]), slides=np.zeros(2), worst=np.asarray(np.inf))
+    nothing_else = [-1.0, -1.0, -1.0, -0.8, -0.4, -1.0, -1.0, 1.0]
+    np.testing.assert_allclose(excesses_of(unknown, rest, slip, wide), nothing_else, rtol=1e-9)
 
 
 def test_the_search_for_the_capacity_starts_where_all_contacts_of_one_kind_slip(planar_joint):

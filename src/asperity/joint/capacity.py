@@ -141,18 +141,21 @@ def excesses_of(state: DriveState, normal_at_rest: Array, slip: Array, *sizes: A
     """By how much a state exceeds each limit, in the order of :func:`asperity.joint.torque_limits.named_capacity` [-].
 
     ``slip``: slip ratios; ``sizes``: excesses of the widths of strips, then of walls, shape (contacts,). Where no state
-    was found, its forces have no meaning, and nothing else is exceeded.
+    was found, slip and widths have no meaning and are not exceeded; a contact that has lifted off, as its force became
+    nothing in the search, is the reason why there is none.
     """
     found = state.worst < STATE_TOLERANCE
     touching = state.normal > _LIFTED * normal_at_rest
     begins = xp.where(state.slides != 0.0, -1.0, slip - 1.0 - SLIP_TOLERANCE)
-    of_state = [
-        -xp.ones(1),  # pins without friction do not lock
-        xp.where(touching, begins, -1.0),
-        _LIFTED - state.normal / normal_at_rest,
-        *sizes,
-    ]
-    return xp.concatenate([xp.where(found, xp.concatenate(of_state), -1.0), xp.where(found, -1.0, 1.0)[None]])
+    return xp.concatenate(
+        [
+            -xp.ones(1),  # pins without friction do not lock
+            xp.where(found & touching, begins, -1.0),
+            _LIFTED - state.normal / normal_at_rest,
+            *(xp.where(found, size, -1.0) for size in sizes),
+            xp.where(found, -1.0, 1.0)[None],
+        ]
+    )
 
 
 def first_guess(joint: Joint, rest: DriveState) -> Real:

@@ -39,9 +39,9 @@ from asperity.linear import solve, solve_in_turn
 from asperity.types import Array, Real
 
 _NEWTON_BUDGET = 60
-_PATIENCE = (
-    15  # steps without a shorter one after which a search is given up: towards a root they become shorter
-)
+#: Steps without a shorter one after which a search is given up: towards a root they become shorter. Enough to take a
+#: force that falls to nothing below what :mod:`asperity.joint.capacity` calls lifted off.
+_PATIENCE = 20
 _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
 _SMALLEST_STEP = 1e-13
 #: Steps shorter than this become shorter as their squares do, and the next one can be foretold.
