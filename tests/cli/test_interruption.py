@@ -6,9 +6,12 @@ The signal is sent by the process to itself at a known place, by an audit hook o
 import os
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
+
+from asperity.cli import main
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SOURCES = Path(__file__).parents[2] / "src"
@@ -155,3 +158,21 @@ def test_a_step_that_python_cannot_interrupt_is_not_waited_for(tmp_path, number,
     ended = interrupted(tmp_path, *command, number=number, patch=STUCK)
     assert answer(ended) == (code, "before\n", f"asperity: {says}")
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="the system does not list open files")
+def test_a_command_leaves_no_file_open(monkeypatch, capsys):
+    """Where several run in one process."""
+
+    def run():
+        monkeypatch.setattr(sys, "argv", ["asperity", "materials"])
+        with pytest.raises(SystemExit):
+            main()
+        return len(os.listdir("/proc/self/fd"))
+
+    first = run()
+    threads = [thread for thread in threading.enumerate() if thread.daemon]
+    for thread in threads:
+        thread.join(0.1)  # the one that has waited for signals closes what it has read from
+    assert run() <= first
+    assert "52100" in capsys.readouterr().out

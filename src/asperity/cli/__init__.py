@@ -47,6 +47,7 @@ class Interruptions:
     def __init__(self) -> None:
         self.said: tuple[str, int] | None = None
         self._over, self._since, self._unraisable = False, 0.0, sys.unraisablehook
+        self._wakes: int | None = None  # where the system writes the numbers of signals
         self._first = (
             threading.Lock()
         )  # whoever has it ends the process: the handler of the signal or the thread
@@ -58,9 +59,9 @@ class Interruptions:
             if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # else it is ignored
                 signal.signal(signal.SIGINT, self._asked)
             if os.name == "posix":
-                woken, wakes = os.pipe()
-                os.set_blocking(wakes, False)
-                signal.set_wakeup_fd(wakes, warn_on_full_buffer=False)
+                woken, self._wakes = os.pipe()
+                os.set_blocking(self._wakes, False)
+                signal.set_wakeup_fd(self._wakes, warn_on_full_buffer=False)
                 threading.Thread(target=self._watch, args=(woken,), daemon=True).start()
         return self
 
@@ -69,6 +70,9 @@ class Interruptions:
         if self.said and hasattr(signal, "setitimer"):
             signal.setitimer(signal.ITIMER_REAL, 0.0)
         sys.unraisablehook = self._unraisable
+        if self._wakes is not None:
+            signal.set_wakeup_fd(-1)
+            os.close(self._wakes)  # which ends the thread
         if error is None:  # it has ended in time
             self.said = None
         elif isinstance(error, KeyboardInterrupt):
@@ -103,7 +107,8 @@ class Interruptions:
 
     def _watch(self, woken: int) -> None:
         """End the process upon a signal that waits too long for its handler, where this is ours."""
-        for number in iter(lambda: os.read(woken, 1)[0], None):
+        while read := os.read(woken, 1):
+            number = read[0]
             if number not in (signal.SIGINT, signal.SIGTERM):
                 continue
             time.sleep(_LONGEST_STEP)
@@ -114,6 +119,7 @@ class Interruptions:
 
                     abandon()
                 self.end(_LINES[number])
+        os.close(woken)
 
     def end(self, line: tuple[str, int]) -> NoReturn:
         """Say the line, and end the process now with the exit code."""

@@ -7,7 +7,7 @@ import ipaddress
 import itertools
 import logging
 import os
-import select
+import selectors
 import socket
 import sys
 from collections.abc import Callable
@@ -179,10 +179,11 @@ def impatient_protocol() -> type[asyncio.Protocol]:
 
         def _has_asked(self) -> bool:
             """Whether something waits to be read: the requests of a burst are accepted before they are."""
-            number = self.transport.get_extra_info("socket").fileno()
             try:
-                return number >= 0 and bool(select.select([number], [], [], 0.0)[0])
-            except (OSError, ValueError):  # closed, or one of more than the system looks at
+                with selectors.DefaultSelector() as look:
+                    look.register(self.transport.get_extra_info("socket"), selectors.EVENT_READ)
+                    return bool(look.select(0.0))
+            except (OSError, ValueError):  # it is closed
                 return False
 
         def _leave(self) -> None:
