@@ -162,3 +162,40 @@ def test_a_search_that_has_ended_stays_where_it_ended_beside_one_that_goes_on():
     found = first_limit_of_numbers(excesses=limits, first_guess=np.array([2.0, 9.0]), farthest=1.0)
     np.testing.assert_allclose(found.value, [math.inf, 5.0], rtol=1e-12)
     assert found.which.tolist() == [-1, 0]
+
+
+@pytest.mark.parametrize(
+    "excess",
+    [
+        lambda x: (x / 7.0) ** 41 - 1.0,
+        lambda x: 1.0 - (7.0 / x) ** 41,
+        lambda x: np.where(x > 7.0, 1e6, -1e-6),
+        lambda x: np.where(x > 4.0 + 1e-9, 1.0, -1e-9),
+    ],
+)
+def test_a_search_one_by_one_takes_no_more_looks_than_halving_and_one(excess):
+    """Next to nothing, at 1, 2, 4 and 8 and at the end for its derivative; from 4 to 8 to 1e-13 of 7 in 43 halvings."""
+    looks = []
+
+    def excesses(x):
+        looks.append(float(x))
+        return np.stack([excess(x)])
+
+    with np.errstate(all="ignore"):
+        found = first_limit(excesses=excesses, first_guess=1.0)
+    assert float(found.value) == pytest.approx(looks[-1], rel=1e-12)
+    halvings = math.ceil(math.log2(4.0 / (1e-13 * float(found.value))))
+    assert len(looks) <= 1 + 5 + halvings + 1
+
+
+@pytest.mark.parametrize("excess", [lambda x: np.expm1(x - 7.0), lambda x: (x / 7.0) ** 8 - 1.0])
+def test_a_search_one_by_one_follows_its_chords_where_they_are_bounded_at_first(excess):
+    """A chord that is too far from the middle is followed as far as halving allows: 12 looks, not 50."""
+    looks = []
+
+    def excesses(x):
+        looks.append(float(x))
+        return np.stack([excess(x)])
+
+    assert float(first_limit(excesses=excesses, first_guess=1.0).value) == pytest.approx(7.0, rel=1e-12)
+    assert len(looks) <= 16
