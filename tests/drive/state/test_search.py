@@ -196,26 +196,22 @@ def test_positive_unknowns_stay_positive():
 
 
 def test_a_step_keeps_a_fifth_of_a_positive_unknown():
-    """x = -3 has no positive root: steps that each keep a fifth, until those to it, 3 + x, become no shorter."""
+    """x = -3 has no positive root: steps that each keep a fifth, until hardly anything is left, 0.2^21 < 1e-14."""
     found, last = newton(step_of(lambda x: x + 3.0), np.array([1.0]), positive=1)
     assert float(last) == pytest.approx(3.0)
-    kept = np.log(found[0]) / np.log(0.2)
-    assert kept == pytest.approx(round(kept), rel=1e-9)
-    assert (
-        35.0 < kept < 50.0
-    )  # 3 + 0.2^k is 3 in double precision from about the 20th on, and 20 more are waited for
+    assert np.log(found[0]) == pytest.approx(21.0 * np.log(0.2), rel=1e-12)
 
 
 def test_a_search_whose_steps_do_not_become_shorter_is_given_up():
-    """x^2 = -1 has no root, and Newton's steps to it grow; a root at the end of long steps of equal size is found."""
+    """Steps of 1 for ever lead nowhere; a root at the end of some steps of equal size is found."""
     taken = []
 
     def step(x):
         taken.append(float(x[0]))
-        return (x * x + 1.0) / (2.0 * x)
+        return -np.ones(1)
 
     _, last = newton(step, np.array([0.7]), positive=1)
-    assert float(last) > 1.0
+    assert float(last) == 1.0
     assert len(taken) == 21
     # steps of 1 towards 18.5, of which only the last one is shorter
     found, last = newton(lambda x: xp.clip(x - 18.5, -1.0, 1.0), np.array([0.7]), positive=1)

@@ -39,9 +39,11 @@ from asperity.linear import solve, solve_in_turn
 from asperity.types import Array, Real
 
 _NEWTON_BUDGET = 60
-#: Steps without a shorter one after which a search is given up: towards a root they become shorter. Enough to take a
-#: force that falls to nothing below what :mod:`asperity.joint.capacity` calls lifted off.
+#: Steps without a shorter one after which a search is given up: towards a root they become shorter.
 _PATIENCE = 20
+#: Share of what it was below which a positive unknown is lost, as it falls to nothing: what
+#: :mod:`asperity.joint.capacity` calls lifted off, by far.
+_NOTHING = 1e-14
 _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
 _SMALLEST_STEP = 1e-13
 #: Steps shorter than this become shorter as their squares do, and the next one can be foretold.
@@ -83,7 +85,7 @@ def newton(
     -----
     The search ends with a step that is as small as rounding errors, or after which the next one would be: with
     quadratic convergence a step s after a step t is followed by one of :math:`s\,(s/t)^2`. It is given up where steps
-    have not become shorter for a while.
+    have not become shorter for a while, and where a positive unknown falls to nothing.
 
     References
     ----------
@@ -95,7 +97,8 @@ def newton(
         size = state.size
         settled = (size < _SHORT_STEP) & (size * (size / state.before) ** 2 < _SMALLEST_STEP)
         patient = (state.steps < _NEWTON_BUDGET) & (state.steps < state.best + _PATIENCE)
-        return (size > _SMALLEST_STEP) & ~settled & (size < longest) & patient
+        lost = xp.min(state.x[:positive]) < _NOTHING
+        return (size > _SMALLEST_STEP) & ~settled & (size < longest) & patient & ~lost
 
     def improve(state: _Iterate) -> _Iterate:
         step, _ = in_one(step_at(shape(state.x)))
