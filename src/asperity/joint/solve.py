@@ -10,7 +10,7 @@ import numpy as np
 
 from asperity.body.stepped import WIDEST_BORE
 from asperity.drive.layout.existence import refuse_impossible
-from asperity.drive.state.state import ContactLaws, DriveState
+from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveState
 from asperity.drive.state.states import DriveStates
 from asperity.engine import trees
 from asperity.engine.arrays import as_numbers
@@ -305,7 +305,7 @@ def _thinnest_wall(joint: Joint) -> str:
 
 
 def _is_pressed(state: DriveState) -> bool:
-    return float(state.worst) < np.inf and bool(np.all(np.asarray(state.normal) > 0.0))
+    return float(state.worst) < STATE_TOLERANCE and bool(np.all(np.asarray(state.normal) > 0.0))
 
 
 def _beyond_what_is_computed(joint: Joint, solution: Solution, capacity: TorqueCapacity) -> str:
