@@ -199,3 +199,23 @@ def test_a_search_one_by_one_follows_its_chords_where_they_are_bounded_at_first(
 
     assert float(first_limit(excesses=excesses, first_guess=1.0).value) == pytest.approx(7.0, rel=1e-12)
     assert len(looks) <= 16
+
+
+def test_a_limit_far_below_a_small_first_guess_is_no_limit_at_once():
+    """A thousandth of the guess of 1e-6: what lies next to nothing is a share of the guess."""
+    found = first_limit_of_numbers(
+        excesses=of_each(lambda x: xp.stack([x / 1e-9 - 1.0])), first_guess=np.array([1e-6])
+    )
+    np.testing.assert_allclose(found.value, 1e-9, rtol=1e-12)
+
+
+@pytest.mark.parametrize("guess", [1e-6, 1e6])
+def test_a_limit_at_once_takes_one_look_whatever_the_first_guess(guess):
+    looks = []
+
+    def excesses(x):
+        looks.append(x[0, 0])
+        return np.stack([1.0 + x])
+
+    found = first_limit_of_numbers(excesses=excesses, first_guess=np.array([guess]))
+    assert (float(found.value[0]), looks) == (0.0, [pytest.approx(1e-12 * guess)])
