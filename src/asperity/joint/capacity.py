@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import functools
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -181,39 +180,33 @@ def torque_capacities(machine: JointMachine, without_torque: Pressed) -> TorqueC
 
     [N·m], equations (A9) and (M3) of :doc:`/equations`.
     """
-    ways, hold = (1.0, -1.0), (False, False, True, True)
-    standing = searched_capacities(CapacitySearches(ways * 2, hold, rolls=False), machine, without_torque)
-    rolling = searched_capacities(CapacitySearches(ways, hold[:2], rolls=True), machine, without_torque)
+    ways, still = np.array([1.0, -1.0]), np.repeat([False, True], 2)
+    standing = searched_torques(machine, without_torque, direction=np.tile(ways, 2), rolls=False, holds=still)
+    rolling = searched_torques(machine, without_torque, direction=ways, rolls=True, holds=still[:2])
     with_slip, holding = (trees.map(lambda leaf, at=at: leaf[at], standing) for at in (np.s_[:2], np.s_[2:]))
     return TorqueCapacities(with_slip, rolling, holding)
 
 
-class CapacitySearches(NamedTuple):
-    """Torque capacities that are searched together: in directions, 1 or −1, with the flags of :func:`loading`."""
-
-    direction: tuple[float, ...]
-    holds: tuple[bool, ...]
-    rolls: bool
-
-
-def searched_capacities(
-    searches: CapacitySearches, machine: JointMachine, without_torque: Pressed
+def searched_torques(
+    machine: JointMachine,
+    without_torque: Pressed,
+    *,
+    direction: np.ndarray,
+    rolls: bool,
+    holds: np.ndarray,
 ) -> TorqueCapacity:
-    """Torque capacities of one joint, of NumPy's numbers, as :func:`torque_capacities`, along the first axis."""
-    known: TorqueCapacity = at_once(functools.partial(_searched, searches), machine, without_torque)
-    return known
+    """As :func:`limiting_torques`, of one joint of NumPy's numbers: all searches side by side, without derivatives."""
 
+    def search(machine: JointMachine, without_torque: Pressed) -> TorqueCapacity:
+        loaded = loading(machine, without_torque)
+        each = of_each(
+            lambda torque, sign, hold: loaded(sign * torque, rolls, hold).excesses, direction, holds
+        )
+        guess = xp.full(direction.size, first_guess(machine.joint, without_torque.rest))
+        return _named(machine.joint, first_limit_of_numbers(excesses=each, first_guess=guess))
 
-def _searched(searches: CapacitySearches, machine: JointMachine, without_torque: Pressed) -> TorqueCapacity:
-    loaded = loading(machine, without_torque)
-    each = of_each(
-        lambda torque, sign, holds: loaded(sign * torque, searches.rolls, holds).excesses,
-        np.array(searches.direction),
-        np.array(searches.holds),
-    )
-    guess = xp.full(len(searches.direction), first_guess(machine.joint, without_torque.rest))
-    limit = first_limit_of_numbers(excesses=each, first_guess=guess)
-    return _named(machine.joint, limit)
+    found: TorqueCapacity = at_once(search, machine, without_torque)
+    return found
 
 
 def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rolls: bool) -> TorqueCapacity:
@@ -232,7 +225,10 @@ def capacity_both_ways(joint: Joint, rest: DriveState, laws: ContactLaws, *, rol
 def limiting_torques(
     machine: JointMachine, without_torque: Pressed, *, direction: Array, rolls: bool, holds: Array
 ) -> TorqueCapacity:
-    """Largest output torques that keep every limit: signs, and as of :func:`loading`, shape (searches,) [N·m]."""
+    """Largest output torques that keep every limit, shape (searches,) [N·m], with derivatives.
+
+    ``direction``: their signs; ``rolls`` and ``holds``, the flags of :func:`loading`.
+    """
     loaded = loading(machine, without_torque)
     guess = first_guess(machine.joint, without_torque.rest)
 

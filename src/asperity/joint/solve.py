@@ -19,7 +19,7 @@ from asperity.engine.module import Module
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.assembled import Pressed, assembled
 from asperity.joint.bores import overhang, refuse_pins
-from asperity.joint.capacity import CapacitySearches, searched_capacities, torque_capacities
+from asperity.joint.capacity import searched_torques, torque_capacities
 from asperity.joint.description import Joint, pin_names, tracks_of
 from asperity.joint.evaluation import JointResult, assembled_joint, joint_result, states_under_torque
 from asperity.joint.fit import refuse_loose
@@ -121,7 +121,7 @@ def solve_joint(joint: Joint) -> Solution:
 
 
 def refuse_impossible_joint(joint: Joint) -> Joint:
-    """The joint with NumPy's numbers, unless its parts do not fit; nothing is compiled."""
+    """The joint with NumPy's numbers, unless its parts do not fit."""
     joint = as_numbers(joint)
     refuse_impossible(joint.drive)
     refuse_housing(joint)  # first: what temperature does to the fit is not known without it
@@ -272,8 +272,13 @@ def _pressed_with(joint: Joint, key: str, size: float) -> Joint:
 def _standing_capacity(joint: Joint, direction: float) -> TorqueCapacity:
     """Capacity of one joint, standing, in one direction, 1 or −1."""
     machine: JointMachine = at_once(joint_machine, joint)
-    searches = CapacitySearches((direction,), (False,), rolls=False)
-    found = searched_capacities(searches, machine, at_once(assembled, machine))
+    found = searched_torques(
+        machine,
+        at_once(assembled, machine),
+        direction=np.array([direction]),
+        rolls=False,
+        holds=np.array([False]),
+    )
     capacity: TorqueCapacity = trees.map(lambda leaf: leaf[0], found)
     return capacity
 

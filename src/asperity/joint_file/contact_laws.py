@@ -48,8 +48,7 @@ def laws_side_by_side(
     """Assembled stiffness at the output and drift of a solved joint by several laws.
 
     ``used`` is the law of the joint, ``surfaces``: law → those of all contacts or of each. One entry a law; its numbers
-    are None where the joint has no solution or no stiffness; an empty list for one law only. Laws that take surfaces
-    of the same kind are solved by the programs that solved the joint.
+    are None where the joint has no solution or no stiffness; an empty list for one law only.
     """
     entries = []
     for law in (law for law in _OVER_BOUNDARY_ELEMENTS if law in surfaces and len(surfaces) > 1):

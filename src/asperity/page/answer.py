@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import contextvars
 import math
 from collections.abc import Mapping
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -44,9 +42,6 @@ def joint_answer(request: JointRequest) -> Answer:
     """Everything that the page shows of one joint."""
     case = request.case()
     solved, document = solve_with_surface(request.solved_case())
-    with ThreadPoolExecutor(1) as beside:  # the programs of both run at the same time
-        wound = beside.submit(contextvars.copy_context().run, _windup, solved)
-        curves = _curves(solved)
     return {
         "id": request.identity,
         "name": request.name,
@@ -55,9 +50,9 @@ def joint_answer(request: JointRequest) -> Answer:
         "drawing": drive_shapes(solved.joint, solved.result)
         | {"made_interference_m": made_interference(request.solved_case(), solved.result).size},
         "margins": [_margin(margin) for margin in margins(solved)],
-        "curves": curves,
+        "curves": _curves(solved),
         "creep": _creep(solved),
-        "windup": wound.result(),
+        "windup": _windup(solved),
     }
 
 

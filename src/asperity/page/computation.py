@@ -58,9 +58,7 @@ class Computations:
         try:
             return await asyncio.wait_for(asyncio.wrap_future(future), self._longest)
         except TimeoutError:
-            raise BusyError(
-                f"no answer within {self._longest:g} s; a first start compiles the programs, try again"
-            ) from None
+            raise BusyError(f"no answer within {self._longest:g} s; try again in a moment") from None
 
     def close(self, *, longest: float = 0.0) -> None:
         """Drop what waits, and finish what runs, for which it waits no longer than ``longest`` [s]."""

@@ -113,8 +113,8 @@ def place_labels(names: dict[str, tuple[str, ...]]) -> tuple[str, ...]:
 def torque_capacities(solved: SolvedJoint) -> JointCapacity:
     """Torque capacities of a joint for positive and negative torques, as positive numbers, along the first axis.
 
-    Equation (A9) of :doc:`/equations`. Of a joint that was solved by itself from the programs that solved it; of one in
-    a program with derivatives.
+    Equation (A9) of :doc:`/equations`. Of a joint that was solved by itself without derivatives, below the torques
+    at which it is known to slip; of one in a program with derivatives.
     """
     return solved.once(_of_numbers if "solution" in vars(solved) else _of_program)
 
