@@ -25,8 +25,8 @@ from asperity.made_files import (
     refuse_existing,
     table_with,
 )
-from asperity.report.content import Listing, Paragraph, Report
-from asperity.report.html import report_html
+from asperity.views.blocks import Listing, Paragraph, Report
+from asperity.views.html import report_html
 from asperity.writing import write_image, write_pages, write_text
 
 REPORTED = Report("A joint", [Paragraph("It holds.")])

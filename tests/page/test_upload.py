@@ -13,8 +13,8 @@ from asperity.page import upload
 from asperity.page.child import StoppedError
 from asperity.page.job_process import run_job
 from asperity.page.upload import measured_upload, opened_design, opened_joint, recognised, refuse_downloads
-from asperity.report.content import Report
-from asperity.report.html import report_html
+from asperity.views.blocks import Report
+from asperity.views.html import report_html
 from asperity.surface.measure_files import read_surface
 from asperity.surface.measurement import SCHEMA
 

@@ -11,8 +11,8 @@ from asperity.api.joint import DescribedJoint
 from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case
 from asperity.page.upload import refuse_downloads
-from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
-from asperity.report.html import report_html
+from asperity.views.blocks import Heading, Listing, Paragraph, Picture, Table
+from asperity.views.html import report_html
 from asperity.report.joint_report import ReportSource, choices_table, inputs_table, joint_report, label_of
 from asperity.report.pdf import typst_source
 from asperity.show.title_block import Title

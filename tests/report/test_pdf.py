@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from asperity.errors import MissingExtraError
-from asperity.report.content import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.views.blocks import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.pdf import _table, literal, report_pdf, require_typst, typst_source
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2 1" width="2" height="1"><path d="M0 0L1 1"/></svg>'

@@ -1,7 +1,7 @@
 """The evidence as a report says the same as the document that it is made of."""
 
-from asperity.report.content import Paragraph, Table
-from asperity.report.html import report_html
+from asperity.views.blocks import Paragraph, Table
+from asperity.views.html import report_html
 from asperity.report.validation_report import shown, validation_report
 
 

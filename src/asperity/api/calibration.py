@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity
-from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.api.shown import Shown, displayed, frame
 from asperity.errors import InputError
 from asperity.results import LEVELS, known_result
 from asperity.standing.windup import StiffnessLevel
@@ -19,16 +19,13 @@ from asperity.study.calibration.calibrate import (
     bound_words,
     calibrate_files,
     calibrated_text,
-    count_words,
-    estimate_note,
-    identifiability_words,
-    model_error_words,
 )
 from asperity.study.calibration.calibration_plot import calibration_figure
-from asperity.study.calibration.fitted_curve import residual_sentences
 from asperity.study.calibration.torque_history import History
 from asperity.study.calibration.unknowns import dimension_of, unit_of
-from asperity.units import format_quantity, from_si
+from asperity.units import from_si
+from asperity.views.blocks import Block
+from asperity.views.calibration import calibration as calibration_shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -165,22 +162,6 @@ class CalibratedJoint(Shown):
         """Draw data, fit and residuals; a notebook shows the figure, elsewhere call its ``savefig``."""
         return displayed(calibration_figure(self.calibration))
 
-    def _parts(self) -> list[str | Table]:
-        rows = []
-        for path, estimate in self._estimates.items():
-            unit = unit_of(path)
-            ends = [
-                format_quantity(end, unit, 6) if estimate.determined else "-"
-                for end in (estimate.lower, estimate.upper)
-            ]
-            value = format_quantity(estimate.value, unit, 6)
-            rows.append((path, "-" if estimate.at_bound else value, *ends, estimate_note(estimate)))
-        words = identifiability_words(self.calibration)
-        return [
-            count_words(self.calibration),
-            Table(("unknown", "estimate", "95 % from", "to", ""), rows),
-            *bound_words(self.calibration).values(),
-            *residual_sentences(self.calibration.curves),
-            model_error_words(self.calibration.model_error),
-            *("\n".join([heading, *sentences]) for heading, sentences in words.items()),
-        ]
+    def blocks(self) -> list[Block]:
+        """What ``asperity calibrate`` prints."""
+        return list(calibration_shown(self.calibration))

@@ -10,11 +10,12 @@ from typing import Any, NamedTuple
 
 from asperity.api.joint import DescribedJoint, load, require_joint
 from asperity.api.named_quantity import NamedQuantity, shown_number
-from asperity.api.shown import Shown, Table
+from asperity.api.shown import Shown
 from asperity.api.solution import JointSolution
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.pin_bound import bounded
 from asperity.joint_file.si_tables import stated_tables
+from asperity.views.blocks import Block, Paragraph, Table
 
 #: Results that a table shows if not all are asked for.
 MAIN_RESULTS = (
@@ -102,25 +103,23 @@ class JointComparison(Shown):
         chosen = [line for line in self.results if _row_of(line.name) in by_name]
         return tuple(sorted(chosen, key=lambda line: by_name[_row_of(line.name)]))
 
-    def tables(self, *, in_full: bool = False) -> list[str | Table]:
+    def blocks(self, *, in_full: bool = False) -> list[Block]:
         """The differences of the files, then those of the results: the main ones, or all."""
         sources = (self.one.source, self.other.source)
         short = Path(sources[0]).name, Path(sources[1]).name
         names = short if short[0] != short[1] else sources
-        parts: list[str | Table] = ["The files say the same."]
+        parts: list[Block] = [Paragraph("The files say the same.")]
         if self.inputs:
             rows = [(line.name, _shown(line.one), _shown(line.other), _change(line)) for line in self.inputs]
-            parts = [Table(("number or choice", *names, "change"), rows, title="What differs in the files")]
+            parts = [Table("What differs in the files", ("number or choice", *names, "change"), rows)]
         lines = self.results if in_full else self.main
         if lines:
             rows = [(line.said, *_sides(line), _change(line)) for line in lines]
-            parts.append(Table(("result", *names, "change"), rows, title="What differs in the results"))
+            parts.append(Table("What differs in the results", ("result", *names, "change"), rows))
         rest = len(self.results) - len(lines)
-        parts.append(f"{f'{rest} more results differ, ' if rest else ''}{self.same} results are the same.")
+        more = f"{rest} more results differ, " if rest else ""
+        parts.append(Paragraph(f"{more}{self.same} results are the same."))
         return parts
-
-    def _parts(self) -> list[str | Table]:
-        return self.tables()
 
     def document(self) -> dict[str, Any]:
         """All differences in SI units, for JSON; a number that is not known is None."""

@@ -7,17 +7,19 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity, columns_of
-from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.api.shown import Shown, displayed, frame
 from asperity.errors import NoSolutionError
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import key_at
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.results import RESULTS, known_result
+from asperity.results import known_result
 from asperity.study.design.design import design as search
 from asperity.study.design.design_file import read_design
-from asperity.study.design.design_result import DesignResult, bounds_words, shortcoming
+from asperity.study.design.design_result import DesignResult, shortcoming
 from asperity.study.parameters import long_name
-from asperity.units import format_quantity
+from asperity.views.blocks import Block
+from asperity.views.design import design as designed
+from asperity.views.design import design_warnings
 
 if TYPE_CHECKING:
     import xarray
@@ -110,19 +112,6 @@ class DesignedJoint(Shown):
 
         return displayed(design_figure(self.result))
 
-    def _parts(self) -> list[str | Table]:
-        result = self.result
-        goal = result.problem.objectives[0]
-        unit = RESULTS[goal.name].display_unit
-        before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
-        numbers = [
-            (path, format_quantity(self[path].si, self[path].unit, 6), result.at_bound.get(path, ""))
-            for path in self.keys()
-        ]
-        return [
-            f"{result.problem.goal} (worst case): {before} -> {after}",
-            result.met_words,
-            *(f"held by: {words}" for words in [bounds_words(result)] if words),
-            Table(("free number", "design", "at bound"), numbers),
-            "\n".join(limit.text for limit in result.limits),
-        ]
+    def blocks(self) -> list[Block]:
+        """What ``asperity design`` prints."""
+        return [*designed(self.result), *design_warnings(self.result)]

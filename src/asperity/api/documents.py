@@ -239,7 +239,7 @@ def write_report(
         with replacing(out, kind=REPORT) as part:
             part.write_bytes(content)
     else:
-        from asperity.report.html import report_html
+        from asperity.views.html import report_html
 
         write_text(report_html(made), out, kind=REPORT)
     return out

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
-from asperity.api.shown import Shown, Table
+from asperity.api.shown import Shown
 from asperity.export.content import export_content, heading
 from asperity.export.targets import check_target, exported, write_exported
 from asperity.joint_file.own_branches import with_own_branches
@@ -14,6 +14,7 @@ from asperity.joint_file.section_build import inertias_from_case
 from asperity.results import LEVELS, known_result
 from asperity.standing.windup import StiffnessLevel
 from asperity.unit_table import Dimension
+from asperity.views.blocks import Block, Paragraph
 
 
 def export_joint(
@@ -83,5 +84,6 @@ class ExportedFile(Shown):
     def __init__(self, path: Path, sentences: tuple[str, ...]) -> None:
         self.path, self.sentences = path, sentences
 
-    def _parts(self) -> list[str | Table]:
-        return list(self.sentences)
+    def blocks(self) -> list[Block]:
+        """What it contains, and what its user should know."""
+        return [Paragraph(sentence) for sentence in self.sentences]

@@ -9,12 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from asperity.api.named_quantity import NamedQuantity, columns_of, si_number
-from asperity.api.shown import Shown, Table, frame
+from asperity.api.shown import Shown, frame
 from asperity.errors import InputError, quoted
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.units import format_quantity
+from asperity.views.blocks import Block, Paragraph, Table
 
 if TYPE_CHECKING:
     from asperity.api.solution import JointSolution
@@ -241,9 +242,10 @@ class DescribedJoint(Shown):
         count = next(self[path] for path in _COUNTS if path in self.numbers)
         return f"{self.source}: {count.si:g} {count.label}, {stated}"
 
-    def _parts(self) -> list[str | Table]:
+    def blocks(self) -> list[Block]:
+        """The joint in one line, and the numbers of its file."""
         rows = [(path, format_quantity(q.si, q.unit, 6)) for path, q in self.numbers.items()]
-        return [self.summary, Table(("number", "value"), rows)]
+        return [Paragraph(self.summary), Table("Numbers of the joint file", ("number", "value"), rows)]
 
 
 def require_joint(joint: object) -> None:

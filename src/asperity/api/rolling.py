@@ -5,23 +5,18 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from asperity.api.joint import DescribedJoint, require_joint
-from asperity.api.shown import Table, displayed
+from asperity.api.shown import displayed
 from asperity.api.solution import JointSolution
 from asperity.joint.solve import refuse_no_rolling
 from asperity.joint_file.solved_document import solved_case
-from asperity.results.position_rows import position_rows
-from asperity.results.table import GROUPS
-from asperity.units import format_quantity
+from asperity.views.blocks import Block
+from asperity.views.screens import rolling_screen
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _WIDTH = 10.0  # of the picture [in]
-#: Groups of results about a joint that turns.
-_GROUPS = ("rolling", "losses", "life")
 
 
 def roll(joint: DescribedJoint) -> JointRolling:
@@ -75,31 +70,6 @@ class JointRolling(JointSolution):
         title = f"{plain_title(self._source)} in rolling"
         return displayed(rolling_figure(curves, result.rolling, joint=joint, title=title, width=_WIDTH))
 
-    def _parts(self) -> list[str | Table]:
-        position = [
-            (
-                f"{row.label}: {row.meaning}",
-                "–" if row.value is None else format_quantity(row.value, row.unit),
-            )
-            for row in position_rows(self.document)
-        ]
-        return [
-            self._summary,
-            Table(("quantity", "value"), position, "Position of the output"),
-            *self._rolling_tables(),
-            *self._limit_parts(),
-        ]
-
-    def _rolling_tables(self) -> list[str | Table]:
-        """Known results of the joint that turns: those of the whole joint, then one table for each kind of part."""
-        by_rows: dict[tuple[str, ...], list[tuple[str, ...]]] = {(): []}
-        for name in (name for group in _GROUPS for name in GROUPS[group] if name in self):
-            quantity = self[name]
-            if not np.all(np.isnan(quantity.si)):
-                by_rows.setdefault(quantity.rows, []).append((quantity.label, *map(str, quantity.singles())))
-        whole = Table(("result", "value"), by_rows.pop(()), "The joint that turns")
-        parts = (
-            Table(("result", *(part.replace("_", " ") for part in rows)), lines)
-            for rows, lines in by_rows.items()
-        )
-        return [whole, *parts]
+    def blocks(self) -> list[Block]:
+        """What ``asperity roll`` prints, without the assumptions."""
+        return list(rolling_screen(self.view, self._source))

@@ -3,41 +3,26 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.api.named_quantity import NamedQuantity, columns_of, shown_number
-from asperity.api.shown import Shown, Table, displayed, frame, pandas
-from asperity.joint.pin_bound import bounded
+from asperity.api.named_quantity import NamedQuantity, columns_of
+from asperity.api.shown import Shown, displayed, frame, pandas
 from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import document_of, full_document
 from asperity.results import LEVELS, Result, known_result, name_at_level
 from asperity.results.solved import SolvedJoint
 from asperity.results.table import results_of_joint
+from asperity.views.blocks import Block
+from asperity.views.screens import joint_screen
+from asperity.views.solved_view import SolvedView
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from asperity.standing.windup import StiffnessLevel
-
-#: Results of the whole joint that are printed below the stiffness. What the table knows about drift comes first.
-_PRINTED = (
-    "efficiency",
-    "drive_life",
-    "torque_capacity",
-    "capacity_limit",
-    "limiting_place",
-    "standing_torque_capacity",
-    "torque_safety",
-    "speed_ratio",
-    "wedge_angle",
-    "mass",
-)
-#: Results of the contacts that are printed.
-_PRINTED_CONTACTS = ("normal_force", "tangential_force", "slip_ratio", "hertz_half_width", "hertz_pressure")
 
 
 class JointSolution(Shown):
@@ -159,77 +144,11 @@ class JointSolution(Shown):
 
         return displayed(compliance_figure(self._solved, title=plain_title(self._summary)))
 
-    def _parts(self) -> list[str | Table]:
-        return [
-            self._summary,
-            self._stiffness_table(),
-            self._result_table(),
-            self._contact_table(),
-            *self._limit_parts(),
-        ]
+    def blocks(self) -> list[Block]:
+        """What ``asperity joint`` prints, without the assumptions."""
+        return list(joint_screen(self.view, self._source))
 
-    def _stiffness_table(self) -> Table:
-        rows = []
-        for level in LEVELS:
-            output, entry = (self[f"{level}_stiffness_{place}"] for place in ("output", "input"))
-            words = bounded(output.label.split(", ")[-1], output.bound)
-            numbers = (entry.si, output.si, output.to("N*m/arcmin"))
-            rows.append((words, *(shown_number(number, "1") for number in numbers)))
-        return Table(
-            ("model", f"{self._solved.joint.ends[0]} N·m/rad", "output N·m/rad", "output N·m/arcmin"),
-            rows,
-            "Torsional stiffness",
-        )
-
-    def _result_table(self) -> Table:
-        drift = [name for name, row in self._table.items() if "drift" in name and row.axis == "one"]
-        rows = [(self[name].label, str(self[name])) for name in (*drift, *_PRINTED) if name in self._table]
-        return Table(("result", "value"), rows)
-
-    def _contact_table(self) -> Table:
-        drift = [name for name, row in self._table.items() if "drift" in name and row.axis == "contact"]
-        shown = [self[name] for name in (*_PRINTED_CONTACTS, *drift)]
-        head = ("contact", *(_titled(quantity) for quantity in shown))
-        rows = [
-            (contact, *(shown_number(quantity[contact].value, "1") for quantity in shown))
-            for contact in self._solved.row_names("contact")
-        ]
-        return Table(head, rows)
-
-    def _limit_parts(self) -> list[str | Table]:
-        unknown = [self.document["stiffness_unknown_because"], *self.document["rolling"]["unknown_because"]]
-        parts: list[str | Table] = [f"Not known: {reason}" for reason in dict.fromkeys(unknown) if reason]
-        by_limit: dict[str, list[dict[str, Any]]] = {}
-        for check in self.limits:
-            if not check["ok"]:
-                by_limit.setdefault(check["name"], []).append(check)
-        if not by_limit:
-            return [*parts, "All limits are met."]
-        rows = [_warning(checks) for checks in by_limit.values()]
-        meanings = {f"{row['label']}: {row['meaning']}.": None for row in self.limits if not row["ok"]}
-        head = ("limit crossed", "worst value", "limit", "contacts", "about")
-        return [*parts, Table(head, rows, "Warnings, most serious first"), "\n".join(meanings)]
-
-
-def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
-    """One limit, by the contact that is farthest beyond it, where one is; otherwise by one whose value is not known."""
-
-    def excess(row: dict[str, Any]) -> tuple[bool, float]:
-        if row["value"] is None:
-            return row["infinite"], math.inf
-        return row["known"], abs(row["value"] - row["limit"])
-
-    worst = max(checks, key=excess)
-    contacts = ", ".join(row["contact"].replace("_", " ") for row in checks if row["contact"])
-    return (
-        worst["label"],
-        worst["shown"],
-        worst.get("state") or worst["limit_shown"],
-        contacts,
-        worst["severity"] if worst["known"] else "not checked",
-    )
-
-
-def _titled(quantity: NamedQuantity) -> str:
-    short = quantity.label.removesuffix(" of the contact").removesuffix(" of the Hertzian contact")
-    return short if quantity.unit == "1" else f"{short} {quantity.unit.replace('*', '·')}"
+    @property
+    def view(self) -> SolvedView:
+        """The solved joint with its document, from which every table is made."""
+        return SolvedView(self._solved, self.document)

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from asperity.api.named_quantity import NamedQuantity, si_number
-from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.api.shown import Shown, displayed, frame
 from asperity.errors import InputError, NoSolutionError
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.results import known_result
@@ -18,6 +18,7 @@ from asperity.surface.measurement import CONFIDENCE
 from asperity.surface.roughness import Roughness
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
+from asperity.views.blocks import Block, Paragraph, Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -210,7 +211,8 @@ class FractalSurface(Shown):
             measurement_figure(surfaces=measured.topographies, fit=self.fit, direction=measured.direction)
         )
 
-    def _parts(self) -> list[str | Table]:
+    def blocks(self) -> list[Block]:
+        """The numbers of the measurement with their intervals."""
         ends = self.intervals
         rows = []
         for quantity in self._numbers.values():
@@ -221,4 +223,4 @@ class FractalSurface(Shown):
             if isinstance(self.fit, str)
             else f"estimator {self.fit.estimator}, {self.fit.profiles} profile(s)"
         )
-        return [title, Table(("number", "value", "95 % from", "to"), rows)]
+        return [Paragraph(title), Table("Measured surface", ("number", "value", "95 % from", "to"), rows)]

@@ -8,7 +8,7 @@ import numpy as np
 
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
-from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.api.shown import Shown, displayed, frame
 from asperity.errors import InputError
 from asperity.joint.pin_bound import bounded
 from asperity.joint_file.own_branches import with_own_branches
@@ -25,6 +25,8 @@ from asperity.rolling.onset import RollingOnset
 from asperity.standing import STAGE_SHARES
 from asperity.standing.windup import StiffnessLevel, Windup
 from asperity.unit_table import Dimension
+from asperity.views.blocks import Block, Heading
+from asperity.views.windup import windup as windup_shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -194,11 +196,6 @@ class JointWindup(Shown):
             )
         )
 
-    def _parts(self) -> list[str | Table]:
-        rows = []
-        for quantity in self._figures.values():
-            limited = np.isfinite(quantity.si)
-            rows.append((quantity.said, str(quantity) if limited else "not limited by friction"))
-        stiffness = bounded(f"{self.level} stiffness", self.document["stiffness_bound"])
-        title = f"{self.joint.source}: wind-up at the output, input locked, {stiffness}"
-        return [title, Table(("figure", "value"), rows)]
+    def blocks(self) -> list[Block]:
+        """What ``asperity windup`` prints."""
+        return [Heading(self.joint.source), *windup_shown(self.document)]

@@ -14,6 +14,7 @@ from asperity.cli.terminal import (
     read_option,
     save_image,
     say_written,
+    show_blocks,
 )
 from asperity.made_files import CALIBRATED_BY, MADE_JOINT
 from asperity.unit_table import Dimension
@@ -114,7 +115,10 @@ def calibrate(
         felt = {"assumptions": [FELT_UNDER_TORQUE]} if case.measured and case.measured.heights else {}
         print_json(_document(calibration, drawn) | felt)
     else:
-        _show(calibration, drawn)
+        from asperity.views.calibration import calibration as fit_blocks
+        from asperity.views.calibration import posterior as drawn_blocks
+
+        show_blocks(*fit_blocks(calibration), *([] if drawn is None else drawn_blocks(drawn, calibration)))
 
 
 def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, Any]:
@@ -122,6 +126,7 @@ def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, An
     from dataclasses import asdict
 
     from asperity.study.calibration.unknowns import si_unit_of
+    from asperity.views.calibration import quantiles
 
     document: dict[str, Any] = {
         "estimates": [
@@ -173,7 +178,7 @@ def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, An
     if drawn is not None:
         document["posterior"] = {
             unknown.path: {
-                "quantiles": _quantiles(unknown.from_unit(drawn.scaled_values[:, i])),
+                "quantiles": quantiles(unknown.from_unit(drawn.scaled_values[:, i])),
                 "unit": si_unit_of(unknown.path),
                 "note": drawn.note(i),
                 "r_hat": float(drawn.r_hat[i]),
@@ -182,7 +187,7 @@ def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, An
             for i, unknown in enumerate(calibration.unknowns)
         }
         document["posterior_standard_deviation_of_errors"] = {
-            "quantiles": _quantiles(drawn.standard_deviation),
+            "quantiles": quantiles(drawn.standard_deviation),
             "unit": calibration.curves[0].measurement.quantity.si_unit,
             "r_hat": float(drawn.r_hat[-1]),
             "effective_draws": float(drawn.effective_draws[-1]),
@@ -191,78 +196,3 @@ def _document(calibration: Calibration, drawn: Posterior | None) -> dict[str, An
         document["posterior_divergences"] = drawn.divergences
         document["posterior_acceptance"] = drawn.acceptance
     return document
-
-
-def _quantiles(values: Any) -> dict[str, float]:
-    import numpy as np
-
-    return {str(q): float(np.quantile(values, q)) for q in (0.025, 0.5, 0.975)}
-
-
-def interval_digits(lower: float, upper: float) -> int:
-    """Significant digits with which both ends of an interval show its width to two digits; four at least."""
-    import math
-
-    width, size = upper - lower, max(abs(lower), abs(upper))
-    if not (math.isfinite(width) and width > 0.0):
-        return 4
-    return min(max(4, 2 + math.ceil(math.log10(size / width))), 15)
-
-
-def _show(calibration: Calibration, drawn: Posterior | None) -> None:
-    from asperity.cli.terminal import console, table
-    from asperity.study.calibration.calibrate import (
-        bound_words,
-        count_words,
-        estimate_note,
-        identifiability_words,
-        model_error_words,
-    )
-    from asperity.study.calibration.fitted_curve import residual_sentences
-    from asperity.study.calibration.unknowns import unit_of
-    from asperity.units import format_quantity
-
-    target = console()
-    title = count_words(calibration)
-    rows = table(target, title, "unknown", "estimate", "95 % from", "to", "by scatter", "to", "")
-    rows.columns[0].no_wrap, rows.columns[-1].no_wrap = True, False  # the notes give way, not the names
-    for estimate in calibration.estimates:
-        unit = unit_of(estimate.path)
-        digits = interval_digits(estimate.scatter_lower, estimate.scatter_upper)
-        ends = [
-            format_quantity(v, unit, digits) if estimate.determined else "-"
-            for v in (estimate.lower, estimate.upper, estimate.scatter_lower, estimate.scatter_upper)
-        ]
-        value = format_quantity(estimate.value, unit, max(digits, 5))
-        rows.add_row(estimate.path, "-" if estimate.at_bound else value, *ends, estimate_note(estimate))
-    target.print(rows)
-    for sentence in bound_words(calibration).values():
-        target.print(sentence, markup=False)
-    for sentence in residual_sentences(calibration.curves):
-        target.print(sentence)
-    target.print(model_error_words(calibration.model_error))
-    for heading, sentences in identifiability_words(calibration).items():
-        target.print(heading)
-        for sentence in sentences:
-            target.print(f"  {sentence}", markup=False)
-    if drawn is not None:
-        count = len(drawn.scaled_values)
-        title = f"Posterior, {count} draws, {drawn.divergences} divergent, R-hat {drawn.r_hat.max():.3f}"
-        rows = table(target, title, "unknown", "2.5 %", "median", "97.5 %", "effective draws")
-        for i, unknown in enumerate(calibration.unknowns):
-            values = _quantiles(unknown.from_unit(drawn.scaled_values[:, i])).values()
-            shown = [format_quantity(v, unit_of(unknown.path)) for v in values]
-            rows.add_row(unknown.path, *shown, f"{drawn.effective_draws[i]:.0f}")
-        unit = calibration.curves[0].measurement.quantity.fine_unit
-        shown = [format_quantity(v, unit) for v in _quantiles(drawn.standard_deviation).values()]
-        rows.add_row("size of errors", *shown, f"{drawn.effective_draws[-1]:.0f}")
-        target.print(rows)
-        for i, unknown in enumerate(calibration.unknowns):
-            if note := drawn.note(i):
-                target.print(
-                    f"{unknown.path}: {note}, so that the bounds determine the interval", markup=False
-                )
-        target.print(
-            f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws of the "
-            "scatter follow the exact posterior; a low share only makes fewer of them independent."
-        )

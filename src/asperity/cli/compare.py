@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from asperity.cli.terminal import json_option, prepare_computation, print_json
+from asperity.cli.terminal import json_option, prepare_computation, print_json, show_blocks
 
 
 @click.command()
@@ -18,10 +18,9 @@ def compare(one: str, other: str, as_json: bool, in_full: bool) -> None:
     """What differs between the joints in ONE and OTHER: what the files say, and what comes out."""
     prepare_computation()
     from asperity.api.comparison import compare as compared
-    from asperity.cli.document_text import show_parts
 
     comparison = compared(one, other)
     if as_json:
         print_json(comparison.document())
         return
-    show_parts("", comparison.tables(in_full=in_full))
+    show_blocks(*comparison.blocks(in_full=in_full))

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
@@ -13,17 +12,14 @@ from asperity.cli.terminal import (
     print_json,
     save_image,
     say_written,
-    show_table,
+    show_blocks,
 )
 from asperity.errors import InputError
 from asperity.made_files import MADE_JOINT, Kind, table_with
 from asperity.writing import check_apart, check_file, check_image, write_text
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from asperity.study.design.design_problem import DesignProblem
-    from asperity.study.design.design_result import DesignResult, StartReport
 
 
 def front_columns(problem: DesignProblem) -> dict[str, str]:
@@ -129,8 +125,10 @@ def design(
 
         print_json(design_document(result))
     else:
-        _show(result)
-        _show_warnings(result)
+        from asperity.views.design import design as designed
+        from asperity.views.design import design_warnings
+
+        show_blocks(*designed(result), *design_warnings(result))
     if shortcoming(result):
         from asperity.errors import NoSolutionError
 
@@ -155,7 +153,7 @@ def _front(
     population: int,
     generations: int,
 ) -> None:
-    from asperity.cli.terminal import console, progress_bar
+    from asperity.cli.terminal import progress_bar
     from asperity.study.design.design_result import front_diagnostics
     from asperity.study.design.pareto import pareto_front, require_pymoo
 
@@ -184,175 +182,7 @@ def _front(
     if as_json:
         print_json({name: front[name].values.tolist() for name in names} | warned)
     else:
-        _show_front(problem, front, names)
-        _show_front_warnings(console(), warned)
+        from asperity.views.design import front as front_blocks
+        from asperity.views.design import front_warnings
 
-
-def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
-    import numpy as np
-
-    from asperity.cli.terminal import console
-    from asperity.joint_file.si_tables import key_at
-    from asperity.results import RESULTS
-    from asperity.units import format_quantity, from_si
-
-    size = front.sizes["design"]
-    units = [RESULTS[n].display_unit if n in RESULTS else key_at(n).unit for n in names]
-    shown = np.unique(np.linspace(0, size - 1, 11).round().astype(int))
-    some = f", {len(shown)} of them, evenly spread" if len(shown) < size else ""
-    head, columns = [], []
-    for name, unit in zip(names, units, strict=True):
-        head.append(f"{name.rsplit('.', 1)[-1]}\n[{unit}]")
-        values = front[name].values[shown].tolist()
-        columns.append([format_quantity(from_si(value, unit), "1", 5) for value in values])
-    title = f"Pareto front of {size} design{'s' * (size != 1)}{some}"
-    show_table(console(), title, head, zip(*columns, strict=True))
-
-
-def _show(result: DesignResult) -> None:
-    from asperity.cli.document_text import print_wrapped
-    from asperity.cli.terminal import console
-    from asperity.results import RESULTS
-    from asperity.study.design.design_result import bounds_words
-    from asperity.units import format_quantity
-
-    target, problem = console(), result.problem
-    goal, torques = problem.objectives[0], len(problem.worst_case.torques) or 1
-    unit = RESULTS[goal.name].display_unit
-    cases = [f"{torques} torques"] if torques > 1 else []
-    if problem.worst_case.tolerances != "none":
-        cases.append(f"the {problem.worst_case.tolerances} of the tolerances")
-    worst = f", worst case of {' and '.join(cases)}" if cases else ""
-    before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
-    target.print(f"{problem.goal}{worst}:")
-    said = [f"{before} in {problem.joint_file} -> {after}"]
-    said.append(result.met_words)
-    if result.missed_before:
-        missed = "; ".join(limit.text for limit in result.missed_before)
-        said.append(f"The joint of the file misses: {missed}")
-    if words := bounds_words(result):
-        said.append(f"The design is held by: {words}")
-    for text in said:
-        print_wrapped(target, f"  {text}", indent=4)
-    if result.objective_unrounded is not None:
-        target.print(
-            f"  {format_quantity(result.objective_unrounded, unit)} before rounding to the stated steps"
-        )
-    _show_variables(target, result)
-    _show_summary(target, result)
-    _show_limits(target, result)
-    _show_search(target, result)
-
-
-def _show_warnings(result: DesignResult) -> None:
-    """What ``asperity joint`` warns of for the designed joint."""
-    from asperity.cli.document_text import show_law_range, show_warnings
-    from asperity.cli.terminal import console
-    from asperity.study.design.design_result import not_limited
-
-    diagnostics = result.diagnostics
-    if diagnostics["diagnostics"] is None:
-        because = diagnostics["no_result_because"]
-        click.echo(f"The designed joint has no result under the output torque of its file: {because}")
-        return
-    if line := not_limited(result):
-        console().print(line, markup=False)
-    show_warnings(console(), diagnostics)
-    show_law_range(console(), diagnostics)
-
-
-def _show_front_warnings(target: Console, diagnostics: dict[str, Any]) -> None:
-    """How many designs of a front cross which limit, the most serious first."""
-    from collections import Counter
-
-    designs = [entries for entries in diagnostics["diagnostics"] if entries is not None]
-    crossed = Counter(label for entries in designs for label in {entry["label"] for entry in entries})
-    if len(designs) < len(diagnostics["diagnostics"]):
-        target.print(
-            f"{len(diagnostics['diagnostics']) - len(designs)} designs have no result under the torque of the file"
-        )
-    if not crossed:
-        target.print("No warnings: all limits of the model are met")
-        return
-    target.print("Warnings of the designs; 'asperity joint' gives the remedies", style="bold")
-    for label, count in crossed.most_common():
-        target.print(f"  {label}: {count} of {len(designs)}", markup=False)
-
-
-def _show_variables(target: Console, result: DesignResult) -> None:
-    from asperity.joint_file.si_tables import key_at, numeric_keys
-    from asperity.units import format_quantity
-
-    stated = numeric_keys(result.problem.case)
-    rows = []
-    for free in result.problem.variables:
-        unit = key_at(free.path).unit
-        rows.append(
-            {
-                "number": free.path,
-                "before": format_quantity(stated[free.path].value, unit) if free.path in stated else "-",
-                "design": format_quantity(result.point[free.path], unit, 5),
-                "from": format_quantity(free.lower, unit, 5),
-                "to": format_quantity(free.upper, unit, 5),
-                "step": "" if free.step is None else format_quantity(free.step, unit),
-                "at bound": result.at_bound.get(free.path, ""),
-            }
-        )
-    columns = [name for name in rows[0] if any(row[name] for row in rows)]
-    show_table(target, "Variables", columns, ([row[name] for name in columns] for row in rows))
-
-
-def _show_summary(target: Console, result: DesignResult) -> None:
-    from asperity.cli.terminal import table
-    from asperity.study.design.design_problem import SUMMARY
-    from asperity.units import format_quantity
-
-    rows = table(target, "Before and design", "result", "before", "design")
-    for name, which in SUMMARY.items():
-        if name not in result.summary_before:
-            continue
-        shown = result.problem.table[name]
-        values = (result.summary_before[name], result.summary_after[name])
-        label = shown.said if which == "nominal" else f"{shown.said}, {which}"
-        rows.add_row(label, *("-" if v != v else format_quantity(v, shown.display_unit) for v in values))
-    target.print(rows)
-
-
-def _show_limits(target: Console, result: DesignResult) -> None:
-    from asperity.results import RESULTS
-    from asperity.units import format_quantity
-
-    rows = []
-    for limit in result.limits:
-        unit = RESULTS[limit.name].display_unit
-        rows.append(
-            (
-                ", ".join(filter(None, (limit.label, limit.row.replace("_", " ")))),
-                "-" if limit.value != limit.value else format_quantity(limit.value, unit),
-                f"{'<=' if limit.at_most else '>='} {format_quantity(limit.limit, unit)}",
-                format_quantity(limit.output_torque, "N*m"),
-                limit.state,
-                f"{limit.multiplier:.3g}" if limit.multiplier > 1e-9 else "",
-            )
-        )
-    head = ("result", "value", "limit", "at torque", "", "shadow price")
-    show_table(target, "Limits, each at its tightest", head, rows)
-
-
-def _show_search(target: Console, result: DesignResult) -> None:
-    target.print(
-        f"{_found(result.starts)} Optimality residual {result.optimality_residual:.2g} (0 at a local optimum). Shadow "
-        "price: relative gain of the objective per relative relaxation of the limit."
-    )
-
-
-def _found(starts: Sequence[StartReport]) -> str:
-    """How many starts of a search converged, and to how many optima that differ in four digits, as a sentence."""
-    converged = [start for start in starts if start.converged]
-    optima = [f"{start.objective:.4g}" for start in converged if start.violation < 1e-6]
-    different = len(set(optima))
-    if different == 1 and len(optima) == len(starts):
-        every = {1: "The only start", 2: "Both starts"}.get(len(starts), f"All {len(starts)} starts")
-        return f"{every} found the same optimum." if len(starts) > 1 else f"{every} found an optimum."
-    to = {0: "", 1: ", to one optimum"}.get(different, f", to {different} different optima")
-    return f"{len(converged)} of {len(starts)} starts converged{to}."
+        show_blocks(*front_blocks(front, names), *front_warnings(warned))

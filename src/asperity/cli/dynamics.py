@@ -12,6 +12,7 @@ from asperity.cli.terminal import (
     print_json,
     save_image,
     say_written,
+    show_blocks,
 )
 from asperity.made_files import table_with
 from asperity.writing import check_apart, check_file, check_image, write_columns
@@ -64,7 +65,4 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     if as_json:
         print_json(solved.document)
         return
-    from asperity.cli.document_text import show_parts
-
-    own = ": of its own branches" if solved.document["of_own_branches"] else ""
-    show_parts(f"{file}{own}", solved.tables())
+    show_blocks(*solved.blocks())

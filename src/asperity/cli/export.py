@@ -6,7 +6,15 @@ from pathlib import Path
 
 import click
 
-from asperity.cli.terminal import about, about_torque, prepare_computation, read_option, say_written
+from asperity.cli.terminal import (
+    about,
+    about_torque,
+    prepare_computation,
+    read_option,
+    say_written,
+    show_blocks,
+)
+from asperity.views.blocks import Paragraph
 
 #: Names of the targets; asperity.export.targets has their writers.
 TARGETS = ("table", "mujoco", "fmu", "modelica")
@@ -73,10 +81,6 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
         )
     made = exported(content, to=to, suffix=Path(out).suffix)
     write_exported(made, out)
-    from asperity.cli.document_text import print_wrapped
-    from asperity.cli.terminal import console
-
-    target = console()
-    for line in (*heading(content, what=f"{out}: {to}"), *made.notes):
-        print_wrapped(target, line, indent=2)
+    sentences = (*heading(content, what=f"{out}: {to}"), *made.notes)
+    show_blocks(*map(Paragraph, sentences))
     say_written(out)

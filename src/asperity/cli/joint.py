@@ -14,6 +14,7 @@ from asperity.cli.terminal import (
     print_json,
     refuse_lonely_measurement_of,
     save_image,
+    show_blocks,
     surface_option,
 )
 from asperity.writing import check_image
@@ -70,10 +71,11 @@ def joint(
     if as_json:
         print_json(document)
         return
-    from asperity.cli.joint_table import show_joint
-    from asperity.cli.terminal import console
+    from asperity.views.joint import assumptions
+    from asperity.views.screens import joint_screen
+    from asperity.views.solved_view import SolvedView
 
-    show_joint(console(), document, source=file, in_full=in_full)
+    show_blocks(*joint_screen(SolvedView(solved, document), file), *assumptions(document, in_full=in_full))
 
 
 def _size_errors(solved: SolvedJoint) -> SizeErrorCurves | None:

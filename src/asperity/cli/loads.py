@@ -16,6 +16,7 @@ from asperity.cli.terminal import (
     print_json,
     read_option,
     say_written,
+    show_blocks,
 )
 from asperity.made_files import table_where
 from asperity.writing import check_file, replacing
@@ -71,9 +72,7 @@ def loads(file: str, mounting_gap: str, csv_file: str | None, as_json: bool) -> 
     if as_json:
         print_json(carried.document)
         return
-    from asperity.cli.document_text import show_parts
-
-    show_parts(file, carried.tables())
+    show_blocks(*carried.blocks())
 
 
 def _write(carried: JointLoads, path: str) -> None:

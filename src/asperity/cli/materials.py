@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import json_option, print_json
+from asperity.cli.terminal import json_option, print_json, show_blocks
 
 if TYPE_CHECKING:
     from asperity.library import LibraryMaterial
@@ -26,7 +26,7 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
     from dataclasses import asdict
 
     from asperity.errors import InputError, nearest
-    from asperity.library import Finish, library_name, read_finishes, read_materials
+    from asperity.library import library_name, read_finishes, read_materials
 
     materials, finishes = read_materials(file), read_finishes(finishes_file)
     if file is not None:
@@ -47,36 +47,9 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
             }
         )
         return
-    from asperity.cli.terminal import console, show_table, table
-    from asperity.units import format_quantity
+    from asperity.views.library import library
 
-    target = console()
-    if materials:
-        shown = table(target, "Materials", "name", "E", "nu", "density", "yield strength", "hardness")
-        for material in materials.values():
-            numbers = material.numbers
-            hard = numbers.get("hardness") or f"{numbers['hardness_factor']} x yield"
-            row = [str(numbers[k]) for k in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")]
-            shown.add_row(material.name, *row, str(hard))
-        target.print(shown)
-    if finishes:
-        rows = (
-            (
-                finish.name,
-                " to ".join(format_quantity(v, "um") for v in finish.roughness_average),
-                " to ".join(f"{D:g}" for D in dict.fromkeys(finish.fractal_dimension)),
-                *(format_quantity(v, "mm", 3) for v in finish.fractal_roughness),
-            )
-            for finish in finishes.values()
-        )
-        show_table(target, "Finishes (G from Ra at this D)", ("name", "Ra", "D", "G from", "G to"), rows)
-    entries: list[LibraryMaterial | Finish] = [*materials.values(), *finishes.values()]
-    for entry in entries:
-        also = ", ".join(getattr(entry, "also", ()))
-        names = f"{entry.name} ({also})" if also else entry.name
-        target.print(
-            f"{names}: {entry.description}. Source: {entry.reference}. {entry.note}".rstrip(), markup=False
-        )
+    show_blocks(*library(materials.values(), finishes.values()))
 
 
 def _check_numbers(file: str, materials: dict[str, LibraryMaterial]) -> None:

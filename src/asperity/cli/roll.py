@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import click
 
-from asperity.cli.terminal import about, json_option, plot_option, prepare_computation, print_json, save_image
+from asperity.cli.terminal import (
+    about,
+    json_option,
+    plot_option,
+    prepare_computation,
+    print_json,
+    save_image,
+    show_blocks,
+)
 from asperity.writing import check_image
 
 
@@ -36,7 +44,6 @@ def roll(file: str, plot_file: str | None, as_json: bool, in_full: bool) -> None
     if as_json:
         print_json(rolling.document)
         return
-    from asperity.cli.roll_table import show_rolling
-    from asperity.cli.terminal import console
+    from asperity.views.joint import assumptions
 
-    show_rolling(console(), rolling.document, source=file, in_full=in_full)
+    show_blocks(*rolling.blocks(), *assumptions(rolling.document, in_full=in_full))

@@ -5,13 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import click
-import numpy as np
 
-from asperity.cli.terminal import json_option, plot_option_of, prepare_computation, print_json, save_image
+from asperity.cli.terminal import (
+    json_option,
+    plot_option_of,
+    prepare_computation,
+    print_json,
+    save_image,
+    show_blocks,
+)
 from asperity.writing import check_image
 
 if TYPE_CHECKING:
-    import xarray
+    pass
 
 
 @click.command()
@@ -40,7 +46,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.si_tables import si_values
     from asperity.results import known_result
-    from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, differentiable_rows, ranking
+    from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, differentiable_rows
     from asperity.study.tolerances.sensitivity import sensitivity as differentiate
 
     table = results_of(si_values(case))
@@ -56,50 +62,10 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
         print_json(sensitivity_document(dataset))
     else:
-        _show(ranking(dataset, result))
+        from asperity.views.tolerances import elasticities
+
+        show_blocks(*elasticities(dataset, (result,)))
     if plot is not None:
         from asperity.study.tolerances.influence_plot import tornado_figure
 
         save_image(tornado_figure(dataset, result=result), plot)
-
-
-def _show(ranked: xarray.Dataset) -> None:
-    from asperity.cli.document_text import print_wrapped
-    from asperity.cli.terminal import console, table
-    from asperity.joint_file.si_tables import key_at
-    from asperity.results import display_unit
-    from asperity.study.tolerances.documents import ABOUT_FINISHED_PARTS
-    from asperity.study.tolerances.sensitivity import FINISHED_PART, path_of_input
-    from asperity.units import format_quantity, from_si
-
-    unit = display_unit(str(ranked["result"].item()))
-    shown_unit = "" if unit == "1" else unit.replace("*", "·")
-    value = from_si(float(ranked["result_value"]), unit)
-    target = console()
-    title = f"{ranked['result_name'].item()}: {format_quantity(value, '1', 5)} {shown_unit}".rstrip()
-    rows = table(
-        target, title, "number of the file", "value", "elasticity", f"derivative [{shown_unit or '-'}]"
-    )
-    without_effect = []
-    for path in ranked["input"].values.tolist():
-        one = ranked.sel(input=path)
-        if float(one["derivative"]) == 0.0:
-            without_effect.append(path)
-            continue
-        key = key_at(path_of_input(path))
-        per = "" if key.unit == "1" else f" per {key.unit}".replace("*", "·")
-        elasticity = float(one["elasticity"])
-        derivative = from_si(float(one["derivative"]), unit) / from_si(1.0, key.unit)
-        rows.add_row(
-            path,
-            format_quantity(float(one["value"]), key.unit),
-            "-" if np.isnan(elasticity) else f"{elasticity + 0.0:+.4f}",
-            "-" if np.isnan(derivative) else f"{format_quantity(derivative + 0.0, '1', 5)}{per}",
-        )
-    target.print(rows)
-    if any(name.endswith(FINISHED_PART) for name in ranked["input"].values.tolist()):
-        print_wrapped(target, ABOUT_FINISHED_PARTS, indent=2)
-    if without_effect:
-        print_wrapped(target, f"no effect: {', '.join(without_effect)}", indent=2)
-    if not np.isfinite(value):
-        click.echo("the result is infinite: no torque makes a contact slip, and it has no derivatives")

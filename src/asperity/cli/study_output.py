@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import click
 import numpy as np
+
+from asperity.cli.terminal import show_blocks
+from asperity.views.blocks import Table
 
 if TYPE_CHECKING:
     import xarray
@@ -24,7 +26,6 @@ _SHOWN = (
 )
 _MOST_COLUMNS = 24
 _MOST_NAMES = 8
-_GAP = 3  # between two columns
 
 
 def show_status(dataset: xarray.Dataset) -> None:
@@ -71,7 +72,6 @@ def show_points(dataset: xarray.Dataset, asked_units: dict[str, str]) -> None:
 
     ``asked_units`` of axes and results by their names; the others have those of every table.
     """
-    from asperity.cli.terminal import console, table
     from asperity.joint.status import STATUS_NAMES
     from asperity.joint_file.si_tables import key_at
     from asperity.results import RESULTS, row_name
@@ -116,16 +116,9 @@ def show_points(dataset: xarray.Dataset, asked_units: dict[str, str]) -> None:
     codes = [int(dataset["status"][place]) for place in places]
     if any(codes):
         cells["status"] = [STATUS_NAMES[code].replace("_", " ") if code else "" for code in codes]
-    target = console()
-    for block in _blocks(coordinates, cells, target.width):
-        shown = table(target, "", *block)
-        roomy = sum(_GAP + max(map(len, [header, *texts])) for header, texts in block.items()) <= target.width
-        for column, (header, texts) in zip(shown.columns, block.items(), strict=True):
-            column.no_wrap, column.justify = False, "right"
-            column.width = None if roomy else _width(header, texts)
-        for row in zip(*block.values(), strict=True):
-            shown.add_row(*row)
-        target.print(shown)
+    shown = coordinates | cells
+    in_words = (*range(len(coordinates)), *([len(shown) - 1] if any(codes) else []))
+    show_blocks(Table("", tuple(shown), list(zip(*shown.values(), strict=True)), words=in_words))
     more = dataset["status"].size - _MOST_ROWS
     if more > 0:
         click.echo(f"and {more} more point{'s' * (more != 1)}; --out writes them all")
@@ -153,29 +146,6 @@ def show_bounds(said: dict[str, str]) -> None:
     names = [name for name, words in said.items() if RIGID_PINS in words]
     if names:
         click.echo(f"{RIGID_PINS}: {', '.join(names)}")
-
-
-def _blocks(
-    coordinates: dict[str, list[str]], results: dict[str, list[str]], width: int
-) -> Iterator[dict[str, list[str]]]:
-    """Columns in tables that fit the width, so that no number is cut; each begins with the coordinates."""
-    fixed = sum(_GAP + _width(header, column) for header, column in coordinates.items())
-    block: dict[str, list[str]] = {}
-    used = fixed
-    for header, column in results.items():
-        needed = _GAP + _width(header, column)
-        if block and used + needed > width:
-            yield coordinates | block
-            block, used = {}, fixed
-        block[header] = column
-        used += needed
-    yield coordinates | block
-
-
-def _width(header: str, column: list[str]) -> int:
-    """Letters of a column: its longest cell; headers and the status may break between words."""
-    cells = [word for text in column for word in text.split()] if header == "status" else column
-    return max(map(len, [*header.split(), *cells]))
 
 
 def _unit(unit: str) -> str:

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import in_unicode, json_option, read_option, save_image
+from asperity.cli.terminal import in_unicode, json_option, read_option, save_image, show_blocks
 from asperity.made_files import refuse_existing
+from asperity.views.blocks import Bullets, Heading, Table
 from asperity.writing import check_file, check_image, replacing
 
 if TYPE_CHECKING:
@@ -322,22 +323,24 @@ def formats() -> None:
 
     Formats with a * need the optional package SurfaceTopography.
     """
-    from asperity.cli.terminal import console, table
     from asperity.surface.file_formats import FORMATS
 
-    target = console()
-    read = table(target, "Formats that are read", "format", "files", "from", "to be stated")
-    for column in read.columns:
-        column.justify = "left"
-    for known in FORMATS:
-        if known.reader:
-            name = f"{known.name}{' *' if known.reader == 'package' else ''}"
-            read.add_row(name, known.file_names, known.instruments, known.stated)
-    target.print(read)
-    click.echo("Not read:")
-    for known in FORMATS:
-        if not known.reader:
-            click.echo(f"  {known.title}: {known.export}")
+    rows = [
+        (
+            f"{known.name}{' *' if known.reader == 'package' else ''}",
+            known.file_names,
+            known.instruments,
+            known.stated,
+        )
+        for known in FORMATS
+        if known.reader
+    ]
+    head = ("format", "files", "from", "to be stated")
+    show_blocks(
+        Table("Formats that are read", head, rows, words=(0, 1, 2, 3)),
+        Heading("Not read"),
+        Bullets([f"{known.title}: {known.export}" for known in FORMATS if not known.reader]),
+    )
 
 
 @surface.command("synthesize")

@@ -7,10 +7,9 @@ terminal as a control sequence, and turns a full disk behind standard output int
 from __future__ import annotations
 
 import codecs
-import functools
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,17 +17,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from asperity.errors import InputError, NoSolutionError, printable
+from asperity.views.terminal import WIDEST, console_on, show
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.console import Console
-    from rich.table import Table
 
     from asperity.joint_file.si_tables import AnyCase
     from asperity.unit_table import Dimension
-
-
-WIDEST = 100
+    from asperity.views.blocks import Block
 
 _IN_ASCII = {
     "·": "*",
@@ -154,20 +151,7 @@ def rich_console(*, stderr: bool = False) -> Console:
     stream = sys.stderr if stderr else sys.stdout
     if isinstance(stream, CheckedStream):
         stream = stream.unescaped()
-    return _console_class()(file=stream, highlight=False, soft_wrap=False)
-
-
-@functools.cache
-def _console_class() -> Any:
-    from rich.console import Console
-
-    class PlainTextConsole(Console):
-        """Texts are printed with their control characters written out."""
-
-        def render_str(self, text: str, **options: Any) -> Any:
-            return super().render_str("\n".join(map(printable, text.split("\n"))), **options)
-
-    return PlainTextConsole
+    return console_on(stream)  # type: ignore[arg-type]
 
 
 def console() -> Console:
@@ -178,28 +162,9 @@ def console() -> Console:
     return made
 
 
-def table(target: Console, title: str, *columns: str) -> Table:
-    """An empty table in the style of all commands, its columns with units: the first text, the others numbers."""
-    from rich import box
-    from rich.markup import escape
-    from rich.table import Table
-
-    lines = box.SIMPLE_HEAD if target.encoding.lower().startswith("utf") else None
-    made = Table(title=escape(title), title_justify="left", title_style="bold", box=lines, pad_edge=False)
-    # the widest gives way first: else the names of the rows would go
-    for index, column in enumerate(columns):
-        made.add_column(
-            escape(column), justify="right" if index else "left", overflow="ellipsis" if index else "fold"
-        )
-    return made
-
-
-def show_table(target: Console, title: str, head: Iterable[str], rows: Iterable[Iterable[str]]) -> None:
-    """Print a table of :func:`table` with its rows."""
-    shown = table(target, title, *head)
-    for row in rows:
-        shown.add_row(*row)
-    target.print(shown)
+def show_blocks(*blocks: Block) -> None:
+    """Print blocks on standard output."""
+    show(console(), blocks)
 
 
 def say(sentence: str) -> None:

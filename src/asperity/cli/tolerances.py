@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.cli.terminal import json_option, prepare_computation, print_json, read_option
+from asperity.cli.terminal import json_option, prepare_computation, print_json, read_option, show_blocks
 
 if TYPE_CHECKING:
-    from asperity.study.tolerances.allowed_deviations import AllowedDeviations
+    pass
 
 
 @click.command()
@@ -72,42 +72,6 @@ def tolerances(
     if as_json:
         print_json(asdict(allowed))
     else:
-        _show(allowed, case)
+        from asperity.views.tolerances import allowed_sizes
 
-
-def _show(allowed: AllowedDeviations, case: Any) -> None:
-    from asperity.cli.terminal import console, table
-    from asperity.study.tolerances.documents import TOLERANCES_OF_PARTS
-    from asperity.units import format_quantity
-
-    target = console()
-    rows = table(
-        target, "Allowed sizes", "size", "diameter", "radius ±", "width of diameter", "grade", "influence"
-    )
-    for size in allowed.sizes:
-        rows.add_row(
-            f"{size.path}{_part(size.path, case)}",
-            format_quantity(size.diameter, "mm"),
-            format_quantity(size.deviation, "um", 3),
-            format_quantity(4.0 * size.deviation, "um", 3),
-            size.grade or "finer than IT01",
-            f"{100.0 * size.influence:.3g} %/um",
-        )
-    target.print(rows)
-    target.print(
-        f"{allowed.kept} of {allowed.samples} drives keep all limits ({100.0 * allowed.share:g} % are asked for). "
-        "Grade: the coarsest of ISO 286-1 within the width. Influence: share of the margin of a limit that 1 um of "
-        "the radius uses. "
-        f"{TOLERANCES_OF_PARTS}"
-    )
-    if allowed.without_influence:
-        target.print(f"no influence: {', '.join(allowed.without_influence)}", markup=False)
-
-
-def _part(path: str, case: Any) -> str:
-    """The part that a size belongs to, in parentheses, where its path does not tell."""
-    section, *place = path.split(".")
-    if section == "contact":
-        entry = case.contact[int(place[0]) - 1]
-        return f" ({getattr(entry, place[1].removesuffix('_radius'))})"
-    return " (bore)" if path == "load.interference" else ""
+        show_blocks(*allowed_sizes(allowed, case))

@@ -5,14 +5,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import click
-import numpy as np
 
-from asperity.cli.terminal import json_option, plot_option_of, prepare_computation, print_json, save_image
+from asperity.cli.terminal import (
+    json_option,
+    plot_option_of,
+    prepare_computation,
+    print_json,
+    save_image,
+    show_blocks,
+)
 from asperity.writing import check_image
 
 if TYPE_CHECKING:
-    import xarray
-
     from asperity.joint_file.model import Case
     from asperity.joint_file.quantity_key import Distribution
 
@@ -69,14 +73,19 @@ def uncertainty(
     case = read_case_of_branches(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
     prepare_computation()
+    from asperity.cli.study_output import show_bounds, show_status
     from asperity.cli.terminal import progress_bar
     from asperity.study.tolerances.uncertainty import uncertainty as propagate
+    from asperity.views.tolerances import intervals, unlike_branches, variance_shares
 
     check_image(plot, file)
     if branches is not None:
         with about(file):
             scattered = _unlike_branches(case, otherwise, branches, seed)
-        _show_branches(scattered, branches, as_json)
+        if as_json:
+            print_json(scattered)
+        else:
+            show_blocks(*unlike_branches(scattered, branches))
         return
     names = [name.strip() for text in results for name in text.split(",") if name.strip()] or None
     with progress_bar("samples") as report, about(file):
@@ -88,7 +97,10 @@ def uncertainty(
 
         print_json(uncertainty_document(dataset))
     else:
-        _show(dataset)
+        show_status(dataset)
+        names = dataset["result"].values.tolist()
+        show_blocks(*intervals(dataset), *variance_shares(dataset, names[:1]))
+        show_bounds(dict(zip(names, dataset["result_name"].values.tolist(), strict=True)))
     if plot is not None:
         from asperity.study.tolerances.influence_plot import uncertainty_figure
 
@@ -102,101 +114,3 @@ def _unlike_branches(case: Case, otherwise: Distribution | None, draws: int, see
 
     with progress_bar("drives") as report:
         return branch_scatter(case, distribution=otherwise, draws=draws, seed=seed, report=report).document()
-
-
-def _show_branches(scatter: dict[str, Any], draws: int, as_json: bool) -> None:
-    if as_json:
-        print_json(scatter)
-        return
-    from asperity.cli.terminal import console, show_table
-
-    rows = []
-    for name, words, unit, factor in (
-        ("first_slip_Nm", "first branch slips, standing", "N·m", 1.0),
-        ("all_slip_Nm", "all branches slip, standing", "N·m", 1.0),
-        ("rolling_first_slip_Nm", "first branch slips, rolling", "N·m", 1.0),
-        ("largest_share", "largest share of a branch, standing", "%", 100.0),
-        ("largest_rolling_share", "largest share of a branch, rolling", "%", 100.0),
-        ("sun_force_N", "force on the sun's bearings", "N", 1.0),
-    ):
-        values = ["-"] * 3 if scatter[name] is None else [f"{factor * value:.4g}" for value in scatter[name]]
-        rows.append((words, unit, *values))
-    title = f"{draws} drives with branches of their own sizes"
-    show_table(console(), title, ("", "unit", "2.5 %", "median", "97.5 %"), rows)
-    alone = scatter["share_without_a_balance"]
-    click.echo(
-        f"equal branches pass {scatter['equal_branches_Nm']:.4g} N·m; a branch is loose in "
-        f"{100.0 * scatter['share_with_a_loose_branch']:.1f} % and slips under the torque of the file in "
-        f"{100.0 * scatter['share_that_slips_under_the_torque']:.1f} % of the drives"
-        + (f"; {100.0 * alone:.1f} % have no balance" if alone else "")
-    )
-
-
-def _show(dataset: xarray.Dataset) -> None:
-    from asperity.cli.study_output import show_bounds, show_status
-    from asperity.cli.terminal import console, table
-    from asperity.results import display_unit
-    from asperity.study.tolerances.documents import TOLERANCES_OF_PARTS, failures
-    from asperity.units import from_si
-
-    show_status(dataset)
-    target, named = console(), []
-    rows = table(
-        target, "95 % of the results", "result", "unit", "nominal", "mean", "std. dev.", "2.5 %", "97.5 %"
-    )
-    for name in dataset["result"].values.tolist():
-        one = dataset.sel(result=name)
-        if one["categories"].item():
-            named.append(f"{one['result_name'].item()}: {_shares(dataset, name)}")
-            continue
-        low, _, high = one["quantiles"].values
-        numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
-        unit = display_unit(name)
-        cells = (_cell(from_si(float(number), unit)) for number in numbers)
-        rows.add_row(name.replace("_", " "), unit.replace("*", "·"), *cells)
-    if rows.rows:
-        target.print(rows)
-    show_bounds(
-        dict(zip(dataset["result"].values.tolist(), dataset["result_name"].values.tolist(), strict=True))
-    )
-    for sentence in failures(
-        dataset, {name: name.replace("_", " ") for name in dataset["result"].values.tolist()}
-    ):
-        click.echo(sentence)
-    for line in named:
-        click.echo(line)
-    if bool(dataset["finished_part"].any()):
-        click.echo(TOLERANCES_OF_PARTS)
-    first = dataset.isel(result=0)
-    if np.all(np.isnan(first["total_order"].values)):
-        return
-    name = str(first["result"].item()).replace("_", " ")
-    title = f"Contributions to the variance of the {name} (Sobol indices, ± 95 %)"
-    shares = table(target, title, "tolerance", "distribution", "first order", "total")
-    for k in np.argsort(-np.nan_to_num(first["total_order"].values)):
-        one = first.isel(input=int(k))
-        shares.add_row(
-            str(one["input"].item()),
-            str(one["distribution"].item()),
-            f"{float(one['first_order']):.3f} ± {float(one['first_order_half_width']):.3f}",
-            f"{float(one['total_order']):.3f} ± {float(one['total_order_half_width']):.3f}",
-        )
-    target.print(shares)
-
-
-def _cell(number: float) -> str:
-    """A number; that of a drive that fails is infinitely bad."""
-    from asperity.units import format_quantity
-
-    if np.isnan(number):
-        return "-"
-    return format_quantity(number, "1", 5) if np.isfinite(number) else "fails"
-
-
-def _shares(dataset: xarray.Dataset, name: str) -> str:
-    """Words for the share of each category of a result that is not a quantity."""
-    categories = str(dataset["categories"].sel(result=name).item()).split(" ")
-    solved = dataset["samples"].sel(result=name).values[dataset["status"].values == 0]
-    codes, counts = np.unique(solved.astype(int), return_counts=True)
-    pairs = sorted(zip(counts.tolist(), codes.tolist(), strict=True), reverse=True)
-    return ", ".join(f"{categories[code]} in {100.0 * count / solved.size:.2f} %" for count, code in pairs)

@@ -58,7 +58,7 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
             with replacing(out, kind=kind) as part:
                 part.write_bytes(report_pdf(validation_report(document)))
         else:
-            from asperity.report.html import report_html
+            from asperity.views.html import report_html
 
             made = text + "\n" if suffix == ".json" else report_html(validation_report(document))
             write_text(made, out, kind=kind)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import click
 
 from asperity.cli.terminal import (
@@ -16,6 +14,7 @@ from asperity.cli.terminal import (
     read_option,
     save_image,
     say_written,
+    show_blocks,
 )
 from asperity.made_files import table_with
 from asperity.standing import STAGE_SHARES
@@ -138,97 +137,4 @@ def windup(
     if as_json:
         print_json(wound.document)
         return
-    _show(wound.document, file)
-
-
-def _show(document: dict[str, Any], file: str) -> None:
-    import math
-
-    from asperity.cli.joint_table import capacity_text
-    from asperity.cli.terminal import console, table
-    from asperity.joint.pin_bound import bounded
-    from asperity.joint.torque_limits import first_slip_words
-    from asperity.results.windup_document import stages_title
-    from asperity.units import format_quantity
-
-    def arcminutes(key: str) -> str:
-        return format_quantity(document[key], "arcmin")
-
-    target = console()
-    whose = ", of its own branches" if document["of_own_branches"] else ""
-    whose = bounded(f"{document['level']} stiffness{whose}", document["stiffness_bound"])
-    target.print(f"{file}: wind-up at the output, input locked, {whose}\n")
-    same = math.isclose(document["windup_rad"], document["reverse_windup_rad"], rel_tol=1e-9)
-    summary = table(target, "Figures", "quantity", "value")
-    summary.add_row("standing torque capacity", capacity_text(document["standing_torque_capacity"]))
-    for text in first_slip_words(document["standing_torque_capacity"]):
-        summary.add_row("first slip", text)
-    summary.add_row("largest torque of the curve", format_quantity(document["largest_torque_Nm"], "N*m"))
-    if same:
-        summary.add_row("angle at the largest torque", arcminutes("windup_rad"))
-    else:
-        summary.add_row("angle at plus the largest torque", arcminutes("windup_rad"))
-        summary.add_row("angle at minus the largest torque", "-" + arcminutes("reverse_windup_rad"))
-    summary.add_row("hysteresis (width of the loop at zero torque)", arcminutes("hysteresis_rad"))
-    summary.add_row(
-        "lost motion (middle of the loop, between ±3 % of the torque)", arcminutes("lost_motion_rad")
-    )
-    summary.add_row("energy lost per cycle", f"{document['dissipated_energy_J']:.4g} J")
-    target.print(summary)
-    columns = ["stage", "from N·m", "to N·m", "N·m/rad", "N·m/arcmin"]
-    columns += [] if same else ["reverse N·m/rad", "reverse N·m/arcmin"]
-    stages = table(target, stages_title(document), *columns)
-    for stage in document["stages"]:
-        cells = [stage["name"], f"{stage['from_Nm']:.4g}", f"{stage['to_Nm']:.4g}"]
-        for key in ("stiffness_Nm_per_rad", "reverse_stiffness_Nm_per_rad")[: 1 if same else 2]:
-            per_arcminute = format_quantity(stage[key], "N*m/arcmin").split(" ")[0]
-            cells += [format_quantity(stage[key], "1", 5), per_arcminute]
-        stages.add_row(*cells)
-    target.print(stages)
-    _show_rolling(document, same)
-
-
-def _show_rolling(document: dict[str, Any], same: bool) -> None:
-    """Up to which angle the static curve holds, and what follows it."""
-    from asperity.cli.document_text import in_unit, print_wrapped
-    from asperity.cli.terminal import console, show_table, table
-    from asperity.units import format_quantity
-
-    target, rolling = console(), document["rolling"]
-    torque = format_quantity(document["largest_torque_Nm"], "N*m")
-    if rolling["unknown_because"]:
-        print_wrapped(
-            target, f"When the input turns under {torque}: {rolling['unknown_because'][0]}.", indent=0
-        )
-        return
-    columns = ["", "input", "output"] + ([] if same else ["input, reverse", "output, reverse"])
-    ways = [rolling] if same or rolling["reverse"]["unknown_because"] else [rolling, rolling["reverse"]]
-    shown = table(target, f"When the input turns under {torque}", *columns[: 1 + 2 * len(ways)])
-    share = f"{100.0 * rolling['creep_share_of_windup']:.3g} %"
-    for key, words in (
-        ("static_curve_up_to", f"static curve holds up to (creep {share} of the wind-up)"),
-        ("steady_creep_from", "steady creep from (every contact has rolled its width)"),
-        ("swing_without_drift", "largest swing to and fro without lasting drift"),
-    ):
-        cells = [in_unit(way[key][side], "deg") for way in ways for side in ("input_rad", "output_rad")]
-        shown.add_row(words, *cells)
-    drift = [in_unit(way["drift_rad_per_output_turn"], "arcmin") for way in ways]
-    shown.add_row("drift per output turn in steady rolling", *(cell for text in drift for cell in ("", text)))
-    target.print(shown)
-    head = ("contact", "width", "rolled by it after, input", "output", "share of the drift")
-    rows = (
-        (
-            name,
-            in_unit(contact["width_m"], "um"),
-            *(in_unit(contact["rolls_its_width_in"][side], "deg") for side in ("input_rad", "output_rad")),
-            f"{100.0 * contact['share_of_drift']:.3g} %",
-        )
-        for name, contact in rolling["contacts"].items()
-    )
-    show_table(target, "Contacts", head, rows)
-    print_wrapped(
-        target,
-        "Stiffness and drift are two regimes. The wind-up is elastic and comes back when the torque is taken off. The "
-        "drift grows with every angle turned under torque, in either direction; turning back does not recover it.",
-        indent=0,
-    )
+    show_blocks(*wound.blocks())

@@ -23,7 +23,6 @@ from asperity.joint_file.stated_parts import made_interference
 from asperity.page.description import form_of
 from asperity.page.joint_request import JointRequest
 from asperity.page.list_changes import stated_lists
-from asperity.results.margins import Margin, margins
 from asperity.results.solved import SolvedJoint
 from asperity.results.windup_document import windup_columns
 from asperity.rolling.curves import creep_curves
@@ -31,6 +30,8 @@ from asperity.show.free_bodies import BodyForce, body_forces
 from asperity.standing.standing import torque_curves
 from asperity.standing.windup import windup
 from asperity.units import from_si
+from asperity.views.screens import page_views
+from asperity.views.solved_view import SolvedView
 
 Answer = dict[str, Any]
 
@@ -42,43 +43,17 @@ def joint_answer(request: JointRequest) -> Answer:
     """Everything that the page shows of one joint."""
     case = request.case()
     solved, document = solve_with_surface(request.solved_case())
+    made = made_interference(request.solved_case(), solved.result).size
     return {
         "id": request.identity,
         "name": request.name,
         **stated_values(case, request.file_tables),
         "document": document,
-        "drawing": drive_shapes(solved.joint, solved.result)
-        | {"made_interference_m": made_interference(request.solved_case(), solved.result).size},
-        "margins": [_margin(margin) for margin in margins(solved)],
+        "views": page_views(SolvedView(solved, document, made)),
+        "drawing": drive_shapes(solved.joint, solved.result) | {"made_interference_m": made},
         "curves": _curves(solved),
         "creep": _creep(solved),
         "windup": _windup(solved),
-    }
-
-
-def _margin(margin: Margin) -> Answer:
-    """One requirement in the unit of display; numbers that are infinite, and what is not known, are None."""
-    unit = margin.result.display_unit
-
-    def shown(value: float) -> float | None:
-        return from_si(value, unit) if math.isfinite(value) else None
-
-    used = margin.utilisation
-    return {
-        "name": margin.result.name,
-        "label": margin.label,
-        "place": margin.place.replace("_", " "),
-        "unit": unit,
-        "actual": shown(margin.actual),
-        "infinite": math.isinf(margin.actual),
-        "lowest": shown(margin.lowest),
-        "highest": shown(margin.highest),
-        "inclusive": margin.result.limit is not None and margin.result.limit.inclusive,
-        "used": used if math.isfinite(used) else None,
-        "ok": margin.passes,
-        "known": margin.known,
-        "severity": margin.severity,
-        "state": margin.state,
     }
 
 

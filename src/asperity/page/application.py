@@ -37,7 +37,18 @@ ASSETS: dict[str, tuple[str, str]] = {
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
         for name in (
-            *("main", "state", "controls", "choices", "lists", "heights", "units", "help", "results"),
+            *(
+                "main",
+                "state",
+                "controls",
+                "choices",
+                "lists",
+                "heights",
+                "units",
+                "help",
+                "results",
+                "blocks",
+            ),
             *("curves", "plots", "chart", "upload", "jobs", "compose", "compare", "drawing", "numbers"),
         )
     },
@@ -195,9 +206,9 @@ def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> byt
         return (json.dumps(document, indent=2, allow_nan=False) + "\n").encode()
     if kind == "toml":
         return asked.file_text().encode()
-    from asperity.report.html import report_html
     from asperity.report.joint_report import ReportSource, joint_report
     from asperity.report.pdf import report_pdf, require_typst
+    from asperity.views.html import report_html
 
     if kind == "pdf":
         require_typst()  # before the work

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import Any
 
 from asperity.api.comparison import compare
 from asperity.api.joint import DescribedJoint
-from asperity.api.shown import Table
 from asperity.errors import InputError
 from asperity.page.joint_request import JointRequest, joint_request
+from asperity.views.blocks import Block, BlockDocument, Paragraph, block_documents
 
 
 def comparison_request(body: Any) -> list[JointRequest]:
@@ -25,10 +24,17 @@ def comparison_answer(one: JointRequest, other: JointRequest) -> dict[str, Any]:
     joints = dict(zip(names, (one, other), strict=True))
     comparison = compare(*(DescribedJoint(joint.solved_case(), name) for name, joint in joints.items()))
     measured = " and ".join(name for name, joint in joints.items() if joint.surfaces)
-    felt = [f"Measured surfaces, {measured}: what the contacts feel of them under the torque is compared."]
+    felt = [
+        Paragraph(
+            f"Measured surfaces, {measured}: what the contacts feel of them under the torque is compared."
+        )
+    ]
 
-    def plain(parts: list[str | Table]) -> list[Any]:
-        return felt * bool(measured) + [part if isinstance(part, str) else asdict(part) for part in parts]
+    def plain(blocks: list[Block]) -> list[BlockDocument]:
+        return block_documents([*felt, *blocks] if measured else blocks)
 
-    full, document = comparison.tables(in_full=True), comparison.document()
-    return {"parts": plain(comparison.tables()), "all_parts": plain(full), "document": document}
+    return {
+        "parts": plain(comparison.blocks()),
+        "all_parts": plain(comparison.blocks(in_full=True)),
+        "document": comparison.document(),
+    }

@@ -17,7 +17,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from asperity.study.design.design_result import DesignResult
+    pass
 
 #: Called with what is done and with all that is to be done.
 Report = Callable[[int, int], Any]
@@ -79,8 +79,14 @@ def _sensitivity(file: str, options: dict[str, Any], report: Report) -> dict[str
     from asperity.joint_file.reader import read_case
     from asperity.study.tolerances.documents import sensitivity_document
     from asperity.study.tolerances.sensitivity import sensitivity
+    from asperity.views.blocks import block_documents
+    from asperity.views.tolerances import elasticities
 
-    return sensitivity_document(sensitivity(read_case(file)))
+    dataset = sensitivity(read_case(file))
+    views = {
+        name: block_documents(elasticities(dataset, (name,))) for name in dataset["result"].values.tolist()
+    }
+    return sensitivity_document(dataset) | {"views": views}
 
 
 def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
@@ -88,6 +94,8 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
     from asperity.joint_file.reader import read_case
     from asperity.study.tolerances.documents import uncertainty_document
     from asperity.study.tolerances.uncertainty import uncertainty
+    from asperity.views.blocks import block_documents
+    from asperity.views.tolerances import intervals, variance_shares
 
     stated = options.get("distribution")
     dataset = uncertainty(
@@ -98,7 +106,10 @@ def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str
         block=BLOCK,
         report=report,
     )
-    return uncertainty_document(dataset)
+    first = dataset["result"].values.tolist()[:1]
+    return uncertainty_document(dataset) | {
+        "views": block_documents([*intervals(dataset), *variance_shares(dataset, first)])
+    }
 
 
 def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
@@ -108,6 +119,9 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     from asperity.study.design.design import design
     from asperity.study.design.design_file import read_design
     from asperity.study.design.design_result import design_document, shortcoming
+    from asperity.views.blocks import block_documents
+    from asperity.views.design import design as designed
+    from asperity.views.design import design_warnings
 
     problem = read_design(file)
     if len(problem.objectives) > 1:
@@ -119,44 +133,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     if problem.case.measured is not None:  # in a folder that is gone when the page shows it
         text = with_measurement(text, MEASUREMENT_FILE)
     document = {**design_document(result), "conflict": shortcoming(result) or None, "joint_text": text}
-    return document | {"shown": design_words(result)}
-
-
-def design_words(result: DesignResult) -> dict[str, Any]:
-    """Numbers of a design as people read them, with their units, and whether it meets its limits."""
-    from asperity.joint_file.part_names import type_of
-    from asperity.joint_file.si_tables import key_at, numeric_keys, si_values
-    from asperity.units import format_quantity
-
-    problem = result.problem
-    table, stated, kind = problem.table, numeric_keys(problem.case), type_of(si_values(problem.case))
-    unit = table[problem.objectives[0].name].display_unit
-
-    def of_file(path: str, value: float) -> str:
-        return format_quantity(value, key_at(path, kind).unit, 5)
-
-    return {
-        "goal": problem.goal,
-        "met": result.met_words,
-        "before": format_quantity(result.objective_before, unit),
-        "after": format_quantity(result.objective_after, unit),
-        "variables": {
-            path: {
-                "before": of_file(path, stated[path].value) if path in stated else None,
-                "after": of_file(path, value),
-            }
-            for path, value in result.point.items()
-        },
-        "limits": [
-            {
-                "value": "–"
-                if limit.value != limit.value
-                else format_quantity(limit.value, table[limit.name].display_unit),
-                "limit": format_quantity(limit.limit, table[limit.name].display_unit),
-            }
-            for limit in result.limits
-        ],
-    }
+    return document | {"views": block_documents([*designed(result), *design_warnings(result)])}
 
 
 def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:

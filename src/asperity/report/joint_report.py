@@ -19,22 +19,8 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values, stated_tables
 from asperity.joint_file.solved_document import solve_with_surface
 from asperity.joint_file.stated_parts import made_interference, stated_parts
-from asperity.report import limit_tables, load_tables, result_tables, rolling_tables
-from asperity.report.content import (
-    Block,
-    Bullets,
-    Heading,
-    Listing,
-    Paragraph,
-    Picture,
-    Report,
-    Table,
-    quantity,
-)
 from asperity.report.figures import report_pictures
-from asperity.report.load_tables import branch_tables
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
-from asperity.results.document import verdict_words
 from asperity.results.loads_document import loads_document
 from asperity.results.margins import margins
 from asperity.results.solved import SolvedJoint
@@ -47,6 +33,17 @@ from asperity.results.windup_document import (
 from asperity.rolling.onset import RollingOnset
 from asperity.show.title_block import Title
 from asperity.standing.windup import Windup
+from asperity.views.blocks import Block, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.views.branches import branches
+from asperity.views.joint import assumptions, contacts, drive, load, surfaces, verdict
+from asperity.views.limits import margins as margins_shown
+from asperity.views.limits import warnings
+from asperity.views.loads import loads, rims
+from asperity.views.numbers import quantity
+from asperity.views.rolling import rolling
+from asperity.views.solved_view import SolvedView
+from asperity.views.stiffness import budget, stiffness
+from asperity.views.windup import windup
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "matplotlib")
 _CREEP_SHARE = 0.05  # as in asperity windup
@@ -74,8 +71,9 @@ def joint_report(source: ReportSource) -> Report:
 
     An ``InputError`` if the joint cannot exist, a ``NoSolutionError`` if the force balance does not close.
     """
-    parts = _parts(source)
-    document, solved = parts.document, parts.solved
+    solved, document = solve_with_surface(source.case)
+    interference = made_interference(source.case, solved.result).size
+    view = SolvedView(solved, document, interference)
     examined = _examined(solved, document, source.case)
     figures = examined.windup_figures
     pictures = report_pictures(
@@ -86,76 +84,48 @@ def joint_report(source: ReportSource) -> Report:
         math.copysign(examined.rolling_capacity, float(solved.joint.output_torque)),
         windup_capacities=(math.inf, math.inf) if figures is None else windup_capacities(figures),
         name=source.name,
-        interference=made_interference(source.case, solved.result).size,
+        interference=interference,
         title=source.title,
         stated=stated_parts(source.case, joint_from_case(source.case)),
     )
     blocks = (
         *_title_block(source),
-        *_summary(document, solved),
+        Heading("Summary"),
+        load(view),
+        *verdict(view),
         Heading("Inputs"),
         inputs_table(source.case),
         choices_table(source.case),
-        Heading("Assumptions"),
-        Bullets(document["assumptions"]),
-        Heading("Drawing"),
-        Paragraph(
-            "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
-        ),
-        Picture("The drive to scale", pictures["drive"], sheet=True),
-        *_picture(pictures, "forces", "Forces on the bodies drawn apart, centrifugal forces not drawn"),
+        *assumptions(document),
+        *_drawing(pictures),
         Heading("Stiffness"),
-        *result_tables.stiffness(document),
-        *parts.surfaces,
+        *stiffness(view),
+        *surfaces(document),
+        *budget(document),
         *_picture(pictures, "budget", "Stiffness budget and levels of the model"),
         Heading("Forces and contacts"),
-        *result_tables.contacts(document),
-        *parts.drive,
-        *parts.branches,
+        *contacts(view),
+        drive(view),
+        *rims(document),
+        *_branches(document),
         Heading("Loads of the structure"),
-        *load_tables.loads(parts.loads),
+        *loads(loads_document(solved, document["bearings"])),
         Heading("Safety margins"),
-        *limit_tables.margins_table(margins(solved)),
+        *margins_shown(margins(solved)),
         Picture("Used share of each limit", pictures["margins"]),
         Heading("Warnings"),
-        *limit_tables.warnings(document),
+        warnings(document),
         Heading("Wind-up"),
-        *_windup(document, examined, pictures),
+        *_windup(examined, pictures),
         Heading("The joint in rolling"),
-        *_rolling(document, examined, pictures),
+        *rolling(view),
+        *_picture(pictures, "rolling", "Creep, efficiency, drift and life"),
         *study_sections(source.studies),
         Heading("Versions"),
         _versions(),
         *_appendix(source),
     )
     return Report(f"Traction-drive joint: {source.name}", blocks)
-
-
-@dataclass(frozen=True)
-class _Parts:
-    """A solved joint, and the blocks that belong to its kind of drive."""
-
-    solved: SolvedJoint
-    document: dict[str, Any]
-    loads: dict[str, Any]
-    surfaces: tuple[Block, ...]
-    drive: tuple[Block, ...]
-    branches: tuple[Block, ...] = ()
-
-
-def _parts(source: ReportSource) -> _Parts:
-    solved, document = solve_with_surface(source.case)
-    bearings = document["bearings"]
-    loads = loads_document(solved, bearings)
-    drive = result_tables.drive(document)
-    return _Parts(
-        solved,
-        document,
-        loads,
-        surfaces=(*result_tables.interval(document), *result_tables.averages(document)),
-        drive=(*drive, *load_tables.rims(document)),
-        branches=() if solved.branches is None else tuple(branch_tables(document["branches"])),
-    )
 
 
 @dataclass(frozen=True)
@@ -187,6 +157,15 @@ def _picture(pictures: dict[str, str], name: str, caption: str) -> list[Block]:
     return [Picture(caption, pictures[name])] if name in pictures else []
 
 
+def _drawing(pictures: dict[str, str]) -> Iterator[Block]:
+    yield Heading("Drawing")
+    yield Paragraph(
+        "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
+    )
+    yield Picture("The drive to scale", pictures["drive"], sheet=True)
+    yield from _picture(pictures, "forces", "Forces on the bodies drawn apart, centrifugal forces not drawn")
+
+
 def _title_block(source: ReportSource) -> Iterator[Block]:
     rows = [("joint file", source.name), ("computed with", f"asperity {asperity.__version__}")]
     stated = source.title._asdict()
@@ -194,25 +173,19 @@ def _title_block(source: ReportSource) -> Iterator[Block]:
     yield Table("Document", ("item", "content"), rows, words=(0, 1))
 
 
-def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
-    yield Heading("Summary")
-    yield result_tables.summary(document)
-    yield Paragraph(verdict_words(document["verdict"]), strong=True)
+def _branches(document: dict[str, Any]) -> Iterator[Block]:
+    if "branches" in document:
+        yield Heading("Branches by their own sizes")
+        yield from branches(document["branches"])
 
 
-def _windup(document: dict[str, Any], examined: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
+def _windup(examined: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
     if examined.windup_figures is None:
         yield Paragraph(f"No wind-up: {examined.no_windup}.")
         return
-    yield from result_tables.windup(examined.windup_figures)
+    yield from windup(examined.windup_figures)
     turning = "" if examined.onset is None else "; the joint that turns under the largest torque"
     yield Picture(f"Torque and angle, deviation from a straight line, stiffness{turning}", pictures["windup"])
-
-
-def _rolling(document: dict[str, Any], examined: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
-    yield from rolling_tables.rolling(document)
-    if "rolling" in pictures:
-        yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
 
 
 def _appendix(source: ReportSource) -> Iterator[Block]:

@@ -13,7 +13,21 @@ from typing import TYPE_CHECKING
 from asperity.errors import printable
 from asperity.extras import optional_module
 from asperity.made_files import MARK
-from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.views.blocks import (
+    Block,
+    Bullets,
+    Figures,
+    Heading,
+    Listing,
+    Paragraph,
+    Picture,
+    Report,
+    Table,
+    Warned,
+    Warnings,
+    figures_table,
+)
+from asperity.views.numbers import sentence
 from asperity.writing import if_abandoned
 
 _LONGEST_LINE = 128  # letters of a listing
@@ -81,7 +95,7 @@ def _quoted(text: str) -> str:
     return '"' + "".join(c if c.isprintable() else f"\\u{{{ord(c):x}}}" for c in escaped) + '"'
 
 
-def _block(block: Heading | Paragraph | Bullets | Table | Listing) -> str:
+def _block(block: Heading | Paragraph | Bullets | Figures | Table | Warnings | Listing) -> str:
     match block:
         case Heading(text):
             return f"#heading({literal(text)})"
@@ -91,8 +105,12 @@ def _block(block: Heading | Paragraph | Bullets | Table | Listing) -> str:
             return f"#par(text({weight}{colour}{literal(text)}))"
         case Bullets(items):
             return f"#list({', '.join(literal(item) for item in items)})" if items else ""
+        case Figures(items):
+            return _table(figures_table(items))
         case Table():
             return _table(block)
+        case Warnings(items):
+            return f"#list({', '.join(map(_warned, items))})" if items else ""
         case Listing(text):
             lines = [  # broken where they would leave the page
                 line[start : start + _LONGEST_LINE]
@@ -100,6 +118,13 @@ def _block(block: Heading | Paragraph | Bullets | Table | Listing) -> str:
                 for start in range(0, max(1, len(line)), _LONGEST_LINE)
             ]
             return f"#text(size: 7.5pt, raw({_quoted(chr(10).join(lines))}, block: true))"
+
+
+def _warned(item: Warned) -> str:
+    """A crossed limit: what it is in bold, what it means, and what to do."""
+    remedy = f" What to do: {item.remedy}." if item.remedy else ""
+    said = literal(f". {sentence('; '.join(item.meanings))}{remedy}")
+    return f"""text(weight: "bold", {literal(f"{item.about}: {item.text}")}) + {said}"""
 
 
 def _picture(picture: Picture, name: str, *, floats: bool) -> str:

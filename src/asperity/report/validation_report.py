@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import groupby
 from typing import Any
 
-from asperity.report.content import Block, Paragraph, Report, Table
+from asperity.views.blocks import Block, Paragraph, Report, Table
 
 _HEAD = ("quantity: reference", "values", "expected", "found", "deviation", "tolerance", "result")
 

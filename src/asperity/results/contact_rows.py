@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from asperity.engine.arrays import xp
-from asperity.results.result import Result
+from asperity.results.result import Column, Result
 from asperity.results.solved import ONLY_SPOTS, SolvedJoint, has_spots
 from asperity.unit_table import Dimension
 
@@ -27,7 +27,9 @@ _AREA, _NUMBER = Dimension.AREA, Dimension.DIMENSIONLESS
 _PLASTIC = "nan where every spot of the contact is plastic"
 
 
-def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, note: str = "") -> Result:
+def _elastic(
+    name: str, label: str, path: str, dimension: Dimension, unit: str, *, column: Column, note: str = ""
+) -> Result:
     """A stiffness of the asperities: the contact law has none where every spot of a loaded contact is plastic."""
 
     def value(solved: SolvedJoint) -> Any:
@@ -36,10 +38,10 @@ def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, 
         return xp.where(plastic, np.nan, operator.attrgetter(path)(result))
 
     note = f"{note}; {_PLASTIC}" if note else _PLASTIC
-    return _contact(name, label, dimension, unit, value, note=note)
+    return _contact(name, label, dimension, unit, value, note=note, column=column)
 
 
-def _crowned(name: str, label: str, path: str, note: str) -> Result:
+def _crowned(name: str, label: str, path: str, note: str, column: Column) -> Result:
     """A number of crowned contacts; nan for contacts between cylinders in a joint without any crown."""
 
     def value(solved: SolvedJoint) -> Any:
@@ -47,9 +49,8 @@ def _crowned(name: str, label: str, path: str, note: str) -> Result:
         normal = solved.result.forces.normal
         return xp.full_like(normal, np.nan) if quantity is None else quantity
 
-    return _contact(
-        name, label, _NUMBER, "1", value, note=f"{note}; nan where no roller of the joint is crowned"
-    )
+    note = f"{note}; nan where no roller of the joint is crowned"
+    return _contact(name, label, _NUMBER, "1", value, note=note, column=column)
 
 
 ROWS = (
@@ -90,12 +91,18 @@ ROWS = (
         positive=False,
         note="of a cam without friction; 0 without one",
     ),
-    _contact_force("normal_force", "normal force of the contact", value="result.forces.normal"),
+    _contact_force(
+        "normal_force",
+        "normal force of the contact",
+        value="result.forces.normal",
+        column=Column("forces", "normal"),
+    ),
     _contact_force(
         "tangential_force",
         "tangential force of the contact",
         value="result.forces.tangential",
         positive=False,
+        column=Column("forces", "tangential"),
     ),
     _newtons(
         "pin_force",
@@ -119,6 +126,7 @@ ROWS = (
         "interfaces.asperity_tangential",
         _STIFFNESS,
         "N/um",
+        column=Column("stiffness", "K_t asperities"),
     ),
     _elastic(
         "asperity_normal_stiffness",
@@ -126,16 +134,19 @@ ROWS = (
         "interfaces.asperity_normal",
         _STIFFNESS,
         "N/um",
+        column=Column("stiffness", "K_n asperities"),
     ),
     _bulk(
         "bulk_tangential_stiffness",
         "tangential stiffness of the contact's bodies",
         value="result.interfaces.bulk_tangential",
+        column=Column("stiffness", "K_t bodies"),
     ),
     _bulk(
         "bulk_normal_stiffness",
         "normal stiffness of the contact's bodies",
         value="result.interfaces.bulk_normal",
+        column=Column("stiffness", "K_n bodies"),
     ),
     _elastic(
         "contact_torsional_stiffness",
@@ -144,6 +155,7 @@ ROWS = (
         Dimension.TORSIONAL_STIFFNESS,
         "N*m/rad",
         note="at the contact's driven roller",
+        column=Column("stiffness", "own K_T, asperities"),
     ),
     _contact(
         "hertz_half_width",
@@ -151,6 +163,7 @@ ROWS = (
         Dimension.LENGTH,
         "mm",
         "result.diagnostics.hertz_half_width",
+        column=Column("forces", "Hertz width", factor=2.0),
     ),
     _contact(
         "hertz_pressure",
@@ -159,28 +172,39 @@ ROWS = (
         "MPa",
         "result.diagnostics.hertz_pressure",
         note="peak pressure of the smooth line contact, in the middle of a crowned one",
+        column=Column("forces", "Hertz pressure"),
     ),
     _crowned(
         "loaded_length_share",
         "loaded share of the contact length",
         "diagnostics.loaded_length_share",
         "below 1 the ends are free",
+        Column("crowns", "loaded length", unit="%"),
     ),
     _crowned(
         "peak_line_load_ratio",
         "peak line load over mean line load",
         "diagnostics.peak_line_load_ratio",
         "the mean is the normal force over the whole contact length",
+        Column("crowns", "peak over mean load"),
     ),
     _crowned(
         "end_line_load_ratio",
         "line load at the ends over mean line load",
         "diagnostics.end_line_load_ratio",
         "0 where the ends are free; without the stress concentration of an edge",
+        Column("crowns", "end over mean load"),
     ),
     _spot("largest_area", "largest contact spot", _AREA, "mm^2", "result.contacts.largest_area"),
     _spot("critical_area", "critical contact spot", _AREA, "mm^2", "result.contacts.critical_area"),
-    _spot("real_contact_area", "real area of contact", _AREA, "mm^2", "result.contacts.real_contact_area"),
+    _spot(
+        "real_contact_area",
+        "real area of contact",
+        _AREA,
+        "mm^2",
+        "result.contacts.real_contact_area",
+        column=Column("forces", "real area"),
+    ),
     _contact("elastic_load", "load carried by elastic spots", _FORCE, "N", "result.contacts.elastic_load"),
     _contact("plastic_load", "load carried by plastic spots", _FORCE, "N", "result.contacts.plastic_load"),
     _spot(

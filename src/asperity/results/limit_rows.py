@@ -9,7 +9,7 @@ from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS, Surface
 from asperity.drive.layout.wedge import self_locking_ratio
 from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE
 from asperity.joint.description import contact_values
-from asperity.results.result import Limit, Result
+from asperity.results.result import Column, Limit, Result
 from asperity.results.solved import ONLY_SPOTS, SolvedJoint, has_spots
 from asperity.unit_table import Dimension
 
@@ -50,6 +50,7 @@ ROWS = (
         value="result.diagnostics.slip_ratio",
         needs="balance",
         highest_limit=1.0,
+        column=Column("forces", "slip T/(mu N)"),
         limit=Limit(
             "function",
             "the tangential force is below the friction limit",

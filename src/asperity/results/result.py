@@ -85,6 +85,22 @@ class Limit:
 
 
 @dataclass(frozen=True)
+class Column:
+    """Where a result of the contacts is shown: in which table, under which head, in which unit.
+
+    ``table``: ``forces``, ``crowns`` and ``stiffness`` of the contacts that stand, or ``rolling``; a column without any
+    number is left out. ``unit``: that of the column, empty for the unit of the result; ``factor``: times what the
+    result is shown, 2 for a width by its half; ``unit_shown``: how the unit is written where a factor stands in it.
+    """
+
+    table: Literal["forces", "crowns", "stiffness", "rolling"]
+    head: str
+    unit: str = ""
+    factor: float = 1.0
+    unit_shown: str = ""
+
+
+@dataclass(frozen=True)
 class Result:
     """One result of a joint.
 
@@ -136,6 +152,8 @@ class Result:
         Whether it counts the stiffness of the pins.
     bound : str
         What its value is of the drive, if more than a value: an upper bound. Filled in likewise.
+    column : Column or None
+        Where it stands in the tables of the contacts that terminal, report, notebook and page show; None: in none.
     """
 
     name: str
@@ -161,6 +179,7 @@ class Result:
     rows: tuple[str, ...] = ()
     gives_way: bool = False
     bound: str = ""
+    column: Column | None = None
 
     @property
     def said(self) -> str:

@@ -6,7 +6,7 @@ import functools
 from typing import Any
 
 from asperity.engine.arrays import xp
-from asperity.results.result import Limit, Result
+from asperity.results.result import Column, Limit, Result
 from asperity.results.solved import SolvedJoint
 from asperity.unit_table import Dimension
 
@@ -33,6 +33,7 @@ ROWS = (
         "creepage",
         value="result.rolling.creepage",
         positive=False,
+        column=Column("rolling", "creepage", factor=1e3, unit_shown="10⁻³"),
         note="difference of the surface speeds over their mean, in steady rolling",
     ),
     _contact_ratio(
@@ -40,12 +41,14 @@ ROWS = (
         "traction coefficient T/N in rolling",
         value="result.rolling.traction_coefficient",
         positive=False,
+        column=Column("rolling", "traction T/N"),
     ),
     _contact_ratio(
         "rolling_slip_ratio",
         "slip ratio T/(mu N) in rolling",
         value="result.rolling.slip_ratio",
         note="friction used by skew is not counted as available",
+        column=Column("rolling", "slip T/(mu N)"),
     ),
     _contact_ratio(
         "stick_fraction",
@@ -95,6 +98,7 @@ ROWS = (
         "layer_creepage_factor",
         "creepage with asperities over that of smooth bodies",
         value="result.rolling.layer_creepage_factor",
+        column=Column("rolling", "asperities", unit_shown="times"),
     ),
     _per_contact(
         "rough_half_width",
@@ -111,6 +115,7 @@ ROWS = (
         "MPa",
         "result.rolling.hertz_pressure",
         note="of Hertz under the rolling forces; shakedown and life are judged by it",
+        column=Column("rolling", "pressure"),
     ),
     _per_contact(
         "rough_peak_pressure",
@@ -119,6 +124,7 @@ ROWS = (
         "MPa",
         "result.rolling.rough_peak_pressure",
         note="nominal; life and shakedown take the higher one of smooth bodies, as the standards do",
+        column=Column("rolling", "rough"),
     ),
     _contact_ratio(
         "crown_creepage_factor",
@@ -193,6 +199,7 @@ ROWS = (
         "shakedown_ratio",
         "Hertz pressure over shakedown limit",
         value="result.rolling.shakedown_ratio",
+        column=Column("rolling", "over shakedown"),
         limit=Limit(
             "damage",
             "plastic flow, if any, stops after the first turns",
@@ -282,6 +289,7 @@ ROWS = (
         "rating life of one contact of one branch (both tracks), in turns of the output",
         value="result.rolling.life_turns.contact",
         axis="contact",
+        column=Column("rolling", "life", unit_shown="output turns"),
     ),
     _life(
         "body_life_turns",

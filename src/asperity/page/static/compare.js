@@ -1,12 +1,10 @@
 // A second joint file beside the joint on the page: what 'asperity compare' says of both.
 
-import { element, number, table } from "/numbers.js";
+import { elements } from "/blocks.js";
+import { element, number } from "/numbers.js";
 
 const LARGEST = 1000000; // byte, as the server
 const PAUSE = 300; // ms without a change of the joint before it is compared again
-
-/** A name that may be broken behind its dots and underscores. */
-const broken = (name) => element("span", {}, ...name.split(/(?<=[._])/).flatMap((piece) => [piece, element("wbr")]));
 
 export class Comparison {
   /** `post(path, body, type)` asks the server; `fail(text, name)` says what is wrong with a file; `opened()` that nothing is. */
@@ -95,13 +93,7 @@ export class Comparison {
 
   show() {
     const parts = this.found ? this.found[this.full ? "all_parts" : "parts"] : [];
-    this.body.replaceChildren(
-      ...parts.flatMap((part) =>
-        typeof part === "string"
-          ? [element("p", { class: "note" }, part)]
-          : [element("h3", {}, part.title), element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": `${part.title}, scrollable` }, table(part.title, part.head.map(broken), part.rows.map(([name, ...cells]) => [broken(name), ...cells])))],
-      ),
-    );
+    this.body.replaceChildren(...elements(parts));
     this.panel.dataset.compared = String(Number(this.panel.dataset.compared || 0) + 1);
   }
 }

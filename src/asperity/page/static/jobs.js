@@ -1,26 +1,12 @@
 // Long computations: begin, watch, stop, and show what came out.
 
+import { elements } from "/blocks.js";
 import { Composer } from "/compose.js";
-import { label } from "/controls.js";
-import { element, number, table } from "/numbers.js";
-import { warnings } from "/results.js";
+import { element, number } from "/numbers.js";
 
 const TITLES = { sensitivity: "What matters most", uncertainty: "Uncertainty", design: "Design" };
 const UNITS = { sensitivity: "", uncertainty: "samples", design: "searches" };
 const STATES = { waiting: "waits", running: "runs", done: "finished", failed: "failed", stopped: "stopped" };
-const MOST_SHOWN = 10;
-
-const plain = (text) => text.replaceAll("_", " ");
-
-/** A number of the joint file in words, with its section where the name alone is not clear. */
-const named = (path) => (path.startsWith("materials.") ? label(path) : `${label(path)} (${path.split(".")[0]})`);
-
-/** Numbers of a document in the unit of the cards. */
-function shown(unit) {
-  if (unit === "N*m/rad") return [Math.PI / 10800, "N·m/arcmin"];
-  if (unit === "rad") return [10800 / Math.PI, "arcmin"];
-  return [1, unit === "1" ? "" : unit.replaceAll("*", "·")];
-}
 
 export class JobList {
   /** `post(path, body)` asks the server; `takeOver(joint)` puts a designed joint on the page; `controls` know its numbers. */
@@ -154,78 +140,26 @@ export class JobList {
   }
 
   designed(found, item) {
-    const { shown } = found;
-    const rows = Object.entries(shown.variables).map(([path, value]) => [named(path), value.before ?? "–", value.after, found.at_bound[path] ? `at its ${found.at_bound[path]} bound` : ""]);
-    const limits = found.limits
-      .map((each, i) => ({ ...each, ...shown.limits[i] }))
-      .filter((each) => !each.implied)
-      .map((each) => [each.label + (each.row ? `, ${plain(each.row)}` : ""), each.value, `${each.at_most ? "at most" : "at least"} ${each.limit}`, !each.met ? "✗ missed" : each.active ? "✓ reached" : "✓ kept"]);
     const take = element("button", { type: "button" }, "Put this design on the page");
     take.addEventListener("click", () => this.takeOver({ name: item.state.name, toml: found.joint_text }));
-    return [
-      element("p", { class: found.conflict ? "fail" : "pass" }, found.conflict ? `✗ ${found.conflict}` : `✓ ${found.shown.met}`),
-      element("p", {}, `${shown.goal[0].toUpperCase()}${shown.goal.slice(1)}: ${shown.after}, before ${shown.before}.`),
-      scrolled("Free numbers", ["number", "before", "design", "bound"], rows),
-      ...(limits.length ? [scrolled("Limits", ["limit", "actual", "required", "result"], limits)] : []),
-      element("h4", {}, "Warnings of this design"),
-      found.diagnostics ? warnings(found) : element("p", { class: "note" }, `Under the output torque of its file it has no result: ${found.no_result_because}.`),
-      take,
-      " ",
-    ];
+    return [...elements(found.views), take, " "];
   }
 }
 
-const scrolled = (name, headings, rows) => element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": `${name}, scrollable` }, table(name, headings, rows));
-
-/** A bar to the right for more, to the left for less. */
-function signed(value, largest) {
-  const fill = element("span", { class: `fill ${value < 0 ? "less" : "more"}` });
-  fill.style.width = `${(50 * Math.abs(value)) / largest}%`;
-  fill.style.marginLeft = value < 0 ? `${50 - (50 * Math.abs(value)) / largest}%` : "50%";
-  return element("span", { class: "bar-track", "aria-hidden": "true" }, fill);
-}
-
+/** Elasticities of one result after the other. */
 function sensitivity(found) {
-  const names = Object.keys(found.results);
+  const names = Object.keys(found.views);
   const select = element("select", { id: "sensitivity-result", "aria-label": "Result that is ranked" }, ...names.map((name) => element("option", { value: name }, found.results[name].description)));
   select.value = names.includes("assembly_stiffness_output") ? "assembly_stiffness_output" : names[0];
-  const place = element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Elasticities, scrollable" });
-  const draw = () => {
-    const ranked = Object.entries(found.results[select.value].elasticity)
-      .filter((pair) => pair[1] !== null && pair[1] !== 0)
-      .sort((one, other) => Math.abs(other[1]) - Math.abs(one[1]))
-      .slice(0, MOST_SHOWN);
-    const largest = ranked.length ? Math.abs(ranked[0][1]) : 1;
-    const rows = ranked.map(([path, value]) => [named(path), `${value > 0 ? "+" : "−"}${number(Math.abs(value), 3)}`, signed(value, largest)]);
-    place.replaceChildren(rows.length ? table("Largest elasticities", ["number of the file", "elasticity", element("span", { class: "visually-hidden" }, "bar")], rows) : element("p", { class: "note" }, "This result has no elasticities: it is 0 or infinite."));
-  };
+  const place = element("div", {});
+  const draw = () => place.replaceChildren(...elements(found.views[select.value]));
   select.addEventListener("change", draw);
   draw();
-  return [select, place, element("p", { class: "note" }, "An elasticity of 2: one per cent more of the number makes about two per cent more of the result. The ten largest. A radius is that of another drive, whose ring follows it; a finished part deviates while all others stay as they are.")];
+  return [select, place, element("p", { class: "note" }, "An elasticity of 2: one per cent more of the number makes about two per cent more of the result. A radius is that of another drive, whose ring follows it; a finished part deviates while all others stay as they are.")];
 }
 
-function uncertainty(found) {
-  const results = Object.entries(found.results).filter((pair) => pair[1].nominal !== null);
-  const rows = results.map(([, each]) => {
-    const [factor, unit] = shown(each.unit);
-    const cell = (value) => (value === null ? "–" : number(value * factor));
-    const end = (share) => (each.failing_ends.includes(share) ? "fails" : cell(each[`quantile_${share}`]));
-    const failed = each.failed_share > 0 ? ` (${number(100 * each.failed_share, 3)} % of the drives fail)` : "";
-    return [`${each.description}${unit ? `, ${unit}` : ""}${failed}`, cell(each.nominal), cell(each.mean), end("0.025"), end("0.975")];
-  });
-  const failing = results.some((pair) => pair[1].failed_share > 0) ? "; those that fail count as the worst there, and not in the mean" : "";
-  const first = results.find((pair) => Object.values(pair[1].sobol).some((index) => index.total_order !== null));
-  const shares = first ? Object.entries(first[1].sobol).sort((one, other) => other[1].total_order - one[1].total_order).slice(0, MOST_SHOWN) : [];
-  const bar = (share) => {
-    const fill = element("span", { class: "fill" });
-    fill.style.width = `${Math.min(Math.max(share, 0), 1) * 100}%`;
-    return element("span", { class: "bar-track", "aria-hidden": "true" }, fill);
-  };
-  return [
-    element("p", {}, `${found.solved} of ${found.samples} samples have a result, seed ${found.seed}. 95 % of the drives lie between the last two columns${failing}.`),
-    element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Intervals, scrollable" }, table("Intervals", ["result", "nominal", "mean", "2.5 %", "97.5 %"], rows)),
-    ...(shares.length
-      ? [element("h4", {}, `Shares in the variance of: ${first[1].description}`), table("Sobol indices", ["tolerance", "total order", element("span", { class: "visually-hidden" }, "bar")], shares.map(([path, index]) => [named(path), `${number(index.total_order, 2)} ± ${number(index.total_order_half_width, 1)}`, bar(index.total_order)]))]
-      : []),
-  ];
-}
+/** Where 95 % of the drives lie, and what each tolerance contributes. */
+const uncertainty = (found) => [
+  element("p", {}, `${found.solved} of ${found.samples} samples have a result, seed ${found.seed}.`),
+  ...elements(found.views),
+];

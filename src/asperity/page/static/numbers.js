@@ -14,9 +14,6 @@ export function number(value, digits = 4) {
   return String(Number(value.toFixed(Math.max(digits - 1 - Math.floor(Math.log10(size)), 0))));
 }
 
-/** A value that is infinite or a number. */
-export const orInfinite = (infinite, value) => (infinite ? "infinite" : number(value));
-
 export const arcmin = (radians) => (radians === null ? null : radians * ARCMIN);
 export const scaled = (value, factor) => (value === null || value === undefined ? null : value * factor);
 
@@ -57,18 +54,19 @@ export function svg(name, attributes = {}, ...children) {
   return made;
 }
 
-/** A table from headings and rows; the first cell of a row is its heading. */
-export function table(caption, headings, rows) {
+/** A table from headings and rows; the first cell of a row is its heading; `words` are the columns of words beside it. */
+export function table(caption, headings, rows, words = new Set()) {
+  const aligned = (place) => (words.has(place) ? { class: "w" } : {});
   return element(
     "table",
     {},
     element("caption", { class: "visually-hidden" }, caption),
-    element("thead", {}, element("tr", {}, ...headings.map((text) => element("th", { scope: "col" }, text)))),
+    element("thead", {}, element("tr", {}, ...headings.map((text, place) => element("th", { scope: "col", ...aligned(place) }, text)))),
     element(
       "tbody",
       {},
       ...rows.map(([head, ...cells]) =>
-        element("tr", {}, element("th", { scope: "row" }, head), ...cells.map((cell) => element("td", {}, cell))),
+        element("tr", {}, element("th", { scope: "row" }, head), ...cells.map((cell, place) => element("td", aligned(place + 1), cell))),
       ),
     ),
   );

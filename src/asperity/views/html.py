@@ -1,4 +1,4 @@
-"""A report as one HTML file that needs nothing else: no scripts, no network."""
+"""Blocks as HTML, and a report as one HTML file that needs nothing else: no scripts, no network."""
 
 from __future__ import annotations
 
@@ -8,7 +8,21 @@ from collections.abc import Callable, Sequence
 
 from asperity.errors import printable
 from asperity.made_files import MARK
-from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.views.blocks import (
+    Block,
+    Bullets,
+    Figures,
+    Heading,
+    Listing,
+    Paragraph,
+    Picture,
+    Report,
+    Table,
+    Warned,
+    Warnings,
+    figures_table,
+)
+from asperity.views.numbers import sentence
 
 _STYLE = """
 :root { color-scheme: light; --ink: #111; --paper: #fff; --line: #ccc; --pass: #05603a; --fail: #a4001d; }
@@ -69,6 +83,12 @@ def blocks_html(blocks: Sequence[Block]) -> str:
     return "\n".join(parts)
 
 
+def notebook_html(blocks: Sequence[Block]) -> str:
+    """Write blocks as HTML for a notebook, which aligns cells at the right by itself."""
+    style = "<style>.asperity .w { text-align: left; } .asperity .strong { font-weight: bold; }</style>"
+    return f'{style}<div class="asperity">{blocks_html(blocks)}</div>'
+
+
 def _block(block: Block, number: int, section: int) -> str:
     match block:
         case Heading(text):
@@ -80,14 +100,25 @@ def _block(block: Block, number: int, section: int) -> str:
             return f"<p{kind}>{_text(text)}</p>"
         case Bullets(items):
             return f"<ul>{''.join(f'<li>{_text(item)}</li>' for item in items)}</ul>"
+        case Figures(items):
+            return _table(figures_table(items))
         case Table():
             return _table(block)
+        case Warnings(items):
+            return f"<ul>{''.join(f'<li>{warned_html(item)}</li>' for item in items)}</ul>"
         case Picture(title, svg, _):
             caption = _text(title)
             picture = f'<div role="img" aria-label="{caption}">{_inline(svg, number)}</div>'
             return f"<figure>{picture}<figcaption>{caption}</figcaption></figure>"
         case Listing(text):
             return f"<pre>\n{html.escape(text)}</pre>"  # HTML drops the line break that follows <pre>
+
+
+def warned_html(item: Warned) -> str:
+    """A crossed limit: what it is in bold, what it means, and what to do."""
+    meanings = "; ".join(map(_text, item.meanings))
+    remedy = f" What to do: {_text(item.remedy)}." if item.remedy else ""
+    return f"<strong>{_text(item.about)}: {_text(item.text)}</strong>. {sentence(meanings)}{remedy}"
 
 
 def _table(table: Table) -> str:
@@ -101,10 +132,8 @@ def _table(table: Table) -> str:
 
     body = "\n".join(row(cells, "td", _text) for cells in table.rows)
     head = row(table.head, "th", lambda title: "<br>".join(map(_text, title.split("\n"))))
-    return (
-        f'<div class="wide"><table><caption>{_text(table.title)}</caption><thead>{head}</thead>'
-        f"<tbody>\n{body}\n</tbody></table></div>"
-    )
+    caption = f"<caption>{_text(table.title)}</caption>" if table.title else ""
+    return f'<div class="wide"><table>{caption}<thead>{head}</thead><tbody>\n{body}\n</tbody></table></div>'
 
 
 def _text(text: str) -> str:

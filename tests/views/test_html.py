@@ -5,8 +5,8 @@ from html.parser import HTMLParser
 
 import pytest
 
-from asperity.report.content import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
-from asperity.report.html import report_html
+from asperity.views.blocks import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.views.html import report_html
 
 HOSTILE = "</pre><script>alert('x')</script><img src=x onerror=y>&amp;\"' #{[*_$\\\x1b[31m\u202e"
 SVG = (

@@ -1,0 +1,113 @@
+"""The limits of a joint: what is required and reached, and what is crossed."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from asperity.results.margins import Margin
+from asperity.views.blocks import Block, Paragraph, Table, Warned, Warnings
+from asperity.views.numbers import quantity, words
+
+Document = dict[str, Any]
+
+#: What a crossed limit means for the joint, by its severity.
+ABOUT = {
+    "function": "Fails",
+    "damage": "Damage",
+    "accuracy": "Outside the model's range",
+    "state": "State",
+    "model": "Contact law",
+}
+_NOT_CHECKED = "Not checked"
+
+
+def crossed_limits(document: Document, *, model: bool) -> list[list[Document]]:
+    """Entries of crossed limits, those of the published contact law alone or all others, grouped by name and state."""
+    crossed: dict[tuple[str, str], list[Document]] = {}
+    for entry in document["diagnostics"]:
+        if not entry["ok"] and (entry["severity"] == "model") == model:
+            crossed.setdefault((entry["name"], entry.get("state", "")), []).append(entry)
+    return list(crossed.values())
+
+
+def warnings(document: Document) -> Block:
+    """Every crossed limit, the most serious first, with what to do; the range of the published law is no limit."""
+    crossed = crossed_limits(document, model=False)
+    contacts = max(Counter(e["name"] for e in document["diagnostics"] if e["contact"]).values(), default=0)
+    if not crossed:
+        return Paragraph("No warnings: all limits are met.", strong=True)
+    return Warnings([_warned(entries, contacts) for entries in crossed])
+
+
+def _warned(entries: list[Document], contacts: int) -> Warned:
+    first = entries[0]
+    beside = first.get("state") or f"limit {first['limit_shown']}"
+    remedies = [entry["remedy"] for entry in entries if entry["remedy"]]
+    return Warned(
+        first["severity"],
+        ABOUT[first["severity"]] if first["known"] else _NOT_CHECKED,
+        f"{first['label']} {_values(entries, contacts)} ({beside})",
+        tuple(dict.fromkeys(entry["meaning"] for entry in entries)),
+        remedies[0] if remedies else "",
+    )
+
+
+def _values(entries: list[Document], contacts: int) -> str:
+    """Values by contact, or one value where all contacts have the same."""
+    values = [entry["shown"] for entry in entries]
+    if len(entries) == contacts and len(set(values)) == 1:
+        return f"{values[0]} at every contact"
+    return ", ".join(
+        f"{value} at {words(e['contact'])}" if e["contact"] else value
+        for value, e in zip(values, entries, strict=True)
+    )
+
+
+def margins(judged: Sequence[Margin]) -> Iterator[Block]:
+    """Required and actual values; residuals of the equations are no margins."""
+    yield Paragraph(
+        "Each requirement at its worst contact or clearance: first those that fail, most serious first, then those "
+        "that are not known, then states of the joint with a consequence, then all others, tightest first. A "
+        "requirement of the model that fails means that the published contact law is outside its range, not that the "
+        "joint fails."
+    )
+    shown = sorted((margin for margin in judged if not margin.result.name.endswith("_residual")), key=_rank)
+    rows = [
+        (
+            margin.label,
+            margin.severity,
+            words(margin.place),
+            "–" if margin.state else _bounds(margin),
+            quantity(margin.actual, margin.result.display_unit),
+            margin.outcome,
+        )
+        for margin in shown
+    ]
+    shares = [
+        margin.utilisation
+        if margin.known and not margin.state and math.isfinite(margin.utilisation)
+        else None
+        for margin in shown
+    ]
+    head = ("requirement", "concerns", "where", "required", "actual", "result")
+    yield Table("Safety margins", head, rows, words=(0, 1, 2), verdicts=True, shares=shares)
+
+
+def _bounds(margin: Margin) -> str:
+    unit = margin.result.display_unit
+    inclusive = margin.result.limit is not None and margin.result.limit.inclusive
+    signs = ("≥", "≤") if inclusive else (">", "<")
+    bounds = zip(signs, (margin.lowest, margin.highest), strict=True)
+    return " and ".join(f"{sign} {quantity(bound, unit)}" for sign, bound in bounds if math.isfinite(bound))
+
+
+def _rank(margin: Margin) -> tuple[int, float]:
+    """Key to sort margins: not met, not known, states, then by the share of their limit."""
+    if margin.state:
+        return 2, 0.0
+    if not margin.passes:
+        return int(not margin.known), 0.0
+    return 3, math.inf if math.isnan(margin.utilisation) else -margin.utilisation

@@ -1,0 +1,229 @@
+"""Torsional stiffness on every level, what bounds it, and where the compliance comes from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from asperity.joint.pin_bound import bounded
+from asperity.views.blocks import Block, Paragraph, Table
+from asperity.views.joint import input_member
+from asperity.views.limits import crossed_limits
+from asperity.views.numbers import number, number_in, percent, quantity, sentence, words
+from asperity.views.solved_view import SolvedView
+
+Document = dict[str, Any]
+
+#: Below this share of the compliance a spring is only the rounding of the others.
+NO_SHARE = 1e-12
+#: Share of the compliance below which a contact is not named beside its spring.
+_NAMED = 5e-4
+
+#: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
+LEVEL_WORDS = (
+    ("assembly", "assembled: asperities, bodies, rollers free to move, structure"),
+    ("series_with_bulk", "asperities and bodies in series, roller centres fixed"),
+    ("published", "asperities alone, the level of Zou et al. 2025: an upper bound"),
+)
+_LEVEL_HEAD = ("level of the model", "output\nN·m/arcmin", "output\nN·m/rad")
+_SPRINGS = {
+    "tangential": "contacts, tangential",
+    "normal": "contacts, normal (rollers free to move)",
+    "ring_bending": "ring, compliance.ring_bending_stiffness",
+    "pin": "carrier pins",
+    "planet_support": "supports of rollers without a pin",
+    "input_shaft": "input shaft",
+    "output_shaft": "output shaft",
+    "loading_cam": "loading cam",
+}
+_ELASTIC_BODIES = (
+    "the springs of a contact include the deformation of its whole bodies, such as the bending of a free ring"
+)
+_BELOW_ZERO = (
+    "a negative share: the other forces on its bodies deflect this spring against its own force; the shares add up to "
+    "100 %"
+)
+
+
+def stiffness(view: SolvedView) -> Iterator[Block]:
+    """Stiffness on every level, with what bounds it, beside the drift of a joint that turns."""
+    document = view.document
+    keys = ("output_Nm_per_arcmin", "output_Nm_per_rad", "input_Nm_per_rad")
+    yield Table(
+        "Torsional stiffness",
+        (*_LEVEL_HEAD, f"{input_member(document)}\nN·m/rad"),
+        [(said, *(number(level[key]) for key in keys)) for said, level in _levels(document)],
+    )
+    if document["stiffness_unknown_because"]:
+        yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")
+    if "pin_clearance_interval" in document:
+        yield Paragraph(sentence(document["pin_clearance_interval"]["words"]))
+    if said := law_range_words(document):
+        yield Paragraph(sentence(said))
+    yield _drift(document)
+    yield from _laws(document)
+    yield from _interval(document)
+
+
+def _levels(document: Document) -> list[tuple[str, Document]]:
+    """Words and stiffness of each level of a joint of any drive, the fullest first.
+
+    Of a joint with a loading cam also of the assembly whose cam is held by its friction.
+    """
+    rows = [(said, document["torsional_stiffness"][level]) for level, said in level_words(document)]
+    cam = document["preload"]["loading_cam"]
+    if cam is not None:
+        output = cam["held_stiffness_output_Nm_per_rad"]
+        squared = document["geometry"]["speed_ratio"] ** 2
+        held = {
+            "input_Nm_per_rad": None if output is None else output / squared,
+            "output_Nm_per_rad": output,
+            "output_Nm_per_arcmin": None if output is None else output * math.pi / 10800.0,
+        }
+        rows.append(
+            (bounded("assembled, loading cam held by its friction", document["stiffness_bound"]), held)
+        )
+    return rows
+
+
+def level_words(document: Document) -> list[tuple[str, str]]:
+    """Levels of the torsional stiffness in words, the fullest first, with what bounds that of this joint."""
+    (fullest, said), *others = LEVEL_WORDS
+    return [(fullest, bounded(said, document["stiffness_bound"])), *others]
+
+
+def law_range_words(document: Document) -> str:
+    """Where the published contact law is outside its range, which concerns the level of the asperities alone; or ""."""
+    crossed = crossed_limits(document, model=True)
+    if not crossed:
+        return ""
+    parts = ", ".join(f"{entries[0]['label']} {_largest(entries)}" for entries in crossed)
+    remedies = [entry["remedy"] for entries in crossed for entry in entries if entry["remedy"]]
+    return "; ".join([f"asperities alone: outside the range of this law, {parts}", *remedies[:1]])
+
+
+def _largest(entries: list[Document]) -> str:
+    if any(entry.get("infinite") for entry in entries):
+        return "infinite"
+    known = [entry for entry in entries if entry["value"] is not None]
+    return f"up to {max(known, key=lambda entry: entry['value'])['shown']}" if known else "not known"
+
+
+def _drift(document: Document) -> Paragraph:
+    """The other number of a joint that turns: its output lags turn by turn, which no stiffness says."""
+    drift = document["drift_rad_per_output_turn"]
+    if drift is None:
+        return Paragraph(sentence(f"drift: {'; '.join(document['rolling']['unknown_because'])}"), strong=True)
+    return Paragraph(
+        f"Beside every stiffness: the output drifts by {quantity(drift, 'arcmin')} in each of its turns under this "
+        f"torque ({percent(document['speed_loss'])} of the speed). The wind-up comes back, the drift does not.",
+        strong=True,
+    )
+
+
+def _laws(document: Document) -> Iterator[Block]:
+    """Stiffness and drift by every contact law that the surfaces allow."""
+    entries = document.get("contact_laws", ())
+    if not entries:
+        return
+    rows = [
+        (
+            entry["law"],
+            number(entry["assembly_Nm_per_rad"]),
+            number_in(entry["drift_rad_per_output_turn"], "arcmin"),
+            " to ".join(f"{end:g}" for end in entry["over_boundary_elements"]),
+            "used here" if entry["used"] else "",
+        )
+        for entry in entries
+    ]
+    head = ("law", "assembled, output\nN·m/rad", "drift per turn\narcmin", "over boundary\nelements", "")
+    yield Table("Contact laws side by side", head, rows, words=(0, 4))
+    yield Paragraph(
+        "Over boundary elements: how stiff a contact is by this law, over the same computed by boundary elements on "
+        "measured surfaces."
+    )
+
+
+def _interval(document: Document) -> Iterator[Block]:
+    """Interval of stiffness and drift over what is open of the surfaces, drawn or measured."""
+    interval, ends = document.get("stiffness_interval"), ("low", "high")
+    if interval is None:
+        return
+    yield Table(
+        interval["title"],
+        ("level of the model", "output from\nN·m/rad", "output to\nN·m/rad"),
+        [
+            (said, *(number(interval[level][f"{end}_Nm_per_rad"]) for end in ends))
+            for level, said in level_words(document)
+        ],
+    )
+    low, high = (quantity(interval["drift"][f"{end}_rad_per_output_turn"], "arcmin") for end in ends)
+    yield Paragraph(f"Drift from {low} to {high} per output turn.")
+    if rows := _interval_rows(interval):
+        yield Table("Asperities of the contacts in this interval", _INTERVAL_HEADS, rows)
+    yield Paragraph(interval["words"])
+
+
+_INTERVAL_HEADS = (
+    "contact",
+    "K_n, both\nN/µm",
+    "K_n, law alone\nN/µm",
+    "K_n, heights alone\nN/µm",
+    "K_t, both\nN/µm",
+)
+
+
+def _interval_rows(interval: Document) -> list[tuple[str, ...]]:
+    """Ends of the asperities' stiffnesses by the errors of contact law and heights, one row for each contact."""
+
+    def cell(ends: list[float]) -> str:
+        return " to ".join(number(end, 1e-6, digits=3) for end in ends)
+
+    rows = []
+    for name, contact in interval.get("contacts", {}).items():
+        normal, tangential = (
+            contact[f"asperity_{direction}_stiffness_N_per_m"] for direction in ("normal", "tangential")
+        )
+        parts = [normal[part] for part in ("both", "contact_law", "rms_height")]
+        rows.append((words(name), *(cell(ends) for ends in (*parts, tangential["both"]))))
+    return rows
+
+
+def budget(document: Document) -> Iterator[Block]:
+    """Where the assembly's compliance comes from, largest share first."""
+    shares = []
+    for name, share in document["stiffness_budget"].items():
+        total = sum(share.values()) if isinstance(share, dict) and None not in share.values() else share
+        if isinstance(total, float) and abs(total) > NO_SHARE:
+            spring = name.removesuffix("_share")
+            shares.append(
+                (total, _SPRINGS.get(spring, words(spring)), share if isinstance(share, dict) else {})
+            )
+    title = "Compliance of the assembled joint, by spring"
+    if not shares:
+        why = document["stiffness_unknown_because"] or "the joint transmits no torque"
+        yield Paragraph(sentence(f"{title}: none, {why}"))
+        return
+    shares.sort(key=lambda entry: -entry[0])
+    rows = [(spring, number(total, 100.0), _by_contact(where)) for total, spring, where in shares]
+    yield Table(
+        title, ("spring", "share\n%", "of it\n%"), rows, words=(0, 2), shares=[entry[0] for entry in shares]
+    )
+    every = [part for total, _, where in shares for part in (where.values() or [total])]
+    if note := budget_words(
+        every, elastic_bodies=(document["input"].get("model") or {}).get("bodies") != "springs"
+    ):
+        yield Paragraph(sentence(note))
+
+
+def _by_contact(where: dict[str, float]) -> str:
+    """The contacts of a spring with their shares in percent, largest first."""
+    parts = sorted(((part, name) for name, part in where.items() if abs(part) >= _NAMED), reverse=True)
+    return ", ".join(f"{words(name)} {number(part, 100.0, digits=3)}" for part, name in parts)
+
+
+def budget_words(shares: Iterable[float | None], *, elastic_bodies: bool) -> str:
+    """What the shares of the compliance [-] do not show, without a full stop; empty where they show it all."""
+    below = any(share is not None and share < -NO_SHARE for share in shares)
+    return "; ".join([_ELASTIC_BODIES] * elastic_bodies + [_BELOW_ZERO] * below)
