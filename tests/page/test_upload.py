@@ -13,10 +13,10 @@ from asperity.page import upload
 from asperity.page.child import StoppedError
 from asperity.page.job_process import run_job
 from asperity.page.upload import measured_upload, opened_design, opened_joint, recognised, refuse_downloads
-from asperity.views.blocks import Report
-from asperity.views.html import report_html
 from asperity.surface.measure_files import read_surface
 from asperity.surface.measurement import SCHEMA
+from asperity.views.blocks import Report
+from asperity.views.html import report_html
 
 DESIGN = b'joint = "a.toml"\n[variables]\n"load.preload" = {lower = "1 N", upper = "2 N"}\n'
 

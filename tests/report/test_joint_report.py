@@ -11,12 +11,12 @@ from asperity.api.joint import DescribedJoint
 from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case
 from asperity.page.upload import refuse_downloads
-from asperity.views.blocks import Heading, Listing, Paragraph, Picture, Table
-from asperity.views.html import report_html
 from asperity.report.joint_report import ReportSource, choices_table, inputs_table, joint_report, label_of
 from asperity.report.pdf import typst_source
 from asperity.show.title_block import Title
 from asperity.units import format_quantity
+from asperity.views.blocks import Heading, Listing, Paragraph, Picture, Table
+from asperity.views.html import report_html
 
 TEXT = (Path(__file__).parents[2] / "examples" / "zou2025.toml").read_text(encoding="utf-8")
 

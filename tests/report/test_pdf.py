@@ -6,8 +6,8 @@ import sys
 import pytest
 
 from asperity.errors import MissingExtraError
-from asperity.views.blocks import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.pdf import _table, literal, report_pdf, require_typst, typst_source
+from asperity.views.blocks import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2 1" width="2" height="1"><path d="M0 0L1 1"/></svg>'
 HOSTILE = 'a" + read("/etc/passwd") #eval("1") \\ $x$ \x1b[31m\u202e'

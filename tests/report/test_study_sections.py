@@ -9,10 +9,10 @@ import pytest
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import si_values
-from asperity.views.blocks import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.study_sections import STUDIED, ReportStudies, study_files, study_sections
 from asperity.study.design.design_problem import SUMMARY, DesignProblem, Objective, Variable, WorstCase
 from asperity.study.design.design_result import DesignResult, LimitReport
+from asperity.views.blocks import Heading, Listing, Paragraph, Picture, Table
 
 xarray = pytest.importorskip("xarray", reason="the extra 'study' is not installed")
 ROOT = Path(__file__).parents[2]

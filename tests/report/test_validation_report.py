@@ -1,8 +1,8 @@
 """The evidence as a report says the same as the document that it is made of."""
 
+from asperity.report.validation_report import shown, validation_report
 from asperity.views.blocks import Paragraph, Table
 from asperity.views.html import report_html
-from asperity.report.validation_report import shown, validation_report
 
 
 def check(passed, **changes):
