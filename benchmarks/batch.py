@@ -24,7 +24,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.contact.fractal import Surface
-from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.materials import Material
 from asperity.precision import use_double_precision
 from asperity.zou2025.published import PublishedJoint, published_joint

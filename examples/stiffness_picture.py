@@ -13,9 +13,9 @@ from matplotlib.figure import Figure
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import si_values
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.show.drive_drawing import draw_drive
 from asperity.show.style import ACCENT, MARK, MUTED, STYLE
 from asperity.study.batch import evaluate_points
+from asperity.zou2025.drive_drawing import draw_drive
 from asperity.zou2025.preset import DIMENSION_RANGE, operating_grid, table_2_joint
 
 FILE = Path(__file__).with_name("zou2025.toml")

@@ -17,8 +17,9 @@ import asperity.contact
 import asperity.drive
 import asperity.drive.stiffness
 import asperity.drive.structure
-import asperity.drive.wedge
 import asperity.materials
+from asperity.drive.layout import wedge_geometry
+from asperity.zou2025 import branch, force_balance, kinematics, mechanism, series_stiffness
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -28,7 +29,15 @@ FORMULA_ROOMS = (
     asperity.drive,
     asperity.drive.stiffness,
     asperity.drive.structure,
-    asperity.drive.wedge,
+)
+FORMULA_MODULES = (
+    asperity.materials,
+    wedge_geometry,
+    branch,
+    force_balance,
+    kinematics,
+    mechanism,
+    series_stiffness,
 )
 #: Equations of the paper, and our own: how many of each letter.
 OURS = {"A": 11, "B": 13, "D": 3, "E": 7, "L": 4, "M": 4}
@@ -42,7 +51,7 @@ def _formula_modules():
         for module in pkgutil.iter_modules(room.__path__, f"{room.__name__}."):
             if not module.ispkg:
                 yield importlib.import_module(module.name)
-    yield asperity.materials
+    yield from FORMULA_MODULES
 
 
 def _public(kind):

@@ -1,6 +1,5 @@
 """The formulas of drives by NumPy and within a program of JAX: equal numbers and slopes, also at borders."""
 
-import dataclasses
 import math
 
 import numpy as np
@@ -8,7 +7,7 @@ import pytest
 from both_engines import Engines, Formula, rows
 
 from asperity.contact.crowned_line import CrownedLines
-from asperity.drive import mechanism
+from asperity.drive import bearings
 from asperity.drive.layout import drive as layout
 from asperity.drive.layout import existence, expansion, wedge
 from asperity.drive.layout.drives import (
@@ -18,6 +17,8 @@ from asperity.drive.layout.drives import (
     wedge_drive,
 )
 from asperity.drive.layout.unfolding import forces_on_centre, unfolded
+from asperity.drive.layout.wedge_geometry import DriveGeometry
+from asperity.drive.normal_springs import NormalSprings, compression, crowned_springs, total_approach
 from asperity.drive.state import first_limit, loads
 from asperity.drive.state.creep import CreepLaw, creepages, drift_per_turn
 from asperity.drive.state.smooth_laws import smooth_contact_laws
@@ -28,20 +29,9 @@ from asperity.drive.stiffness import loading_cam
 from asperity.drive.stiffness.network import network_stiffness, with_shafts
 from asperity.drive.stiffness.torsional_stiffness import contact_torsional_stiffness
 from asperity.drive.structure import bearing_life, inertia, pin_beam
-from asperity.drive.wedge import geometry as wedge_geometry
-from asperity.drive.wedge.force_balance import force_balance
 from asperity.engine.arrays import xp
 
 LENGTH, FORCE = (5e-3, 20e-3), (100.0, 2000.0)
-GEOMETRY = {
-    "sun_radius": (3.8e-3, 4.4e-3),
-    "planet_radius": (13.4e-3, 13.8e-3),
-    "loading_roller_radius": (5.0e-3, 5.3e-3),
-    "ring_radius": (40e-3, 40e-3),
-    "planet_count": (3.0, 3.0),
-    "left_push_angle": (-0.2, 0.2),
-    "right_push_angle": (-0.2, 0.2),
-}
 SPRINGS = {"secant": (1e-8, 2e-8), "incremental": (8e-9, 9e-9), "normal_force": FORCE, "rest_force": FORCE}
 CROWNS = {
     "crown_curvature": (0.1, 3.0),
@@ -81,32 +71,20 @@ RING = {
 CAM = {"least_preload": (100.0, 200.0), "force_per_torque": (50.0, 150.0), "output_torque": (-8.0, 8.0)}
 
 
-def of_geometry(**numbers):
-    geometry = wedge_geometry.DriveGeometry(**numbers)
-    sides = wedge_geometry.triangle(geometry)
-    return (
-        sides,
-        mechanism.rest_state(geometry=geometry, sides=sides, preload=1000.0),
-        wedge_geometry.speed_ratio(geometry),
-        wedge_geometry.contact_radii(geometry),
-        wedge_geometry.carrier_speed(geometry=geometry, sun_speed=600.0),
-    )
-
-
 def approach(*, secant, incremental, normal_force, rest_force):
-    springs = mechanism.NormalSprings(secant, incremental)
+    springs = NormalSprings(secant, incremental)
     at = {"springs": springs, "normal_force": normal_force, "rest_force": rest_force}
-    return mechanism.compression(**at), mechanism.total_approach(**at), mechanism.steepest_compliance(springs)
+    return compression(**at), total_approach(**at)
 
 
 def crowned_approach(*, secant, incremental, normal_force, rest_force, **line):
-    crowns = mechanism.crowned_springs(lines=CrownedLines(**line), rest_force=rest_force)
-    springs = mechanism.NormalSprings(secant, incremental, crowns)
-    return mechanism.total_approach(springs=springs, normal_force=normal_force, rest_force=rest_force)
+    crowns = crowned_springs(lines=CrownedLines(**line), rest_force=rest_force)
+    springs = NormalSprings(secant, incremental, crowns)
+    return total_approach(springs=springs, normal_force=normal_force, rest_force=rest_force)
 
 
-def bearing_torque(*, pin_force, **bearings):
-    return mechanism.bearing_torque(bearings=mechanism.Bearings(**bearings), pin_force=pin_force)
+def bearing_torque(*, pin_force, **friction):
+    return bearings.bearing_torque(bearings=bearings.Bearings(**friction), pin_force=pin_force)
 
 
 def carter_creepages(*, normal, tangential, **law):
@@ -128,7 +106,7 @@ def stepped(sun_radius, planet_radius, small_radius, **_):
 
 
 def wedged(sun_radius, planet_radius, small_radius, **_):
-    geometry = wedge_geometry.DriveGeometry(sun_radius, planet_radius, small_radius, 40e-3, 3.0, 0.05, -0.1)
+    geometry = DriveGeometry(sun_radius, planet_radius, small_radius, 40e-3, 3.0, 0.05, -0.1)
     return wedge_drive(geometry, planet_count=3)
 
 
@@ -225,33 +203,6 @@ def held(drive, normal_compliance, tangential_compliance, pin_compliance, pin_sp
     )
 
 
-def wedge_states(closure):
-    def states(torque, preload, **radii):
-        geometry = wedge_geometry.DriveGeometry(
-            *(radii[name] for name in ("sun_radius", "planet_radius", "small_radius")), 40e-3, 3.0, 0.0, 0.1
-        )
-        sides = wedge_geometry.triangle(geometry)
-        rest = mechanism.rest_state(geometry=geometry, sides=sides, preload=preload)
-        secant = np.linspace(1.0e-8, 1.4e-8, 5)
-        joint = mechanism.Mechanism(
-            geometry=geometry,
-            sides=sides,
-            rest=rest,
-            bearings=mechanism.Bearings(1e-3, 5e-4, 5e-3, 2e-3, 4e-3),
-            springs=mechanism.NormalSprings(secant, 0.9 * secant),
-            preload=preload,
-            carrier_speed=wedge_geometry.carrier_speed(geometry=geometry, sun_speed=600.0),
-            planet_mass=0.02,
-            loading_roller_mass=0.003,
-            closure=closure,
-        )
-        found = force_balance(mechanism=joint, output_torque=torque)
-        closes = {name: getattr(found, name) < 1e-12 for name in ("balance_residual", "closure_residual")}
-        return dataclasses.replace(found, **closes)
-
-    return states
-
-
 def states(maker):
     """A drive assembled, standing and rolling; numbers of states that are 0 but for rounding are left out."""
 
@@ -335,10 +286,9 @@ LIFTED, LEAST = {"normal_force": -10.0}, {"normal_force": lambda row: 1e-6 * row
 FULL = {"tangential_force": lambda row: row["friction_coefficient"] * row["normal_force"]}
 LIMITS = np.array([0.3, 1.0, 2.0, 49.0])
 FORMULAS = dict([
-    entry(of_geometry, GEOMETRY, {"left_push_angle": 0.0, "right_push_angle": 0.0}),
     entry(approach, SPRINGS, LIFTED, LEAST),
     entry(bearing_torque, {**BEARINGS, "pin_force": (-200.0, 200.0)}),
-    entry(mechanism.leading_sense, {"rotation": (-600.0, 600.0), "output_torque": (-5.0, 5.0)}, STANDS),
+    entry(bearings.leading_sense, {"rotation": (-600.0, 600.0), "output_torque": (-5.0, 5.0)}, STANDS),
     entry(carter_creepages, CREEP, {"tangential": lambda row: row["friction_coefficient"] * row["normal"]}),
     entry(drift_per_turn, {"loss": (-1e-3, 1e-3)}, {"loss": 1.0}),
     entry(
@@ -378,16 +328,6 @@ FORMULAS = dict([
 TORQUES = {"planetary": 8.0, "multiroller": 20.0, "stepped": 6.0, "wedge": 5.0}
 LARGE = dict([
     entry(crowned_approach, {**SPRINGS, **CROWNS}, LIFTED, edges=(np.nan,)),
-    given(
-        "force balance, elastic", wedge_states("elastic"), torque=4.0, preload=1000.0, **DRIVES["wedge"][1]
-    ),
-    given(
-        "force balance, constant pin force",
-        wedge_states("constant_pin_force"),
-        torque=4.0,
-        preload=1000.0,
-        **DRIVES["wedge"][1],
-    ),
     *(
         given(f"states of {name}", states(maker), torque=TORQUES[name], preload=1000.0, **radii)
         for name, (maker, radii) in DRIVES.items()

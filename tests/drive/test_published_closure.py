@@ -5,16 +5,17 @@ import dataclasses
 import numpy as np
 import pytest
 
+from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Closure
 from asperity.drive.layout.drives import EQUAL_COEFFICIENTS, SPRING_LOADED_PINS, wedge_drive
 from asperity.drive.layout.unfolding import unfolded
-from asperity.drive.mechanism import Bearings, Mechanism, rest_state
+from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import STATE_TOLERANCE, DriveLoad
 from asperity.drive.state.states import drive_states, loaded_state, state_at_rest
-from asperity.drive.wedge.force_balance import force_balance
-from asperity.drive.wedge.geometry import DriveGeometry, triangle
 from asperity.engine.control import at_once
+from asperity.zou2025.force_balance import force_balance
+from asperity.zou2025.mechanism import Mechanism, rest_state
 
 GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.1, -0.15)
 CLOSURES = {

@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 from asperity.contact.interface import series_stiffness
 from asperity.drive.layout.drive import Closure
 from asperity.drive.layout.drives import EQUAL_COEFFICIENTS, wedge_drive
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.stiffness.network import network_stiffness
-from asperity.drive.stiffness.torsional_stiffness import series_torsional_stiffness
-from asperity.drive.wedge.geometry import CONTACT_NAMES, DriveGeometry
+from asperity.zou2025.kinematics import CONTACT_NAMES
+from asperity.zou2025.series_stiffness import series_torsional_stiffness
 
 PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 #: Seven rigid springs hold the three centres of a branch in six ways: nearly rigid ones have forces of their own.

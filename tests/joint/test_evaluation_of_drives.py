@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.mechanism import Bearings
+from asperity.drive.bearings import Bearings
 from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.joint.evaluation import evaluate

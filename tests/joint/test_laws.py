@@ -10,7 +10,7 @@ from machines import assembled_laws
 from scipy.optimize import brentq
 
 from asperity.contact.crowned_line import crown_compression
-from asperity.drive.mechanism import total_approach
+from asperity.drive.normal_springs import total_approach
 from asperity.drive.state.creep import creepages
 from asperity.errors import InputError
 from asperity.joint.contacts import rough_joint_contacts

@@ -5,10 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.drive.mechanism import Bearings, Mechanism, leading_sense, rest_state
-from asperity.drive.wedge.branch import branch_forces, carrier_residual
-from asperity.drive.wedge.force_balance import closure_misfit, loaded_branch
-from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, triangle
+from asperity.drive.bearings import Bearings, leading_sense
+from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
 from asperity.engine.arrays import as_numbers
 from asperity.engine.control import at_once
 from asperity.joint.contacts import closure_springs
@@ -16,6 +14,10 @@ from asperity.joint.description import body_masses, joint_contacts
 from asperity.joint.evaluation import evaluate
 from asperity.joint.solve import solve_joint
 from asperity.results.windup_document import examined_windup, windup_onsets
+from asperity.zou2025.branch import branch_forces, carrier_residual
+from asperity.zou2025.force_balance import closure_misfit, loaded_branch
+from asperity.zou2025.kinematics import carrier_speed
+from asperity.zou2025.mechanism import Mechanism, rest_state
 from asperity.zou2025.published import NO_FRICTION
 
 pytestmark = pytest.mark.slow

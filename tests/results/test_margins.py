@@ -6,12 +6,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.results import SEVERITIES, Limit, Result
 from asperity.results import margins as module
 from asperity.results.margins import margins
 from asperity.results.notes import Note, contact_notes
 from asperity.unit_table import Dimension
+from asperity.zou2025.kinematics import CONTACT_NAMES
 
 
 def row(name, value, *, axis="one", limit=None, lowest=-math.inf):

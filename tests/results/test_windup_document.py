@@ -6,7 +6,6 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint.solve import Solution
 from asperity.results import windup_document as module
@@ -17,6 +16,7 @@ from asperity.results.windup_document import (
     windup_columns,
     windup_document,
 )
+from asperity.zou2025.kinematics import CONTACT_NAMES
 
 CAPACITIES = {"forward": {"output_torque_Nm": 13.0}, "reverse": {"output_torque_Nm": 12.0}}
 

@@ -5,12 +5,12 @@ import dataclasses
 import numpy as np
 import pytest
 
-from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint.solve import solve_joint
 from asperity.joint_file.solved_document import solve_case
 from asperity.rolling.onset import contacts_in_series, creep_lag, rolling_onset, swing_drift
 from asperity.show.windup_figure import windup_figure
+from asperity.zou2025.kinematics import CONTACT_NAMES
 
 WINDUP = 1.6e-4  # rad
 CELLS, PIXEL, STEPS = 200, 0.01, 500

@@ -10,7 +10,6 @@ import pytest
 from matplotlib.figure import Figure
 
 from asperity.branches.size_errors import SizeErrorCurves
-from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.joint.fit import Fit
 from asperity.joint.temperature import TemperatureCurves
 from asperity.results import RESULTS
@@ -26,6 +25,7 @@ from asperity.show.compliance_figure import (
     draw_temperatures,
     drawn_margins,
 )
+from asperity.zou2025.kinematics import CONTACT_NAMES
 
 SHARES = {
     "tangential_share": [0.1, 0.0, 0.0, 0.0, 0.0],

@@ -2,7 +2,6 @@
 
 import pytest
 
-from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.show.style import (
     CONTACT_LABELS,
     CONTACT_STYLES,
@@ -11,6 +10,7 @@ from asperity.show.style import (
     plain_title,
     torque_colors,
 )
+from asperity.zou2025.kinematics import CONTACT_NAMES
 
 
 def test_every_contact_has_a_line_and_a_label():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.contact.interface import RoughContact
-from asperity.drive.wedge.geometry import triangle
+from asperity.drive.layout.wedge_geometry import triangle
 from asperity.engine import trees
 from asperity.engine.control import at_once
 from asperity.joint.solve import solve_joint

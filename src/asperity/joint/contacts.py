@@ -14,7 +14,7 @@ from asperity.contact.hertz_line import (
 from asperity.contact.interface import Interface, RoughContact, bulk_tangential_stiffness
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
-from asperity.drive.mechanism import NormalSprings, crowned_springs
+from asperity.drive.normal_springs import NormalSprings, crowned_springs
 from asperity.engine.arrays import xp
 from asperity.engine.control import traced_once
 from asperity.engine.module import Module, static

@@ -10,8 +10,8 @@ import numpy as np
 from asperity.body.shapes import PlaneState
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import Roughness, roller_pairs
+from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Drive, contact_angles, incidence, speeds
-from asperity.drive.mechanism import Bearings
 from asperity.drive.state.state import BodiesOfContacts
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.bearing_life import RatedBearing

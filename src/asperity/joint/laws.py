@@ -11,7 +11,7 @@ from asperity.contact.exponential import RandomRoughness
 from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.contact.rolling_losses import hysteresis_moment
 from asperity.drive.layout.drive import CARRIER, speeds
-from asperity.drive.mechanism import NormalSprings
+from asperity.drive.normal_springs import NormalSprings
 from asperity.drive.state.creep import CreepLaw, creepages
 from asperity.drive.state.state import ContactLaws, Creeping, CreepOf, DriveLoad, surface_speeds
 from asperity.engine.arrays import xp

@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from asperity.branches.branches import SectorDeviations
+from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Drive, speed_ratio
 from asperity.drive.layout.expansion import interference_of_sizes
-from asperity.drive.mechanism import Bearings
 from asperity.drive.stiffness.loading_cam import LoadingCam
 from asperity.drive.structure.pin_beam import PinBeam
 from asperity.engine.arrays import xp

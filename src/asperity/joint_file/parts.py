@@ -17,7 +17,7 @@ from asperity.drive.layout.drives import (
     two_row_multiroller,
     wedge_drive,
 )
-from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.engine.arrays import xp
 from asperity.joint.body_shape import SOLID, BodyShape, ring_shape
 from asperity.joint_file.part_names import WEDGE_TYPE, track_of, type_of

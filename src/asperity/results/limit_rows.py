@@ -7,7 +7,7 @@ import math
 
 from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS, Surface
 from asperity.drive.layout.wedge import self_locking_ratio
-from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE
+from asperity.drive.state.state import STATE_TOLERANCE
 from asperity.joint.description import contact_values
 from asperity.results.result import Column, Limit, Result
 from asperity.results.solved import ONLY_SPOTS, SolvedJoint, has_spots
@@ -30,7 +30,7 @@ _UNSOLVED = functools.partial(
     "the equations are solved",
     "the equations are not solved",
     "do not use these numbers; check radii, preload and torque",
-    highest=BALANCE_TOLERANCE,
+    highest=STATE_TOLERANCE,
 )
 _TRUST_THE_ASSEMBLY = (
     "use the assembled stiffness; the published stiffness leaves out the bodies and is an upper bound"

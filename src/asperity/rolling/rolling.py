@@ -11,8 +11,8 @@ from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import life_at_reliability
 from asperity.contact.skew import stick_fraction
+from asperity.drive.bearings import leading_sense
 from asperity.drive.layout.drive import CARRIER, speeds
-from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.creep import ROLLING_TOLERANCE, drift_per_turn
 from asperity.drive.state.loads import friction_moments, friction_power
 from asperity.drive.state.state import (

@@ -17,10 +17,10 @@ from asperity.drive.layout.drives import (
     wedge_drive,
 )
 from asperity.drive.layout.unfolding import forces_on_centre, unfolded
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import DriveLoad, DriveState
 from asperity.drive.state.states import DriveStates, drive_states, rolling_state, state_at_rest
-from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import at_once

@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.zou2025 import claims_joint, claims_pair, preset
 from asperity.zou2025.criteria import (
     NEARLY_SAME,
@@ -20,6 +19,7 @@ from asperity.zou2025.criteria import (
     rising_share,
 )
 from asperity.zou2025.curves import Curves
+from asperity.zou2025.kinematics import CONTACT_NAMES
 
 SP, PWR, PWL, WRO, WLO = range(5)
 _RIGHT = [SP, PWR, WRO]

@@ -13,11 +13,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, StrMethodFormatter
 
-from asperity.show.drive_drawing import draw_drive
 from asperity.show.style import ACCENT, CONTACT_LABELS, CONTACT_STYLES, MARK, MUTED, STYLE, torque_colors
 from asperity.zou2025 import preset
 from asperity.zou2025.criteria import peak
 from asperity.zou2025.curves import Curves
+from asperity.zou2025.drive_drawing import draw_drive
 from asperity.zou2025.panels import Axis, Panel, joint_panels
 
 _HEIGHT = 4.45  # inches

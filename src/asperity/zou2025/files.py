@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.made_files import IMAGE, Kind
 from asperity.writing import if_abandoned, write_image, write_text
 from asperity.zou2025.criteria import CRITERIA, Claim
 from asperity.zou2025.curves import Curves
+from asperity.zou2025.kinematics import CONTACT_NAMES
 from asperity.zou2025.panels import Panel
 from asperity.zou2025.preset import ASSUMPTIONS, REMARKS
 

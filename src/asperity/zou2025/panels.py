@@ -7,8 +7,8 @@ from typing import Literal
 
 import numpy as np
 
-from asperity.drive.wedge.geometry import CONTACT_NAMES
 from asperity.zou2025.curves import Curves
+from asperity.zou2025.kinematics import CONTACT_NAMES
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ import numpy as np
 from asperity.contact.fractal import Surface
 from asperity.contact.interface import RoughContact
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
-from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
 from asperity.materials import Material, hardness, pair

@@ -11,21 +11,19 @@ import math
 
 from asperity.contact.fractal import Surface
 from asperity.contact.roller_pairs import roller_pairs
-from asperity.drive.mechanism import Bearings, Mechanism, rest_state
-from asperity.drive.stiffness.torsional_stiffness import (
-    TorsionalStiffness,
-    contact_torsional_stiffness,
-    driven_radii,
-    series_torsional_stiffness,
-)
-from asperity.drive.wedge.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
-from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, contact_radii, triangle
+from asperity.drive.bearings import Bearings
+from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
+from asperity.drive.stiffness.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
 from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.module import Module
 from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts
 from asperity.materials import Material, pair
 from asperity.types import Array, Real
+from asperity.zou2025.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
+from asperity.zou2025.kinematics import carrier_speed, contact_radii
+from asperity.zou2025.mechanism import Mechanism, rest_state
+from asperity.zou2025.series_stiffness import driven_radii, series_torsional_stiffness
 
 NO_FRICTION = Bearings(
     sun_torque=0.0,

@@ -9,8 +9,8 @@ import pytest
 
 from asperity.drive.layout.drives import wedge_drive
 from asperity.drive.layout.expansion import interference_of_strains, ring_interference
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.states import rest_forces
-from asperity.drive.wedge.geometry import DriveGeometry
 
 
 def added(drive, carrier, **strains):

@@ -13,7 +13,7 @@ from asperity.drive.layout.drives import (
     wedge_drive,
 )
 from asperity.drive.layout.mirror import MirrorImage, mirror_image
-from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.joint_file.build import joint_from_case
 from asperity.standing.over_torque import standing_over_torque
 

@@ -9,7 +9,7 @@ import pytest
 from asperity.drive.layout.drive import Closure, gaps, incidence, speed_ratio
 from asperity.drive.layout.existence import neighbour_gaps, refuse_impossible
 from asperity.drive.layout.unfolding import forces_on_centre, unfolded
-from asperity.drive.mechanism import NormalSprings
+from asperity.drive.normal_springs import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.state import ContactLaws, DriveLoad
 from asperity.drive.state.states import drive_states, state_at_rest

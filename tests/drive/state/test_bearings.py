@@ -5,8 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
+from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import speeds
-from asperity.drive.mechanism import Bearings
 from asperity.drive.state.equations import ASSEMBLED, ROLLING, STANDING, Task, machine_of, moments_of
 from asperity.drive.state.loads import friction_moments, friction_power
 from asperity.drive.state.smooth_laws import smooth_contact_laws

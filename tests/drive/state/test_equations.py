@@ -7,7 +7,7 @@ import pytest
 from pins_in_bores import pins
 
 from asperity.body.conforming_pin import SHARED
-from asperity.drive.mechanism import NormalSprings
+from asperity.drive.normal_springs import NormalSprings
 from asperity.drive.state.bores import Bores, by_amplitude
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.equations import (

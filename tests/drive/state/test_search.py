@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drive import CARRIER, Body, Contact, Drive, incidence
-from asperity.drive.mechanism import NormalSprings
+from asperity.drive.normal_springs import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.loads import member_moments
 from asperity.drive.state.search import newton

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from pins_in_bores import random_bores
 
+from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Closure
 from asperity.drive.layout.drives import (
     EQUAL_COEFFICIENTS,
@@ -20,7 +21,7 @@ from asperity.drive.layout.drives import (
     wedge_drive,
 )
 from asperity.drive.layout.unfolding import unfolded
-from asperity.drive.mechanism import Bearings
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.equations import (
     ASSEMBLED,
     ROLLING,
@@ -39,7 +40,6 @@ from asperity.drive.state.slopes import newton_step, responses_and_slopes, state
 from asperity.drive.state.smooth_laws import smooth_contact_laws
 from asperity.drive.state.state import Creeping, DriveLoad
 from asperity.drive.state.supports import carrier_supports
-from asperity.drive.wedge.geometry import DriveGeometry
 from asperity.linear import solve
 
 GEOMETRY = DriveGeometry(

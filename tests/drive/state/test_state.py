@@ -10,7 +10,7 @@ import pytest
 
 from asperity.contact.crowned_line import CrownedLines
 from asperity.contact.crowned_shear import crown_shear_compliance
-from asperity.drive.mechanism import NormalSprings, crowned_springs
+from asperity.drive.normal_springs import NormalSprings, crowned_springs
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.state import ContactLaws, slip_at_rest, surface_speeds
 

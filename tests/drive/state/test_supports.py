@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from asperity.drive.layout.drives import wedge_drive
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.drive.state.supports import carrier_supports
 from asperity.drive.stiffness.network import network_stiffness
-from asperity.drive.stiffness.torsional_stiffness import series_torsional_stiffness
-from asperity.drive.wedge.geometry import CONTACT_NAMES, DriveGeometry
+from asperity.zou2025.kinematics import CONTACT_NAMES
+from asperity.zou2025.series_stiffness import series_torsional_stiffness
 
 PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 TILTED = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.2, -0.1)

@@ -5,10 +5,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.mechanism import rest_state
+from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
 from asperity.drive.stiffness.loading_cam import cam_angle, cam_compliance, cam_preload, with_cam
 from asperity.drive.stiffness.torsional_stiffness import Assembly, TorsionalStiffness
-from asperity.drive.wedge.geometry import DriveGeometry, triangle
+from asperity.zou2025.mechanism import rest_state
 
 GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 LEAST, CAM = 200.0, 150.0

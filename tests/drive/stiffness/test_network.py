@@ -10,7 +10,7 @@ import pytest
 from asperity.drive.layout.drive import speed_ratio
 from asperity.drive.layout.drives import planetary_drive, stepped_planet_drive
 from asperity.drive.layout.unfolding import unfolded
-from asperity.drive.mechanism import NormalSprings
+from asperity.drive.normal_springs import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.state import STATE_TOLERANCE, ContactLaws, DriveLoad
 from asperity.drive.state.states import drive_states

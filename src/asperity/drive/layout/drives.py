@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from asperity.drive.layout.drive import CARRIER, Body, Closure, Contact, Drive
-from asperity.drive.wedge.geometry import DriveGeometry, triangle
+from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
 from asperity.engine.arrays import xp
 from asperity.types import Real
 

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from asperity.drive.bearings import leading_sense
 from asperity.drive.layout.drive import Drive, Incidence, incidence, speeds
-from asperity.drive.mechanism import leading_sense
 from asperity.drive.state.bores import PressedBores
 from asperity.drive.state.creep import creepages
 from asperity.drive.state.loads import (

@@ -19,8 +19,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from asperity.drive.bearings import Bearings, bearing_torque
 from asperity.drive.layout.drive import Drive, Incidence, incidence, sectors_of_members, speeds
-from asperity.drive.mechanism import Bearings, bearing_torque
 from asperity.drive.state.state import Resistance
 from asperity.engine.arrays import xp
 from asperity.linear import product

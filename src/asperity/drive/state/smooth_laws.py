@@ -10,7 +10,7 @@ from asperity.contact.hertz_line import (
     roller_secant_compliance,
 )
 from asperity.drive.layout.drive import Drive
-from asperity.drive.mechanism import NormalSprings
+from asperity.drive.normal_springs import NormalSprings
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.state import ContactLaws
 from asperity.engine.arrays import xp

@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
+from asperity.drive.bearings import Bearings
 from asperity.drive.layout.drive import Drive, driving_sense
-from asperity.drive.mechanism import Bearings, NormalSprings, total_approach
+from asperity.drive.normal_springs import NormalSprings, total_approach
 from asperity.drive.state.bores import Bores
 from asperity.drive.state.creep import CreepLaw
 from asperity.drive.state.supports import Supports

@@ -7,8 +7,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.wedge.branch import Branch, branch_forces, carrier_residual, contact_floors, held_load_sum
-from asperity.drive.wedge.force_balance import balance_equations
+from asperity.zou2025.branch import Branch, branch_forces, carrier_residual, contact_floors, held_load_sum
+from asperity.zou2025.force_balance import balance_equations
 
 LOSSES = {
     "pin_friction_coefficient": 3e-3,

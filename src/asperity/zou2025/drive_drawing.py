@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from asperity.drive.wedge.geometry import DriveGeometry, triangle
+from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
 from asperity.errors import InputError
 from asperity.show.style import INK, MARK
 from asperity.types import Real

@@ -2,13 +2,12 @@
 
 import math
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.drive.layout.drives import wedge_drive
 from asperity.drive.layout.existence import has_room, neighbour_gaps, refuse_impossible
-from asperity.drive.wedge.geometry import DriveGeometry, carrier_speed, contact_radii, speed_ratio, triangle
+from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
 from asperity.errors import InputError
 
 PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
@@ -52,26 +51,6 @@ def test_triangle_reaches_the_roller_on_both_ways():
 def test_open_triangle_is_nan_not_a_number_made_up():
     sides = vars(triangle(drive(ring_radius=60e-3)))
     assert all(math.isnan(float(sides[name])) for name in ("sin_polar", "sin_direction", "sin_wedge"))
-
-
-def test_kinematics_of_the_paper():
-    assert speed_ratio(PAPER) == pytest.approx(-9.0, rel=1e-15)
-    assert carrier_speed(geometry=PAPER, sun_speed=628.3185307179587) == pytest.approx(-69.81317007977318)
-
-
-def test_speed_ratio_from_rolling_without_slip():
-    """In the carrier's frame every rolling contact hands the surface speed on, and the fixed ring turns backwards."""
-    carrier = float(carrier_speed(geometry=PAPER, sun_speed=100.0))
-    assert (100.0 - carrier) * 4e-3 == pytest.approx(-carrier * 40e-3, rel=1e-14)
-
-
-def test_contact_radii_name_driver_and_driven():
-    driving, driven, sign = contact_radii(PAPER)
-    np.testing.assert_allclose(driving, [4e-3, 13.5e-3, 13.5e-3, 5e-3, 5e-3])
-    np.testing.assert_allclose(driven, [13.5e-3, 5e-3, 5e-3, 40e-3, 40e-3])
-    np.testing.assert_array_equal(sign, [1, 1, 1, -1, -1])
-    batch = contact_radii(drive(sun_radius=jnp.linspace(3e-3, 4e-3, 7)))
-    assert [part.shape for part in batch] == [(5, 7), (5, 7), (5, 1)]
 
 
 @pytest.mark.parametrize(

@@ -11,9 +11,9 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.drive.mechanism import Bearings
-from asperity.drive.wedge.force_balance import balance_equations
-from asperity.drive.wedge.geometry import DriveGeometry, triangle
+from asperity.drive.bearings import Bearings
+from asperity.drive.layout.wedge_geometry import DriveGeometry, triangle
+from asperity.zou2025.force_balance import balance_equations
 
 SIZE = 256
 CLOSURES = ("elastic", "constant_pin_force")
@@ -228,7 +228,7 @@ def compression(contact, N, x):
 
 
 def load_baseline():
-    path = Path(__file__).parents[3] / "benchmarks" / "baseline_scipy.py"
+    path = Path(__file__).parents[2] / "benchmarks" / "baseline_scipy.py"
     if not path.exists():
         pytest.skip("benchmarks/ is not shipped with this copy")
     spec = importlib.util.spec_from_file_location("baseline_scipy", path)

@@ -7,9 +7,9 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Wedge
 
-from asperity.drive.wedge.geometry import DriveGeometry
+from asperity.drive.layout.wedge_geometry import DriveGeometry
 from asperity.errors import InputError
-from asperity.show.drive_drawing import draw_drive, rollers
+from asperity.zou2025.drive_drawing import draw_drive, rollers
 
 
 def drive(sun, planet, roller, ring, count):

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from asperity.drive.mechanism import Mechanism, RestState, bearing_torque
-from asperity.drive.wedge.geometry import Triangle
+from asperity.drive.bearings import bearing_torque
+from asperity.drive.layout.wedge_geometry import Triangle
 from asperity.engine.arrays import xp
 from asperity.engine.derivatives import with_rule
 from asperity.types import Array, Real
+from asperity.zou2025.mechanism import Mechanism, RestState
 
 
 class Branch(NamedTuple):

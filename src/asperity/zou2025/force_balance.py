@@ -1,7 +1,7 @@
 r"""Static force balance of the drive, equations (1)–(5), closed by (A3).
 
 The forces of a branch follow from two unknowns, :math:`T_{sp}` and :math:`S = N_{pwr} + N_{pwl}`
-(:mod:`asperity.drive.wedge.branch`); these are found from the carrier's moment (5) and the closure by Newton's method.
+(:mod:`asperity.zou2025.branch`); these are found from the carrier's moment (5) and the closure by Newton's method.
 """
 
 from __future__ import annotations
@@ -10,16 +10,9 @@ import dataclasses
 import functools
 from collections.abc import Sequence
 
-from asperity.drive.mechanism import Bearings, Mechanism, NormalSprings, compression, steepest_compliance
-from asperity.drive.wedge.branch import (
-    Branch,
-    BranchForces,
-    branch_forces,
-    carrier_residual,
-    contact_floors,
-    held_load_sum,
-)
-from asperity.drive.wedge.geometry import DriveGeometry, Triangle
+from asperity.drive.bearings import Bearings
+from asperity.drive.layout.wedge_geometry import DriveGeometry, Triangle
+from asperity.drive.normal_springs import NormalSprings, compression
 from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.engine.control import once, while_loop
@@ -27,6 +20,15 @@ from asperity.engine.derivatives import linearised
 from asperity.engine.module import Module
 from asperity.implicit import implicit_root
 from asperity.types import Array, Real
+from asperity.zou2025.branch import (
+    Branch,
+    BranchForces,
+    branch_forces,
+    carrier_residual,
+    contact_floors,
+    held_load_sum,
+)
+from asperity.zou2025.mechanism import Mechanism, steepest_compliance
 
 #: Largest relative residual of the force balance and of its closure that counts as solved.
 BALANCE_TOLERANCE = 1e-9
@@ -336,7 +338,7 @@ def balance_equations(
     bearings : Bearings
         Friction of its bearings.
     normal, tangential : sequence of Array
-        Contact forces in the order of :data:`asperity.drive.wedge.geometry.CONTACT_NAMES`, shape (5, ...) [N].
+        Contact forces in the order of :data:`asperity.zou2025.kinematics.CONTACT_NAMES`, shape (5, ...) [N].
     pin_left, pin_right : Real
         Carrier pin forces [N].
     left_bearing_torque, right_bearing_torque : Real
