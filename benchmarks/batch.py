@@ -71,7 +71,7 @@ def complete(points: jax.Array) -> dict[str, jax.Array]:
         "normal": found.forces.normal,
         "tangential": found.forces.tangential,
         "contact_stiffness": found.tangential_stiffness,
-        "sun": found.stiffness.sun,
+        "sun": found.stiffness.input,
         "output": found.stiffness.output,
         "solved": found.solved,
     }

@@ -78,8 +78,8 @@ def scales(found, states):
     move = states.rest.interference
     of_state = {
         "torque": torque,
-        "sun_displacement": move,
-        "sun_force": force,
+        "central_displacement": move,
+        "central_force": force,
         "centre_forces": dict.fromkeys(found.rest.centre_forces, force),
         "torques": dict.fromkeys(found.rest.torques, torque),
         "input_torque": torque,
@@ -104,7 +104,7 @@ def test_the_same_states_have_the_same_sums(branches, name):
 @pytest.mark.parametrize("name", CASES)
 def test_both_engines_settle_the_forces_of_the_branches(branches, name):
     made = branches(name)
-    stiffness = made.sizes.sun_support_stiffness
+    stiffness = made.sizes.input_support_stiffness
     given = SectorSizes(
         made.sizes.added,
         np.zeros_like(made.sizes.added),

@@ -123,7 +123,7 @@ def assert_are_the_joint(branches, equal, rtol=1e-9):
     for state in (found.standing, found.rolling):
         np.testing.assert_allclose(state.share, 1.0 / count, rtol=rtol)
         scale = float(equal.result.preload)
-        for force in (state.sun_force, *state.centre_forces.values()):
+        for force in (state.central_force, *state.centre_forces.values()):
             np.testing.assert_allclose(force, 0.0, atol=1e-9 * scale)
 
 
@@ -144,9 +144,9 @@ def test_what_unequal_planets_do(planetary_of_springs):
     assert float(limits.first_slip.output_torque) < float(limits.standing.output_torque)
     for state in (found.rest, found.standing, found.rolling):
         # nothing acts from outside: what the bearings of sun, ring and carrier bear adds up to nothing
-        total = state.sun_force + sum(state.centre_forces.values())
+        total = state.central_force + sum(state.centre_forces.values())
         np.testing.assert_allclose(total, 0.0, atol=1e-8)
-        assert np.hypot(*state.sun_force) > 10.0
+        assert np.hypot(*state.central_force) > 10.0
     assert found.standing.torque.sum() == pytest.approx(10.0, rel=1e-12)
     # the torques on sun, ring and carrier add up to nothing
     for state in (found.standing, found.rolling):
@@ -154,7 +154,7 @@ def test_what_unequal_planets_do(planetary_of_springs):
     assert abs(found.standing.torques["sun"]) == pytest.approx(10.0 / 6.0, rel=2e-3)
     assert 1.02 < abs(found.rolling.torques["sun"]) / (10.0 / 6.0) < 1.04  # the oil drags
     # the sun is pushed away from the largest planet
-    assert found.rest.sun_force[0] < 0.0
+    assert found.rest.central_force[0] < 0.0
     changed = assembled_branches(planetary_of_springs, sizes.with_first(-2e-6)).sizes
     np.testing.assert_allclose(changed.deviations["planet"], [0.0, 0.0, -2e-6], atol=1e-20)
     # and backwards the same with the other sign

@@ -132,14 +132,14 @@ def test_a_state_by_hand_in_axes_to_the_first_planet(planetary_of_three):
     np.testing.assert_array_equal(rest.torque, 0.0)
     np.testing.assert_allclose(standing.torque, [2.2, 2.0, 1.8], rtol=1e-12)
     np.testing.assert_allclose(rolling.torque, [1.8, 2.0, 2.2], rtol=1e-12)
-    np.testing.assert_allclose(standing.sun_displacement, [2e-6, -1e-6], atol=1e-18)
-    np.testing.assert_allclose(standing.sun_force, [7.0, -6.0], atol=1e-12)
+    np.testing.assert_allclose(standing.central_displacement, [2e-6, -1e-6], atol=1e-18)
+    np.testing.assert_allclose(standing.central_force, [7.0, -6.0], atol=1e-12)
     np.testing.assert_allclose(standing.centre_forces["ring"], [9.0, -8.0], atol=1e-12)
-    assert (standing.sun, standing.input_torque) == ("sun", 2.0)
+    assert (standing.central, standing.input_torque) == ("sun", 2.0)
     sense = float(joint.drive.sense)
     assert standing.torques == pytest.approx(
         {"sun": -2.0 * sense, "ring": -10.0 * sense, "carrier": 12.0 * sense}
     )
     held = SimpleNamespace(equal=joint, sectors=3, floating=())
-    np.testing.assert_array_equal(_state(held, sums, 1, solved, 6.0).sun_displacement, 0.0)
+    np.testing.assert_array_equal(_state(held, sums, 1, solved, 6.0).central_displacement, 0.0)
     np.testing.assert_array_equal(_state(held, sums, 1, solved, 0.0).torque, 0.0)

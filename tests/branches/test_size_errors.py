@@ -55,11 +55,11 @@ def test_only_the_first_planet_changes(curves):
     np.testing.assert_allclose(found.all_slip, 1e-3 * total, rtol=1e-12)
     # where all slip there is neither a share nor a force on the sun under the torque
     assert np.all(np.isnan(found.standing_share[0]))
-    np.testing.assert_allclose(found.sun_force[[0, 8, 16]], [np.nan, 5.0, 5.0], rtol=1e-12)
+    np.testing.assert_allclose(found.central_force[[0, 8, 16]], [np.nan, 5.0, 5.0], rtol=1e-12)
 
 
 def test_a_refused_joint_leaves_a_gap(curves):
     found = curves([0.0, 0.0, 0.0], least=800.0)
-    for curve in (found.first_slip, found.all_slip, found.sun_force, found.standing_share[:, 0]):
+    for curve in (found.first_slip, found.all_slip, found.central_force, found.standing_share[:, 0]):
         np.testing.assert_array_equal(np.isnan(curve), found.deviation < -200e-9)
     assert (found.noun, found.track) == ("planet", "planet")

@@ -40,9 +40,9 @@ CROWNS = {
     "contact_modulus": (80e9, 150e9),
 }
 BEARINGS = {
-    "sun_torque": (0.0, 5e-3),
-    "loading_roller_torque": (0.0, 5e-3),
-    "carrier_torque": (0.0, 5e-2),
+    "input_torque": (0.0, 5e-3),
+    "roller_torque": (0.0, 5e-3),
+    "output_torque": (0.0, 5e-2),
     "pin_friction_coefficient": (0.0, 5e-3),
     "pin_friction_diameter": (2e-3, 6e-3),
 }

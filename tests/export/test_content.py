@@ -181,7 +181,7 @@ def test_friction_is_the_power_that_is_not_creep_over_the_speed(content):
     """Creep takes speed from the output, not torque from the motor: of 5 W lost 2 W by creep, 3 W at 628.3 rad/s."""
     power = SimpleNamespace(loss=np.array(5.0), creep=np.array([0.5, 1.5]))
     solution = SimpleNamespace(result=SimpleNamespace(rolling=SimpleNamespace(power=power)))
-    speed = abs(float(content.joint.sun_speed))
+    speed = abs(float(content.joint.input_speed))
     assert _friction(content.joint, solution) == pytest.approx(3.0 / speed)
     still = dataclasses.replace(content.joint, input_speed=0.0)
     assert np.isnan(_friction(still, solution))

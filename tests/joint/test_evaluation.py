@@ -74,7 +74,7 @@ def test_agreement_with_the_independent_script(chain, closure):
         case = {key: value[i] for key, value in x.items()}
         script = {"ring_wall": 10e-3, "normal_law": "nonlinear", "closure": closure}
         other = baseline.evaluate({**case, **script})
-        assert found["published"].sun[i] == pytest.approx(other["sun"], rel=1e-7)
+        assert found["published"].input[i] == pytest.approx(other["sun"], rel=1e-7)
         assert found["published"].output[i] == pytest.approx(other["output"], rel=1e-7)
         for index, contact in enumerate(other["contacts"].values()):
             assert found["tangential_stiffness"][index, i] == pytest.approx(contact["K_t"], rel=1e-7)
@@ -83,8 +83,8 @@ def test_agreement_with_the_independent_script(chain, closure):
 
 def test_stiffness_peaks_where_the_paper_says_and_falls_with_torque(chain):
     D = np.array([1.6, 1.7, 1.75, 1.8, 1.85, 1.9, 1.95])
-    assert D[np.argmax(chain(fractal_dimension=D)["published"].sun)] == 1.85
-    assert (np.diff(chain(output_torque=np.linspace(0.0, 5.0, 8))["published"].sun) < 0).all()
+    assert D[np.argmax(chain(fractal_dimension=D)["published"].input)] == 1.85
+    assert (np.diff(chain(output_torque=np.linspace(0.0, 5.0, 8))["published"].input) < 0).all()
 
 
 changes = st.fixed_dictionaries(
@@ -114,7 +114,7 @@ def test_every_joint_that_is_solved_balances_and_means_something(chain, x):
     assert (np.abs(forces.tangential) <= x["friction_coefficient"] * forces.normal * (1.0 + 1e-9)).all()
     assert (found["tangential_stiffness"][:, 0] >= 0).all()
     if not found["contact_law_holds"][0]:
-        assert np.isnan(found["published"].sun[0])
+        assert np.isnan(found["published"].input[0])
 
 
 @settings(max_examples=15, deadline=None)
@@ -127,7 +127,7 @@ def test_more_friction_never_softens_and_rougher_never_stiffens(chain, x, more):
     }
     x |= {"fractal_roughness": np.array([rough, rough, rough * more])}
     found = chain(**x)
-    (here, sticky, rougher), solved = found["published"].sun, found["solved"]
+    (here, sticky, rougher), solved = found["published"].input, found["solved"]
     if solved[:2].all() and not np.isnan(here):
         assert sticky >= here * (1 - 1e-12)  # without torque both are equal, but for rounding
     if solved[[0, 2]].all() and not np.isnan(rougher):

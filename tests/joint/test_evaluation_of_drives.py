@@ -179,9 +179,9 @@ def test_a_duty_of_a_planetary_drive(planar_case):
 def test_power_is_lost_by_creep_and_bearings_alone(springs):
     """All that enters is the torque of the balance of forces, by equation (1)."""
     friction = Bearings(
-        sun_torque=2e-3,
-        loading_roller_torque=1e-3,
-        carrier_torque=2e-2,
+        input_torque=2e-3,
+        roller_torque=1e-3,
+        output_torque=2e-2,
         pin_friction_coefficient=0.01,
         pin_friction_diameter=4e-3,
     )

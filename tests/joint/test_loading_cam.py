@@ -176,7 +176,7 @@ def test_lives_under_a_duty_are_those_at_its_torques(plain, least):
     found = solve_joint(loaded).result.rolling
     for k, point in enumerate(duty):
         there = dataclasses.replace(
-            by_force(plain, least + CAM * point.output_torque), input_speed=point.sun_speed
+            by_force(plain, least + CAM * point.output_torque), input_speed=point.input_speed
         )
         alone = solve_joint(under_torque(there, point.output_torque)).result.rolling
         assert found.duty_load_hours[k] == pytest.approx(float(alone.life_hours.drive), rel=1e-9)

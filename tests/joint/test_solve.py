@@ -247,7 +247,7 @@ def test_the_levels_of_stiffness_have_no_value_where_every_spot_is_plastic(solve
     assert not bool(result.contact_law_holds)
     for level in (result.published, result.series_with_bulk, result.assembly.stiffness):
         assert math.isnan(float(level.output))
-        assert math.isnan(float(level.sun))
+        assert math.isnan(float(level.input))
     assert np.isfinite(result.forces.normal).all()
     assert bool(solved_paper[1].result.contact_law_holds)
 

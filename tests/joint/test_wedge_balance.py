@@ -24,9 +24,9 @@ pytestmark = pytest.mark.slow
 
 GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 BEARINGS = Bearings(
-    sun_torque=0.004,
-    loading_roller_torque=0.003,
-    carrier_torque=0.02,
+    input_torque=0.004,
+    roller_torque=0.003,
+    output_torque=0.02,
     pin_friction_coefficient=0.05,
     pin_friction_diameter=4e-3,
 )
@@ -49,9 +49,9 @@ def mechanism(joint):
         sides=sides,
         rest=rest,
         bearings=Bearings(
-            against * own.sun_torque,
-            against * own.loading_roller_torque,
-            against * own.carrier_torque,
+            against * own.input_torque,
+            against * own.roller_torque,
+            against * own.output_torque,
             against * own.pin_friction_coefficient,
             own.pin_friction_diameter,
         ),

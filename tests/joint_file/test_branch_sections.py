@@ -33,10 +33,10 @@ def test_sizes_of_a_file(joint_text):
     # contacts sp, pwr, pwl, wro, wlo of each branch
     expected = [[2.0, 2.0, 2.0, 0.0, 0.0], [0.0, -1.0, 0.0, -1.0, 0.0], [0.0, 0.0, 0.5, 0.0, 0.5]]
     np.testing.assert_allclose(found.added, 1e-6 * np.array(expected), atol=1e-18)
-    assert found.sun_support_stiffness == math.inf
+    assert found.input_support_stiffness == math.inf
     assert numeric_keys(case)["branch.1.planet_deviation"].tolerance == pytest.approx(1e-6)
     soft = joint_text.replace("[model]", '[compliance]\nsun_support_stiffness = "50 N/um"\n\n[model]')
-    assert deviations_of(si_values(read(soft))).sun_support_stiffness == 5e7
+    assert deviations_of(si_values(read(soft))).input_support_stiffness == 5e7
 
 
 def test_what_does_not_fit_together_is_told(joint_text):
@@ -86,14 +86,16 @@ def test_sizes_of_other_drives_add_to_their_contacts(planar_case, name, load, en
     found = deviations_of(si_values(planar_case(name, *changes)))
     np.testing.assert_allclose(found.added[0], 1e-6 * np.array(added), rtol=1e-12)
     assert not found.added[1:].any()
-    assert found.sun_support_stiffness == math.inf
+    assert found.input_support_stiffness == math.inf
     (largest,) = {float(max(each, key=abs)) for each in found.deviations.values() if each.any()}
     assert largest == pytest.approx(1e-6 * max(added, key=abs))
 
 
 def test_the_bearings_of_the_sun_of_other_drives(planar_case):
     text = '[compliance]\nsun_support_stiffness = "50 N/um"\n' + sections("", "", "") + "\n[model]"
-    assert deviations_of(si_values(planar_case("planetary", ("[model]", text)))).sun_support_stiffness == 5e7
+    assert (
+        deviations_of(si_values(planar_case("planetary", ("[model]", text)))).input_support_stiffness == 5e7
+    )
 
 
 @pytest.mark.parametrize(

@@ -124,9 +124,9 @@ def test_bearings_play_and_duty(planar_case):
     )
     joint = joint_from_case(planar_case("planetary", ("[model]", sections)))
     assert vars(joint.bearings) == {
-        "sun_torque": 1e-3,
-        "loading_roller_torque": 2e-3,
-        "carrier_torque": 0.0,
+        "input_torque": 1e-3,
+        "roller_torque": 2e-3,
+        "output_torque": 0.0,
         "pin_friction_coefficient": 0.01,
         "pin_friction_diameter": 4e-3,
     }
@@ -134,7 +134,7 @@ def test_bearings_play_and_duty(planar_case):
     assert (joint.pin_clearance, joint.pin_clearance_stated) == (0.0, False)
     assert (joint.play.angle, joint.play.take_up_torque) == (1e-3, 0.1)
     assert [vars(point) for point in joint.rolling.duty] == [
-        {"output_torque": 1.0, "sun_speed": 1.0, "share": 1.0}
+        {"output_torque": 1.0, "input_speed": 1.0, "share": 1.0}
     ]
 
 

@@ -131,7 +131,7 @@ def test_the_speed_of_the_output_makes_that_of_the_input(text_of):
     """The paper's drive has the ratio -(40 - 4)/4 = -9: 100 rpm at the output are 900 rpm at the sun."""
     case = parse_case(text_of("zou2025", sun_speed='output_speed = "100 rpm"'), source="a.toml")
     rpm = 2.0 * 3.141592653589793 / 60.0
-    assert float(joint_from_case(case).sun_speed) == pytest.approx(900.0 * rpm, rel=1e-12)
+    assert float(joint_from_case(case).input_speed) == pytest.approx(900.0 * rpm, rel=1e-12)
     assert "load.output_speed: the input turns at 900 rpm, by the ratio without slip" in assumptions(case)
     values = replace_values(si_values(case), {"load.sun_speed": 1.0})
     assert "output_speed" not in values["load"]

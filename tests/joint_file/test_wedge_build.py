@@ -75,7 +75,7 @@ pin_stiffness = "100 N/um"
 input_shaft_stiffness = "500 N*m/rad"
 """
     joint = joint_from_case(parse_case(example_text + extra, source="x"))
-    assert joint.bearings.carrier_torque == 0.003
+    assert joint.bearings.output_torque == 0.003
     assert joint.bearings.pin_friction_diameter == 0.004
     assert joint.pin_stiffness == 1e8
     assert joint.input_shaft_stiffness == 500.0

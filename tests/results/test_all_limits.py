@@ -26,7 +26,7 @@ def rows(monkeypatch):
 
 
 def solved(pressures, *, slips=None, duty=DUTY, standing=(30.0, 3.0)):
-    joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty), ends=("sun", "carrier"), sun_speed=1.0)
+    joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty), ends=("sun", "carrier"), input_speed=1.0)
     slips = [0.5 * each for each in pressures] if slips is None else slips
     rolling = SimpleNamespace(duty_shakedown_ratios=np.array(pressures), duty_slip_ratios=np.array(slips))
     forward, back = (SimpleNamespace(output_torque=each) for each in standing)

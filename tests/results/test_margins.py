@@ -25,7 +25,7 @@ def limit(severity, **bounds):
 
 
 CLEARANCES = ("planet_to_planet", "left_to_right")
-STANDS = SimpleNamespace(sun_speed=0.0, rolling=SimpleNamespace(duty=()))
+STANDS = SimpleNamespace(input_speed=0.0, rolling=SimpleNamespace(duty=()))
 ROWS = (
     row("model", "a", axis="contact", limit=limit("model", highest=1.0)),
     row("slip", "a", axis="contact", limit=limit("function", highest=2.0)),

@@ -166,11 +166,11 @@ def test_the_printed_factor_has_a_range_of_sizes(planar_joint):
 )
 def test_a_joint_that_turns_must_roll_under_its_torque(torque, capacity, value, ok):
     """Standing it may carry more: a torque between both capacities is no joint that works."""
-    joint = SimpleNamespace(output_torque=torque, sun_speed=1.0)
+    joint = SimpleNamespace(output_torque=torque, input_speed=1.0)
     (note,) = rolling_notes(joint, capacity)
     assert (note.value, note.ok, note.severity, note.remedy is None) == (value, ok, "function", ok)
-    assert rolling_notes(SimpleNamespace(output_torque=torque, sun_speed=0.0), capacity) == ()
-    assert rolling_notes(SimpleNamespace(output_torque=0.0, sun_speed=1.0), capacity) == ()
+    assert rolling_notes(SimpleNamespace(output_torque=torque, input_speed=0.0), capacity) == ()
+    assert rolling_notes(SimpleNamespace(output_torque=0.0, input_speed=1.0), capacity) == ()
 
 
 NAMES = ("sp", "pr")

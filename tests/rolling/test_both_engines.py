@@ -78,11 +78,11 @@ def of_duty(torque, speed, share):
 
     points = tuple(DutyPoint(torque[k], speed[k], share[k]) for k in range(3))
     conditions = RollingConditions(**(vars(PLAIN_ROLLING) | {"duty": points, "reliability": 0.99}))
-    return duty_life(conditions=conditions, bodies=BODIES, planet_count=3.0, rolled=rolled)
+    return duty_life(conditions=conditions, bodies=BODIES, branches=3.0, rolled=rolled)
 
 
-def of_tracks(tracks, planet_count):
-    given = {"bodies": BODIES, "tracks": tracks, "planet_count": planet_count}
+def of_tracks(tracks, branches):
+    given = {"bodies": BODIES, "tracks": tracks, "branches": branches}
     return life.drive_lives(**given), life.failure_shares(**given)
 
 
@@ -147,9 +147,9 @@ SPEEDS = {
     "input_speed": (-300.0, 300.0),
 }
 SMALL = {
-    "lives": given(of_tracks, tracks=TRACKS, planet_count=3.0),
-    "lives of which one is endless": given(of_tracks, tracks=ENDLESS, planet_count=3.0),
-    "lives of which one is unknown": given(of_tracks, tracks=UNKNOWN, planet_count=3.0),
+    "lives": given(of_tracks, tracks=TRACKS, branches=3.0),
+    "lives of which one is endless": given(of_tracks, tracks=ENDLESS, branches=3.0),
+    "lives of which one is unknown": given(of_tracks, tracks=UNKNOWN, branches=3.0),
     "life at a rate": rows(life.life_at_rate, {"rate": (1e-9, 1e-6)}),
     "duty": given(
         of_duty,

@@ -8,9 +8,9 @@ import pytest
 from asperity.rolling.document import losses, unknown_because
 
 
-def joint(sun_speed=100.0, duty=(), skew=None):
+def joint(input_speed=100.0, duty=(), skew=None):
     rolling = SimpleNamespace(duty=duty, skew=skew)
-    return SimpleNamespace(sun_speed=sun_speed, rolling=rolling, ends=("first ring", "carrier"))
+    return SimpleNamespace(input_speed=input_speed, rolling=rolling, ends=("first ring", "carrier"))
 
 
 def result(*, residual=1e-12, slip=(0.4,) * 5, holds=True, efficiency=0.98, duty_life_hours=np.nan):
@@ -56,7 +56,7 @@ def test_skew_is_a_possible_cause_where_rollers_are_skewed():
 
 
 def test_what_needs_time_power_or_a_duty_is_named():
-    (still,) = unknown_because(joint(sun_speed=0.0), result(efficiency=np.nan))
+    (still,) = unknown_because(joint(input_speed=0.0), result(efficiency=np.nan))
     assert still.startswith("the first ring stands")
     (driven,) = unknown_because(joint(), result(efficiency=np.nan))
     assert driven.startswith("no efficiency: the output torque drives the rotation")

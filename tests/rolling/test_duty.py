@@ -60,7 +60,7 @@ def _drive(cycles, planets=3.0):
 
 def found(*loads, **options):
     return duty_life(
-        conditions=conditions(*loads, **options), bodies=WEDGE_DRIVE, planet_count=3.0, rolled=rolled
+        conditions=conditions(*loads, **options), bodies=WEDGE_DRIVE, branches=3.0, rolled=rolled
     )
 
 

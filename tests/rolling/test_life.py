@@ -54,7 +54,7 @@ def test_what_never_fails_lives_for_ever():
 
 def test_bodies_and_drive_fail_with_the_first_of_their_tracks():
     """A track of the sun is one track, on which two planets do twice the damage; each has half of its rate."""
-    found = drive_lives(bodies=WEDGE_DRIVE, tracks=np.asarray(TRACKS), planet_count=2.0)
+    found = drive_lives(bodies=WEDGE_DRIVE, tracks=np.asarray(TRACKS), branches=2.0)
     own = {
         name: [TRACKS[place] / tracks.count(place) for place in dict.fromkeys(tracks)]
         for name, tracks in BODIES.items()
@@ -75,14 +75,14 @@ def test_bodies_and_drive_fail_with_the_first_of_their_tracks():
 
 def test_shares_of_the_failures_are_the_slopes_of_the_life():
     r"""A track's share is :math:`\partial \ln L / \partial \ln L_i`, here by differences."""
-    shares = np.asarray(failure_shares(bodies=WEDGE_DRIVE, tracks=np.asarray(TRACKS), planet_count=3.0))
+    shares = np.asarray(failure_shares(bodies=WEDGE_DRIVE, tracks=np.asarray(TRACKS), branches=3.0))
     assert shares.sum() == pytest.approx(1.0, rel=1e-14)
     for place in np.ndindex(2, 5):
         longer, shorter = TRACKS.copy(), TRACKS.copy()
         longer[place] *= 1.0001
         shorter[place] /= 1.0001
         lives = [
-            float(drive_lives(bodies=WEDGE_DRIVE, tracks=np.asarray(each), planet_count=3.0).drive)
+            float(drive_lives(bodies=WEDGE_DRIVE, tracks=np.asarray(each), branches=3.0).drive)
             for each in (longer, shorter)
         ]
         assert np.log(lives[0] / lives[1]) / (2.0 * np.log(1.0001)) == pytest.approx(shares[place], rel=1e-6)
@@ -90,12 +90,12 @@ def test_shares_of_the_failures_are_the_slopes_of_the_life():
 
 def test_a_track_without_stress_never_fails():
     endless = np.full((2, 5), np.inf)
-    found = drive_lives(bodies=WEDGE_DRIVE, tracks=np.asarray(endless), planet_count=3.0)
+    found = drive_lives(bodies=WEDGE_DRIVE, tracks=np.asarray(endless), branches=3.0)
     assert np.isinf(found.drive)
     assert np.all(np.isinf(found.body))
     endless[1, 2] = 4.0
     assert float(
-        drive_lives(bodies=WEDGE_DRIVE, tracks=np.asarray(endless), planet_count=3.0).drive
+        drive_lives(bodies=WEDGE_DRIVE, tracks=np.asarray(endless), branches=3.0).drive
     ) == pytest.approx(life([4.0] * 3), rel=1e-12)
 
 
@@ -135,12 +135,12 @@ def test_contacts_of_all_branches_on_one_track_add_their_damage():
         sectors=2,
     )
     tracks = np.array([[3.0, 5.0, 6.0, 7.0], [4.0, 9.0, 8.0, 18.0]])
-    found = drive_lives(bodies=both, tracks=np.asarray(tracks), planet_count=1.0)
+    found = drive_lives(bodies=both, tracks=np.asarray(tracks), branches=1.0)
     sun, ring = 1.0 / (1.0 / 3.0 + 1.0 / 6.0), 1.0 / (1.0 / 9.0 + 1.0 / 18.0)
     own = [life([sun]), life([ring]), life([4.0, 5.0]), life([8.0, 7.0])]
     np.testing.assert_allclose(found.body, own, rtol=1e-12)
     assert float(found.drive) == pytest.approx(life([sun, ring, 4.0, 5.0, 8.0, 7.0]), rel=1e-12)
-    shares = np.asarray(failure_shares(bodies=both, tracks=np.asarray(tracks), planet_count=1.0))
+    shares = np.asarray(failure_shares(bodies=both, tracks=np.asarray(tracks), branches=1.0))
     assert shares.sum() == pytest.approx(1.0, rel=1e-14)
     one, other = np.asarray(found.contact).reshape(2, 2)
     np.testing.assert_allclose(one[0], life([2.0 ** (1.0 / SLOPE) * sun, 4.0]), rtol=1e-12)
@@ -160,8 +160,8 @@ def test_equal_branches_have_one_life_whether_they_are_listed_or_not():
         sectors=3,
     )
     tracks = np.array([[3.0, 5.0], [4.0, 9.0]])
-    one = drive_lives(bodies=alone, tracks=np.asarray(tracks), planet_count=3.0)
-    all_three = drive_lives(bodies=listed, tracks=np.asarray(np.tile(tracks, 3)), planet_count=1.0)
+    one = drive_lives(bodies=alone, tracks=np.asarray(tracks), branches=3.0)
+    all_three = drive_lives(bodies=listed, tracks=np.asarray(np.tile(tracks, 3)), branches=1.0)
     np.testing.assert_allclose(all_three.contact, np.tile(one.contact, 3), rtol=1e-12)
     sun, roller, ring = np.asarray(one.body)
     np.testing.assert_allclose(all_three.body, [sun, ring, roller, roller, roller], rtol=1e-12)

@@ -41,7 +41,7 @@ def sheet(width=10.0, *, standing=False, lives=1e4 - 100.0 * TORQUE):
         contact_names=("sp", "pwr", "pwl", "wro", "wlo"),
         friction_coefficients=(0.12,),
         output_torque=6.0,
-        sun_speed=0.0 if standing else 100.0,
+        input_speed=0.0 if standing else 100.0,
     )
     figure = rolling_figure(curves, rolling, joint=joint, title="a joint", width=width)
     figure.savefig("/dev/null", format="png")

@@ -87,7 +87,7 @@ def test_a_pins_friction_opposes_the_push_in_either_direction(branch):
     bearings, geometry = branch.mechanism.bearings, branch.mechanism.geometry
     assert float(weak.pin_left[0]) < 0.0
     torque = (
-        bearings.loading_roller_torque
+        bearings.roller_torque
         + 0.25
         * bearings.pin_friction_coefficient
         * bearings.pin_friction_diameter

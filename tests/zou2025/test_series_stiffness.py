@@ -15,7 +15,7 @@ def test_series_is_one_line():
     """(A7): n R_s^2 / (1/K_sp + 1/(K_pwr + K_pwl) + 1/(K_wro + K_wlo)); planets' and rollers' radii cancel."""
     found = series_torsional_stiffness(geometry=PAPER, tangential_stiffness=SPRINGS)
     expected = 3 * 4e-3**2 / (1 / 4e8 + 1 / 3.5e8 + 1 / 4.9e8)
-    assert float(found.sun) == pytest.approx(expected, rel=1e-14)
+    assert float(found.input) == pytest.approx(expected, rel=1e-14)
     assert float(found.output) == pytest.approx(81 * expected, rel=1e-14)
 
 
@@ -27,7 +27,7 @@ def test_series_by_turning_rollers_against_their_springs():
     )  # arcs of sun, planet, rollers
     arc = np.linalg.solve(chain, [1.0, 0.0, 0.0])[0]  # unit force at the sun's surface of one branch
     found = series_torsional_stiffness(geometry=PAPER, tangential_stiffness=SPRINGS)
-    assert float(found.sun) == pytest.approx(3 * 4e-3 / (arc / 4e-3), rel=1e-12)
+    assert float(found.input) == pytest.approx(3 * 4e-3 / (arc / 4e-3), rel=1e-12)
 
 
 def test_reference_to_the_sun():
@@ -40,9 +40,9 @@ def test_reference_to_the_sun():
 @pytest.mark.parametrize("stage", [(0,), (1, 2), (3, 4)])
 def test_a_stage_that_slips_leaves_nothing(stage):
     slipping = SPRINGS.at[jnp.array(stage)].set(0.0)
-    assert float(series_torsional_stiffness(geometry=PAPER, tangential_stiffness=slipping).sun) == 0.0
+    assert float(series_torsional_stiffness(geometry=PAPER, tangential_stiffness=slipping).input) == 0.0
 
 
 def test_one_slipping_side_leaves_the_other():
     found = series_torsional_stiffness(geometry=PAPER, tangential_stiffness=SPRINGS.at[2].set(0.0))
-    assert float(found.sun) == pytest.approx(3 * 4e-3**2 / (1 / 4e8 + 1 / 2.1e8 + 1 / 4.9e8), rel=1e-14)
+    assert float(found.input) == pytest.approx(3 * 4e-3**2 / (1 / 4e8 + 1 / 2.1e8 + 1 / 4.9e8), rel=1e-14)

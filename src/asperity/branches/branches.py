@@ -51,15 +51,15 @@ class SectorDeviations:
     per_size : ndarray
         Interference of the contacts of a sector over the deviation of the track that comes first, shape (contacts,)
         [-].
-    sun_support_stiffness : float
-        Radial stiffness of the bearings of the sun, the input [N/m]: 0 for a floating one, ``math.inf`` for one that is
+    input_support_stiffness : float
+        Radial stiffness of the bearings of the input [N/m]: 0 for a floating one, ``math.inf`` for one that is
         held.
     """
 
     deviations: dict[str, np.ndarray]
     added: np.ndarray
     per_size: np.ndarray
-    sun_support_stiffness: float
+    input_support_stiffness: float
 
     def with_first(self, added: float) -> SectorDeviations:
         """The same with a further deviation of the first track of the first sector [m]."""
@@ -127,7 +127,7 @@ def assembled_branches(joint: Joint, sizes: SectorDeviations) -> AssembledBranch
             f"the drive has {count} {_noun(equal)}s, got the sizes of {len(sizes.added)} branches"
         )
     floating = _floating(equal, sizes)
-    support = 0.0 if math.isinf(sizes.sun_support_stiffness) else sizes.sun_support_stiffness
+    support = 0.0 if math.isinf(sizes.input_support_stiffness) else sizes.input_support_stiffness
     given = SectorSizes(*map(xp.asarray, (sizes.added, np.zeros_like(sizes.added), support)))
     settled: SettledSectors = at_once(partial(settled_sectors, count, floating), equal, given)
     _refuse_unsettled(equal, sizes, settled, floating)
@@ -148,20 +148,20 @@ def _noun(joint: Joint) -> str:
 
 def _floating(joint: Joint, sizes: SectorDeviations) -> tuple[str, ...]:
     """The input where its bearings give way."""
-    if math.isinf(sizes.sun_support_stiffness):
+    if math.isinf(sizes.input_support_stiffness):
         return ()
-    sun = joint.drive.input
-    if sun == CARRIER:
+    body = joint.drive.input
+    if body == CARRIER:
         raise InputError(
             "compliance.sun_support_stiffness: the input of this drive is the carrier, which stays centred; leave it "
             "out"
         )
-    if sector_count(joint) < 3 and sizes.sun_support_stiffness == 0.0:
+    if sector_count(joint) < 3 and sizes.input_support_stiffness == 0.0:
         raise InputError(
-            f"nothing holds a floating {sun} between two sectors; give compliance.sun_support_stiffness a value above "
+            f"nothing holds a floating {body} between two sectors; give compliance.sun_support_stiffness a value above "
             "0, or leave it out"
         )
-    return (sun,)
+    return (body,)
 
 
 def _refuse_unsettled(

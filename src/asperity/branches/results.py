@@ -34,10 +34,11 @@ class BranchState:
     ----------
     torque : ndarray
         Torque of each branch at the output; they add up to that of the joint [N·m].
-    sun : str
-        Name of the member that is called the sun here: the input of another drive.
-    sun_displacement, sun_force : ndarray
-        Displacement of the sun [m], and the force of the planets on it [N], shape (2,); the first planet lies on the
+    central : str
+        Name of the body on the axis that the next two are of: the input, or the first one where the carrier is the
+        input.
+    central_displacement, central_force : ndarray
+        Its displacement [m], and the force of the sectors' rollers on it [N], shape (2,); the first planet lies on the
         first axis.
     centre_forces : dict
         Names of the other members on the axis → force of the branches on them, shape (2,) [N].
@@ -49,9 +50,9 @@ class BranchState:
     """
 
     torque: np.ndarray
-    sun: str
-    sun_displacement: np.ndarray
-    sun_force: np.ndarray
+    central: str
+    central_displacement: np.ndarray
+    central_force: np.ndarray
     centre_forces: dict[str, np.ndarray]
     torques: dict[str, float]
     input_torque: float
@@ -76,7 +77,7 @@ class UnequalBranches:
     equal_preload : float
         Preload of equal branches [N].
     interference, preload : ndarray
-        Of each branch without torque, the sun where its bearings let it be, shape (n,) [m], [N].
+        Of each branch without torque, the input where its bearings let it be, shape (n,) [m], [N].
     rest : BranchState
         Without torque.
     standing, rolling : BranchState or None
@@ -195,12 +196,12 @@ def _state(
     if kind and torque:
         moments = np.asarray(sums.output_moment[kind])
         moments = moments * (torque / moments.sum())
-    sun = drive.input if drive.input in central else central[0]
+    body = drive.input if drive.input in central else central[0]
     return BranchState(
         torque=moments,
-        sun=sun,
-        sun_displacement=turned @ state.displacement[0] if branches.floating else np.zeros(2),
-        sun_force=forces.pop(sun),
+        central=body,
+        central_displacement=turned @ state.displacement[0] if branches.floating else np.zeros(2),
+        central_force=forces.pop(body),
         centre_forces=forces,
         torques=dict(zip(members, map(float, drive.sense * sums.centre_moment[kind]), strict=True)),
         input_torque=float(state.input_torque),

@@ -33,8 +33,8 @@ class SizeErrorCurves:
         Shares of the branches in the torque [-]; nan where all slip.
     first_slip, all_slip : ndarray
         Torques of the standing joint at which the weakest branch and all of them slip [N·m].
-    sun_force : ndarray
-        Force of the planets on the sun under the torque at rest [N].
+    central_force : ndarray
+        Force of the rollers on the input under the torque at rest [N].
     noun, track : str
         What a branch is called, and whose radius it is.
     """
@@ -44,7 +44,7 @@ class SizeErrorCurves:
     rolling_share: np.ndarray
     first_slip: np.ndarray
     all_slip: np.ndarray
-    sun_force: np.ndarray
+    central_force: np.ndarray
     noun: str
     track: str
 
@@ -87,11 +87,11 @@ def size_error_curves(branches: AssembledBranches) -> SizeErrorCurves:
         rolling_share=shares(lambda branches: branches.rolling),
         first_slip=numbers(lambda point: float(point.limits.first_slip.output_torque)),
         all_slip=numbers(lambda point: float(point.limits.standing.output_torque)),
-        sun_force=numbers(
+        central_force=numbers(
             lambda point: (
                 math.nan
                 if point.branches.standing is None
-                else math.hypot(*point.branches.standing.sun_force)
+                else math.hypot(*point.branches.standing.central_force)
             )
         ),
         noun=branches.noun,

@@ -14,17 +14,17 @@ class Bearings(Module):
 
     Parameters
     ----------
-    sun_torque, loading_roller_torque, carrier_torque : Real
-        Constant friction torque of one sun, loading roller and carrier bearing [N·m]; each body has two.
+    input_torque, roller_torque, output_torque : Real
+        Constant friction torque of one bearing of the input, of a roller on a pin, of the output [N·m]; each has two.
     pin_friction_coefficient : Real
-        Friction coefficient mu_b of the loading rollers' pins [-]: friction force mu_b F_c at the diameter below.
+        Friction coefficient mu_b of the pins [-]: friction force mu_b F_c at the diameter below.
     pin_friction_diameter : Real
         Diameter d at which that friction acts [m].
     """
 
-    sun_torque: Real
-    loading_roller_torque: Real
-    carrier_torque: Real
+    input_torque: Real
+    roller_torque: Real
+    output_torque: Real
     pin_friction_coefficient: Real
     pin_friction_diameter: Real
 
@@ -50,7 +50,7 @@ def bearing_torque(*, bearings: Bearings, pin_force: Array) -> Array:
     2025 leave open.
     """
     pin = 0.25 * bearings.pin_friction_coefficient * bearings.pin_friction_diameter
-    return xp.asarray(bearings.loading_roller_torque + pin * xp.abs(pin_force))
+    return xp.asarray(bearings.roller_torque + pin * xp.abs(pin_force))
 
 
 def leading_sense(*, rotation: Real, output_torque: Real) -> Array:

@@ -22,9 +22,9 @@ class CrownedSprings(Module):
     lines : CrownedLines
         The contacts.
     rest_compression : Array
-        Approach that the crowns add at rest, shape (5, ...) [m].
+        Approach that the crowns add at rest, shape (contacts, ...) [m].
     steepest_compliance : Array
-        Compliance that they add to a contact about to lift off, shape (5, ...) [m/N].
+        Compliance that they add to a contact about to lift off, shape (contacts, ...) [m/N].
     """
 
     lines: CrownedLines
@@ -40,7 +40,7 @@ def crowned_springs(*, lines: CrownedLines, rest_force: Array) -> CrownedSprings
     lines : CrownedLines
         The contacts.
     rest_force : Array
-        Normal forces at rest, shape (5, ...) [N].
+        Normal forces at rest, shape (contacts, ...) [N].
 
     Returns
     -------
@@ -66,7 +66,7 @@ class NormalSprings(Module):
     Parameters
     ----------
     secant_compliance, incremental_compliance : Array
-        s_0 = delta/N and t_0 = d delta/dN of the even contacts at the preload N_0, shape (5, ...) [m/N].
+        s_0 = delta/N and t_0 = d delta/dN of the even contacts at the preload N_0, shape (contacts, ...) [m/N].
     crowns : CrownedSprings or None
         Crowned contacts, whose rollers approach by :math:`\Delta\delta` more; None where none is crowned.
     """

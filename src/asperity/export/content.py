@@ -135,7 +135,7 @@ def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -
 
 def _friction(joint: Joint, solution: Solution) -> float:
     """Torque that all losses but creep, which takes speed, take from the input [N·m]; nan where the input stands."""
-    power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
+    power, speed = solution.result.rolling.power, abs(float(joint.input_speed))
     lost = float(np.asarray(power.loss)) - float(np.sum(np.asarray(power.creep)))
     return lost / speed if speed > 0.0 else float("nan")
 

@@ -149,7 +149,7 @@ def joint_bearing_lives(joint: Joint, result: JointResult, laws: ContactLaws) ->
     drive, under = joint.drive, {}
     if joint.rolling.duty:
         points = per_contact(joint.rolling.duty)
-        duty = _under_duty(joint, Pressed(laws, result.rest), points.output_torque, points.sun_speed)
+        duty = _under_duty(joint, Pressed(laws, result.rest), points.output_torque, points.input_speed)
         under = {"duty": duty, "shares": points.share}
     pins, at_rest = working_loads(joint, result).pin, result.rest
     loaded = forces_on_axis(joint, *working_forces(joint, result), pins)

@@ -92,7 +92,7 @@ class Joint(Module):
     rolling : RollingConditions
         Skew, losses, oil and reliability of the joint that turns.
     bearings : Bearings or None, optional
-        Friction of the bearings, ``sun_torque`` for the input and ``carrier_torque`` for the output; None for none.
+        Friction of the bearings, at input, rollers on pins and output; None for none.
     play : Play, optional
         Play at the output, part of every torque–angle curve; none by default.
     fit : ContactFit or None, optional
@@ -177,11 +177,6 @@ class Joint(Module):
             return pattern
         added = self.fit.contact_change_per_kelvin * self.fit.temperature_rise
         return pattern + added / xp.asarray(self.interference)
-
-    @property
-    def sun_speed(self) -> Real:
-        """The speed of the input, as results of every drive call it [rad/s]."""
-        return self.input_speed
 
     @property
     def ends(self) -> tuple[str, str]:

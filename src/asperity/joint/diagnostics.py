@@ -18,30 +18,30 @@ class Diagnostics(Module):
     Parameters
     ----------
     slip_ratio : Real
-        T/(mu N) of each contact, shape (5, ...) [-]; infinite where a lifted contact should carry a force.
+        T/(mu N) of each contact, shape (contacts, ...) [-]; infinite where a lifted contact should carry a force.
     real_area_over_hertz_area : Real
-        Real area of contact over the Hertzian strip 2bB, shape (5, ...) [-].
+        Real area of contact over the Hertzian strip 2bB, shape (contacts, ...) [-].
     largest_spot_over_hertz_area : Real
-        Largest spot over the Hertzian strip, shape (5, ...) [-].
+        Largest spot over the Hertzian strip, shape (contacts, ...) [-].
     critical_over_largest_spot : Real
-        a_c/a_l, shape (5, ...) [-]; from 1 on every spot is plastic and the law has no stiffness.
+        a_c/a_l, shape (contacts, ...) [-]; from 1 on every spot is plastic and the law has no stiffness.
     pressure_over_first_yield : Real
-        Hertzian peak pressure over 1.67 times the yield strength of the weaker body, shape (5, ...) [-].
+        Hertzian peak pressure over 1.67 times the yield strength of the weaker body, shape (contacts, ...) [-].
     asperity_over_bulk_stiffness : Real
-        Tangential stiffness of the asperities over that of the bodies, shape (5, ...) [-]. The published model counts
-        the asperities alone, which is fair where this is far below 1.
+        Tangential stiffness of the asperities over that of the bodies, shape (contacts, ...) [-]. The published model
+        counts the asperities alone, which is fair where this is far below 1.
     normal_force_over_preload : Real
-        Normal force over its value at rest, shape (5, ...) [-]; 0 means lifted off, fine above 0.
+        Normal force over its value at rest, shape (contacts, ...) [-]; 0 means lifted off, fine above 0.
     hertz_half_width, hertz_pressure : Real
-        Half-width b [m] and peak pressure p_0 [Pa] of the smooth contact where it is widest, shape (5, ...).
+        Half-width b [m] and peak pressure p_0 [Pa] of the smooth contact where it is widest, shape (contacts, ...).
     loaded_length_share : Real or None
-        Share of the contact length that is loaded, shape (5, ...) [-]; None where no roller is crowned.
+        Share of the contact length that is loaded, shape (contacts, ...) [-]; None where no roller is crowned.
     peak_line_load_ratio, end_line_load_ratio : Real or None
-        Line load in the middle, and that at the ends, over the mean line load, shape (5, ...) [-].
+        Line load in the middle, and that at the ends, over the mean line load, shape (contacts, ...) [-].
     loaded_length_over_width : Real or None
-        Loaded length over the largest width, shape (5, ...) [-].
+        Loaded length over the largest width, shape (contacts, ...) [-].
     slices_hold : Array or None
-        Whether the contact is long enough for the law of its slices, shape (5, ...).
+        Whether the contact is long enough for the law of its slices, shape (contacts, ...).
     """
 
     slip_ratio: Real

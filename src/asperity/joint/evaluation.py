@@ -224,7 +224,7 @@ def joint_result(machine: JointMachine, laws: ContactLaws, states: DriveStates) 
             turning(machine, states.rolling),
             conditions=joint.rolling,
             bodies=bodies_of_contacts(joint),
-            planet_count=xp.asarray(drive.sectors),
+            branches=xp.asarray(drive.sectors),
             rolled=rolling_at(machine, Pressed(laws, states.rest)),
         ),
         contact_law_holds=stiffness.contact_law_holds,

@@ -10,7 +10,7 @@ from asperity.types import Array, Real
 
 
 class Play(Module):
-    """Play at the output with the sun locked.
+    """Play at the output with the input locked.
 
     Parameters
     ----------

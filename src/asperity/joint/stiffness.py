@@ -178,7 +178,7 @@ def stiffness_levels(
     network = network_stiffness(
         **_springs_of_assembly(machine, loaded, sliding_friction, pins, held.tangential_force[1])
     )
-    published, series = (TorsionalStiffness(sun=output / ratio**2, output=output) for output in held.output)
+    published, series = (TorsionalStiffness(input=output / ratio**2, output=output) for output in held.output)
     return published, series, _assembly(machine, network, ratio)
 
 
@@ -278,7 +278,7 @@ def _assembly(machine: JointMachine, network: NetworkStiffness, ratio: Array) ->
     )
     between_shafts = output / network.output
     return Assembly(
-        stiffness=TorsionalStiffness(sun=output / ratio**2, output=output),
+        stiffness=TorsionalStiffness(input=output / ratio**2, output=output),
         tangential_share=network.tangential_share * between_shafts,
         normal_share=(network.normal_share - bending) * between_shafts,
         ring_bending_share=xp.sum(bending) * between_shafts,

@@ -85,7 +85,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
         told.append(f"{case.open_radius.words}, the radius that the file leaves open")
     if case.load.output_speed is not None:
         told.append(
-            f"load.output_speed: the input turns at {format_quantity(float(joint.sun_speed), 'rpm')}, by the ratio "
+            f"load.output_speed: the input turns at {format_quantity(float(joint.input_speed), 'rpm')}, by the ratio "
             "without slip"
         )
     if case.bearings is None:

@@ -174,9 +174,9 @@ def _bearings(entry: Values | None) -> Bearings | None:
         return None
     stated: dict[str, Any] = {_BEARINGS.get(key, key): value for key, value in entry.items()}
     return Bearings(
-        sun_torque=stated.get("input_torque", 0.0),
-        loading_roller_torque=stated.get("roller_torque", 0.0),
-        carrier_torque=stated.get("output_torque", 0.0),
+        input_torque=stated.get("input_torque", 0.0),
+        roller_torque=stated.get("roller_torque", 0.0),
+        output_torque=stated.get("output_torque", 0.0),
         pin_friction_coefficient=entry.get("pin_friction_coefficient", 0.0),
         pin_friction_diameter=entry.get("pin_friction_diameter", stated.get("pin_diameter", 0.0)),
     )
@@ -227,7 +227,7 @@ def deviations_of(values: Values) -> SectorDeviations:
         },
         added=np.asarray(added_by_branches(values, count)),
         per_size=np.asarray(_per_size(drive, next(iter(sized_tracks(values).values())))),
-        sun_support_stiffness=values.get("compliance", {}).get("sun_support_stiffness", math.inf),
+        input_support_stiffness=values.get("compliance", {}).get("sun_support_stiffness", math.inf),
     )
 
 

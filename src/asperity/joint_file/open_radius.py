@@ -169,7 +169,7 @@ def refuse_output_speed(case: Case) -> None:
         return
     with np.errstate(all="ignore"):  # an output that stands: judged by what it makes
         joint, written = joint_from_case(case), case.load.output_speed.text
-    speed = float(joint.sun_speed)
+    speed = float(joint.input_speed)
     if math.isnan(speed):  # rollers without a place have no ratio
         refuse_impossible(joint.drive)
     if not math.isfinite(speed):

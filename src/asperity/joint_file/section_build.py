@@ -74,7 +74,10 @@ def rolling_conditions(values: Values) -> RollingConditions:
         pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
         roughness=film_roughness(values),
         reliability=rolling.get("reliability", plain.reliability),
-        duty=tuple(DutyPoint(**load) for load in values.get("duty", {}).values()),
+        duty=tuple(
+            DutyPoint(load["output_torque"], load["sun_speed"], load["share"])
+            for load in values.get("duty", {}).values()
+        ),
     )
 
 

@@ -40,7 +40,7 @@ def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     stuck = [_does_not_carry(solved, *point) for point in zip(joint.rolling.duty, ratios, strict=True)]
     loads = [
         f"load {number}, {format_quantity(float(point.output_torque), 'N*m')} with the {joint.ends[0]} at "
-        f"{format_quantity(float(point.sun_speed), 'rpm')}"
+        f"{format_quantity(float(point.input_speed), 'rpm')}"
         for number, point in enumerate(joint.rolling.duty, start=1)
     ]
     without = [load for load, sticks in zip(loads, stuck, strict=True) if sticks]
@@ -80,7 +80,7 @@ def _duty_rims(solved: SolvedJoint, stuck: list[bool]) -> list[LimitCheck]:
 
 def _does_not_carry(solved: SolvedJoint, point: DutyPoint, slip_ratio: float) -> bool:
     """Whether the joint does not carry a load: in rolling, or standing where the input stands."""
-    if float(point.sun_speed) > 0.0:
+    if float(point.input_speed) > 0.0:
         return not slip_ratio < 1.0
     torque = float(point.output_torque)
     capacity = solved.reverse_standing_capacity if torque < 0.0 else solved.standing_capacity

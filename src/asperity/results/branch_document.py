@@ -29,7 +29,7 @@ def branch_document(branches: AssembledBranches, solution: Solution) -> Document
     """What unequal branches do to a joint, in SI units."""
     unequal, result = unequal_branches(branches, solution.states), solution.result
     reverse, sizes = float(branches.joint.output_torque) < 0.0, unequal.sizes
-    support = sizes.sun_support_stiffness
+    support = sizes.input_support_stiffness
     first, last, rolling = (
         (solution.reverse_first_slip, solution.reverse_standing_capacity, solution.reverse_rolling_capacity)
         if reverse
@@ -79,12 +79,12 @@ def deviations(branches: Document) -> dict[str, str]:
 
 
 def _sums(state: BranchState) -> Document:
-    """Forces on the members on the axis; the displacement of the sun."""
+    """Forces on the members on the axis; the displacement of the input."""
     forces = {name: list(map(float, force)) for name, force in state.centre_forces.items()}
     return {
         "sun": {
-            "displacement_m": list(map(float, state.sun_displacement)),
-            "force_N": list(map(float, state.sun_force)),
+            "displacement_m": list(map(float, state.central_displacement)),
+            "force_N": list(map(float, state.central_force)),
         },
         **({"central_forces_N": forces} if forces else {}),
     }

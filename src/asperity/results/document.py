@@ -223,7 +223,7 @@ def stiffness_unknown_because(result: JointResult) -> str | None:
 
 def _stiffness(stiffness: TorsionalStiffness) -> Document:
     return {
-        "input_Nm_per_rad": stiffness.sun,
+        "input_Nm_per_rad": stiffness.input,
         "output_Nm_per_rad": stiffness.output,
         "output_Nm_per_arcmin": stiffness.output_per_arcminute,
     }
@@ -323,7 +323,7 @@ def joint_document(solved: SolvedJoint, *, inputs: Document, assumptions: tuple[
             "mass_kg": solved.size.mass,
             "envelope_diameter_m": solved.size.envelope_diameter,
             "input": inputs,
-            "input_speed_rad_per_s": joint.sun_speed,
+            "input_speed_rad_per_s": joint.input_speed,
             "assumptions": list(assumptions),
             "geometry": {
                 "speed_ratio": result.speed_ratio,

@@ -235,13 +235,13 @@ UNEQUAL = (
 
 
 def case_entry(
-    name: str, output_torque: float, sun_speed: float, share: float | None, unknown_because: str | None
+    name: str, output_torque: float, input_speed: float, share: float | None, unknown_because: str | None
 ) -> Document:
     """One load of the joint as an entry of the document."""
     return {
         "name": name,
         "output_torque_Nm": output_torque,
-        "sun_speed_rad_per_s": sun_speed,
+        "sun_speed_rad_per_s": input_speed,
         "share": share,
         "unknown_because": unknown_because,
     }

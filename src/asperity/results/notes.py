@@ -299,7 +299,7 @@ def rolling_notes(joint: Joint, capacity: float) -> tuple[Note, ...]:
     Nothing without a torque.
     """
     torque = abs(float(joint.output_torque))
-    if not (float(joint.sun_speed) > 0.0 and torque > 0.0):
+    if not (float(joint.input_speed) > 0.0 and torque > 0.0):
         return ()
     ratio = math.inf if capacity <= 0.0 else torque / capacity
     ok = ratio < 1.0

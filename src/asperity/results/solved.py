@@ -210,7 +210,7 @@ class SolvedJoint:
         states = []
         for point in numbers.rolling.duty:
             joint = dataclasses.replace(
-                numbers, output_torque=point.output_torque, input_speed=point.sun_speed
+                numbers, output_torque=point.output_torque, input_speed=point.input_speed
             )
             states.append((joint, joint_state(joint)))
         return tuple(states)

@@ -55,7 +55,7 @@ def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Resu
     per_mass, per_volume = Dimension.TORSIONAL_STIFFNESS_PER_MASS, Dimension.TORSIONAL_STIFFNESS_PER_VOLUME
     return (
         row("stiffness_output", "torsional stiffness at the output", torsional, f"result.{path}.output"),
-        row("stiffness_input", "torsional stiffness at the input", torsional, f"result.{path}.sun"),
+        row("stiffness_input", "torsional stiffness at the input", torsional, f"result.{path}.input"),
         row(
             "stiffness_per_mass", "output stiffness per mass", per_mass, lambda s: stiffness(s) / s.size.mass
         ),

@@ -12,15 +12,15 @@ class DutyPoint(Module):
     Parameters
     ----------
     output_torque : Real
-        Torque at the carrier, of either sign [N·m].
-    sun_speed : Real
-        Angular velocity of the sun, not negative [rad/s].
+        Torque at the output, of either sign [N·m].
+    input_speed : Real
+        Angular velocity of the input, not negative [rad/s].
     share : Real
         Share of the time [-].
     """
 
     output_torque: Real
-    sun_speed: Real
+    input_speed: Real
     share: Real
 
 

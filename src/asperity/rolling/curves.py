@@ -30,9 +30,9 @@ class RollingCurves(Module):
     """Curves and map of one joint that turns. SI units; nan where a contact slips or nothing turns.
 
     ``torque_capacity`` [N·m] is not finite if friction does not limit it. Creep curve of each contact under its normal
-    force: T/N and creepage, shape (5, n) [-]. Over the output torques ``torque``, shape (m,) [N·m]: drift per turn of
-    the output [rad], life in turns and in hours. Map: efficiency over speeds of the sun [rad/s] and output torques
-    [N·m], shape (k, m - 1) [-]; no speeds where the sun stands.
+    force: T/N and creepage, shape (contacts, n) [-]. Over the output torques ``torque``, shape (m,) [N·m]: drift per
+    turn of the output [rad], life in turns and in hours. Map: efficiency over speeds of the input [rad/s] and output
+    torques [N·m], shape (k, m - 1) [-]; no speeds where the input stands.
     """
 
     torque_capacity: Array
@@ -57,7 +57,7 @@ def rolling_curves(
     """
     numbers: Joint = as_numbers(joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
-    output_torque, speed = float(numbers.output_torque), float(numbers.sun_speed)
+    output_torque, speed = float(numbers.output_torque), float(numbers.input_speed)
     limited = math.isfinite(torque_capacity)
     towards = np.linspace(0.0, 1.0, _TORQUES)
     # the curves are steep near gross slip

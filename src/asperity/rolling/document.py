@@ -29,7 +29,7 @@ def rolling_document(joint: Joint, result: JointResult) -> Document:
             power=rolling.power,
             output_torque=joint.output_torque,
             output_speed=rolling.output_speed,
-            input_speed=joint.sun_speed,
+            input_speed=joint.input_speed,
         ),
         "input_power_W": rolling.power.input,
         "output_power_W": rolling.power.output,
@@ -155,7 +155,7 @@ def no_life_because(result: JointResult) -> str | None:
 
 def absent_in_rolling(joint: Joint, result: JointResult) -> list[str]:
     """Why results of a joint are absent although it rolls steadily."""
-    if float(np.asarray(joint.sun_speed)) == 0.0:
+    if float(np.asarray(joint.input_speed)) == 0.0:
         return [
             f"the {joint.ends[0]} stands: drift and life are per turn, for slow rolling; nothing is given per time, "
             "and there are no powers, efficiency, temperatures or oil film"

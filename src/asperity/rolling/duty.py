@@ -39,13 +39,13 @@ def with_duty_life(
     *,
     conditions: RollingConditions,
     bodies: BodiesOfContacts,
-    planet_count: Real,
+    branches: Real,
     rolled: Callable[[Array, Array], RollingResult],
 ) -> RollingResult:
     """The joint that turns with its life under its duty, if it has one."""
     if not conditions.duty:
         return rolling
-    life = duty_life(conditions=conditions, bodies=bodies, planet_count=planet_count, rolled=rolled)
+    life = duty_life(conditions=conditions, bodies=bodies, branches=branches, rolled=rolled)
     return dataclasses.replace(
         rolling,
         duty_life_hours=life.hours,
@@ -61,7 +61,7 @@ def duty_life(
     *,
     conditions: RollingConditions,
     bodies: BodiesOfContacts,
-    planet_count: Real,
+    branches: Real,
     rolled: Callable[[Array, Array], RollingResult],
 ) -> DutyLife:
     r"""Life of the drive under its duty, in hours and in turns of the output.
@@ -78,10 +78,10 @@ def duty_life(
         The duty, with at least one load, and the reliability.
     bodies : BodiesOfContacts
         Bodies of the contacts.
-    planet_count : Real
+    branches : Real
         Number of branches [-].
     rolled : callable
-        Steady rolling of the joint at an output torque [N·m] and a speed of the sun [rad/s].
+        Steady rolling of the joint at an output torque [N·m] and a speed of the input [rad/s].
 
     Returns
     -------
@@ -97,7 +97,7 @@ def duty_life(
     Equation (B8) of :doc:`/equations`.
     """
     points = per_contact(conditions.duty)
-    rolling = vectorised(rolled)(points.output_torque, points.sun_speed)
+    rolling = vectorised(rolled)(points.output_torque, points.input_speed)
     turns_a_second = rolling.output_speed / (2.0 * xp.pi)
     spectrum = {
         "lives": rolling.cycles,
@@ -108,11 +108,9 @@ def duty_life(
     hours = drive_lives(
         bodies=bodies,
         tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / 3600.0,
-        planet_count=planet_count,
+        branches=branches,
     ).drive
-    shares = damage_shares(**spectrum) * failure_shares(
-        bodies=bodies, tracks=tracks, planet_count=planet_count
-    )
+    shares = damage_shares(**spectrum) * failure_shares(bodies=bodies, tracks=tracks, branches=branches)
     return DutyLife(
         hours=hours,
         turns=hours * 3600.0 * xp.sum(points.share * turns_a_second, axis=0),

@@ -65,7 +65,7 @@ def cycle_rates(*, bodies: BodiesOfContacts, speeds: RollingSpeeds) -> Array:
     return xp.stack([turns[xp.array(bodies.driving)], turns[xp.array(bodies.driven)]])
 
 
-def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> DriveLives:
+def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, branches: Real) -> DriveLives:
     r"""Lives of contacts, bodies and drive from those of the tracks.
 
     .. math:: L = \Bigl(\sum_i L_i^{-e}\Bigr)^{-1/e}
@@ -85,7 +85,7 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     tracks : Real
         Lives of the tracks of one driving and one driven body of each contact, as if no other one rolled on them, all
         in one unit, shape (2, contacts, ...).
-    planet_count : Real
+    branches : Real
         Number of branches n for which those of the contacts stand [-]; 1 where all are listed.
 
     Returns
@@ -98,11 +98,11 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     G. Lundberg and A. Palmgren, Acta Polytechnica 7 (1947); equation (B8) of :doc:`/equations`.
     """
     # (B8), once for each track
-    driving, driven = _of_one_branch(bodies, xp.asarray(tracks), planet_count) ** -WEIBULL_SLOPE
+    driving, driven = _of_one_branch(bodies, xp.asarray(tracks), branches) ** -WEIBULL_SLOPE
     body = xp.stack(
         [
             sum(
-                side[k] * (planet_count if shared else 1.0)
+                side[k] * (branches if shared else 1.0)
                 for side, places in ((driving, bodies.driving), (driven, bodies.driven))
                 for k, member in enumerate(places)
                 if member == b
@@ -114,11 +114,11 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     return DriveLives(
         contact=life_at_rate(contact),
         body=life_at_rate(body),
-        drive=life_at_rate(planet_count * xp.sum(contact, axis=0)),
+        drive=life_at_rate(branches * xp.sum(contact, axis=0)),
     )
 
 
-def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> Array:
+def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, branches: Real) -> Array:
     r"""Share of the failures of a drive that begin on each track, all branches together, shape (2, contacts, ...) [-].
 
     .. math:: s_i = \frac{L_i^{-e}}{\sum_k L_k^{-e}}
@@ -126,21 +126,21 @@ def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real
     From the lives of the tracks as for :func:`drive_lives`; nan where no track fails. The hazards of Weibull lives of
     one slope are in this ratio at any time. Equation (B8) of :doc:`/equations`.
     """
-    lives = _of_one_branch(bodies, xp.asarray(tracks), planet_count)
+    lives = _of_one_branch(bodies, xp.asarray(tracks), branches)
     shortest = xp.min(lives, axis=(0, 1))
     rates = (lives / shortest) ** -WEIBULL_SLOPE
     return rates / xp.sum(rates, axis=(0, 1))
 
 
-def _of_one_branch(bodies: BodiesOfContacts, tracks: Array, planet_count: Real) -> Array:
+def _of_one_branch(bodies: BodiesOfContacts, tracks: Array, branches: Real) -> Array:
     """Lives of tracks, of one on a body that n branches share that at the n-th part of the rate at which it fails."""
     by_sector = (2, bodies.sectors, -1, *tracks.shape[2:])
-    damage = xp.sum(1.0 / tracks.reshape(by_sector), axis=1, keepdims=True) * planet_count
+    damage = xp.sum(1.0 / tracks.reshape(by_sector), axis=1, keepdims=True) * branches
     together = xp.broadcast_to(1.0 / damage, tracks.reshape(by_sector).shape).reshape(tracks.shape)
-    branches = bodies.sectors * xp.asarray(planet_count, dtype=float)
+    all_branches = bodies.sectors * xp.asarray(branches, dtype=float)
     shared = np.array([[bodies.shared[b] for b in side] for side in (bodies.driving, bodies.driven)])
     shared = shared.reshape(*shared.shape, *(1,) * (tracks.ndim - 2))
-    return xp.where(shared, together * branches ** (1.0 / WEIBULL_SLOPE), tracks)
+    return xp.where(shared, together * all_branches ** (1.0 / WEIBULL_SLOPE), tracks)
 
 
 def life_at_rate(rate: Array) -> Array:

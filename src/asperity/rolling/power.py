@@ -17,14 +17,14 @@ from asperity.types import Array, Real
 
 
 class RollingPower(Module):
-    """Powers of a rolling joint, all branches together [W]; contact axis first. nan where the sun stands.
+    """Powers of a rolling joint, all branches together [W]; contact axis first. nan where the input stands.
 
-    Losses of each contact, shape (5, ...), nan for one that the joint leaves out: by creep along the rolling direction,
-    by creep across it (``skew``), by elastic hysteresis and by the oil at the inlet; ``contact`` is the sum of those
-    that the joint counts. ``bearings``: in the bearings of sun, loading rollers and carrier, and at the pins; ``loss``:
-    of the joint.
+    Losses of each contact, shape (contacts, ...), nan for one that the joint leaves out: by creep along the rolling
+    direction, by creep across it (``skew``), by elastic hysteresis and by the oil at the inlet; ``contact`` is the sum
+    of those that the joint counts. ``bearings``: in the bearings of the input, of rollers on pins and of the output,
+    and at the pins; ``loss``: of the joint.
 
-    ``input`` and ``output``: power that enters and leaves, at sun and carrier, or at carrier and sun where the output
+    ``input`` and ``output``: power that enters and leaves, at input and output, or at output and input where the output
     torque drives the rotation. Where the losses exceed what then enters, nothing leaves: it and ``efficiency``, output
     over input [-], are nan.
     """

@@ -43,34 +43,36 @@ class RollingResult(Module):
     Parameters
     ----------
     normal, tangential : Array
-        Forces of the contacts, shape (5, ...) [N]; the tangential ones are those of equal creep on both sides.
+        Forces of the contacts, shape (contacts, ...) [N]; the tangential ones are those of equal creep on both sides.
     creepage : Array
-        Creepages, shape (5, ...) [-].
+        Creepages, shape (contacts, ...) [-].
     drag : Array
-        Drag of the oil on each surface, with the sign of the rotation, shape (5, ...) [N]; 0 without a viscosity.
+        Drag of the oil on each surface, with the sign of the rotation, shape (contacts, ...) [N]; 0 without a
+        viscosity.
     hysteresis_moment, skew_drag : Array
         Moment of elastic hysteresis on both bodies [N·m], and drag of the axial friction on each surface [N], with the
-        sign of the rotation, shape (5, ...); 0 without a loss factor, and without skew.
+        sign of the rotation, shape (contacts, ...); 0 without a loss factor, and without skew.
     traction_coefficient : Array
-        T/N, shape (5, ...) [-].
+        T/N, shape (contacts, ...) [-].
     slip_ratio : Array
-        Tangential force over what friction and skew leave for it, shape (5, ...) [-].
+        Tangential force over what friction and skew leave for it, shape (contacts, ...) [-].
     stick_fraction : Array
-        Share of the contact width that sticks under tangential and axial traction, shape (5, ...) [-].
+        Share of the contact width that sticks under tangential and axial traction, shape (contacts, ...) [-].
     layer_ratio, layer_creepage_factor : Array
         Yield of the asperities over that of the bodies, and by how much the asperities change the creepage, shape
-        (5, ...) [-].
+        (contacts, ...) [-].
     hertz_pressure : Array
         Peak pressure of smooth bodies, where a crowned contact carries most, shape (contacts,) [Pa].
     rough_half_width, rough_peak_pressure : Array
         Half-width of the ellipse whose root mean square the load's places have, and peak pressure, both with the
-        asperities and in the middle of crowned contacts, shape (5, ...) [m] and [Pa]; life and shakedown take Hertz's.
+        asperities and in the middle of crowned contacts, shape (contacts, ...) [m] and [Pa]; life and shakedown take
+        Hertz's.
     skew_creepage_factor : Array
-        By how much skew raises the creepage, shape (5, ...) [-]; 1 without skew.
+        By how much skew raises the creepage, shape (contacts, ...) [-]; 1 without skew.
     capacity_loss : Array
-        Share of the friction that skew takes from the tangential force, shape (5, ...) [-].
+        Share of the friction that skew takes from the tangential force, shape (contacts, ...) [-].
     axial_force : Array
-        Axial force of one contact on its driven body, shape (5, ...) [N].
+        Axial force of one contact on its driven body, shape (contacts, ...) [N].
     axial_thrust : Array
         Sum of the axial forces on each body of a sector, on a body on the axis those of all sectors, shape
         (bodies, ...) [N].
@@ -79,17 +81,17 @@ class RollingResult(Module):
     drift_per_output_turn : Array
         Angle by which the output has fallen behind after one turn of its own [rad].
     drift_rate : Array
-        The same per time [rad/s]; nan where the sun stands.
+        The same per time [rad/s]; nan where the input stands.
     power : RollingPower
-        Losses and efficiency; nan where the sun stands.
+        Losses and efficiency; nan where the input stands.
     flash_temperature : Array
-        Rise of the surfaces above the temperature of the bodies, shape (5, ...) [K]; nan where the sun stands or a
-        material has no thermal properties.
+        Rise of the surfaces above the temperature of the bodies, shape (contacts, ...) [K]; nan where the input stands
+        or a material has no thermal properties.
     film_thickness, film_ratio : Array
         Smallest thickness of the oil film, as if it carried the whole load [m], and its ratio to the roughness [-],
-        shape (5, ...); nan where the sun stands or the joint lacks a number for them.
+        shape (contacts, ...); nan where the input stands or the joint lacks a number for them.
     shakedown_ratio : Array
-        Peak pressure over the shakedown limit at the contact's traction coefficient, shape (5, ...) [-].
+        Peak pressure over the shakedown limit at the contact's traction coefficient, shape (contacts, ...) [-].
     output_speed : Array
         Angular velocity of the output, creep taken off [rad/s]; without its sign.
     cycles : Array
@@ -99,7 +101,7 @@ class RollingResult(Module):
     life_turns : DriveLives
         Lives in turns of the output [-].
     life_hours : DriveLives
-        Lives in hours of rolling at the joint's speed [h]; nan where the sun stands.
+        Lives in hours of rolling at the joint's speed [h]; nan where the input stands.
     duty_life_hours, duty_life_turns : Array
         Life of the drive under its duty, in hours and in turns of the output; nan without a duty.
     duty_damage_shares, duty_load_hours, duty_shakedown_ratios, duty_slip_ratios : Array
@@ -108,7 +110,8 @@ class RollingResult(Module):
     residual : Array
         Residual of the rolling state, :data:`asperity.drive.state.creep.ROLLING_TOLERANCE` at most [-].
     crown_creepage_factor : Array or None
-        By how much the crowns change the creepage of smooth rollers, shape (5, ...) [-]; None where none is crowned.
+        By how much the crowns change the creepage of smooth rollers, shape (contacts, ...) [-]; None where none is
+        crowned.
     """
 
     normal: Array
@@ -271,7 +274,7 @@ def _lives(joint: Joint, strips: RollingStrips, unit: RollingSpeeds) -> tuple[Ar
     rates = cycle_rates(bodies=bodies, speeds=unit)
     per_turn = rates * (2.0 * xp.pi / unit.output)
     reliable = life_at_reliability(life=tracks, reliability=joint.rolling.reliability)
-    return tracks, per_turn, drive_lives(bodies=bodies, tracks=reliable / per_turn, planet_count=branches)
+    return tracks, per_turn, drive_lives(bodies=bodies, tracks=reliable / per_turn, branches=branches)
 
 
 def _flash(

@@ -74,7 +74,7 @@ def oil_film(
 ) -> tuple[Array, Array]:
     """Thickness of the oil film that would carry the whole load, and its ratio to the roughness.
 
-    Shape (5, ...).
+    Shape (contacts, ...).
     """
     absent = xp.full_like(normal_force, xp.nan)
     if conditions.viscosity is None or conditions.pressure_viscosity_coefficient is None:
@@ -97,7 +97,7 @@ def oil_film(
 
 
 class RollingStrips(NamedTuple):
-    """The strips of the contacts under their forces in rolling, shape (5, ...).
+    """The strips of the contacts under their forces in rolling, shape (contacts, ...).
 
     In the middle of the line: half-width [m]; ``largest_load``, normal forces as if the line load there acted on the
     whole line [N]; T/N [-]; friction power per length over the mean [-], None where the loads are even. ``tracks``:

@@ -152,7 +152,7 @@ def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
     capacity.plot(x, curves.all_slip, "--", color=MARK, label="all branches slip")
     capacity.set(ylabel="torque, standing [N·m]")
     capacity.legend(**_LEGEND)
-    sun.plot(x, curves.sun_force, color=ACCENT)
+    sun.plot(x, curves.central_force, color=ACCENT)
     sun.set(ylabel="force on the sun's bearings [N]")
     for panel in axes:
         panel.axvline(0.0, color="black", linestyle=":", linewidth=1.0)

@@ -116,7 +116,11 @@ def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
     bar = axes.figure.colorbar(filled, ax=axes, label="efficiency [%]")
     bar.ax.tick_params(labelsize="small")
     axes.plot(
-        float(joint.output_torque), _RPM * float(joint.sun_speed), "o", color="white", markeredgecolor="black"
+        float(joint.output_torque),
+        _RPM * float(joint.input_speed),
+        "o",
+        color="white",
+        markeredgecolor="black",
     )
     axes.set(xlabel=_TORQUE, ylabel="speed of the input [rpm]")
     _finish(axes)

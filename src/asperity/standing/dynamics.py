@@ -37,7 +37,7 @@ class Inertias(Module):
     Parameters
     ----------
     input : Real
-        Moment of inertia of motor and coupling at the sun [kg·m^2].
+        Moment of inertia of motor and coupling at the input [kg·m^2].
     output : Real
         Moment of inertia of the load at the carrier [kg·m^2].
     loss_factor : Real

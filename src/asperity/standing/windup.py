@@ -54,7 +54,7 @@ _SLIP_TOLERANCE, _SEARCHED = 1e-8, 50
 
 
 class Windup(Module):
-    """Torque–angle behaviour at the output with the sun locked. SI units.
+    """Torque–angle behaviour at the output with the input locked. SI units.
 
     Parameters
     ----------

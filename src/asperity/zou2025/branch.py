@@ -121,7 +121,7 @@ def branch_forces(
     # (3) t and (4) t with the roller moments T_wo = T_pw − 2 T_B/R_w put in; a pin's friction grows with |F|
     push_l = n_pwl * side.sin_wedge + t_pwl * (1.0 + side.cos_wedge)
     push_r = n_pwr * side.sin_wedge - t_pwr * (1.0 + side.cos_wedge)
-    constant = 2.0 * bearings.loading_roller_torque / radius
+    constant = 2.0 * bearings.roller_torque / radius
     pin_friction = 0.5 * bearings.pin_friction_coefficient * bearings.pin_friction_diameter / radius
     f_cl = (push_l - constant) * xp.where(
         push_l > constant, 1.0 / (cos_l + pin_friction), 1.0 / (cos_l - pin_friction)
@@ -166,7 +166,7 @@ def carrier_residual(branch: Branch, force: BranchForces) -> Array:
     geometry = branch.mechanism.geometry
     left, right = geometry.left_push_angle, geometry.right_push_angle
     push = force.pin_left * xp.cos(left) - force.pin_right * xp.cos(right)
-    torque = 2.0 * branch.mechanism.bearings.carrier_torque + branch.output_torque
+    torque = 2.0 * branch.mechanism.bearings.output_torque + branch.output_torque
     return push - torque / (geometry.planet_count * branch.sides.roller_orbit)  # (5)
 
 

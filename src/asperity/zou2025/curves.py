@@ -141,7 +141,7 @@ def _published(joint: PublishedJoint) -> tuple[dict[str, Real], Array]:
         "tangential_force": result.forces.tangential,
         "contact_torsional_stiffness": result.contact_torsional_stiffness,
         "output_stiffness": result.stiffness.output,
-        "sun_stiffness": result.stiffness.sun,
+        "sun_stiffness": result.stiffness.input,
     }
     return shown, result.solved
 

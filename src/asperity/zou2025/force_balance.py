@@ -280,7 +280,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     sun_contact, *others = (xp.maximum(value, 0.0) for value in force.normal)
     normals = (xp.where(lifted & (planet_floor >= roller_floor), 0.0, sun_contact), *others)
     geometry, bearings, traction = mechanism.geometry, mechanism.bearings, force.tangential[0]
-    input_torque = 2.0 * bearings.sun_torque + geometry.planet_count * geometry.sun_radius * traction  # (1)
+    input_torque = 2.0 * bearings.input_torque + geometry.planet_count * geometry.sun_radius * traction  # (1)
     scale = _largest((*normals, *force.tangential))
     equations = balance_equations(
         geometry=geometry,
@@ -366,7 +366,7 @@ def balance_equations(
     sun, roller = geometry.sun_radius, geometry.loading_roller_radius
     count, orbit = geometry.planet_count, side.roller_orbit
     return (
-        (input_torque - 2.0 * bearings.sun_torque) / (count * sun) - t_sp,  # (1)
+        (input_torque - 2.0 * bearings.input_torque) / (count * sun) - t_sp,  # (1)
         t_sp + t_pwr * cos_th - n_pwr * sin_th + n_pwl * sin_th + t_pwl * cos_th,  # (2) x
         # (2) y
         n_sp - t_pwr * sin_th - n_pwr * cos_th - n_pwl * cos_th + t_pwl * sin_th + planet_centrifugal,
@@ -379,5 +379,5 @@ def balance_equations(
         t_wro - t_pwr + 2.0 * right_bearing_torque / roller,  # (4) M
         pin_left * cos_l
         - pin_right * cos_r
-        - (2.0 * bearings.carrier_torque + output_torque) / (count * orbit),  # (5)
+        - (2.0 * bearings.output_torque + output_torque) / (count * orbit),  # (5)
     )

@@ -26,9 +26,9 @@ from asperity.zou2025.mechanism import Mechanism, rest_state
 from asperity.zou2025.series_stiffness import driven_radii, series_torsional_stiffness
 
 NO_FRICTION = Bearings(
-    sun_torque=0.0,
-    loading_roller_torque=0.0,
-    carrier_torque=0.0,
+    input_torque=0.0,
+    roller_torque=0.0,
+    output_torque=0.0,
     pin_friction_coefficient=0.0,
     pin_friction_diameter=0.0,
 )
@@ -126,7 +126,7 @@ def published_joint(joint: PublishedJoint) -> PublishedResult:
             )
         ),
         stiffness=TorsionalStiffness(
-            sun=xp.where(holds, series.sun, xp.nan), output=xp.where(holds, series.output, xp.nan)
+            input=xp.where(holds, series.input, xp.nan), output=xp.where(holds, series.output, xp.nan)
         ),
         solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
     )

@@ -99,4 +99,4 @@ def series_torsional_stiffness(*, geometry: DriveGeometry, tangential_stiffness:
     holds = (stages[0] > 0.0) & (stages[1] > 0.0) & (stages[2] > 0.0)
     compliance = sum(1.0 / xp.where(holds, stage, 1.0) for stage in stages)
     at_sun = xp.where(holds, geometry.planet_count / compliance, 0.0)  # (25)
-    return TorsionalStiffness(sun=at_sun, output=at_sun * speed_ratio(geometry) ** 2)
+    return TorsionalStiffness(input=at_sun, output=at_sun * speed_ratio(geometry) ** 2)

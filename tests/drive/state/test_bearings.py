@@ -15,9 +15,9 @@ from asperity.drive.state.states import drive_states
 from asperity.engine.control import at_once
 
 BEARINGS = Bearings(
-    sun_torque=0.01,
-    loading_roller_torque=0.02,
-    carrier_torque=0.05,
+    input_torque=0.01,
+    roller_torque=0.02,
+    output_torque=0.05,
     pin_friction_coefficient=0.1,
     pin_friction_diameter=8e-3,
 )

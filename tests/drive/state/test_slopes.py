@@ -65,9 +65,9 @@ DRIVES = {
     "stepped": stepped_planet_drive(sun_radius=10e-3, planet_radii=(20e-3, 18e-3), planet_count=3.0),
 }
 BEARINGS = Bearings(
-    sun_torque=1e-3,
-    loading_roller_torque=5e-4,
-    carrier_torque=2e-3,
+    input_torque=1e-3,
+    roller_torque=5e-4,
+    output_torque=2e-3,
     pin_friction_coefficient=2e-3,
     pin_friction_diameter=4e-3,
 )

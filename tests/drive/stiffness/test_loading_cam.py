@@ -70,7 +70,7 @@ def test_in_series_with_the_drive_all_shares_add_up():
     held = Assembly(TorsionalStiffness(400.0, 32400.0), tangential, normal, *np.full(5, 0.05))
     found = with_cam(assembly=held, compliance=1e-4)
     assert float(found.stiffness.output) == pytest.approx(1.0 / (1.0 / 32400.0 + 1e-4))
-    assert float(found.stiffness.sun) == pytest.approx(float(found.stiffness.output) / 81.0)
+    assert float(found.stiffness.input) == pytest.approx(float(found.stiffness.output) / 81.0)
     shares = [np.sum(getattr(found, name)) for name in vars(found) if name.endswith("_share")]
     assert sum(shares) == pytest.approx(1.0)
     assert float(found.loading_cam_share) == pytest.approx(1e-4 * float(found.stiffness.output))

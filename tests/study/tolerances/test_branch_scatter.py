@@ -22,7 +22,7 @@ class Sectors:
         length = 30e-6 + sizes.added.sum(axis=1)
         if length.min() <= 0.0:
             raise InputError("planet 1 is loose")
-        state = SimpleNamespace(share=length / length.sum(), sun_force=np.array([3.0, 4.0]))
+        state = SimpleNamespace(share=length / length.sum(), central_force=np.array([3.0, 4.0]))
         branches = SimpleNamespace(standing=state, rolling=state, rest=state, preload=length)
         first, last = (SimpleNamespace(output_torque=1e6 * each) for each in (length.min(), length.mean()))
         return branches, SimpleNamespace(first_slip=first, standing=last, rolling=first)

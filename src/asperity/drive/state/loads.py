@@ -234,7 +234,7 @@ def friction_moments(
     drive : Drive
         The drive.
     bearings : Bearings
-        Friction of the bearings: ``sun_torque`` of the input, ``carrier_torque`` of the output, and of every roller on
+        Friction of the bearings: ``input_torque`` of the input, ``output_torque`` of the output, and of every roller on
         a pin.
     pin_force : Array
         Forces of the pins, shape (pins,) [N].
@@ -260,7 +260,7 @@ def friction_moments(
     layout = drive.layout
     carrier, unit, sectors = layout.carrier, layout.unit, sectors_of_members(drive)
     moments = xp.zeros(len(drive.members))
-    for number, torque in ((layout.input, bearings.sun_torque), (layout.output, bearings.carrier_torque)):
+    for number, torque in ((layout.input, bearings.input_torque), (layout.output, bearings.output_torque)):
         moments = moments - 2.0 * torque * xp.sign(ideal[number]) * unit[number]
     for pin, body in enumerate(drive.pinned):
         torque = 2.0 * bearing_torque(bearings=bearings, pin_force=pin_force[pin])

@@ -37,14 +37,14 @@ def cam_preload(*, least_preload: Real, force_per_torque: Real, output_torque: R
     least_preload : Real
         N_min, without torque [N].
     force_per_torque : Real
-        c, normal force between sun and planet for a torque at the output [N/(N·m)].
+        c, normal force of the first contact for a torque at the output [N/(N·m)].
     output_torque : Real
         T, of either sign [N·m].
 
     Returns
     -------
     Array
-        Normal force N_0 between sun and planet at rest [N].
+        Normal force N_0 of the first contact at rest [N].
 
     References
     ----------
@@ -160,7 +160,7 @@ def with_cam(*, assembly: Assembly, compliance: Real) -> Assembly:
     }
     shares["loading_cam_share"] = 1.0 - kept
     return dataclasses.replace(
-        assembly, stiffness=TorsionalStiffness(sun=held.sun * kept, output=held.output * kept), **shares
+        assembly, stiffness=TorsionalStiffness(input=held.input * kept, output=held.output * kept), **shares
     )
 
 

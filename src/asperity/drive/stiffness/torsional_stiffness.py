@@ -12,17 +12,17 @@ ARCMINUTE = math.pi / 10800.0
 
 
 class TorsionalStiffness(Module):
-    """Torsional stiffness, at the sun and at the output.
+    """Torsional stiffness, at the input and at the output.
 
     Parameters
     ----------
-    sun : Real
-        At the sun with the carrier locked [N·m/rad].
+    input : Real
+        At the input with the output locked [N·m/rad].
     output : Real
-        At the carrier with the sun locked, as users of reducers quote it [N·m/rad].
+        At the output with the input locked, as users of reducers quote it [N·m/rad].
     """
 
-    sun: Real
+    input: Real
     output: Real
 
     @property
@@ -59,11 +59,11 @@ class Assembly(Module):
     Parameters
     ----------
     stiffness : TorsionalStiffness
-        At the sun and at the output [N·m/rad]; 0 where the drive transmits no torque.
+        At the input and at the output [N·m/rad]; 0 where the drive transmits no torque.
     tangential_share : Array
-        Share of each contact's tangential spring in the compliance, shape (5, ...) [-].
+        Share of each contact's tangential spring in the compliance, shape (contacts, ...) [-].
     normal_share : Array
-        Share of each contact's normal spring, which allows the planet to float in its wedge, shape (5, ...) [-].
+        Share of each contact's normal spring, which allows free rollers to float, shape (contacts, ...) [-].
     ring_bending_share, pin_share, planet_support_share, input_shaft_share, output_shaft_share : Array
         Shares of the structure [-]. All shares add up to 1.
     loading_cam_share : Real, optional

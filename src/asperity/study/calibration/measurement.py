@@ -92,7 +92,7 @@ _DRIFT = MeasuredQuantity("drift per output turn", "arcmin", "arcsec", "rad")
 class Measurement:
     """A measured curve in SI units, rows in the order of time; all arrays of shape (points,).
 
-    ``torque`` at the output, of either sign [N·m]; ``angle`` of the output with the sun locked [rad], incremental
+    ``torque`` at the output, of either sign [N·m]; ``angle`` of the output with the input locked [rad], incremental
     ``stiffness`` [N·m/rad] or ``drift``, the angle lost in one turn of the output while the joint rolls, with the sign
     of the torque [rad]: exactly one of them is there, the others are None. ``time`` [s] or None; ``repetition``: number
     of the repetition of each row, zeros if the file states none; ``source``: name of the file; ``unloaded_ratio``:

@@ -139,6 +139,6 @@ def _one(joint: Joint, sizes: SectorDeviations) -> tuple[float, ...]:
         float(limits.rolling.output_torque),
         standing,
         rolling,
-        float(np.hypot(*(branches.standing or branches.rest).sun_force)),
+        float(np.hypot(*(branches.standing or branches.rest).central_force)),
         float(np.any(branches.preload <= 0.0)),
     )
