@@ -5,12 +5,12 @@ import math
 
 import numpy as np
 import pytest
+from assumed import assumptions
 
 from asperity.errors import InputError
 from asperity.joint.fit import fit_document, loose_temperature, refuse_loose
 from asperity.joint.solve import solve_joint
 from asperity.joint.status import STATUS_NAMES
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values

@@ -3,8 +3,8 @@
 import re
 
 import pytest
+from assumed import assumptions
 
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.reader import parse_case
 
 

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
+from assumed import assumptions
 
 from asperity.joint.bores import pin_compliances
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import (
     joint_from_case,
     joint_from_values,

@@ -7,12 +7,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from assumed import assumptions
 
 from asperity.contact.exponential import RandomRoughness
 from asperity.contact.fractal import Surface
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.solve import solve_joint
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.contact_laws import laws_of_file, with_law
 from asperity.joint_file.drawn_surface import drawn_interval

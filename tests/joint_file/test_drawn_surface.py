@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from assumed import assumptions
 
 from asperity.engine.control import at_once, vectorised
 from asperity.joint.evaluation import evaluate
 from asperity.joint.solve import solve_joint
 from asperity.joint_file import drawn_surface as module
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.drawn_surface import _words, drawn_interval, surfaces_by_average
 from asperity.joint_file.reader import case_from_tables, parse_case

@@ -5,8 +5,8 @@ import re
 from pathlib import Path
 
 import pytest
+from assumed import assumptions
 
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values

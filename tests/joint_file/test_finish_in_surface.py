@@ -2,9 +2,9 @@
 
 import pytest
 import tomlkit
+from assumed import assumptions
 
 from asperity.errors import InputError
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.finish_in_surface import dimension_text, fill_in_finishes
 from asperity.joint_file.reader import parse_case

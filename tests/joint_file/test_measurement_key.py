@@ -7,13 +7,13 @@ import tomllib
 
 import numpy as np
 import pytest
+from assumed import assumptions
 
 from asperity.errors import InputError
 from asperity.joint.measured_surface import measured_surface
 from asperity.joint.solve import solve_joint
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.any_joint import with_nominal_sizes
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.felt_heights import felt_at

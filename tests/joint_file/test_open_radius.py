@@ -5,10 +5,10 @@ from pathlib import Path
 
 import jsonschema
 import pytest
+from assumed import assumptions
 
 from asperity.drive.layout.drive import speed_ratio
 from asperity.errors import InputError
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.open_radius import radii_of

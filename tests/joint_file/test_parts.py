@@ -5,11 +5,11 @@ from pathlib import Path
 import jax
 import numpy as np
 import pytest
+from assumed import assumptions
 
 from asperity.drive.layout.drive import gaps, speed_ratio
 from asperity.drive.layout.existence import refuse_impossible
 from asperity.errors import InputError
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.part_names import CONTACTS, bodies_of_type
 from asperity.joint_file.parts import layout_of

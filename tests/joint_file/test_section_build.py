@@ -1,9 +1,9 @@
 from pathlib import Path
 
 import pytest
+from assumed import assumptions
 
 from asperity.errors import InputError
-from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case

@@ -98,8 +98,9 @@ class DescribedJoint(Shown):
     def assumptions(self) -> tuple[str, ...]:
         """What the file leaves out and what is assumed instead, one sentence each."""
         from asperity.joint_file.assumptions import assumptions
+        from asperity.joint_file.build import joint_from_case
 
-        return assumptions(self.case)
+        return assumptions(self.case, joint_from_case(self.case))
 
     def with_values(self, changes: Mapping[str, Any]) -> DescribedJoint:
         """The same joint with other numbers, choices or materials.

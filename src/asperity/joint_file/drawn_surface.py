@@ -13,14 +13,13 @@ from asperity.engine import trees
 from asperity.engine.arrays import xp
 from asperity.joint.evaluation import JointResult
 from asperity.joint.surface_interval import over_surfaces, result_ends
-from asperity.joint_file import limits
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section_build import rms_height_of_average
-from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH, replace_values, si_values
+from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.units import format_quantity
 
@@ -49,28 +48,6 @@ _NORMAL_95 = 1.959963984540054
 def surfaces_by_average(case: Case) -> dict[str, SurfaceEntry]:
     """The surfaces of a joint file that are stated by their Ra."""
     return {path: entry for path, entry in surface_entries(case) if entry.roughness_average is not None}
-
-
-def depth_assumptions(case: Case) -> list[str]:
-    """What is taken for surfaces that are stated by their Rz."""
-    told = []
-    for path, entry in surfaces_by_average(case).items():
-        for key, of in ((_AVERAGE, DEPTH), (_PARTNER, PARTNER_DEPTH)):
-            average, depth = getattr(entry, key), getattr(entry, of)
-            if depth is None or average is None:
-                continue
-            low, high = (average.value + sign * average.tolerance for sign in (-1.0, 1.0))
-            told.append(
-                f"{path}.{of}: Rz {depth} taken of normally distributed heights, Ra "
-                f"{format_quantity(low, 'um', 2)} to {format_quantity(high, 'um', 2)}; a single scratch raises Rz, and "
-                "the surface is then smoother than computed"
-            )
-            if limits.MEAN_ROUGHNESS_DEPTH.read(depth).tolerance == 0.0:
-                told.append(
-                    f"{path}.{of} without a tolerance: as measured over one evaluation length, not the "
-                    "upper limit that a drawing states; surfaces below the limit are smoother"
-                )
-    return told
 
 
 def surface_entries(case: Case) -> Iterator[tuple[str, SurfaceEntry]]:

@@ -32,7 +32,10 @@ def solve_case(case: AnyCase) -> SolvedCase:
 
 def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
     """The document of a joint file that is solved already."""
-    return joint_document(solved, inputs=without_measurement(si_values(case)), assumptions=assumptions(case))
+    joint = solved.joint if solved.branches is None else solved.branches.equal
+    return joint_document(
+        solved, inputs=without_measurement(si_values(case)), assumptions=assumptions(case, joint)
+    )
 
 
 def solved_case(case: AnyCase) -> SolvedJoint:
